@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The only file of core, seafile and capi that knows which operating system it runs on.
+#include "ocean/platform.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <thread>
+
+#if defined(_WIN32)
+#define WIN32_LEAN_AND_MEAN
+#define NOMINMAX
+#include <windows.h>
+#elif defined(__linux__)
+#include <sched.h>
+#include <sys/resource.h>
+
+#include <fstream>
+#endif
+
+namespace ocean {
+
+int available_cores() {
+#if defined(__linux__)
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    if (sched_getaffinity(0, sizeof(set), &set) == 0) return std::max(CPU_COUNT(&set), 1);
+#endif
+    return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+}
+
+#if defined(__linux__)
+namespace {
+
+constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
+
+/// First number of a one-line file such as /sys/fs/cgroup/memory.max, which may say "max".
+std::uint64_t number_in(const char* path) {
+    std::ifstream file(path);
+    std::uint64_t value = 0;
+    return file >> value ? value : kUnknown;
+}
+
+/// The number after `key` in a file of "Key: 123 kB" lines, in bytes.
+std::uint64_t kilobytes_in(const char* path, const std::string& key) {
+    std::ifstream file(path);
+    std::string word;
+    while (file >> word) {
+        std::uint64_t value = 0;
+        if (word == key && file >> value) return value * 1024;
+    }
+    return kUnknown;
+}
+
+std::uint64_t minus(std::uint64_t limit, std::uint64_t used) {
+    if (limit == kUnknown) return kUnknown;
+    return used == kUnknown ? limit : limit - std::min(limit, used);
+}
+
+}  // namespace
+
+std::uint64_t available_memory() {
+    std::uint64_t least = kilobytes_in("/proc/meminfo", "MemAvailable:");
+    least = std::min(least, minus(number_in("/sys/fs/cgroup/memory.max"),
+                                  number_in("/sys/fs/cgroup/memory.current")));
+    struct rlimit limit {};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+        const std::uint64_t used = kilobytes_in("/proc/self/status", "VmSize:");
+        least = std::min(least, minus(limit.rlim_cur, used));
+    }
+    return least;
+}
+#elif defined(_WIN32)
+std::uint64_t available_memory() {
+    MEMORYSTATUSEX status{};
+    status.dwLength = sizeof(status);
+    if (!GlobalMemoryStatusEx(&status)) return std::numeric_limits<std::uint64_t>::max();
+    return std::min(status.ullAvailPhys, status.ullAvailVirtual);
+}
+#else
+std::uint64_t available_memory() {
+    return std::numeric_limits<std::uint64_t>::max();
+}
+#endif
+
+std::filesystem::path utf8_path(std::string_view text) {
+    return std::filesystem::path(std::u8string(text.begin(), text.end()));
+}
+
+}  // namespace ocean

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The numbers of `ocean info`: integrals of the spectrum beside sums over the grid's modes.
+#include "ocean/sea_state.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <complex>
+
+#include "ocean/dispersion.hpp"
+#include "ocean/error.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// Sums over one row of modes, or over all of them.
+struct ModeSums {
+    double m0 = 0.0;
+    double mean_square_slope = 0.0;
+    std::complex<double> direction = 0.0;
+    double shortest = 0.0;
+    double longest = 0.0;
+    std::vector<double> ring;        // variance by whole |k| / dk
+    std::vector<double> ring_omega;  // variance times omega
+};
+
+ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& parameters, int m) {
+    const int half = parameters.grid.resolution / 2;
+    const double step = kTwoPi / parameters.grid.patch_size;
+    const Dispersion dispersion(parameters.water);
+    ModeSums sums;
+    sums.ring.resize(static_cast<std::size_t>(half));
+    sums.ring_omega.resize(sums.ring.size());
+    for (int n = -half + 1; n < half; ++n) {
+        const double variance = modal_variance(spectrum, parameters, n, m);
+        if (variance <= 0.0) continue;
+        const double length = std::hypot(n, m);
+        const double k = step * length;
+        sums.m0 += variance;
+        sums.mean_square_slope += k * k * variance;
+        sums.direction += std::complex<double>(n, m) * (variance / length);
+        sums.shortest = sums.shortest > 0.0 ? std::min(sums.shortest, kTwoPi / k) : kTwoPi / k;
+        sums.longest = std::max(sums.longest, kTwoPi / k);
+        const auto ring = static_cast<std::size_t>(std::lround(length));
+        if (ring >= sums.ring.size()) continue;
+        sums.ring[ring] += variance;
+        sums.ring_omega[ring] += variance * dispersion.angular_frequency(k);
+    }
+    return sums;
+}
+
+void add(ModeSums& total, const ModeSums& row) {
+    total.m0 += row.m0;
+    total.mean_square_slope += row.mean_square_slope;
+    total.direction += row.direction;
+    total.longest = std::max(total.longest, row.longest);
+    if (row.shortest > 0.0) {
+        total.shortest =
+            total.shortest > 0.0 ? std::min(total.shortest, row.shortest) : row.shortest;
+    }
+    total.ring.resize(row.ring.size());
+    total.ring_omega.resize(row.ring.size());
+    for (std::size_t i = 0; i < row.ring.size(); ++i) {
+        total.ring[i] += row.ring[i];
+        total.ring_omega[i] += row.ring_omega[i];
+    }
+}
+
+/// Frequency of the ring with the largest density over omega; 0 for a flat sea.
+double peak_of_rings(const ModeSums& sums, const Parameters& parameters) {
+    const Dispersion dispersion(parameters.water);
+    const double step = kTwoPi / parameters.grid.patch_size;
+    double largest = 0.0;
+    double peak = 0.0;
+    for (std::size_t i = 1; i < sums.ring.size(); ++i) {
+        const double density =
+            sums.ring[i] / dispersion.group_velocity(step * static_cast<double>(i));
+        if (density <= largest) continue;
+        largest = density;
+        peak = sums.ring_omega[i] / sums.ring[i];
+    }
+    return peak;
+}
+
+double degrees(double radians) {
+    return radians * 180.0 / kPi;
+}
+
+std::string fixed(double value, int digits) {
+    char buffer[64];
+    const auto end =
+        std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, digits);
+    return {buffer, end.ptr};
+}
+
+void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
+    const auto warn = [&state](std::string text) { state.warnings.push_back(std::move(text)); };
+    if (flat) {
+        warn("the sea is flat: no wave system has any energy (wind_speed = 0?)");
+        return;
+    }
+    if (state.energy_resolved < 0.95) {
+        warn("this grid holds " + fixed(100.0 * state.energy_resolved, 1) +
+             " % of the energy asked for; its waves are " + fixed(state.shortest_wave, 2) + " to " +
+             fixed(state.longest_wave, 0) + " m long, the peak of the spectrum is at " +
+             fixed(state.peak_wavelength.asked, 1) +
+             " m: change grid.patch_size or grid.resolution");
+    }
+    if (state.energy_resolved > 1.02) {
+        warn("the spectrum is narrower than the grid's modes lie apart: heights are " +
+             fixed(100.0 * state.energy_resolved, 1) +
+             " % of the energy asked for; make grid.patch_size larger");
+    }
+    if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
+        warn("fewer than three of the dominant waves (" + fixed(state.peak_wavelength.asked, 1) +
+             " m) fit into grid.patch_size = " + fixed(parameters.grid.patch_size, 1) +
+             " m: the repetition will show");
+    }
+}
+
+}  // namespace
+
+SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                   ThreadPool& pool) {
+    const SurfaceSettings& band = parameters.surface;
+    const Dispersion dispersion(parameters.water);
+    const int half = parameters.grid.resolution / 2;
+    const double step = kTwoPi / parameters.grid.patch_size;
+
+    // Rows in parallel, added in order: the same bits for any number of threads.
+    std::vector<ModeSums> rows(static_cast<std::size_t>(2 * half - 1));
+    pool.for_each_range(2 * half - 1, [&](int first, int last) {
+        for (int row = first; row < last; ++row) {
+            rows[static_cast<std::size_t>(row)] = sum_row(spectrum, parameters, row - half + 1);
+        }
+    });
+    ModeSums sums;
+    for (const ModeSums& row : rows) add(sums, row);
+    const SpectralMoments asked =
+        spectrum.moments(parameters.water, band.shortest_wavelength, band.longest_wavelength);
+
+    const auto period = [](double omega) { return omega > 0.0 ? kTwoPi / omega : 0.0; };
+    const auto wavelength = [&](double omega) {
+        return omega > 0.0 ? kTwoPi / dispersion.wavenumber(omega) : 0.0;
+    };
+    const double peak = peak_of_rings(sums, parameters);
+    SeaState state;
+    state.significant_wave_height = {asked.significant_wave_height(), 4.0 * std::sqrt(sums.m0)};
+    state.peak_period = {period(asked.peak_omega), period(peak)};
+    state.peak_wavelength = {wavelength(asked.peak_omega), wavelength(peak)};
+    state.mean_square_slope = {asked.mean_square_slope, sums.mean_square_slope};
+    state.mean_direction = {degrees(asked.mean_direction), degrees(std::arg(sums.direction))};
+    state.energy_resolved = asked.m0 > 0.0 ? sums.m0 / asked.m0 : 1.0;
+    state.shortest_wave =
+        sums.shortest > 0.0 ? sums.shortest : kTwoPi / (step * std::sqrt(2.0) * (half - 1));
+    state.longest_wave = sums.longest > 0.0 ? sums.longest : parameters.grid.patch_size;
+    state.period = parameters.grid.patch_size;
+    state.memory_bytes = modes_bytes(parameters.grid.resolution) +
+                         surface_bytes(parameters.grid.resolution, 12) +
+                         spectrum.table().size_bytes();
+    state.foam_preroll_seconds =
+        std::ceil(std::log(512.0) * band.foam_lifetime / band.foam_step) * band.foam_step;
+    add_warnings(parameters, asked.m0 <= 0.0, state);
+    return state;
+}
+
+std::string sea_state_json(const SeaState& state) {
+    const auto number = [](double value) {
+        char buffer[32];
+        const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value);
+        return std::string(buffer, end.ptr);
+    };
+    std::string result = "{\n";
+    const auto pair = [&](const char* name, const AskedResolved& value) {
+        result += "  \"" + std::string(name) + "\": {\"asked\": " + number(value.asked) +
+                  ", \"resolved\": " + number(value.resolved) + "},\n";
+    };
+    const auto single = [&](const char* name, const std::string& value) {
+        result += "  \"" + std::string(name) + "\": " + value + ",\n";
+    };
+    pair("significant_wave_height", state.significant_wave_height);
+    pair("peak_period", state.peak_period);
+    pair("peak_wavelength", state.peak_wavelength);
+    pair("mean_square_slope", state.mean_square_slope);
+    pair("mean_direction", state.mean_direction);
+    single("energy_resolved", number(std::clamp(state.energy_resolved, 0.0, 1.0)));
+    single("shortest_wave", number(state.shortest_wave));
+    single("longest_wave", number(state.longest_wave));
+    single("period", number(state.period));
+    single("memory_bytes", std::to_string(state.memory_bytes));
+    single("foam_preroll_seconds", number(state.foam_preroll_seconds));
+    result += "  \"warnings\": [";
+    for (const std::string& warning : state.warnings) {
+        result += (result.back() == '[' ? "\"" : ", \"") + warning + "\"";
+    }
+    return result + "]\n}\n";
+}
+
+std::uint64_t modes_bytes(int resolution) {
+    const auto n = static_cast<std::uint64_t>(resolution);
+    return n * n * (sizeof(std::complex<float>) + 3 * sizeof(float));
+}
+
+std::uint64_t surface_bytes(int resolution, int channels) {
+    // The maps themselves, the linear planes they are made of, and the half spectra between the two
+    // passes of the transform: at most eleven linear fields exist.
+    const auto n = static_cast<std::uint64_t>(resolution);
+    const auto maps = static_cast<std::uint64_t>(channels);
+    const std::uint64_t linear = std::min<std::uint64_t>(maps + 5, 11);
+    return n * n * sizeof(float) * (maps + 2 * linear);
+}
+
+void require_memory(std::uint64_t bytes, const std::string& what) {
+    const std::uint64_t there = available_memory();
+    if (bytes <= there) return;
+    const auto mebibytes = [](std::uint64_t value) { return std::to_string(value >> 20) + " MiB"; };
+    throw Error(ErrorKind::out_of_memory, what + " needs " + mebibytes(bytes) +
+                                              " of memory, there are " + mebibytes(there) +
+                                              "; choose a smaller resolution");
+}
+
+}  // namespace ocean

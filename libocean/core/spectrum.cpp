@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The frequency spectra of [[waves]]: formulas, and the search for peak, support and variance that
+// makes each of them a FrequencySpectrum. Next stage: directional_spectrum.cpp.
+#include "ocean/spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/grid.hpp"
+
+namespace ocean {
+
+namespace {
+
+constexpr double kPhillipsConstant = 8.1e-3;
+
+/// Composite Simpson in ln(omega) on both sides of the kink at `split`.
+double integrate(const std::function<double(double)>& density, double low, double split,
+                 double high) {
+    const auto part = [&density](double from, double to) {
+        constexpr int kIntervals = 4096;
+        const double step = std::log(to / from) / kIntervals;
+        double sum = 0.0;
+        for (int i = 0; i <= kIntervals; ++i) {
+            const double omega = from * std::exp(step * i);
+            const double weight = i == 0 || i == kIntervals ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+            sum += weight * density(omega) * omega;
+        }
+        return sum * step / 3.0;
+    };
+    return part(low, split) + part(split, high);
+}
+
+/// Largest density on a fine grid in ln(omega), then golden-section steps inside its neighbours.
+double find_peak(const std::function<double(double)>& density, double low, double high) {
+    constexpr int kSteps = 4000;
+    const double step = std::log(high / low) / kSteps;
+    int best = 0;
+    double largest = -1.0;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double value = density(low * std::exp(step * i));
+        if (value > largest) {
+            largest = value;
+            best = i;
+        }
+    }
+    double a = step * std::max(best - 1, 0);
+    double b = step * std::min(best + 1, kSteps);
+    const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
+    for (int i = 0; i < 60; ++i) {
+        const double left = b - ratio * (b - a);
+        const double right = a + ratio * (b - a);
+        if (density(low * std::exp(left)) > density(low * std::exp(right))) {
+            b = right;
+        } else {
+            a = left;
+        }
+    }
+    return low * std::exp(0.5 * (a + b));
+}
+
+}  // namespace
+
+double pierson_moskowitz_peak(double wind_speed_10, double gravity) {
+    return std::pow(4.0 * 0.74 / 5.0, 0.25) * gravity / (kWind195 * wind_speed_10);
+}
+
+double pierson_moskowitz_density(double omega, double wind_speed_10, double gravity) {
+    const double ratio = gravity / (kWind195 * wind_speed_10 * omega);
+    return kPhillipsConstant * gravity * gravity * std::pow(omega, -5.0) *
+           std::exp(-0.74 * std::pow(ratio, 4.0));
+}
+
+double jonswap_peak(double wind_speed, double fetch, double gravity) {
+    const double chi = gravity * fetch / (wind_speed * wind_speed);
+    return kTwoPi * 3.5 * (gravity / wind_speed) * std::pow(chi, -0.33);
+}
+
+double jonswap_density(double omega, double wind_speed, double fetch, double peak_enhancement,
+                       double gravity) {
+    const double chi = gravity * fetch / (wind_speed * wind_speed);
+    const double alpha = 0.076 * std::pow(chi, -0.22);
+    const double peak = jonswap_peak(wind_speed, fetch, gravity);
+    const double sigma = omega <= peak ? 0.07 : 0.09;
+    const double distance = (omega - peak) / (sigma * peak);
+    const double r = std::exp(-0.5 * distance * distance);
+    return alpha * gravity * gravity * std::pow(omega, -5.0) *
+           std::exp(-1.25 * std::pow(peak / omega, 4.0)) * std::pow(peak_enhancement, r);
+}
+
+double finite_depth_factor(double omega, double depth, double gravity) {
+    const Water gravity_waves{.depth = depth, .gravity = gravity, .surface_tension = 0.0};
+    const double kd = Dispersion(gravity_waves).wavenumber(omega) * depth;
+    if (!(kd < 20.0)) return 1.0;
+    const double tangent = std::tanh(kd);
+    return tangent * tangent / (1.0 + 2.0 * kd / std::sinh(2.0 * kd));
+}
+
+double phillips_wavenumber_density(double k, double wind_speed, double amplitude,
+                                   double cutoff_wavelength, double gravity) {
+    const double longest = k * wind_speed * wind_speed / gravity;
+    const double shortest = k * cutoff_wavelength / kTwoPi;
+    return 0.5 * kPhillipsConstant * amplitude * std::pow(k, -3.0) *
+           std::exp(-1.0 / (longest * longest) - shortest * shortest);
+}
+
+FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water& water,
+                                          double highest) {
+    FrequencySpectrum result;
+    const double wind = system.wind_speed;
+    const double g = water.gravity;
+    if (wind <= 0.0) return result;
+
+    switch (system.spectrum) {
+        case SpectrumKind::pierson_moskowitz:
+            result.parameter_peak = pierson_moskowitz_peak(wind, g);
+            result.density = [=](double w) { return pierson_moskowitz_density(w, wind, g); };
+            break;
+        case SpectrumKind::jonswap:
+        case SpectrumKind::tma:
+            result.parameter_peak = jonswap_peak(wind, system.fetch, g);
+            result.density = [=, fetch = system.fetch, gamma = system.peak_enhancement](double w) {
+                return jonswap_density(w, wind, fetch, gamma, g);
+            };
+            if (system.spectrum == SpectrumKind::tma && std::isfinite(water.depth)) {
+                result.density = [deep = result.density, depth = water.depth, g](double w) {
+                    return deep(w) * finite_depth_factor(w, depth, g);
+                };
+            }
+            break;
+        case SpectrumKind::phillips:
+            // S(omega) = S(k) / c_g; its peak is that of k^-3 exp(-(kL)^-2) times omega/g in deep
+            // water: k = sqrt(4/5) / L.
+            result.parameter_peak =
+                Dispersion(water).angular_frequency(std::sqrt(0.8) * g / (wind * wind));
+            result.density = [=, dispersion = Dispersion(water), amplitude = system.amplitude,
+                              cutoff = system.cutoff_wavelength](double w) {
+                const double k = dispersion.wavenumber(w);
+                return phillips_wavenumber_density(k, wind, amplitude, cutoff, g) /
+                       dispersion.group_velocity(k);
+            };
+            break;
+        case SpectrumKind::measured:
+            return result;
+    }
+    // Below a fifth of the peak every one of them is under e^-700 or, in shallow water where
+    // Phillips' lower flank is drawn out, under 1e-9 of the peak.
+    result.lowest = 0.1 * result.parameter_peak;
+    result.highest = std::max(highest, 8.0 * result.parameter_peak);
+    result.peak = find_peak(result.density, result.lowest, result.highest);
+    result.m0 = integrate(result.density, result.lowest, result.parameter_peak, result.highest);
+    return result;
+}
+
+}  // namespace ocean

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From linear planes to the fields that users see: the displaced surface, its normal, Jacobian and
+// velocity. Last stage of the pipeline.
+#include "ocean/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/error.hpp"
+#include "ocean/thread_pool.hpp"
+#include "synthesis.hpp"
+#include "wave.hpp"
+
+namespace ocean {
+
+ChannelSet FieldInfo::set() const {
+    ChannelSet result;
+    for (int i = 0; i < count; ++i) {
+        result = result | ChannelSet{channels[static_cast<std::size_t>(i)]};
+    }
+    return result;
+}
+
+std::span<const FieldInfo> field_table() {
+    using enum Channel;
+    static constexpr FieldInfo kFields[] = {
+        {"height", {height}, 1, "m", true},
+        {"displacement", {dx, dy, height}, 3, "m", true},
+        {"slope", {slope_x, slope_y}, 2, "", true},
+        {"normal", {nx, ny, nz}, 3, "", true},
+        {"jacobian", {jacobian}, 1, "", true},
+        {"whitecap", {whitecap}, 1, "", false},
+        {"foam", {foam}, 1, "", false},
+        {"velocity", {vx, vy, vz}, 3, "m/s", true},
+    };
+    return kFields;
+}
+
+namespace {
+
+[[noreturn]] void refuse_field(std::string_view name) {
+    throw Error(ErrorKind::unsupported, std::string(name) +
+                                            ": foam comes with a later version of libocean; "
+                                            "this one has height, displacement, slope, normal, "
+                                            "jacobian, velocity");
+}
+
+}  // namespace
+
+const FieldInfo& find_field(std::string_view name) {
+    for (const FieldInfo& field : field_table()) {
+        if (field.name != name) continue;
+        if (!field.available) refuse_field(name);
+        return field;
+    }
+    throw Error(ErrorKind::invalid_value,
+                "unknown product '" + std::string(name) +
+                    "'; known: height, displacement, slope, normal, jacobian, velocity");
+}
+
+Backend find_backend(std::string_view name) {
+    if (name == "cpu") return Backend::cpu;
+    if (name == "radix2") return Backend::radix2;
+    if (name == "dft") return Backend::dft;
+    if (name == "gl") {
+        throw Error(ErrorKind::unsupported,
+                    "backend gl comes with a later version of libocean; use cpu");
+    }
+    throw Error(ErrorKind::invalid_value,
+                "unknown backend '" + std::string(name) + "'; known: cpu, radix2, dft");
+}
+
+Surface::Surface(Lattice lattice, double time, ChannelSet channels)
+    : lattice_(lattice), time_(time), channels_(channels) {
+    for (int c = 0; c < kChannelCount; ++c) {
+        if (has(static_cast<Channel>(c))) maps_[static_cast<std::size_t>(c)].resize(lattice.size());
+    }
+}
+
+std::span<const float> Surface::channel(Channel channel) const {
+    return maps_[static_cast<std::size_t>(channel)];
+}
+
+std::span<float> Surface::channel(Channel channel) {
+    return maps_[static_cast<std::size_t>(channel)];
+}
+
+namespace {
+
+constexpr ChannelSet kNormal = {Channel::nx, Channel::ny, Channel::nz};
+constexpr ChannelSet kNeedsGradients = kNormal | ChannelSet{Channel::jacobian};
+
+/// The linear fields that the channels are made of.
+std::vector<Linear> fields_needed(ChannelSet channels) {
+    std::vector<Linear> fields;
+    const auto need = [&](Linear field, ChannelSet users) {
+        if (channels.intersects(users)) fields.push_back(field);
+    };
+    need(Linear::height, {Channel::height});
+    need(Linear::excursion_x, {Channel::dx});
+    need(Linear::excursion_y, {Channel::dy});
+    need(Linear::slope_x, kNormal | ChannelSet{Channel::slope_x});
+    need(Linear::slope_y, kNormal | ChannelSet{Channel::slope_y});
+    need(Linear::gradient_xx, kNeedsGradients);
+    need(Linear::gradient_yy, kNeedsGradients);
+    need(Linear::gradient_xy, kNeedsGradients);
+    need(Linear::height_rate, {Channel::vz});
+    need(Linear::excursion_x_rate, {Channel::vx});
+    need(Linear::excursion_y_rate, {Channel::vy});
+    return fields;
+}
+
+inline wave::single_precision::SurfaceNormal normal_of(float c, float xx, float yy, float xy,
+                                                       float hx, float hy) {
+    return wave::single_precision::surface_normal(c, xx, yy, xy, hx, hy);
+}
+inline wave::double_precision::SurfaceNormal normal_of(double c, double xx, double yy, double xy,
+                                                       double hx, double hy) {
+    return wave::double_precision::surface_normal(c, xx, yy, xy, hx, hy);
+}
+inline float jacobian_of(float c, float xx, float yy, float xy) {
+    return wave::single_precision::surface_jacobian(c, xx, yy, xy);
+}
+inline double jacobian_of(double c, double xx, double yy, double xy) {
+    return wave::double_precision::surface_jacobian(c, xx, yy, xy);
+}
+
+/// Turns planes into channels, in the precision of the backend, rounding once at the end.
+template <typename Real>
+class Combination {
+  public:
+    Combination(const LinearPlanes<Real>& planes, double choppiness, Surface& surface,
+                ThreadPool& pool)
+        : planes_(planes),
+          choppiness_(static_cast<Real>(choppiness)),
+          surface_(surface),
+          pool_(pool) {}
+
+    void run() {
+        copy(Channel::height, Linear::height, 1);
+        copy(Channel::dx, Linear::excursion_x, -choppiness_);
+        copy(Channel::dy, Linear::excursion_y, -choppiness_);
+        copy(Channel::slope_x, Linear::slope_x, 1);
+        copy(Channel::slope_y, Linear::slope_y, 1);
+        copy(Channel::vz, Linear::height_rate, 1);
+        copy(Channel::vx, Linear::excursion_x_rate, -choppiness_);
+        copy(Channel::vy, Linear::excursion_y_rate, -choppiness_);
+        if (surface_.has(Channel::jacobian)) jacobians();
+        if (surface_.channels().intersects(kNormal)) normals();
+    }
+
+  private:
+    template <typename Body>
+    void each_row(const Body& body) {
+        const auto width = static_cast<std::size_t>(surface_.resolution());
+        pool_.for_each_range(surface_.resolution(), [&](int first, int last) {
+            body(static_cast<std::size_t>(first) * width, static_cast<std::size_t>(last) * width);
+        });
+    }
+
+    void copy(Channel channel, Linear field, Real factor) {
+        if (!surface_.has(channel)) return;
+        const std::vector<Real>& from = planes_[field];
+        const std::span<float> to = surface_.channel(channel);
+        each_row([&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) to[i] = static_cast<float>(factor * from[i]);
+        });
+    }
+
+    void jacobians() {
+        const std::span<float> to = surface_.channel(Channel::jacobian);
+        each_row([&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                to[i] = static_cast<float>(jacobian_of(choppiness_, planes_[Linear::gradient_xx][i],
+                                                       planes_[Linear::gradient_yy][i],
+                                                       planes_[Linear::gradient_xy][i]));
+            }
+        });
+    }
+
+    void normals() {
+        const auto store = [&](Channel channel, std::size_t i, Real value) {
+            if (surface_.has(channel)) surface_.channel(channel)[i] = static_cast<float>(value);
+        };
+        each_row([&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const auto n =
+                    normal_of(choppiness_, planes_[Linear::gradient_xx][i],
+                              planes_[Linear::gradient_yy][i], planes_[Linear::gradient_xy][i],
+                              planes_[Linear::slope_x][i], planes_[Linear::slope_y][i]);
+                store(Channel::nx, i, n.x);
+                store(Channel::ny, i, n.y);
+                store(Channel::nz, i, n.z);
+            }
+        });
+    }
+
+    const LinearPlanes<Real>& planes_;
+    Real choppiness_;
+    Surface& surface_;
+    ThreadPool& pool_;
+};
+
+template <typename Real>
+void combine(const LinearPlanes<Real>& planes, double choppiness, Surface& surface,
+             ThreadPool& pool) {
+    Combination<Real>(planes, choppiness, surface, pool).run();
+}
+
+}  // namespace
+
+Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
+                     ChannelSet channels, Backend backend, ThreadPool& pool, int resolution) {
+    if (channels.contains(Channel::whitecap)) refuse_field("whitecap");
+    if (channels.contains(Channel::foam)) refuse_field("foam");
+    if (!std::isfinite(time)) {
+        throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
+    }
+    if (resolution == 0) resolution = modes.lattice.resolution;
+    if (!is_power_of_two(resolution) || resolution < kMinResolution ||
+        resolution > kMaxResolution) {
+        throw Error(ErrorKind::invalid_value, "resolution = " + std::to_string(resolution) +
+                                                  "; allowed: a power of two, 32 .. 8192");
+    }
+    Surface surface({resolution, modes.lattice.period}, time, channels);
+    const SynthesisRequest request{modes, time, resolution, fields_needed(channels)};
+    switch (backend) {
+        case Backend::cpu:
+            combine(synthesize_cpu(request, pool), settings.choppiness, surface, pool);
+            break;
+        case Backend::radix2:
+            combine(synthesize_radix2(request, pool), settings.choppiness, surface, pool);
+            break;
+        case Backend::dft:
+            combine(synthesize_dft(request, pool), settings.choppiness, surface, pool);
+            break;
+        case Backend::gl:
+            find_backend("gl");
+    }
+    return surface;
+}
+
+}  // namespace ocean

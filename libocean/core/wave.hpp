@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// shaders/wave/ seen from C++: the very files that the GPU compiles, once in float and once in
+// double. This page gives them the few GLSL words that C++ lacks.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace ocean::wave {
+
+using uint = std::uint32_t;
+using std::cosh;
+using std::floor;
+using std::fma;
+using std::ldexp;
+using std::min;
+using std::sqrt;
+using std::tanh;
+
+inline void umulExtended(uint x, uint y, uint& high, uint& low) {
+    const std::uint64_t product = static_cast<std::uint64_t>(x) * y;
+    high = static_cast<uint>(product >> 32);
+    low = static_cast<uint>(product);
+}
+inline int findMSB(uint x) {
+    return 31 - std::countl_zero(x);
+}
+
+// A formula is a function that both compilers may see many times.
+#define precise
+#define formula inline
+namespace single_precision {
+using real = float;
+#include "wave/turns.glsl"
+
+#include "wave/noise.glsl"
+
+#include "wave/dispersion.glsl"
+#include "wave/phase.glsl"
+#include "wave/surface.glsl"
+}  // namespace single_precision
+
+namespace double_precision {
+using real = double;
+#include "wave/turns.glsl"
+
+#include "wave/noise.glsl"
+
+#include "wave/dispersion.glsl"
+#include "wave/phase.glsl"
+#include "wave/surface.glsl"
+}  // namespace double_precision
+#undef precise
+#undef formula
+
+}  // namespace ocean::wave

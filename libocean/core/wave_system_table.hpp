@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One wave system on its way into the table: its frequency density after rescaling, the rows that
+// resolve it, and its directional density at any of the rows of all systems together.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "ocean/parameters.hpp"
+#include "ocean/spectrum.hpp"
+
+namespace ocean {
+
+struct WaveSystemTable {
+    /// Angular frequencies between which linear interpolation of this system is good enough.
+    std::vector<double> rows;
+    int directions = 0;
+    /// Exact integral of the density, m^2.
+    double m0 = 0.0;
+    /// m^2 s/rad at any omega, 0 outside the support.
+    std::function<double(double omega)> density;
+    /// The distribution over directions at omega: sums to 1 times `row.size()` / 2 pi.
+    std::function<void(double omega, std::span<double> row)> spreading;
+};
+
+/// `highest` bounds the frequencies of parametric systems. A flat system has no rows.
+WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& water,
+                                       double highest);
+
+}  // namespace ocean

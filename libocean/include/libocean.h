@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The C API: a sea file in, float maps out, for hosts in any language. libocean.so exports these
+// functions and nothing else.
+//
+// Rules that hold for every function:
+// - No exception crosses. A function that fails returns a code, leaves its outputs alone and keeps
+//   a sentence for ocean_last_error(). Any function may return OCEAN_INVALID_ARGUMENT,
+//   OCEAN_OUT_OF_MEMORY and OCEAN_INTERNAL; the other codes stand beside it.
+// - An ocean_sea is for one thread at a time, several run in parallel; functions without one may
+//   be called from any thread.
+// - Texts are UTF-8. Buffers and texts belong to the caller and are not kept.
+// - A text result goes to `out`, with a final 0. Pass *size = capacity of out in bytes; *size
+//   becomes the size needed, the final 0 included. If that is more than the capacity, nothing is
+//   written and OCEAN_BUFFER_TOO_SMALL returned. out = NULL asks for the size alone: OCEAN_OK.
+// - A struct opens with struct_size, its size where the caller was compiled. A shorter one (an
+//   older header) leaves the rest at its default, where there is one; a longer one (a newer
+//   header) is accepted if the part unknown here is all 0, else OCEAN_UNSUPPORTED.
+#ifndef LIBOCEAN_H
+#define LIBOCEAN_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32) && defined(OCEAN_BUILDING)
+#define OCEAN_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define OCEAN_API __attribute__((visibility("default")))
+#else
+#define OCEAN_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Goes up when a struct or a meaning changes so that compiled callers break. */
+#define OCEAN_ABI_VERSION 1
+
+typedef struct ocean_sea ocean_sea;
+typedef int32_t ocean_result;
+
+enum {
+    OCEAN_OK = 0,
+    OCEAN_INVALID_ARGUMENT = 1, /* a NULL, a size or a count of this call */
+    OCEAN_INVALID_VALUE = 2,    /* a parameter: unknown, of a wrong type, out of range */
+    OCEAN_BAD_FILE = 3,         /* a file that cannot be read or is not what it claims */
+    OCEAN_NOT_FOUND = 4,        /* a record, preset or file that does not exist */
+    OCEAN_UNSUPPORTED = 5,      /* a feature of a later version */
+    OCEAN_OUTPUT = 6,           /* writing failed */
+    OCEAN_OUT_OF_MEMORY = 7,
+    OCEAN_BUFFER_TOO_SMALL = 8,
+    OCEAN_INTERNAL = 9 /* a fault of the library: please report it */
+};
+
+/* Channels. dx, dy: offsets of the displaced point [m]; slope by label; velocity [m/s]. */
+enum {
+    OCEAN_DX,
+    OCEAN_DY,
+    OCEAN_HEIGHT,
+    OCEAN_NX,
+    OCEAN_NY,
+    OCEAN_NZ,
+    OCEAN_SLOPE_X,
+    OCEAN_SLOPE_Y,
+    OCEAN_JACOBIAN,
+    OCEAN_WHITECAP,
+    OCEAN_FOAM,
+    OCEAN_VX,
+    OCEAN_VY,
+    OCEAN_VZ
+};
+
+/* Axes of vectors: (x, y, z), (x, z, -y), (x, z, y). */
+enum { OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB };
+
+/* Backends. */
+enum { OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT };
+
+/* struct_size = sizeof(ocean_options). threads: 0 = the cores this process may use, else 1 .. 1024,
+ * the caller's own among them. backend: OCEAN_CPU; OCEAN_RADIX2 and OCEAN_DFT are the slow
+ * references. */
+typedef struct {
+    size_t struct_size;
+    int32_t threads;
+    int32_t backend;
+} ocean_options;
+
+/* One destination of 1 to 4 interleaved channels: component c of sample (i, j), which lies i steps
+ * east and j steps north, is data[(j * R + i) * channels + c] for a map of R x R samples.
+ * count: floats in data, at least R * R * channels.
+ * channel[c], c < channels, says what component c holds, in z-up terms; -1: it is left as it is.
+ * axes turns whole vectors: where three neighbouring components are {OCEAN_DX, OCEAN_DY,
+ * OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX, OCEAN_VY, OCEAN_VZ}, in this order,
+ * those three receive, for a vector (x, y, z),
+ *     OCEAN_ZUP (x, y, z)     OCEAN_YUP (x, z, -y)     OCEAN_TNB (x, z, y).
+ * Every other component is stored as it is, whatever the axes. So {OCEAN_DX, OCEAN_DY,
+ * OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height, -dy and leaves the fourth component. */
+typedef struct {
+    float* data;
+    size_t count;
+    int32_t channel[4];
+    int32_t channels;
+    int32_t axes;
+} ocean_output;
+
+/* struct_size = sizeof(ocean_request). time in seconds. resolution: 0 = the sea's own, else a
+ * power of two, 32 .. 8192. */
+typedef struct {
+    size_t struct_size;
+    double time;
+    int32_t resolution;
+    const ocean_output* outputs;
+    size_t output_count;
+} ocean_request;
+
+/* The OCEAN_ABI_VERSION that the library was built with: compare with the header's. Never fails. */
+OCEAN_API uint32_t ocean_abi_version(void);
+/* "0.1.0". Lives for ever. */
+OCEAN_API const char* ocean_version(void);
+/* What went wrong in this thread's last failed call; "" before any. Lives until the next failed
+ * call of this thread. */
+OCEAN_API const char* ocean_last_error(void);
+
+/* Opens a sea file. options may be NULL. *out is to be freed by ocean_free; it needs neither the
+ * file nor the options any more. BAD_FILE, INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
+OCEAN_API ocean_result ocean_open(const char* path, const ocean_options* options, ocean_sea** out);
+/* The same from text of `length` bytes (no final 0 needed); base_dir is where a relative `file`
+ * starts, NULL = the current directory. */
+OCEAN_API ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
+                                   const ocean_options* options, ocean_sea** out);
+/* Frees the sea and all it holds. NULL is allowed. */
+OCEAN_API void ocean_free(ocean_sea* sea);
+
+/* Sets a parameter by name ("wind_speed", "waves.1.fetch") from text. A refused value changes
+ * nothing. INVALID_VALUE, UNSUPPORTED. */
+OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
+/* Its value as text into out[size], with a final 0; an unset one is "". INVALID_VALUE;
+ * BUFFER_TOO_SMALL, and then the sentence says the size needed. */
+OCEAN_API ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size);
+
+/* The resolved sea file, self-contained: ocean_parse of it gives the same sea in every bit.
+ * BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size);
+/* The parameter table, a JSON array. BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_parameters_json(char* out, size_t* size);
+/* What `ocean info --json` prints, a JSON object: builds the spectrum when needed.
+ * BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size);
+/* What a spectrum file holds, a JSON array. BAD_FILE, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* size);
+/* The sea file of a preset ("beaufort_6"); with name = NULL the names of all, a JSON array.
+ * NOT_FOUND, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
+
+/* Computes every output of the request in one go; the same bits for any number of threads and any
+ * order of calls. Blocks. A request that fails a check writes nothing. UNSUPPORTED. */
+OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
+/* n world points (x, y) in metres; per point the ten floats of `ocean query`, `stride` floats
+ * apart. Not in this version: always UNSUPPORTED. */
+OCEAN_API ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n,
+                                   float* samples, size_t stride);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

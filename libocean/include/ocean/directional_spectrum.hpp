@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one table E(omega, theta) of all wave systems together. Every spectrum, analytic or measured,
+// ends here; modes, CPU and GPU read it by the same interpolation and know no formula.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ocean/parameters.hpp"
+
+namespace ocean {
+
+/// Integrals of the table, exact for its bilinear interpolation in omega.
+struct SpectralMoments {
+    double m0 = 0.0;                  // m^2
+    double mean_square_slope = 0.0;   // integral of k^2 E
+    double peak_omega = 0.0;          // where the density over all directions is largest; 0 if flat
+    double mean_direction = 0.0;      // rad, energy-weighted; 0 if flat
+    double directional_spread = 0.0;  // rad, sqrt(2 (1 - |c1|)), circular standard deviation
+
+    double significant_wave_height() const;  // 4 sqrt(m0)
+};
+
+/// Immutable. Rows at uneven angular frequencies (close where the density bends), columns at
+/// even directions 2 pi j / directions, density in m^2 s/rad^2 by bilinear interpolation, 0
+/// outside.
+class DirectionalSpectrum {
+  public:
+    DirectionalSpectrum() = default;
+    DirectionalSpectrum(std::vector<double> angular_frequencies, int directions,
+                        std::vector<double> density);
+
+    double density(double omega, double theta) const;
+    /// Integral over all directions, m^2 s/rad.
+    double frequency_density(double omega) const;
+    /// Over wavelengths shortest..longest metres (0 = no limit).
+    SpectralMoments moments(const Water& water, double shortest = 0.0, double longest = 0.0) const;
+
+    std::span<const double> angular_frequencies() const { return omega_; }
+    int directions() const { return directions_; }
+    /// rows * directions values, row by row.
+    std::span<const double> table() const { return density_; }
+    bool flat() const { return omega_.empty(); }
+
+  private:
+    std::vector<double> omega_;
+    int directions_ = 0;
+    std::vector<double> density_;
+    std::vector<double> row_sum_;  // frequency_density at each row
+};
+
+/// Adds up all wave systems. Energy of each parametric system exact to 1e-5, density to 1e-4 of its
+/// peak; a measured one is linear between its listed frequencies and 0 beyond them.
+/// Needs validated parameters.
+DirectionalSpectrum make_directional_spectrum(const Parameters& parameters);
+
+}  // namespace ocean

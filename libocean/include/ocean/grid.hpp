@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The wavenumber lattice of a periodic square, in FFT order, and the numbers every stage shares.
+// First link of the pipeline: everything indexed by mode or sample follows this page.
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+
+namespace ocean {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
+inline constexpr int kMinResolution = 32;
+inline constexpr int kMaxResolution = 8192;
+
+/// N x N modes or samples on a square of side `period` metres. Sample (i, j) lies at
+/// (i, j) * period / N; mode (n, m) has k = 2 pi (n, m) / period.
+struct Lattice {
+    int resolution = 0;
+    double period = 0.0;
+
+    double wavenumber_step() const { return kTwoPi / period; }
+    /// Smallest wavelength below the Nyquist line, along an axis: period / (N/2 - 1).
+    double shortest_wavelength() const { return period / (resolution / 2 - 1); }
+    std::size_t size() const {
+        return static_cast<std::size_t>(resolution) * static_cast<std::size_t>(resolution);
+    }
+};
+
+/// Signed wavenumber of an FFT index: 0 .. N/2-1, -N/2 .. -1.
+constexpr int signed_wavenumber(int index, int n) {
+    return index < n / 2 ? index : index - n;
+}
+/// FFT index of a signed wavenumber; the inverse of signed_wavenumber.
+constexpr int fft_index(int wavenumber, int n) {
+    return wavenumber < 0 ? wavenumber + n : wavenumber;
+}
+/// FFT index of -k: the mirror, for which h0(-k) is read from the same array.
+constexpr int mirror_index(int index, int n) {
+    return index == 0 ? 0 : n - index;
+}
+constexpr bool is_power_of_two(long long n) {
+    return n > 0 && (n & (n - 1)) == 0;
+}
+
+}  // namespace ocean

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files for other renderers. One signature for all formats: a Frame, a path, the format's options.
+// Every file is written under a temporary name beside its own and renamed when it is whole.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ocean/surface.hpp"
+
+namespace ocean::io {
+
+/// What a file says about one moment of a sea. References must outlive the call.
+struct Frame {
+    const Surface& surface;
+    const std::string& sea_text;  // the resolved sea file: goes into headers
+    int number;
+    double time;  // s
+};
+
+/// Order of vector components: zup (x, y, z), yup (x, z, -y), tnb (x, z, y).
+enum class Axes { zup, yup, tnb };
+Axes find_axes(std::string_view name);
+std::string_view axes_name(Axes axes);
+
+enum class PixelType { automatic, half_float, full_float };
+enum class ExrCompression { none, rle, zips, zip, piz, pxr24 };
+
+struct ExrOptions {
+    Axes axes = Axes::tnb;
+    /// automatic: float for displacement and velocity, half for the rest.
+    PixelType type = PixelType::automatic;
+    ExrCompression compression = ExrCompression::zip;
+    int threads = 0;
+};
+
+/// "zip", "pxr24" ...; a codec that spoils vectors (b44, b44a, dwaa, dwab) is refused with the
+/// reason. Throws Error invalid_value.
+ExrCompression find_exr_compression(std::string_view name);
+
+/// One product in a flat, single-part file: R,G,B or Y. The bottom scanline is j = 0.
+/// Throws Error output.
+void write_exr(const Frame& frame, const FieldInfo& product, const std::string& path,
+               const ExrOptions& options);
+/// All products in one file for compositors: R,G,B,A = displacement and 1, then normal.X ...
+void write_exr_layered(const Frame& frame, std::span<const FieldInfo* const> products,
+                       const std::string& path, const ExrOptions& options);
+
+/// The `ocean:` header strings of a baked file, in name order. Throws Error bad_file with the
+/// reason; safe on hostile files.
+std::vector<std::pair<std::string, std::string>> read_exr_header(const std::string& path);
+
+/// Writes bytes so that `path` is either the old file or the whole new one, also when the disk is
+/// full or the process is killed. Throws Error output with the path and the system's reason.
+/// All writers here do so. They take no notice of signals: an interrupted program finishes the file
+/// or unwinds by an exception, and both leave no temporary.
+void write_file_atomically(const std::string& path, std::string_view bytes);
+
+/// Removes what writers killed outright (power, kill -9, out of memory) left in a directory; "" is
+/// the current one. Temporaries of writers that still live are kept. Returns how many it removed.
+int remove_abandoned_temporaries(const std::string& directory);
+
+/// 16-bit grey height_field of the undisplaced heights, (N+1)^2 with the wrapped seam, top row far.
+/// `path` + ".txt" says lo, hi, unit, quantum and POV-Ray's scale and base:
+/// height = base + scale * code / 65536. The heights fill a quarter of the codes, so each is right
+/// to (hi - lo) / 32768. Needs channel height. Throws Error output.
+void write_height_field(const Frame& frame, const std::string& path);
+
+/// Triangles with a normal at each vertex, z up, metres.
+struct Mesh {
+    std::vector<float> positions;  // x, y, z of each vertex
+    std::vector<float> normals;
+    std::vector<int> triangles;  // three vertex numbers each, counter-clockwise from above
+};
+
+/// One period of the displaced surface, (N+1)^2 vertices with the seam closed. Vertices lie on a
+/// grid of a power of two (2^-16 m, coarser for large patches), which keeps the seam of copies that
+/// lie a period apart free of cracks when the period lies on it too, as every whole number does.
+/// Needs dx, dy, height, nx, ny, nz.
+Mesh make_patch_mesh(const Surface& surface);
+
+/// Where a picture is taken from: what of the sea a mesh must show, and how finely.
+struct View {
+    double x = 0.0;  // eye, m
+    double y = 0.0;
+    double height = 6.0;          // above still water, m
+    double heading = 0.0;         // degrees counter-clockwise from +x
+    double field_of_view = 60.0;  // horizontal, degrees, 1 .. 150; the mesh has a margin around it
+    double nearest = 0.0;         // first row, m from the eye; 0 = right for this height
+    double horizon = 0.0;         // last row, m; 0 = where the Earth hides the highest crest
+    int columns = 720;            // vertices across, and away
+    int rows = 1800;
+    /// Slope variance of the waves too short for any map, e.g. those that a buoy does not measure:
+    /// light meets them too. Added to that of the waves filtered away.
+    double unresolved_slope_variance = 0.0;
+};
+
+/// Metres to the horizon of still water from `height` metres above it: sqrt(2 R h).
+double horizon_distance(double height);
+
+/// Mean slope towards the eye of those facets of a rough surface that the eye sees. `slope_rms`: of
+/// the slopes along the line of sight, Gaussian; `elevation_slope`: tangent of the eye's elevation
+/// as seen from the mean surface, negative on a side turned away. See visible_slope.cpp.
+double mean_visible_slope(double slope_rms, double elevation_slope);
+
+/// A fan of the sea in front of an eye, dense near and coarse far, to the horizon of a round Earth.
+/// `levels` are maps of one sea and time, from the finest resolution to the coarsest, each half the
+/// one before: each vertex takes what its distance can show, so that nothing aliases, and its
+/// normal is turned to the eye by what the filtered-away waves would have shown of themselves.
+/// Needs dx, dy, height, nx, ny, nz, slope_x, slope_y. Throws Error invalid_value.
+Mesh make_horizon_mesh(std::span<const Surface> levels, const View& view);
+
+/// A POV-Ray include file that declares `Ocean_Surface` as a mesh2 in POV-Ray's axes (x, z, y), and
+/// Ocean_Time, Ocean_Period, Ocean_Frame_Number; with a view also its camera: Ocean_Eye,
+/// Ocean_Forward, Ocean_View_Angle. Throws Error output.
+void write_mesh2(const Mesh& mesh, const Frame& frame, const std::string& path,
+                 const View* view = nullptr);
+
+}  // namespace ocean::io

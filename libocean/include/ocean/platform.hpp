@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What differs between operating systems, in one place: core/platform.cpp.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace ocean {
+
+/// Cores that this process may run on (affinity respected), at least 1.
+int available_cores();
+/// Bytes that can still be allocated (free memory, container and process limits), or the largest
+/// value where the system does not tell.
+std::uint64_t available_memory();
+/// Path from the UTF-8 text that all interfaces use.
+std::filesystem::path utf8_path(std::string_view text);
+
+}  // namespace ocean

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a sea is, in the numbers wave people use: asked for by the spectrum, and resolved by a grid.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ocean/modes.hpp"
+
+namespace ocean {
+
+/// A: integral of the spectrum in double. B: sum over the modes of the grid, no random draw.
+struct AskedResolved {
+    double asked = 0.0;
+    double resolved = 0.0;
+};
+
+struct SeaState {
+    AskedResolved significant_wave_height;  // m
+    AskedResolved peak_period;              // s; 0 = flat
+    AskedResolved peak_wavelength;          // m
+    AskedResolved mean_square_slope;
+    AskedResolved mean_direction;  // degrees counter-clockwise from +x, travelling to
+    double energy_resolved = 1.0;  // resolved m0 / asked m0; 1 for a flat sea
+    double shortest_wave = 0.0;    // m, of the grid within the band limits
+    double longest_wave = 0.0;
+    double period = 0.0;             // m
+    std::uint64_t memory_bytes = 0;  // modes, spectrum table and one frame of all fields
+    double foam_preroll_seconds = 0.0;
+    std::vector<std::string> warnings;  // full sentences, for people
+};
+
+/// Needs validated parameters.
+SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                   ThreadPool& pool);
+/// The object of `ocean info --json`.
+std::string sea_state_json(const SeaState& state);
+
+/// Bytes for the modes, and for a surface of `channels` maps, work space included.
+std::uint64_t modes_bytes(int resolution);
+std::uint64_t surface_bytes(int resolution, int channels);
+/// Throws Error out_of_memory, before anything is allocated, when `bytes` is more than there is.
+void require_memory(std::uint64_t bytes, const std::string& what);
+
+}  // namespace ocean

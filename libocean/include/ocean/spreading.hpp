@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Directional spreading D(omega, theta): how the energy of one frequency is spread around the mean
+// direction. Each integrates to 1 over the full circle.
+#pragma once
+
+#include <span>
+
+#include "ocean/parameters.hpp"
+
+namespace ocean {
+
+/// s of the cos-2s family. x = omega / omega_p; wave_age_inverse = U omega_p / g.
+/// [Mitsuyasu 1975] eq. 27 to 29: s_p = 11.5 (U omega_p / g)^-2.5, s_p x^5 or s_p x^-2.5.
+double mitsuyasu_exponent(double x, double wave_age_inverse);
+/// [Hasselmann 1980] eq. 4.3: 6.97 x^4.06, 9.77 x^(-2.33 - 1.45 (U omega_p / g - 1.17)).
+double hasselmann_exponent(double x, double wave_age_inverse);
+/// [Donelan 1985] eq. 9.2 with the high-frequency tail of [Banner 1990] eq. 4.3.
+double donelan_banner_beta(double x);
+/// s_xi = 16 tanh(omega_p / omega) xi^2 of [Horvath 2015] eq. 44: long waves are more aligned.
+double swell_exponent(double x, double swell);
+
+/// Normalisation of |cos(theta/2)|^(2s) over the full circle, by lgamma: finite for any s.
+double cosine_2s_normalisation(double s);
+
+/// Fills one row D(theta_j), theta_j = 2 pi j / row.size() - about the mean direction - so that
+/// sum(row) * 2 pi / row.size() == 1 to rounding. x = omega / omega_p.
+/// `mean_direction` in radians. Uses spreading, swell, opposing, alignment (Phillips) of `system`.
+void spreading_row(const WaveSystem& system, double x, double wave_age_inverse,
+                   double mean_direction, std::span<double> row);
+
+/// How many directions resolve every row of this system to 1e-4 of its peak; a power of two.
+int directions_needed(const WaveSystem& system, double wave_age_inverse);
+
+/// Non-negative D(theta_j) with the given first two moments, travel direction in radians.
+/// maximum_entropy: [Lygre and Krogstad 1986] eq. 13; moments that no distribution can have are
+/// pulled to the nearest that one can. fourier: truncated series, negative parts cut off.
+void estimate_row(double a1, double b1, double a2, double b2, Estimator estimator,
+                  std::span<double> row);
+
+}  // namespace ocean

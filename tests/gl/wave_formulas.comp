@@ -1,0 +1,29 @@
+#version 450
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Uses every formula of shaders/wave/ once, so that none is dropped unread by the compiler.
+#extension GL_GOOGLE_include_directive : require
+#define real float
+#define formula
+#include "wave/turns.glsl"
+#include "wave/noise.glsl"
+#include "wave/dispersion.glsl"
+#include "wave/phase.glsl"
+#include "wave/surface.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) buffer Result { vec4 result[]; };
+
+void main() {
+    uint id = gl_GlobalInvocationID.x;
+    Gaussian xi = gaussian_noise(1u, 0u, int(id), -int(id));
+    float k = 0.01 * float(id + 1u);
+    float omega = angular_frequency(k, 9.81, 7.4e-5, 100.0);
+    float turns = phase_turns(omega / 6.2831853, 0.0, 12.0, 0.0);
+    ModeState state = mode_state(xi.re, xi.im, xi.im, xi.re, turns, omega);
+    SurfaceNormal normal = surface_normal(1.0, 0.1, 0.2, 0.05, state.re, state.im);
+    float area = surface_jacobian(1.0, 0.1, 0.2, 0.05);
+    result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
+                      area * horizontal_excursion(k, 100.0), state.rate_re + state.rate_im);
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The table holds the energy and the density of what it was made from.
+#include "ocean/directional_spectrum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "ocean/spectrum.hpp"
+#include "ocean/spreading.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+std::shared_ptr<SpectrumRecord> bimodal_record() {
+    auto record = std::make_shared<SpectrumRecord>();
+    for (int i = 0; i < 40; ++i) {
+        const double f = 0.035 + 0.01 * i + 0.0001 * i * i;
+        record->frequency.push_back(f);
+        record->density.push_back(std::exp(-std::pow((f - 0.08) / 0.01, 2.0)) +
+                                  0.4 * std::exp(-std::pow((f - 0.22) / 0.04, 2.0)));
+        const double direction = f < 0.15 ? 2.5 : -0.7;  // swell and wind sea
+        record->a1.push_back(0.8 * std::cos(direction));
+        record->b1.push_back(0.8 * std::sin(direction));
+        record->a2.push_back(0.5 * std::cos(2.0 * direction));
+        record->b2.push_back(0.5 * std::sin(2.0 * direction));
+    }
+    return record;
+}
+
+Parameters measured_sea() {
+    Parameters parameters;
+    parameters.waves.front().spectrum = SpectrumKind::measured;
+    parameters.waves.front().measured = bimodal_record();
+    return parameters;
+}
+
+double trapezoid(const SpectrumRecord& record) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < record.frequency.size(); ++i) {
+        sum += 0.5 * (record.density[i] + record.density[i + 1]) *
+               (record.frequency[i + 1] - record.frequency[i]);
+    }
+    return sum;
+}
+
+TEST(DirectionalSpectrum, EnergyIsExactToOneHundredThousandth) {
+    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
+                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+        for (const double gamma : {1.0, 3.3, 10.0}) {
+            Parameters parameters = test::wind_sea();
+            parameters.water.depth = 40.0;
+            parameters.waves.front().spectrum = kind;
+            parameters.waves.front().peak_enhancement = gamma;
+            const double exact =
+                make_frequency_spectrum(parameters.waves.front(), parameters.water, 100.0).m0;
+            const double table = make_directional_spectrum(parameters).moments(parameters.water).m0;
+            EXPECT_NEAR(table / exact, 1.0, 1e-5);
+        }
+    }
+}
+
+TEST(DirectionalSpectrum, DensityIsExactToOneTenThousandthOfThePeak) {
+    for (const SpreadingKind spreading :
+         {SpreadingKind::cosine_squared, SpreadingKind::mitsuyasu, SpreadingKind::hasselmann,
+          SpreadingKind::donelan_banner}) {
+        Parameters parameters = test::wind_sea();
+        WaveSystem& system = parameters.waves.front();
+        system.spreading = spreading;
+        system.swell = 0.5;
+        system.peak_enhancement = 7.0;
+        const DirectionalSpectrum table = make_directional_spectrum(parameters);
+        const double peak = jonswap_peak(system.wind_speed, system.fetch, 9.81);
+        const double largest = table.density(peak, kPi / 6.0);
+        std::vector<double> row(4096);
+        for (double x = 0.5; x < 6.0; x *= 1.0137) {
+            spreading_row(system, x, system.wind_speed * peak / 9.81, kPi / 6.0, row);
+            const double s = jonswap_density(x * peak, system.wind_speed, system.fetch, 7.0, 9.81);
+            for (std::size_t j = 3; j < row.size(); j += 117) {
+                const double theta = kTwoPi * static_cast<double>(j) / 4096.0;
+                ASSERT_NEAR(table.density(x * peak, theta), s * row[j], 2e-4 * largest)
+                    << x << " " << theta;
+            }
+        }
+    }
+}
+
+TEST(DirectionalSpectrum, TailKeepsItsRelativeAccuracy) {
+    const Parameters parameters = test::wind_sea();
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    for (double omega = 2.0; omega < 60.0; omega *= 1.07) {
+        EXPECT_NEAR(
+            table.frequency_density(omega) / jonswap_density(omega, 10.0, 100000.0, 3.3, 9.81), 1.0,
+            1.5e-3);
+    }
+}
+
+TEST(DirectionalSpectrum, EnergiesOfWaveSystemsAdd) {
+    Parameters both = test::wind_sea();
+    WaveSystem swell = both.waves.front();
+    swell.significant_wave_height = 1.5;
+    swell.peak_period = 14.0;
+    swell.wind_direction = -120.0;
+    both.waves.push_back(swell);
+    Parameters first = both;
+    first.waves = {both.waves[0]};
+    Parameters second = both;
+    second.waves = {both.waves[1]};
+    const DirectionalSpectrum sum = make_directional_spectrum(both);
+    const DirectionalSpectrum one = make_directional_spectrum(first);
+    const DirectionalSpectrum two = make_directional_spectrum(second);
+    EXPECT_NEAR(sum.moments(both.water).m0, one.moments(both.water).m0 + two.moments(both.water).m0,
+                2e-6);
+    EXPECT_NEAR(sum.density(0.449, -2.1), one.density(0.449, -2.1) + two.density(0.449, -2.1),
+                2e-4 * two.density(0.449, -2.094));
+}
+
+TEST(DirectionalSpectrum, MeasuredEnergyIsTheTrapezoidOverTheListedFrequencies) {
+    const Parameters parameters = measured_sea();
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    EXPECT_NEAR(table.moments(parameters.water).m0 / trapezoid(*parameters.waves[0].measured), 1.0,
+                1e-7);
+    EXPECT_EQ(table.frequency_density(kTwoPi * 0.03), 0.0) << "no tail is added";
+    EXPECT_EQ(table.frequency_density(kTwoPi * 0.70), 0.0);
+}
+
+TEST(DirectionalSpectrum, MeasuredKeepsEachFrequencysOwnDirection) {
+    const Parameters parameters = measured_sea();
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    const auto mean_at = [&](double frequency) {
+        std::complex<double> sum = 0.0;
+        for (int j = 0; j < 720; ++j) {
+            const double theta = kTwoPi * j / 720;
+            sum += table.density(kTwoPi * frequency, theta) * std::polar(1.0, theta);
+        }
+        return std::arg(sum);
+    };
+    EXPECT_NEAR(mean_at(0.08), 2.5, 0.01);
+    EXPECT_NEAR(mean_at(0.22), -0.7, 0.01);
+}
+
+TEST(DirectionalSpectrum, GivenWindDirectionReplacesTheMeasuredMean) {
+    Parameters parameters = measured_sea();
+    const DirectionalSpectrum as_measured = make_directional_spectrum(parameters);
+    parameters.waves.front().wind_direction = 100.0;
+    const SpectralMoments turned = make_directional_spectrum(parameters).moments(parameters.water);
+    EXPECT_NEAR(turned.mean_direction * 180.0 / kPi, 100.0, 0.1);
+    EXPECT_NEAR(turned.directional_spread, as_measured.moments(parameters.water).directional_spread,
+                1e-3);
+}
+
+TEST(DirectionalSpectrum, MissingMomentsAreFilledFromTheNeighbours) {
+    Parameters parameters = measured_sea();
+    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{5}}) {
+        record->a1[i] = std::nan("");
+        record->a2[i] = std::nan("");
+    }
+    const DirectionalSpectrum whole = make_directional_spectrum(parameters);
+    parameters.waves.front().measured = record;
+    const DirectionalSpectrum filled = make_directional_spectrum(parameters);
+    const double omega = kTwoPi * record->frequency[5];
+    EXPECT_NEAR(filled.density(omega, 2.5), whole.density(omega, 2.5), 1e-9);
+}
+
+TEST(DirectionalSpectrum, MeasuredWithoutDirectionsTakesTheWind) {
+    Parameters parameters = measured_sea();
+    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
+    record->a1.clear();
+    record->b1.clear();
+    record->a2.clear();
+    record->b2.clear();
+    parameters.waves.front().measured = record;
+    parameters.waves.front().wind_direction = -45.0;
+    const SpectralMoments moments = make_directional_spectrum(parameters).moments(parameters.water);
+    EXPECT_NEAR(moments.mean_direction * 180.0 / kPi, -45.0, 0.1);
+    EXPECT_NEAR(moments.m0 / trapezoid(*record), 1.0, 1e-7);
+}
+
+TEST(DirectionalSpectrum, FlatSeaIsZeroEverywhere) {
+    Parameters parameters = test::wind_sea();
+    parameters.waves.front().wind_speed = 0.0;
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    EXPECT_TRUE(table.flat());
+    EXPECT_EQ(table.density(1.0, 0.0), 0.0);
+    EXPECT_EQ(table.moments(parameters.water).m0, 0.0);
+}
+
+}  // namespace
+}  // namespace ocean

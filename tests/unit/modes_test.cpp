@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Modes: the lattice, the draw, the band, the clock.
+#include "ocean/modes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "ocean/dispersion.hpp"
+#include "ocean/thread_pool.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+Modes modes_of(const Parameters& parameters, int threads = 1) {
+    ThreadPool pool(threads);
+    return make_modes(make_directional_spectrum(parameters), parameters, pool);
+}
+
+std::size_t at(int n, int m, int size) {
+    return static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +
+           static_cast<std::size_t>(fft_index(n, size));
+}
+
+TEST(Grid, WavenumbersAreThoseOfFftfreq) {
+    const int expected[] = {0, 1, 2, 3, -4, -3, -2, -1};
+    for (int i = 0; i < 8; ++i) {
+        EXPECT_EQ(signed_wavenumber(i, 8), expected[i]);
+        EXPECT_EQ(fft_index(expected[i], 8), i);
+    }
+    for (int i = 1; i < 8; ++i) {
+        if (i == 4) continue;
+        EXPECT_EQ(signed_wavenumber(mirror_index(i, 8), 8), -signed_wavenumber(i, 8));
+    }
+}
+
+TEST(Modes, AFinerGridKeepsTheBitsOfSharedModes) {
+    const Modes coarse = modes_of(test::wind_sea(64));
+    const Modes fine = modes_of(test::wind_sea(256));
+    int compared = 0;
+    for (int m = -31; m < 32; ++m) {
+        for (int n = -31; n < 32; ++n) {
+            const auto& a = coarse.cascades[0].h0[at(n, m, 64)];
+            const auto& b = fine.cascades[0].h0[at(n, m, 256)];
+            ASSERT_EQ(std::memcmp(&a, &b, sizeof(a)), 0) << n << " " << m;
+            compared += a != std::complex<float>(0.0f) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(compared, 3000);
+}
+
+TEST(Modes, NyquistLinesAndTheMeanAreZero) {
+    const Modes modes = modes_of(test::wind_sea(64));
+    const auto& h0 = modes.cascades[0].h0;
+    for (std::size_t i = 0; i < 64; ++i) {
+        EXPECT_EQ(h0[32 * 64 + i], std::complex<float>(0.0f));
+        EXPECT_EQ(h0[i * 64 + 32], std::complex<float>(0.0f));
+    }
+    EXPECT_EQ(h0[0], std::complex<float>(0.0f));
+}
+
+TEST(Modes, AmplitudeIsHalfTheRootOfTheModalVariance) {
+    // E|h0|^2 = variance / 2, and both signs of k give E<h^2> = sum of the variances.
+    const Parameters parameters = test::wind_sea(64);
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    double drawn = 0.0;
+    double expected = 0.0;
+    double weight = 0.0;
+    for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+        Parameters other = parameters;
+        other.seed = seed;
+        const Modes modes = modes_of(other);
+        for (int m = -20; m <= 20; ++m) {
+            for (int n = 1; n <= 20; ++n) {
+                const double v = modal_variance(spectrum, parameters, n, m);
+                drawn += 2.0 * std::norm(modes.cascades[0].h0[at(n, m, 64)]);
+                expected += v;
+                weight += v * v;
+            }
+        }
+    }
+    EXPECT_NEAR(drawn / expected, 1.0, 4.0 * std::sqrt(weight) / expected);
+}
+
+TEST(Modes, ModalVarianceIsTheDensityInWavenumberSpace) {
+    const Parameters parameters = test::wind_sea();
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    const double step = kTwoPi / 400.0;
+    const double k = step * 5.0;
+    const double omega = std::sqrt(9.81 * k + 7.4e-5 * k * k * k);
+    const double expected = spectrum.density(omega, std::atan2(4.0, 3.0)) *
+                            (9.81 + 3.0 * 7.4e-5 * k * k) / (2.0 * omega) / k * step * step;
+    EXPECT_NEAR(modal_variance(spectrum, parameters, 3, 4) / expected, 1.0, 1e-12);
+}
+
+TEST(Modes, BandLimitsAreHalfOpenInWavelength) {
+    Parameters parameters = test::wind_sea();
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    parameters.surface.shortest_wavelength = 400.0 / 9.5;
+    parameters.surface.longest_wavelength = 400.0 / 4.5;
+    EXPECT_GT(modal_variance(spectrum, parameters, 9, 0), 0.0);
+    EXPECT_EQ(modal_variance(spectrum, parameters, 10, 0), 0.0);
+    EXPECT_GT(modal_variance(spectrum, parameters, 5, 0), 0.0);
+    EXPECT_EQ(modal_variance(spectrum, parameters, 4, 0), 0.0);
+}
+
+TEST(Modes, PhaseRateIsTheDispersionRelationForNegativeWavenumbersToo) {
+    for (const double depth : {5.0, std::numeric_limits<double>::infinity()}) {
+        Parameters parameters = test::wind_sea(64);
+        parameters.water.depth = depth;
+        const Modes modes = modes_of(parameters);
+        const Dispersion dispersion(parameters.water);
+        const CascadeModes& cascade = modes.cascades[0];
+        for (int m = -31; m < 32; ++m) {
+            for (int n = -31; n < 32; ++n) {
+                if (n == 0 && m == 0) continue;
+                const double k = kTwoPi / 400.0 * std::hypot(n, m);
+                const double rate = static_cast<double>(cascade.rate_high[at(n, m, 64)]) +
+                                    cascade.rate_low[at(n, m, 64)];
+                EXPECT_NEAR(rate * kTwoPi / dispersion.angular_frequency(k), 1.0, 1e-13);
+            }
+        }
+    }
+}
+
+TEST(Loop, RatesAreRoundedToWholeTurnsAndNeverToZero) {
+    EXPECT_EQ(turns_per_loop(kTwoPi * 0.1, 26.0), 3.0);  // 2.6 turns: floor would say 2
+    EXPECT_EQ(turns_per_loop(kTwoPi * 0.1, 24.0), 2.0);
+    EXPECT_EQ(turns_per_loop(kTwoPi * 0.001, 10.0), 1.0);
+    Parameters parameters = test::wind_sea(64);
+    parameters.time.loop_period = 10.0;
+    const Modes modes = modes_of(parameters);
+    for (int m = -31; m < 32; ++m) {
+        for (int n = -31; n < 32; ++n) {
+            if (n == 0 && m == 0) continue;
+            const float rate = modes.cascades[0].rate_high[at(n, m, 64)];
+            EXPECT_GE(rate, 1.0f);
+            EXPECT_EQ(rate, std::round(rate));
+            EXPECT_EQ(modes.cascades[0].rate_low[at(n, m, 64)], 0.0f);
+        }
+    }
+}
+
+TEST(Loop, TheSurfaceRepeatsBitForBit) {
+    Parameters parameters = test::wind_sea(64);
+    parameters.time.loop_period = 7.3;
+    Ocean sea(parameters, {.threads = 1});
+    for (const double time : {0.0, 0.1, 1.0 / 24.0, 3.7}) {
+        const Surface now = sea.evaluate(time, test::kAllChannels);
+        const Surface later = sea.evaluate(time + 7.3, test::kAllChannels);
+        const Surface much_later = sea.evaluate(time + 7.3 * 1024.0, test::kAllChannels);
+        for (const Channel channel : {Channel::height, Channel::dx, Channel::vz, Channel::nx}) {
+            const auto a = now.channel(channel);
+            const auto b = later.channel(channel);
+            const auto c = much_later.channel(channel);
+            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << time;
+            EXPECT_EQ(std::memcmp(a.data(), c.data(), a.size_bytes()), 0) << time;
+        }
+    }
+}
+
+TEST(Modes, ThreadsDoNotChangeABit) {
+    const Modes one = modes_of(test::wind_sea(64), 1);
+    const Modes three = modes_of(test::wind_sea(64), 3);
+    EXPECT_EQ(std::memcmp(one.cascades[0].h0.data(), three.cascades[0].h0.data(),
+                          one.cascades[0].h0.size() * sizeof(one.cascades[0].h0[0])),
+              0);
+}
+
+TEST(Modes, SeedsGiveOtherSeas) {
+    Parameters parameters = test::wind_sea(64);
+    const Modes one = modes_of(parameters);
+    parameters.seed = 2;
+    EXPECT_NE(one.cascades[0].h0[5], modes_of(parameters).cascades[0].h0[5]);
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parameter table is complete and consistent, and its access functions are strict.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+
+namespace ocean {
+namespace {
+
+std::string message_of(std::string_view name, std::string_view text) {
+    Parameters parameters;
+    try {
+        set_parameter(parameters, name, text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(ParameterTable, HasEveryKeyOfTheSeaFileOnce) {
+    const std::set<std::string> expected = {"water.depth",
+                                            "water.gravity",
+                                            "water.surface_tension",
+                                            "water.density",
+                                            "grid.resolution",
+                                            "grid.patch_size",
+                                            "grid.cascades",
+                                            "grid.cascade_divisors",
+                                            "surface.choppiness",
+                                            "surface.shortest_wavelength",
+                                            "surface.longest_wavelength",
+                                            "surface.foam_lifetime",
+                                            "surface.foam_step",
+                                            "surface.foam_coverage",
+                                            "surface.foam_threshold",
+                                            "surface.foam_width",
+                                            "time.start",
+                                            "time.first_frame",
+                                            "time.fps",
+                                            "time.loop_period",
+                                            "time.glide",
+                                            "time.take",
+                                            "random.seed",
+                                            "waves.0.spectrum",
+                                            "waves.0.wind_speed",
+                                            "waves.0.wind_direction",
+                                            "waves.0.fetch",
+                                            "waves.0.peak_enhancement",
+                                            "waves.0.spreading",
+                                            "waves.0.swell",
+                                            "waves.0.opposing",
+                                            "waves.0.significant_wave_height",
+                                            "waves.0.peak_period",
+                                            "waves.0.amplitude",
+                                            "waves.0.alignment",
+                                            "waves.0.cutoff_wavelength",
+                                            "waves.0.file",
+                                            "waves.0.record",
+                                            "waves.0.estimator"};
+    std::set<std::string> found;
+    for (const ParameterInfo& info : parameter_table()) {
+        EXPECT_TRUE(found.insert(info.path()).second) << info.path();
+        EXPECT_FALSE(info.help.empty());
+        EXPECT_LE(info.min, info.max);
+        EXPECT_LE(info.min, info.soft_min) << info.path();
+        EXPECT_GE(info.max, info.soft_max) << info.path();
+    }
+    EXPECT_EQ(found, expected);
+}
+
+TEST(ParameterTable, DefaultsAreThePublishedOnes) {
+    const Parameters p;
+    const std::pair<const char*, const char*> defaults[] = {{"depth", "inf"},
+                                                            {"gravity", "9.81"},
+                                                            {"surface_tension", "0.074"},
+                                                            {"resolution", "512"},
+                                                            {"patch_size", "500"},
+                                                            {"choppiness", "1"},
+                                                            {"foam_lifetime", "4"},
+                                                            {"foam_step", "0.05"},
+                                                            {"foam_coverage", "monahan"},
+                                                            {"foam_threshold", "0.75"},
+                                                            {"fps", "24"},
+                                                            {"glide", "0.5"},
+                                                            {"seed", "1"},
+                                                            {"spectrum", "phillips"},
+                                                            {"wind_speed", "10"},
+                                                            {"fetch", "300000"},
+                                                            {"peak_enhancement", "3.3"},
+                                                            {"spreading", "cosine_squared"},
+                                                            {"opposing", "1"},
+                                                            {"wind_direction", ""},
+                                                            {"significant_wave_height", ""},
+                                                            {"alignment", "2"},
+                                                            {"estimator", "maximum_entropy"},
+                                                            {"cascade_divisors", "[]"}};
+    for (const auto& [name, value] : defaults) EXPECT_EQ(get_parameter(p, name), value) << name;
+}
+
+TEST(ParameterTable, EveryDefaultIsAcceptedBackAsText) {
+    Parameters p;
+    for (const ParameterInfo& info : parameter_table()) {
+        const std::string text = get_parameter(p, info.path());
+        EXPECT_NO_THROW(set_parameter(p, info.path(), text)) << info.path() << " = " << text;
+        EXPECT_EQ(get_parameter(p, info.path()), text);
+    }
+}
+
+TEST(ParameterTable, NumbersKeepTheirBitsAsText) {
+    Parameters p;
+    p.waves.front().wind_speed = 0.1 + 0.2;
+    const std::string text = get_parameter(p, "wind_speed");
+    Parameters q;
+    set_parameter(q, "wind_speed", text);
+    EXPECT_EQ(p.waves.front().wind_speed, q.waves.front().wind_speed);
+}
+
+TEST(ParameterTable, BareKeysPathsAndWaveNumbersNameTheSame) {
+    Parameters p;
+    p.waves.resize(2);
+    set_parameter(p, "wind_speed", "11");
+    set_parameter(p, "waves.1.wind_speed", "12");
+    set_parameter(p, "grid.resolution", "64");
+    EXPECT_EQ(get_parameter(p, "waves.0.wind_speed"), "11");
+    EXPECT_EQ(p.waves[1].wind_speed, 12.0);
+    EXPECT_EQ(get_parameter(p, "resolution"), "64");
+    EXPECT_THROW(set_parameter(p, "waves.2.wind_speed", "1"), Error);
+    EXPECT_THROW(find_parameter("waves.wind_speed"), Error);
+    EXPECT_THROW(find_parameter("waves.-1.wind_speed"), Error);
+    EXPECT_THROW(find_parameter("water.resolution"), Error);
+}
+
+TEST(ParameterTable, WhatIsWrongIsSaidWithTheAllowedRange) {
+    EXPECT_TRUE(contains(message_of("depth", "-3"),
+                         "water.depth = -3: is out of range; allowed: 0.01 .. inf m"));
+    EXPECT_TRUE(contains(message_of("resolution", "300"), "a power of two, 32 .. 8192"));
+    EXPECT_TRUE(contains(message_of("resolution", "64.5"), "not a whole number"));
+    EXPECT_TRUE(contains(message_of("wind_speed", "nan"), "not a number"));
+    EXPECT_TRUE(contains(message_of("wind_speed", "inf"), "out of range"));
+    EXPECT_TRUE(contains(message_of("wind_speed", "10 m"), "not a number"));
+    EXPECT_TRUE(contains(message_of("wind_speed", ""), "not a number"));
+    EXPECT_TRUE(contains(message_of("alignment", "3"), "is not even"));
+    EXPECT_TRUE(contains(message_of("spectrum", "jonswop"), "jonswap, tma, measured"));
+    EXPECT_TRUE(contains(message_of("wind_sped", "3"), "did you mean waves.0.wind_speed?"));
+    EXPECT_TRUE(contains(message_of("seed", "4294967296"), "out of range"));
+    EXPECT_EQ(message_of("seed", "4294967295"), "accepted");
+    EXPECT_EQ(message_of("depth", "inf"), "accepted");
+    EXPECT_EQ(message_of("significant_wave_height", ""), "accepted");
+}
+
+TEST(ParameterTable, LaterFeaturesSaySoWhenUsed) {
+    for (const auto& [name, value] : {std::pair("cascades", "3"), std::pair("take", "a.take"),
+                                      std::pair("cascade_divisors", "1, 7")}) {
+        Parameters p;
+        try {
+            set_parameter(p, name, value);
+            FAIL() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::unsupported);
+            EXPECT_TRUE(contains(error.what(), "later version")) << error.what();
+        }
+    }
+}
+
+TEST(ParameterTable, BandLimitsMustBeInOrder) {
+    Parameters p;
+    set_parameter(p, "shortest_wavelength", "5");
+    EXPECT_THROW(set_parameter(p, "longest_wavelength", "4"), Error);
+    EXPECT_NO_THROW(set_parameter(p, "longest_wavelength", "6"));
+}
+
+TEST(ParameterTable, AMeasuredSystemNeedsItsFile) {
+    EXPECT_TRUE(contains(message_of("spectrum", "measured"), "needs waves.0.file"));
+}
+
+TEST(ParameterTable, MarkdownAndJsonListEveryParameter) {
+    const std::string markdown = parameters_markdown();
+    const std::string json = parameters_json();
+    for (const ParameterInfo& info : parameter_table()) {
+        EXPECT_TRUE(contains(markdown, "." + std::string(info.key) + "`")) << info.key;
+        EXPECT_TRUE(contains(json, "\"key\": \"" + std::string(info.key) + "\"")) << info.key;
+    }
+}
+
+}  // namespace
+}  // namespace ocean

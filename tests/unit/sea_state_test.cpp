@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What `ocean info` says of a sea.
+#include "ocean/sea_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ocean/error.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+SeaState state_of(const Parameters& parameters) {
+    ThreadPool pool(2);
+    return sea_state(make_directional_spectrum(parameters), parameters, pool);
+}
+
+TEST(SeaState, AskedAndResolvedAgreeOnAGoodGrid) {
+    const SeaState state = state_of(test::wind_sea(512, 800.0));
+    EXPECT_NEAR(state.significant_wave_height.asked, 2.0131, 5e-5);
+    EXPECT_NEAR(state.significant_wave_height.resolved, 2.0131, 0.01);
+    EXPECT_NEAR(state.peak_period.asked, kTwoPi / 1.03912, 1e-3);
+    EXPECT_NEAR(state.peak_period.resolved, kTwoPi / 1.03912, 0.2);
+    EXPECT_NEAR(state.peak_wavelength.asked, kTwoPi * 9.81 / (1.03912 * 1.03912), 0.05);
+    EXPECT_NEAR(state.mean_direction.asked, 30.0, 0.01);
+    EXPECT_NEAR(state.mean_direction.resolved, 30.0, 1.0);
+    EXPECT_GT(state.energy_resolved, 0.99);
+    EXPECT_TRUE(state.warnings.empty()) << state.warnings.front();
+    EXPECT_EQ(state.period, 800.0);
+    EXPECT_NEAR(state.foam_preroll_seconds, 25.0, 1e-9);
+}
+
+TEST(SeaState, WarnsOfAGridThatIsTooSmallOrTooCoarse) {
+    EXPECT_LT(state_of(test::wind_sea(512, 20.0)).energy_resolved, 0.9);
+    EXPECT_FALSE(state_of(test::wind_sea(512, 20.0)).warnings.empty());
+    EXPECT_FALSE(state_of(test::wind_sea(32, 4000.0)).warnings.empty());
+}
+
+TEST(SeaState, BandLimitsCountAsAskedFor) {
+    Parameters parameters = test::wind_sea(256, 400.0);
+    parameters.surface.shortest_wavelength = 20.0;
+    const SeaState state = state_of(parameters);
+    EXPECT_LT(state.significant_wave_height.asked, 1.99);
+    EXPECT_NEAR(state.energy_resolved, 1.0, 0.02);
+    EXPECT_GE(state.shortest_wave, 20.0);
+}
+
+TEST(SeaState, AFlatSeaHasNumbersToo) {
+    Parameters parameters = test::wind_sea();
+    parameters.waves.front().wind_speed = 0.0;
+    const SeaState state = state_of(parameters);
+    EXPECT_EQ(state.significant_wave_height.asked, 0.0);
+    EXPECT_EQ(state.peak_period.asked, 0.0);
+    EXPECT_EQ(sea_state_json(state).find("nan"), std::string::npos);
+    EXPECT_EQ(sea_state_json(state).find("inf"), std::string::npos);
+    ASSERT_EQ(state.warnings.size(), 1u);
+}
+
+TEST(SeaState, MoreMemoryThanThereIsIsSaidBeforehand) {
+    EXPECT_NO_THROW(require_memory(1 << 20, "a little"));
+    try {
+        require_memory(std::uint64_t{1} << 60, "the whole sea");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::out_of_memory);
+        EXPECT_NE(std::string(error.what()).find("the whole sea needs"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Frequency spectra against golden values and closed forms.
+#include "ocean/spectrum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/grid.hpp"
+
+namespace ocean {
+namespace {
+
+double significant_wave_height(const WaveSystem& system, const Water& water = {}) {
+    Parameters parameters;
+    parameters.water = water;
+    parameters.waves = {system};
+    return make_directional_spectrum(parameters).moments(water).significant_wave_height();
+}
+
+WaveSystem jonswap(double wind, double fetch, double gamma = 3.3) {
+    WaveSystem system;
+    system.spectrum = SpectrumKind::jonswap;
+    system.wind_speed = wind;
+    system.fetch = fetch;
+    system.peak_enhancement = gamma;
+    return system;
+}
+
+TEST(Spectrum, PiersonMoskowitzAt17MetresPerSecondIs6_1643Metres) {
+    WaveSystem system;
+    system.spectrum = SpectrumKind::pierson_moskowitz;
+    system.wind_speed = 16.5692;  // U10 of U19.5 = 17 m/s
+    EXPECT_NEAR(significant_wave_height(system), 6.1643, 5e-5);
+}
+
+TEST(Spectrum, PiersonMoskowitzVarianceIsItsClosedForm) {
+    const Water water;
+    WaveSystem system;
+    system.spectrum = SpectrumKind::pierson_moskowitz;
+    system.wind_speed = 12.0;
+    const double wind = kWind195 * 12.0;
+    const double exact = 8.1e-3 * std::pow(wind, 4.0) / (4.0 * 0.74 * 9.81 * 9.81);
+    const FrequencySpectrum spectrum = make_frequency_spectrum(system, water, 300.0);
+    EXPECT_NEAR(spectrum.m0 / exact, 1.0, 1e-8);
+    EXPECT_NEAR(spectrum.peak / (0.8772 * 9.81 / wind), 1.0, 1e-4);
+}
+
+TEST(Spectrum, JonswapGoldenPeaksAndHeights) {
+    EXPECT_NEAR(jonswap_peak(17.0, 300e3, 9.81), 0.60376, 5e-6);
+    EXPECT_NEAR(jonswap_peak(10.0, 100e3, 9.81), 1.03912, 5e-6);
+    EXPECT_NEAR(significant_wave_height(jonswap(17.0, 300e3)), 5.9386, 5e-5);
+    EXPECT_NEAR(significant_wave_height(jonswap(10.0, 100e3)), 2.0131, 5e-5);
+    EXPECT_NEAR(significant_wave_height(jonswap(17.0, 300e3, 1.0)), 4.809, 5e-4);
+    EXPECT_NEAR(significant_wave_height(jonswap(17.0, 300e3, 5.0)), 6.556, 5e-4);
+}
+
+TEST(Spectrum, JonswapPeakIsNarrowerBelowThanAbove) {
+    const double peak = jonswap_peak(17.0, 300e3, 9.81);
+    const auto enhancement = [&](double omega) {
+        return jonswap_density(omega, 17.0, 300e3, 3.3, 9.81) /
+               jonswap_density(omega, 17.0, 300e3, 1.0, 9.81);
+    };
+    EXPECT_NEAR(enhancement(peak), 3.3, 1e-12);
+    EXPECT_NEAR(enhancement(peak * 0.93), std::pow(3.3, std::exp(-0.5)), 1e-9);
+    EXPECT_NEAR(enhancement(peak * 1.09), std::pow(3.3, std::exp(-0.5)), 1e-9);
+}
+
+TEST(Spectrum, FiniteDepthFactorIsTheExactOne) {
+    const double golden[][2] = {{0.1, 0.0050}, {0.3, 0.0450}, {0.5, 0.1248},
+                                {1.0, 0.4828}, {1.5, 0.8785}, {2.0, 0.9934}};
+    for (const auto& [omega_h, factor] : golden) {
+        const double depth = 20.0;
+        EXPECT_NEAR(finite_depth_factor(omega_h * std::sqrt(9.81 / depth), depth, 9.81), factor,
+                    5e-5)
+            << omega_h;
+    }
+    EXPECT_EQ(finite_depth_factor(5.0, 1000.0, 9.81), 1.0);
+}
+
+TEST(Spectrum, TmaIsJonswapTimesTheDepthFactorAndEqualInDeepWater) {
+    WaveSystem system = jonswap(17.0, 300e3);
+    system.spectrum = SpectrumKind::tma;
+    EXPECT_NEAR(significant_wave_height(system), 5.9386, 5e-5);
+    const Water shallow{.depth = 15.0};
+    const FrequencySpectrum spectrum = make_frequency_spectrum(system, shallow, 100.0);
+    EXPECT_NEAR(spectrum.density(0.7) / (jonswap_density(0.7, 17.0, 300e3, 3.3, 9.81) *
+                                         finite_depth_factor(0.7, 15.0, 9.81)),
+                1.0, 1e-12);
+    EXPECT_LT(significant_wave_height(system, shallow), 4.0);
+}
+
+TEST(Spectrum, PhillipsVarianceIsItsClosedForm) {
+    // Integral of (alpha/2) k^-3 exp(-(kL)^-2) over k: alpha L^2 / 4, L = U^2 / g.
+    WaveSystem system;
+    system.wind_speed = 12.0;
+    system.amplitude = 2.0;
+    const double length = 144.0 / 9.81;
+    const double exact = 2.0 * 8.1e-3 * length * length / 4.0;
+    EXPECT_NEAR(make_frequency_spectrum(system, Water{}, 300.0).m0 / exact, 1.0, 1e-5);
+}
+
+TEST(Spectrum, PhillipsCutoffIsTheWavelengthOfOneEthOfTheEnergy) {
+    const double k = kTwoPi / 0.7;
+    EXPECT_NEAR(phillips_wavenumber_density(k, 12.0, 1.0, 0.7, 9.81) /
+                    phillips_wavenumber_density(k, 12.0, 1.0, 0.0, 9.81),
+                std::exp(-1.0), 1e-12);
+}
+
+TEST(Spectrum, WindSpeedSetsTheHeight) {
+    EXPECT_GT(significant_wave_height(jonswap(20.0, 300e3)),
+              1.7 * significant_wave_height(jonswap(10.0, 300e3)));
+    EXPECT_EQ(significant_wave_height(jonswap(0.0, 300e3)), 0.0);
+}
+
+TEST(Spectrum, HeightAndPeriodRescaleAsAsked) {
+    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
+                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+        Parameters parameters;
+        parameters.water.depth = 30.0;
+        WaveSystem& system = parameters.waves.front();
+        system.spectrum = kind;
+        system.significant_wave_height = 3.5;
+        system.peak_period = 9.0;
+        const SpectralMoments moments =
+            make_directional_spectrum(parameters).moments(parameters.water);
+        EXPECT_NEAR(moments.significant_wave_height(), 3.5, 3.5e-5);
+        EXPECT_NEAR(kTwoPi / moments.peak_omega, 9.0, 0.01);
+    }
+}
+
+TEST(Spectrum, ThePeriodAloneKeepsTheEnergy) {
+    WaveSystem system = jonswap(17.0, 300e3);
+    system.peak_period = 14.0;
+    EXPECT_NEAR(significant_wave_height(system), 5.9386, 1e-4);
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Directional distributions: normalised over the full circle, in the right direction, never
+// negative; and the estimate of measured ones.
+#include "ocean/spreading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+#include <vector>
+
+#include "ocean/grid.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr SpreadingKind kKinds[] = {SpreadingKind::cosine_squared, SpreadingKind::mitsuyasu,
+                                    SpreadingKind::hasselmann, SpreadingKind::donelan_banner};
+
+double integral(const std::vector<double>& row) {
+    double sum = 0.0;
+    for (const double value : row) sum += value;
+    return sum * kTwoPi / static_cast<double>(row.size());
+}
+
+std::complex<double> moment(const std::vector<double>& row, int order) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        sum += row[j] * std::polar(1.0, order * kTwoPi * static_cast<double>(j) /
+                                            static_cast<double>(row.size()));
+    }
+    return sum * kTwoPi / static_cast<double>(row.size());
+}
+
+WaveSystem with(SpreadingKind kind) {
+    WaveSystem system;
+    system.spectrum = SpectrumKind::jonswap;
+    system.spreading = kind;
+    return system;
+}
+
+TEST(Spreading, CosinePowerNormalisationHoldsToS200) {
+    for (double s = 0.5; s <= 200.0; s += 0.5) {
+        constexpr int kSteps = 4096;
+        double sum = 0.0;
+        for (int j = 0; j < kSteps; ++j) {
+            sum += std::pow(std::abs(std::cos(0.5 * kTwoPi * j / kSteps)), 2.0 * s);
+        }
+        EXPECT_NEAR(cosine_2s_normalisation(s) * sum * kTwoPi / kSteps, 1.0, s < 2 ? 1e-6 : 1e-10)
+            << s;
+    }
+}
+
+TEST(Spreading, EveryKindIntegratesToOneOverTheFullCircle) {
+    std::vector<double> row(1024);
+    for (const SpreadingKind kind : kKinds) {
+        for (const double swell : {-1.0, -0.4, 0.0, 0.5, 1.0}) {
+            for (const double x : {0.3, 0.94, 1.0, 1.3, 2.0, 8.0}) {
+                WaveSystem system = with(kind);
+                system.swell = swell;
+                spreading_row(system, x, 0.9, 0.7, row);
+                EXPECT_NEAR(integral(row), 1.0, 1e-12);
+                for (const double value : row) ASSERT_GE(value, 0.0);
+            }
+        }
+    }
+}
+
+TEST(Spreading, RowsAreTheClosedForms) {
+    std::vector<double> row(1024);
+    const double theta = kTwoPi * 100 / 1024.0;
+    spreading_row(with(SpreadingKind::cosine_squared), 1.0, 1.0, 0.0, row);
+    EXPECT_NEAR(row[100], 2.0 / kPi * std::pow(std::cos(theta), 2.0), 1e-9);
+    EXPECT_EQ(row[512], 0.0) << "nothing travels against the wind";
+
+    spreading_row(with(SpreadingKind::hasselmann), 1.5, 1.1, 0.0, row);
+    const double s = 9.77 * std::pow(1.5, -2.33 - 1.45 * (1.1 - 1.17));
+    EXPECT_NEAR(hasselmann_exponent(1.5, 1.1), s, 1e-12);
+    EXPECT_NEAR(row[100], cosine_2s_normalisation(s) * std::pow(std::cos(0.5 * theta), 2.0 * s),
+                1e-9);
+
+    spreading_row(with(SpreadingKind::donelan_banner), 1.2, 1.0, 0.0, row);
+    const double beta = 2.28 * std::pow(1.2, -1.3);
+    EXPECT_NEAR(row[100],
+                beta / (2.0 * std::tanh(beta * kPi) * std::pow(std::cosh(beta * theta), 2.0)),
+                1e-5);
+}
+
+TEST(Spreading, ExponentsAreThePublishedOnes) {
+    EXPECT_NEAR(mitsuyasu_exponent(1.0, 1.0), 11.5, 1e-12);
+    EXPECT_NEAR(mitsuyasu_exponent(0.5, 1.0), 11.5 / 32.0, 1e-12);
+    EXPECT_NEAR(mitsuyasu_exponent(2.0, 1.0), 11.5 * std::pow(2.0, -2.5), 1e-12);
+    EXPECT_NEAR(hasselmann_exponent(1.0, 1.0), 6.97, 1e-12);
+    EXPECT_NEAR(donelan_banner_beta(0.9), 2.61 * std::pow(0.9, 1.3), 1e-12);
+    EXPECT_NEAR(donelan_banner_beta(3.0),
+                std::pow(10.0, -0.4 + 0.8393 * std::exp(-0.567 * std::log(9.0))), 1e-12);
+}
+
+TEST(Spreading, SwellAlignsLongWavesMore) {
+    EXPECT_NEAR(swell_exponent(2.0, 1.0), 7.394, 5e-4);
+    EXPECT_NEAR(swell_exponent(4.0, 1.0), 3.92, 5e-3);
+    std::vector<double> row(1024);
+    WaveSystem system = with(SpreadingKind::donelan_banner);
+    spreading_row(system, 0.8, 1.0, 0.0, row);
+    const double without = std::abs(moment(row, 1));
+    system.swell = 1.0;
+    spreading_row(system, 0.8, 1.0, 0.0, row);
+    EXPECT_GT(std::abs(moment(row, 1)), without + 0.02);
+}
+
+TEST(Spreading, SwellOfMinusOneComesFromEverywhere) {
+    std::vector<double> row(512);
+    WaveSystem system = with(SpreadingKind::hasselmann);
+    system.swell = -1.0;
+    spreading_row(system, 1.0, 1.0, 1.0, row);
+    for (const double value : row) EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
+}
+
+TEST(Spreading, OpposingScalesWhatGoesAgainstTheWind) {
+    std::vector<double> row(1024);
+    WaveSystem system;  // phillips: both ways
+    spreading_row(system, 1.0, 1.0, 0.0, row);
+    EXPECT_NEAR(row[512] / row[0], 1.0, 1e-12);
+    system.opposing = 0.07;
+    spreading_row(system, 1.0, 1.0, 0.0, row);
+    EXPECT_NEAR(row[512] / row[0], 0.07, 1e-12);
+    EXPECT_NEAR(integral(row), 1.0, 1e-12);
+}
+
+TEST(Spreading, PhillipsAlignmentIsAPowerOfTheCosine) {
+    std::vector<double> row(1024);
+    WaveSystem system;
+    system.alignment = 6;
+    spreading_row(system, 1.0, 1.0, 0.0, row);
+    EXPECT_NEAR(row[100] / row[0], std::pow(std::cos(kTwoPi * 100 / 1024.0), 6.0), 1e-12);
+}
+
+TEST(Spreading, MeanDirectionIsTheOneAskedForInAllQuadrants) {
+    std::vector<double> row(1024);
+    for (const SpreadingKind kind : kKinds) {
+        for (double degrees = -170.0; degrees <= 180.0; degrees += 35.0) {
+            spreading_row(with(kind), 1.1, 1.0, degrees * kPi / 180.0, row);
+            EXPECT_NEAR(std::remainder(std::arg(moment(row, 1)) * 180.0 / kPi - degrees, 360.0),
+                        0.0, 0.05);
+        }
+    }
+}
+
+TEST(Spreading, EnoughDirectionsForOneTenThousandthOfThePeak) {
+    for (const SpreadingKind kind : kKinds) {
+        for (const double swell : {0.0, 1.0}) {
+            for (const double wave_age_inverse : {0.4, 0.83, 3.0}) {
+                WaveSystem system = with(kind);
+                system.swell = swell;
+                const int coarse = directions_needed(system, wave_age_inverse);
+                std::vector<double> row(static_cast<std::size_t>(coarse));
+                std::vector<double> fine(2 * row.size());
+                spreading_row(system, 1.0, wave_age_inverse, 0.0, row);
+                spreading_row(system, 1.0, wave_age_inverse, 0.0, fine);
+                for (std::size_t j = 0; j + 1 < row.size(); ++j) {
+                    ASSERT_NEAR(0.5 * (row[j] + row[j + 1]), fine[2 * j + 1], 1e-4 * row[0]);
+                }
+            }
+        }
+    }
+}
+
+TEST(MaximumEntropy, KeepsTheFirstTwoMoments) {
+    std::vector<double> row(2048);
+    for (const double r1 : {0.1, 0.5, 0.82}) {
+        const std::complex<double> c1 = std::polar(r1, 2.1);
+        const std::complex<double> c2 = std::polar(0.6 * r1, 4.0) + 0.3 * c1 * c1;
+        estimate_row(c1.real(), c1.imag(), c2.real(), c2.imag(), Estimator::maximum_entropy, row);
+        EXPECT_NEAR(std::abs(moment(row, 1) - c1), 0.0, 1e-9);
+        EXPECT_NEAR(std::abs(moment(row, 2) - c2), 0.0, 1e-9);
+        EXPECT_NEAR(integral(row), 1.0, 1e-12);
+    }
+}
+
+TEST(MaximumEntropy, IsPositiveAndFiniteForImpossibleMomentsToo) {
+    std::vector<double> row(1024);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    for (int i = 0; i < 2000; ++i) {
+        for (const Estimator estimator : {Estimator::maximum_entropy, Estimator::fourier}) {
+            estimate_row(any(random), any(random), any(random), any(random), estimator, row);
+            for (const double value : row) {
+                ASSERT_GE(value, 0.0);
+                ASSERT_TRUE(std::isfinite(value));
+            }
+            ASSERT_NEAR(integral(row), 1.0, 1e-12);
+        }
+    }
+}
+
+TEST(MaximumEntropy, NoMomentsMeanNoDirection) {
+    std::vector<double> row(256);
+    estimate_row(0, 0, 0, 0, Estimator::maximum_entropy, row);
+    for (const double value : row) EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
+}
+
+TEST(FourierEstimate, IsTheTruncatedSeriesWhereThatIsPositive) {
+    std::vector<double> row(256);
+    estimate_row(0.3, 0.0, 0.1, 0.0, Estimator::fourier, row);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        const double theta = kTwoPi * static_cast<double>(j) / 256.0;
+        EXPECT_NEAR(row[j], (0.5 + 0.3 * std::cos(theta) + 0.1 * std::cos(2.0 * theta)) / kPi,
+                    1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The promise of calibrated metres: realised seas have the energy that the spectrum has, whatever
+// the grid, and they are neither mirrored nor standing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ocean/spectrum.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+TEST(Statistics, MeanVarianceOver64SeedsIsTheSumOverTheModes) {
+    const Parameters parameters = test::wind_sea(128, 400.0);
+    ThreadPool pool(2);
+    const double expected = sea_state(make_directional_spectrum(parameters), parameters, pool)
+                                .significant_wave_height.resolved;
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int kSeeds = 64;
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+        Parameters other = parameters;
+        other.seed = seed;
+        Ocean sea(other, {.threads = 2});
+        const double v =
+            test::variance(sea.evaluate(0.0, {Channel::height}).channel(Channel::height));
+        sum += v;
+        squares += v * v;
+    }
+    const double mean = sum / kSeeds;
+    const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+    EXPECT_NEAR(mean, expected * expected / 16.0, 3.0 * error);
+    EXPECT_LT(error / mean, 0.03) << "the test would see nothing";
+}
+
+TEST(Statistics, TheSumOverModesIsTheIntegralOverTheResolvedBandForEveryGrid) {
+    for (const double patch : {400.0, 800.0, 1600.0}) {
+        for (const int resolution : {256, 512}) {
+            const Parameters parameters = test::wind_sea(resolution, patch);
+            const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+            ThreadPool pool(2);
+            const SeaState state = sea_state(spectrum, parameters, pool);
+            if (state.energy_resolved < 0.99) continue;
+            // The band is a square in k; its corners beyond the inscribed circle hold little.
+            const double nyquist = patch / (resolution / 2 - 0.5);
+            const double circle = spectrum.moments(parameters.water, nyquist).m0;
+            const double corner = spectrum.moments(parameters.water, nyquist / std::sqrt(2.0)).m0;
+            const double m0 = std::pow(state.significant_wave_height.resolved / 4.0, 2.0);
+            EXPECT_GT(m0, circle * 0.997) << patch << " " << resolution;
+            EXPECT_LT(m0, corner * 1.003) << patch << " " << resolution;
+        }
+    }
+}
+
+TEST(Statistics, HeightDoesNotDependOnPatchSizeOrResolution) {
+    // Without dkx dky the variance would go with the square of the patch size.
+    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::jonswap}) {
+        for (const double patch : {300.0, 600.0, 1200.0}) {
+            Parameters parameters = test::wind_sea(512, patch);
+            parameters.waves.front().spectrum = kind;
+            ThreadPool pool(2);
+            const SeaState state =
+                sea_state(make_directional_spectrum(parameters), parameters, pool);
+            EXPECT_NEAR(
+                state.significant_wave_height.resolved / state.significant_wave_height.asked, 1.0,
+                0.02)
+                << patch;
+        }
+    }
+}
+
+TEST(Statistics, TheSeaIsNotAMirrorImageOfItself) {
+    Parameters parameters = test::wind_sea(128, 400.0);
+    parameters.waves.front().spectrum = SpectrumKind::phillips;  // as much with as against the wind
+    Ocean sea(parameters, {.threads = 1});
+    for (const double time : {1.0, 1.7, 5.0}) {
+        const Surface surface = sea.evaluate(time, {Channel::height});
+        const auto h = surface.channel(Channel::height);
+        double sum = 0.0;
+        for (std::size_t j = 0; j < 128; ++j) {
+            for (std::size_t i = 0; i < 128; ++i) {
+                sum += h[j * 128 + i] * h[(128 - j) % 128 * 128 + (128 - i) % 128];
+            }
+        }
+        EXPECT_LT(std::abs(sum / (128.0 * 128.0) / test::variance(h)), 0.15) << time;
+    }
+}
+
+TEST(Statistics, RadialSpectrumOfTheMapFallsWithKToTheMinusThree) {
+    // JONSWAP's omega^-5 tail is k^-3 in one dimension: c_g / k was not forgotten.
+    const Parameters parameters = test::wind_sea(512, 400.0);
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    const auto ring = [&](int radius) {
+        double sum = 0.0;
+        for (int m = -255; m < 256; ++m) {
+            for (int n = -255; n < 256; ++n) {
+                if (std::lround(std::hypot(n, m)) == radius) {
+                    sum += modal_variance(spectrum, parameters, n, m);
+                }
+            }
+        }
+        return sum;
+    };
+    EXPECT_NEAR(std::log(ring(200) / ring(60)) / std::log(200.0 / 60.0), -3.0, 0.05);
+}
+
+TEST(Statistics, MeanSquareSlopeOfTheMapIsThatOfTheModes) {
+    const Parameters parameters = test::wind_sea(256, 400.0);
+    ThreadPool pool(2);
+    const double expected = sea_state(make_directional_spectrum(parameters), parameters, pool)
+                                .mean_square_slope.resolved;
+    Ocean sea(parameters, {.threads = 2});
+    const Surface surface = sea.evaluate(4.0, {Channel::slope_x, Channel::slope_y});
+    EXPECT_NEAR((test::variance(surface.channel(Channel::slope_x)) +
+                 test::variance(surface.channel(Channel::slope_y))) /
+                    expected,
+                1.0, 0.05);
+}
+
+}  // namespace
+}  // namespace ocean

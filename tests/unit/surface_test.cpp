@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The surface: direction and speed of its waves, its geometry, and the agreement of the backends.
+#include "ocean/surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "ocean/dispersion.hpp"
+#include "ocean/error.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+using test::kAllChannels;
+
+constexpr Backend kBackends[] = {Backend::cpu, Backend::radix2, Backend::dft};
+
+/// Value of a periodic map at sample (i, j), any integers.
+float sample(const Surface& surface, Channel channel, int i, int j) {
+    const int n = surface.resolution();
+    return surface.channel(
+        channel)[static_cast<std::size_t>((j + n) % n) * static_cast<std::size_t>(n) +
+                 static_cast<std::size_t>((i + n) % n)];
+}
+
+class OneWave : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(OneWave, IsACosineThatTravelsAlongItsWavenumberInEveryBackend) {
+    const auto [n, m] = GetParam();
+    Parameters parameters = test::wind_sea(32, 64.0);
+    parameters.water.depth = 4.0;
+    const Modes modes = test::single_wave(parameters, n, m);
+    const double kx = kTwoPi / 64.0 * n;
+    const double ky = kTwoPi / 64.0 * m;
+    const double k = std::hypot(kx, ky);
+    const Dispersion dispersion(parameters.water);
+    const double omega = dispersion.angular_frequency(k);
+    const double excursion = dispersion.horizontal_excursion(k);
+    ThreadPool pool(1);
+    const double time = 1.3;
+    for (const Backend backend : kBackends) {
+        const Surface s =
+            make_surface(modes, parameters.surface, time, kAllChannels, backend, pool);
+        for (int j = 0; j < 32; j += 3) {
+            for (int i = 0; i < 32; i += 3) {
+                const double phase = kx * 2.0 * i + ky * 2.0 * j - omega * time;
+                EXPECT_NEAR(sample(s, Channel::height, i, j), std::cos(phase), 2e-6);
+                EXPECT_NEAR(sample(s, Channel::slope_x, i, j), -kx * std::sin(phase), 2e-6);
+                EXPECT_NEAR(sample(s, Channel::slope_y, i, j), -ky * std::sin(phase), 2e-6);
+                EXPECT_NEAR(sample(s, Channel::dx, i, j), -kx / k * excursion * std::sin(phase),
+                            4e-6);
+                EXPECT_NEAR(sample(s, Channel::dy, i, j), -ky / k * excursion * std::sin(phase),
+                            4e-6);
+                EXPECT_NEAR(sample(s, Channel::vz, i, j), omega * std::sin(phase), 6e-6);
+                EXPECT_NEAR(sample(s, Channel::vx, i, j),
+                            omega * kx / k * excursion * std::cos(phase), 1e-5);
+                EXPECT_NEAR(sample(s, Channel::vy, i, j),
+                            omega * ky / k * excursion * std::cos(phase), 1e-5);
+                EXPECT_NEAR(sample(s, Channel::jacobian, i, j),
+                            1.0 - k * excursion * std::cos(phase), 6e-6);
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllQuadrants, OneWave,
+                         testing::Values(std::pair(3, 0), std::pair(-3, 0), std::pair(0, 2),
+                                         std::pair(0, -2), std::pair(4, 5), std::pair(-4, 5),
+                                         std::pair(-4, -5), std::pair(4, -5), std::pair(15, 15),
+                                         std::pair(-15, 1)));
+
+TEST(Surface, WavesTravelWhereTheWindGoes) {
+    for (double degrees = -135.0; degrees <= 180.0; degrees += 45.0) {
+        Parameters parameters = test::wind_sea(64, 400.0);
+        parameters.waves.front().wind_direction = degrees;
+        Ocean sea(parameters, {.threads = 1});
+        const double step = 0.05;
+        const auto before =
+            test::coefficients(sea.evaluate(10.0, {Channel::height}), Channel::height);
+        const auto after =
+            test::coefficients(sea.evaluate(10.0 + step, {Channel::height}), Channel::height);
+        // exp(i (k x - omega t)): what travels along +k turns its coefficient backwards.
+        std::complex<double> direction = 0.0;
+        for (int m = -31; m < 32; ++m) {
+            for (int n = -31; n < 32; ++n) {
+                if (n == 0 && m == 0) continue;
+                const auto at = static_cast<std::size_t>(fft_index(m, 64) * 64 + fft_index(n, 64));
+                const double turning = (after[at] * std::conj(before[at])).imag();
+                direction -= turning * std::complex<double>(n, m) / std::hypot(n, m);
+            }
+        }
+        const double got = std::arg(direction) * 180.0 / kPi;
+        EXPECT_NEAR(std::remainder(got - degrees, 360.0), 0.0, 15.0) << degrees;
+    }
+}
+
+TEST(Surface, BackendsAgreeWithTheDirectSumNowAndAfterElevenDays) {
+    Parameters parameters = test::wind_sea(128, 400.0);
+    parameters.water.depth = 25.0;
+    Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
+    for (const double time : {12.0, 1e6}) {
+        const Surface exact = judge.evaluate(time, kAllChannels);
+        for (const Backend backend : {Backend::cpu, Backend::radix2}) {
+            Ocean sea(parameters, {.threads = 2, .backend = backend});
+            const Surface surface = sea.evaluate(time, kAllChannels);
+            for (const FieldInfo& field : field_table()) {
+                if (!field.available) continue;
+                // A vector field is one field: its components' errors and variances add.
+                double error = 0.0;
+                double spread = 0.0;
+                for (int c = 0; c < field.count; ++c) {
+                    const Channel channel = field.channels[static_cast<std::size_t>(c)];
+                    const double v = test::variance(exact.channel(channel));
+                    const double e =
+                        test::relative_error(surface.channel(channel), exact.channel(channel));
+                    error += e * e * v;
+                    spread += v;
+                }
+                EXPECT_LT(std::sqrt(error / spread), 2e-6) << field.name << " at " << time << " s";
+            }
+        }
+    }
+}
+
+TEST(Surface, ImaginaryPartsVanish) {
+    ThreadPool pool(1);
+    const Parameters parameters = test::wind_sea(64);
+    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    for (const double time : {0.0, 5.0, 1e5}) EXPECT_LT(imaginary_residue(modes, time), 1e-12);
+}
+
+TEST(Surface, AMapOfAnyResolutionIsTheSameSea) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    const Surface own = sea.evaluate(3.0, kAllChannels);
+    const Surface fine = sea.evaluate(3.0, kAllChannels, 256);
+    for (int j = 0; j < 64; ++j) {
+        for (int i = 0; i < 64; ++i) {
+            EXPECT_NEAR(sample(own, Channel::height, i, j),
+                        sample(fine, Channel::height, 4 * i, 4 * j), 3e-6);
+            EXPECT_NEAR(sample(own, Channel::nx, i, j), sample(fine, Channel::nx, 4 * i, 4 * j),
+                        1e-6);
+        }
+    }
+    // A coarser map holds only the modes below its Nyquist line.
+    const auto coarse =
+        test::coefficients(sea.evaluate(3.0, {Channel::height}, 32), Channel::height);
+    const auto all = test::coefficients(own, Channel::height);
+    for (int m = -15; m < 16; ++m) {
+        for (int n = -15; n < 16; ++n) {
+            const auto at = [n, m](int size) {
+                return static_cast<std::size_t>(fft_index(m, size) * size + fft_index(n, size));
+            };
+            EXPECT_NEAR(std::abs(coarse[at(32)] - all[at(64)]), 0.0, 1e-7);
+        }
+    }
+}
+
+TEST(Surface, NormalsAreThoseOfTheDisplacedSurface) {
+    Parameters parameters = test::wind_sea(64, 400.0);
+    parameters.surface.choppiness = 1.2;
+    Ocean sea(parameters, {.threads = 1});
+    const Surface s = sea.evaluate(7.0, kAllChannels, 1024);
+    const double step = 400.0 / 1024.0;
+    double worst = 0.0;
+    double worst_area = 0.0;
+    for (int j = 0; j < 1024; j += 7) {
+        for (int i = 0; i < 1024; i += 7) {
+            double t[2][3];
+            for (int axis = 0; axis < 2; ++axis) {
+                const int di = axis == 0 ? 1 : 0;
+                const int dj = 1 - di;
+                const Channel channels[] = {Channel::dx, Channel::dy, Channel::height};
+                for (int c = 0; c < 3; ++c) {
+                    t[axis][c] = (sample(s, channels[c], i + di, j + dj) -
+                                  sample(s, channels[c], i - di, j - dj)) /
+                                 (2.0 * step);
+                }
+                t[axis][axis] += 1.0;
+            }
+            const double n[3] = {t[0][1] * t[1][2] - t[0][2] * t[1][1],
+                                 t[0][2] * t[1][0] - t[0][0] * t[1][2],
+                                 t[0][0] * t[1][1] - t[0][1] * t[1][0]};
+            const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            const double cosine =
+                (n[0] * sample(s, Channel::nx, i, j) + n[1] * sample(s, Channel::ny, i, j) +
+                 n[2] * sample(s, Channel::nz, i, j)) /
+                length;
+            worst = std::max(worst, std::acos(std::min(cosine, 1.0)) * 180.0 / kPi);
+            worst_area = std::max(worst_area, std::abs(n[2] - sample(s, Channel::jacobian, i, j)));
+        }
+    }
+    EXPECT_LT(worst, 0.1) << "degrees";
+    EXPECT_LT(worst_area, 2e-3);
+}
+
+TEST(Surface, VelocityIsTheTimeDerivativeOfTheDisplacedPoint) {
+    Parameters parameters = test::wind_sea(64);
+    parameters.surface.choppiness = 0.8;
+    Ocean sea(parameters, {.threads = 1, .backend = Backend::dft});
+    const double step = 0.01;
+    const ChannelSet point = {Channel::dx, Channel::dy, Channel::height};
+    const Surface before = sea.evaluate(5.0 - step, point);
+    const Surface after = sea.evaluate(5.0 + step, point);
+    const Surface now = sea.evaluate(5.0, {Channel::vx, Channel::vy, Channel::vz});
+    const std::pair<Channel, Channel> pairs[] = {
+        {Channel::dx, Channel::vx}, {Channel::dy, Channel::vy}, {Channel::height, Channel::vz}};
+    for (const auto& [position, velocity] : pairs) {
+        for (std::size_t i = 0; i < before.channel(position).size(); i += 13) {
+            const double slope =
+                (static_cast<double>(after.channel(position)[i]) - before.channel(position)[i]) /
+                (2.0 * step);
+            EXPECT_NEAR(now.channel(velocity)[i], slope, 2e-3);
+        }
+    }
+}
+
+TEST(Surface, ALoopingSeaMovesAtItsRoundedSpeed) {
+    Parameters parameters = test::wind_sea(32, 64.0);
+    parameters.time.loop_period = 20.0;
+    const Modes modes = test::single_wave(parameters, 2, 0);
+    const double k = kTwoPi / 64.0 * 2.0;
+    const double omega =
+        kTwoPi / 20.0 * turns_per_loop(Dispersion(parameters.water).angular_frequency(k), 20.0);
+    ThreadPool pool(1);
+    const Surface s =
+        make_surface(modes, parameters.surface, 3.0, kAllChannels, Backend::cpu, pool);
+    EXPECT_NEAR(sample(s, Channel::height, 5, 0), std::cos(k * 10.0 - omega * 3.0), 2e-6);
+    EXPECT_NEAR(sample(s, Channel::vz, 5, 0), omega * std::sin(k * 10.0 - omega * 3.0), 3e-6);
+}
+
+TEST(Surface, ChoppinessSharpensCrests) {
+    Parameters parameters = test::wind_sea(32, 64.0);
+    parameters.surface.choppiness = 0.5;
+    const Modes modes = test::single_wave(parameters, 1, 0);
+    ThreadPool pool(1);
+    const Surface s =
+        make_surface(modes, parameters.surface, 0.0, kAllChannels, Backend::cpu, pool);
+    // cos(k x) has its crest at 0 and its trough at 16: samples crowd at the crest.
+    const double at_crest = 2.0 + sample(s, Channel::dx, 1, 0) - sample(s, Channel::dx, 0, 0);
+    const double at_trough = 2.0 + sample(s, Channel::dx, 17, 0) - sample(s, Channel::dx, 16, 0);
+    EXPECT_LT(at_crest, 2.0);
+    EXPECT_GT(at_trough, 2.0);
+    EXPECT_LT(sample(s, Channel::jacobian, 0, 0), sample(s, Channel::jacobian, 16, 0));
+}
+
+TEST(Surface, ThreadsDoNotChangeABit) {
+    Ocean one(test::wind_sea(64), {.threads = 1});
+    Ocean five(test::wind_sea(64), {.threads = 5});
+    const Surface a = one.evaluate(8.0, kAllChannels);
+    const Surface b = five.evaluate(8.0, kAllChannels);
+    for (int c = 0; c < kChannelCount; ++c) {
+        const auto x = a.channel(static_cast<Channel>(c));
+        const auto y = b.channel(static_cast<Channel>(c));
+        EXPECT_EQ(x.size_bytes() == 0 ? 0 : std::memcmp(x.data(), y.data(), x.size_bytes()), 0);
+    }
+}
+
+TEST(Surface, ASubsetOfChannelsHasTheSameBits) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    const Surface all = sea.evaluate(8.0, kAllChannels);
+    for (const Channel channel : {Channel::height, Channel::ny, Channel::jacobian, Channel::vx}) {
+        const Surface one = sea.evaluate(8.0, {channel});
+        EXPECT_EQ(std::memcmp(one.channel(channel).data(), all.channel(channel).data(),
+                              all.channel(channel).size_bytes()),
+                  0);
+        EXPECT_FALSE(one.has(Channel::dx));
+    }
+}
+
+TEST(Surface, FoamAndOddSizesAreRefusedInWords) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    const auto kind_of = [&](ChannelSet channels, int resolution) {
+        try {
+            sea.evaluate(0.0, channels, resolution);
+        } catch (const Error& error) {
+            return error.kind();
+        }
+        return ErrorKind::interrupted;
+    };
+    EXPECT_EQ(kind_of({Channel::foam}, 0), ErrorKind::unsupported);
+    EXPECT_EQ(kind_of({Channel::whitecap}, 0), ErrorKind::unsupported);
+    EXPECT_EQ(kind_of({Channel::height}, 48), ErrorKind::invalid_value);
+    EXPECT_EQ(kind_of({Channel::height}, 16384), ErrorKind::invalid_value);
+    EXPECT_THROW(sea.evaluate(std::nan(""), {Channel::height}), Error);
+}
+
+TEST(Ocean, RedoesOnlyWhatAParameterDirties) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    const float* modes = reinterpret_cast<const float*>(sea.modes().cascades[0].h0.data());
+    const double* table = sea.spectrum().table().data();
+    sea.set("choppiness", "0.3");
+    EXPECT_EQ(reinterpret_cast<const float*>(sea.modes().cascades[0].h0.data()), modes);
+    const std::complex<float> mode = sea.modes().cascades[0].h0[70];
+    sea.set("seed", "99");
+    EXPECT_EQ(sea.spectrum().table().data(), table);
+    EXPECT_NE(sea.modes().cascades[0].h0[70], mode);
+    const double before = sea.spectrum().moments(Water{}).m0;
+    sea.set("wind_speed", "12");
+    EXPECT_GT(sea.spectrum().moments(Water{}).m0, before);
+}
+
+TEST(Ocean, ARefusedValueChangesNothing) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    EXPECT_THROW(sea.set("grid.resolution", "100"), Error);
+    EXPECT_THROW(sea.set("grid.cascades", "3"), Error);
+    EXPECT_EQ(sea.parameters().grid.resolution, 64);
+    EXPECT_EQ(sea.parameters().grid.cascades, 1);
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Seas and measures that several tests share.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "ocean/fft.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean::test {
+
+/// One JONSWAP wind sea: U10 10 m/s, fetch 100 km, Hs 2.0131 m, of waves of 57 m.
+inline Parameters wind_sea(int resolution = 128, double patch_size = 400.0) {
+    Parameters parameters;
+    parameters.grid.resolution = resolution;
+    parameters.grid.patch_size = patch_size;
+    WaveSystem& system = parameters.waves.front();
+    system.spectrum = SpectrumKind::jonswap;
+    system.spreading = SpreadingKind::hasselmann;
+    system.fetch = 100000.0;
+    system.wind_direction = 30.0;
+    return parameters;
+}
+
+inline double mean(std::span<const float> values) {
+    double sum = 0.0;
+    for (const float value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+}
+
+inline double variance(std::span<const float> values) {
+    const double centre = mean(values);
+    double sum = 0.0;
+    for (const float value : values) sum += (value - centre) * (value - centre);
+    return sum / static_cast<double>(values.size());
+}
+
+/// rms of the error over rms of the reference about its mean.
+inline double relative_error(std::span<const float> values, std::span<const float> reference) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double difference = static_cast<double>(values[i]) - reference[i];
+        sum += difference * difference;
+    }
+    return std::sqrt(sum / static_cast<double>(values.size()) / variance(reference));
+}
+
+/// Spectrum of a map: coefficients of exp(i k x), in FFT order, in double.
+inline std::vector<std::complex<double>> coefficients(const Surface& surface, Channel channel) {
+    const std::span<const float> map = surface.channel(channel);
+    std::vector<std::complex<double>> data(map.begin(), map.end());
+    Radix2Fft<double>(surface.resolution()).transform_2d(data, FftDirection::forward);
+    for (auto& value : data) value /= static_cast<double>(data.size());
+    return data;
+}
+
+/// A sea of one wave: h0 at (n, m) alone, amplitude 1/2, so that h = cos(k x - omega t).
+inline Modes single_wave(const Parameters& parameters, int n, int m) {
+    ThreadPool pool(1);
+    Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    CascadeModes& cascade = modes.cascades.front();
+    const int size = cascade.lattice.resolution;
+    std::fill(cascade.h0.begin(), cascade.h0.end(), std::complex<float>(0.0f));
+    cascade.h0[static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +
+               static_cast<std::size_t>(fft_index(n, size))] = 0.5f;
+    return modes;
+}
+
+inline constexpr ChannelSet kAllChannels = {
+    Channel::dx,      Channel::dy,      Channel::height,   Channel::nx, Channel::ny, Channel::nz,
+    Channel::slope_x, Channel::slope_y, Channel::jacobian, Channel::vx, Channel::vy, Channel::vz};
+
+}  // namespace ocean::test

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The pool covers the work once, waits, and passes on what went wrong.
+#include "ocean/thread_pool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+#include "ocean/platform.hpp"
+
+namespace ocean {
+namespace {
+
+TEST(ThreadPool, EveryItemOnceForAnyCount) {
+    for (const int threads : {1, 2, 7}) {
+        ThreadPool pool(threads);
+        for (const int count : {0, 1, 5, 1000}) {
+            std::vector<std::atomic<int>> hits(static_cast<std::size_t>(count));
+            pool.for_each_range(count, [&](int first, int last) {
+                for (int i = first; i < last; ++i) ++hits[static_cast<std::size_t>(i)];
+            });
+            for (const auto& hit : hits) EXPECT_EQ(hit.load(), 1);
+        }
+    }
+}
+
+TEST(ThreadPool, AnExceptionReachesTheCallerAndThePoolLivesOn) {
+    ThreadPool pool(4);
+    for (int round = 0; round < 50; ++round) {
+        EXPECT_THROW(pool.for_each_range(100,
+                                         [](int, int last) {
+                                             if (last == 100) throw std::runtime_error("x");
+                                         }),
+                     std::runtime_error);
+        std::atomic<int> sum = 0;
+        pool.for_each_range(100, [&](int first, int last) { sum += last - first; });
+        EXPECT_EQ(sum.load(), 100);
+    }
+}
+
+TEST(ThreadPool, ManyShortCallsDoNotDeadlock) {
+    ThreadPool pool(3);
+    std::atomic<int> sum = 0;
+    for (int round = 0; round < 5000; ++round) {
+        pool.for_each_range(3, [&](int first, int last) { sum += last - first; });
+    }
+    EXPECT_EQ(sum.load(), 15000);
+}
+
+TEST(ThreadPool, DefaultIsTheCoresOfTheProcess) {
+    EXPECT_EQ(ThreadPool().size(), available_cores());
+    EXPECT_GE(available_cores(), 1);
+    EXPECT_GT(available_memory(), 1u << 20);
+}
+
+}  // namespace
+}  // namespace ocean
