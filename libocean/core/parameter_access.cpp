@@ -140,23 +140,6 @@ void require_system(const Parameters& parameters, const ParameterRef& ref) {
                                               " wave systems, numbered from 0");
 }
 
-/// Keys that are in the table before their feature is there.
-void refuse_later_features(const Parameters& parameters) {
-    const auto later = [](const std::string& what) {
-        throw Error(ErrorKind::unsupported, what + " in a later version of libocean");
-    };
-    if (parameters.grid.cascades > 1) {
-        later("grid.cascades = " + std::to_string(parameters.grid.cascades) +
-              ": more than one cascade comes");
-    }
-    if (!parameters.grid.cascade_divisors.empty()) {
-        later("grid.cascade_divisors: cascades come");
-    }
-    if (!parameters.time.take.empty()) {
-        later("time.take = \"" + parameters.time.take + "\": takes come");
-    }
-}
-
 }  // namespace
 
 void assign(Parameters& parameters, const ParameterRef& ref, const ParameterValue& value) {
@@ -182,25 +165,6 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
 
 std::string get_parameter(const Parameters& parameters, std::string_view name) {
     return to_text(value_of(parameters, find_parameter(name)));
-}
-
-void validate(const Parameters& parameters) {
-    refuse_later_features(parameters);
-    const SurfaceSettings& band = parameters.surface;
-    if (band.longest_wavelength > 0.0 && band.longest_wavelength <= band.shortest_wavelength) {
-        throw Error(ErrorKind::invalid_value,
-                    "surface.longest_wavelength = " + to_text(band.longest_wavelength) +
-                        " m: must be more than surface.shortest_wavelength = " +
-                        to_text(band.shortest_wavelength) + " m, or 0 for no limit");
-    }
-    for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
-        const WaveSystem& system = parameters.waves[i];
-        if (system.spectrum == SpectrumKind::measured && !system.measured) {
-            throw Error(ErrorKind::invalid_value,
-                        "waves." + std::to_string(i) + ".spectrum = \"measured\": needs waves." +
-                            std::to_string(i) + ".file, a file of measured spectra");
-        }
-    }
 }
 
 }  // namespace ocean

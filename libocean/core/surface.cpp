@@ -181,18 +181,18 @@ class Combination {
     }
 
     void normals() {
-        const auto store = [&](Channel channel, std::size_t i, Real value) {
-            if (surface_.has(channel)) surface_.channel(channel)[i] = static_cast<float>(value);
-        };
+        float* const nx = surface_.channel(Channel::nx).data();  // null: not asked for
+        float* const ny = surface_.channel(Channel::ny).data();
+        float* const nz = surface_.channel(Channel::nz).data();
         each_row([&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
                 const auto n =
                     normal_of(choppiness_, planes_[Linear::gradient_xx][i],
                               planes_[Linear::gradient_yy][i], planes_[Linear::gradient_xy][i],
                               planes_[Linear::slope_x][i], planes_[Linear::slope_y][i]);
-                store(Channel::nx, i, n.x);
-                store(Channel::ny, i, n.y);
-                store(Channel::nz, i, n.z);
+                if (nx != nullptr) nx[i] = static_cast<float>(n.x);
+                if (ny != nullptr) ny[i] = static_cast<float>(n.y);
+                if (nz != nullptr) nz[i] = static_cast<float>(n.z);
             }
         });
     }

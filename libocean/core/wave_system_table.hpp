@@ -30,4 +30,15 @@ struct WaveSystemTable {
 WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& water,
                                        double highest);
 
+/// Rescaling of [[waves]]: the period stretches the spectrum at constant energy,
+/// S'(omega) = S(omega / r) / r with r = new peak / old peak; the height scales it.
+struct Rescaling {
+    double stretch = 1.0;
+    double energy = 1.0;
+};
+Rescaling make_rescaling(const WaveSystem& system, double peak, double m0);
+
+/// The measured kind: linear between the record's frequencies, nothing beyond them.
+WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water);
+
 }  // namespace ocean

@@ -182,6 +182,37 @@ TEST(ParameterTable, AMeasuredSystemNeedsItsFile) {
     EXPECT_TRUE(contains(message_of("spectrum", "measured"), "needs waves.0.file"));
 }
 
+TEST(ParameterTable, AMeasuredRecordMustBeUsable) {
+    const auto refused = [](SpectrumRecord record) {
+        Parameters p;
+        p.waves.front().spectrum = SpectrumKind::measured;
+        p.waves.front().measured = std::make_shared<SpectrumRecord>(std::move(record));
+        try {
+            validate(p);
+        } catch (const Error&) {
+            return true;
+        }
+        return false;
+    };
+    SpectrumRecord good;
+    good.frequency = {0.1, 0.2};
+    good.density = {1.0, 2.0};
+    EXPECT_FALSE(refused(good));
+    SpectrumRecord bad = good;
+    bad.frequency = {0.1};
+    bad.density = {1.0};
+    EXPECT_TRUE(refused(bad));
+    bad = good;
+    bad.frequency = {0.2, 0.1};
+    EXPECT_TRUE(refused(bad));
+    bad = good;
+    bad.density = {1.0, -1.0};
+    EXPECT_TRUE(refused(bad));
+    bad = good;
+    bad.a1 = {0.0, 0.0};
+    EXPECT_TRUE(refused(bad));
+}
+
 TEST(ParameterTable, MarkdownAndJsonListEveryParameter) {
     const std::string markdown = parameters_markdown();
     const std::string json = parameters_json();
