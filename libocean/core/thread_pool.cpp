@@ -60,8 +60,15 @@ struct ThreadPool::State {
 
 ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
     state_->size = threads > 0 ? threads : available_cores();
+    state_->workers.reserve(static_cast<std::size_t>(state_->size - 1));
     for (int share = 1; share < state_->size; ++share) {
-        state_->workers.emplace_back([state = state_.get(), share] { state->work(share); });
+        try {
+            state_->workers.emplace_back([state = state_.get(), share] { state->work(share); });
+        } catch (const std::exception&) {
+            // The system gives no more threads: those there are do the same work to the same bits.
+            state_->size = share;
+            break;
+        }
     }
 }
 

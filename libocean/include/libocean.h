@@ -45,10 +45,10 @@ enum {
     OCEAN_OK = 0,
     OCEAN_INVALID_ARGUMENT = 1, /* a NULL, a size or a count of this call */
     OCEAN_INVALID_VALUE = 2,    /* a parameter: unknown, of a wrong type, out of range */
-    OCEAN_BAD_FILE = 3,         /* a file that cannot be read or is not what it claims */
-    OCEAN_NOT_FOUND = 4,        /* a record, preset or file that does not exist */
-    OCEAN_UNSUPPORTED = 5,      /* a feature of a later version */
-    OCEAN_OUTPUT = 6,           /* writing failed */
+    OCEAN_BAD_FILE = 3,    /* a file that is not there, cannot be read, is not what it claims */
+    OCEAN_NOT_FOUND = 4,   /* a record or preset that does not exist */
+    OCEAN_UNSUPPORTED = 5, /* a feature of a later version */
+    OCEAN_OUTPUT = 6,      /* writing failed */
     OCEAN_OUT_OF_MEMORY = 7,
     OCEAN_BUFFER_TOO_SMALL = 8,
     OCEAN_INTERNAL = 9 /* a fault of the library: please report it */
@@ -134,7 +134,8 @@ OCEAN_API ocean_result ocean_parse(const char* toml, size_t length, const char* 
 OCEAN_API void ocean_free(ocean_sea* sea);
 
 /* Sets a parameter by name ("wind_speed", "waves.1.fetch") from text. A refused value changes
- * nothing. INVALID_VALUE, UNSUPPORTED. */
+ * nothing. `file` and `record` of a measured system read the file again. INVALID_VALUE,
+ * UNSUPPORTED; BAD_FILE and NOT_FOUND for those two. */
 OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
 /* Its value as text into out[size], with a final 0; an unset one is "". INVALID_VALUE;
  * BUFFER_TOO_SMALL, and then the sentence says the size needed. */

@@ -24,11 +24,12 @@ Sea read_sea(const std::string& path);
 /// The same from text; `name` stands for the path in messages, `base_dir` is where a relative
 /// `file` starts (empty: the current directory).
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir);
-/// Reads the record of each measured system that has none yet: after `file` or `record` was assigned
-/// anew and `measured` reset. Throws as read_spectra and choose_record.
+/// Reads the record of each measured system that has none yet: after `file` or `record` was
+/// assigned anew and `measured` reset. Throws as read_spectra and choose_record.
 void resolve_records(Parameters& parameters, const std::string& base_dir);
 /// The resolved sea as text: every key of the table, the chosen records inlined as
-/// [waves.measured_record]. parse_sea(write_sea(s)) gives the same parameters in every bit.
+/// [waves.measured_record], which a reader takes before any `file`. parse_sea(write_sea(s)) gives
+/// the same parameters in every bit. Throws Error invalid_value for a text that is not UTF-8.
 std::string write_sea(const Sea& sea);
 
 struct Preset {
@@ -47,7 +48,9 @@ std::vector<SpectrumRecord> read_spectra(const std::string& path);
 /// not_found that names the nearest.
 const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records, std::string_view time,
                                     const std::string& file);
-/// "[{time, station, significant_wave_height, peak_period, mean_direction}, ...]".
+/// JSON, one object a record: time, station, latitude, longitude, depth, significant_wave_height
+/// [m], peak_period [s], mean_direction [degrees counter-clockwise from +x, travelling to]; null
+/// where it is not known.
 std::string records_json(std::span<const SpectrumRecord> records);
 
 /// m0 [m^2] by the trapezoid over the listed frequencies, Tp [s] and mean direction [rad].

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What `ocean bake` is asked to do; see bake_plan.hpp.
+#include "bake_plan.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <limits>
+
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/sea_state.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ErrorKind::invalid_value, message);
+}
+
+BakeFormat find_format(const OutputPattern& pattern, const std::string& output) {
+    const std::string extension = pattern.extension();
+    if (extension == ".exr") return BakeFormat::exr;
+    if (extension == ".png") return BakeFormat::height_field;
+    if (extension == ".inc") return BakeFormat::mesh2;
+    const std::string allowed = "allowed are .exr, .png (height_field) and .inc (mesh2)";
+    for (const char* later : {".vdb", ".df3", ".obj", ".ply", ".pc2"}) {
+        if (extension == later) {
+            throw Error(ErrorKind::unsupported,
+                        "-o " + output + ": " + later + " comes with a later version; " + allowed);
+        }
+    }
+    refuse("-o " + output + ": the extension names the format; " + allowed);
+}
+
+/// An option that the format would ignore is a misunderstanding.
+void refuse_foreign(const BakeOptions& options, BakeFormat format) {
+    const auto refuse_given = [](const char* name, const std::string& value, const char* home) {
+        if (value.empty()) return;
+        refuse(std::string(name) + " " + value + ": only files of type " + home + " know it");
+    };
+    if (format != BakeFormat::exr) {
+        refuse_given("--products", options.products, ".exr");
+        refuse_given("--type", options.type, ".exr");
+        refuse_given("--axes", options.axes, ".exr");
+        refuse_given("--layout", options.layout, ".exr");
+        refuse_given("--compression", options.compression, ".exr");
+    }
+    if (format != BakeFormat::mesh2) refuse_given("--eye", options.eye, ".inc");
+    if (!options.eye.empty()) return;
+    const auto needs_eye = [](const char* name, const std::string& value) {
+        if (!value.empty()) refuse(std::string(name) + " " + value + ": needs --eye X,Y,HEIGHT");
+    };
+    needs_eye("--heading", options.heading);
+    needs_eye("--field-of-view", options.field_of_view);
+    needs_eye("--horizon", options.horizon);
+    needs_eye("--mesh-columns", options.mesh_columns);
+    needs_eye("--mesh-rows", options.mesh_rows);
+    needs_eye("--slope-variance", options.slope_variance);
+}
+
+std::vector<const FieldInfo*> find_products(const std::string& names) {
+    // Foam joins the defaults when it exists.
+    const std::string list = names.empty() ? "displacement,normal" : names;
+    std::vector<const FieldInfo*> products;
+    for (const std::string& name : split(list, ',')) {
+        const FieldInfo* product = &find_field(name);
+        if (std::find(products.begin(), products.end(), product) != products.end()) {
+            refuse("--products " + list + ": " + name + " is there twice");
+        }
+        products.push_back(product);
+    }
+    return products;
+}
+
+template <typename Value>
+Value choose(const char* option, const std::string& text,
+             std::initializer_list<std::pair<const char*, Value>> choices) {
+    std::string allowed;
+    for (const auto& [name, value] : choices) {
+        if (text == name) return value;
+        allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+    }
+    refuse(std::string(option) + " " + text + ": allowed are " + allowed);
+}
+
+io::ExrOptions exr_options(const BakeOptions& options, int threads) {
+    io::ExrOptions exr;
+    exr.threads = threads;
+    if (!options.axes.empty()) exr.axes = io::find_axes(options.axes);
+    if (!options.compression.empty()) {
+        exr.compression = io::find_exr_compression(options.compression);
+    }
+    if (!options.type.empty()) {
+        exr.type = choose<io::PixelType>(
+            "--type", options.type,
+            {{"float", io::PixelType::full_float}, {"half", io::PixelType::half_float}});
+    }
+    return exr;
+}
+
+int whole_number(const std::string& text, const char* what, int lowest, int highest) {
+    const double value = parse_number(text, what, lowest, highest);
+    const int whole = static_cast<int>(value);
+    if (whole != value) refuse(std::string(what) + " = " + text + ": allowed is a whole number");
+    return whole;
+}
+
+std::optional<io::View> find_view(const BakeOptions& options) {
+    if (options.eye.empty()) return std::nullopt;
+    const std::vector<std::string> eye = split(options.eye, ',');
+    if (eye.size() != 3) refuse("--eye " + options.eye + ": allowed is X,Y,HEIGHT in metres");
+    io::View view;
+    view.x = parse_number(eye[0], "--eye X", -1e6, 1e6);
+    view.y = parse_number(eye[1], "--eye Y", -1e6, 1e6);
+    view.height = parse_number(eye[2], "--eye HEIGHT", 0.1, 1e5);
+    const auto take = [](const std::string& text, const char* what, double lo, double hi,
+                         double& value) {
+        if (!text.empty()) value = parse_number(text, what, lo, hi);
+    };
+    take(options.heading, "--heading", -360.0, 360.0, view.heading);
+    take(options.field_of_view, "--field-of-view", 1.0, 150.0, view.field_of_view);
+    take(options.horizon, "--horizon", 10.0, 1e6, view.horizon);
+    take(options.slope_variance, "--slope-variance", 0.0, 1.0, view.unresolved_slope_variance);
+    const auto take_whole = [](const std::string& text, const char* what, int& value) {
+        if (!text.empty()) value = whole_number(text, what, 2, 16384);
+    };
+    take_whole(options.mesh_columns, "--mesh-columns", view.columns);
+    take_whole(options.mesh_rows, "--mesh-rows", view.rows);
+    return view;
+}
+
+int find_resolution(const std::string& text, const Grid& grid) {
+    if (text.empty()) return grid.resolution;
+    const int resolution = whole_number(text, "--resolution", kMinResolution, kMaxResolution);
+    if (!is_power_of_two(resolution)) {
+        refuse(format_text("--resolution = %d: allowed is a power of two, %d .. %d", resolution,
+                           kMinResolution, kMaxResolution));
+    }
+    return resolution;
+}
+
+ChannelSet find_channels(const BakePlan& plan) {
+    if (plan.format == BakeFormat::height_field) return {Channel::height};
+    const ChannelSet mesh = {Channel::dx, Channel::dy, Channel::height,
+                             Channel::nx, Channel::ny, Channel::nz};
+    if (plan.view) return mesh | ChannelSet{Channel::slope_x, Channel::slope_y};
+    if (plan.format == BakeFormat::mesh2) return mesh;
+    ChannelSet channels;
+    for (const FieldInfo* product : plan.products) channels = channels | product->set();
+    return channels;
+}
+
+/// Gives the names room for the frame number and the product where several files need it.
+void settle_names(BakePlan& plan) {
+    const bool separate = plan.format == BakeFormat::exr && !plan.layered;
+    const bool several = plan.frames.size() > 1 || (separate && plan.products.size() > 1);
+    if (several) plan.pattern = plan.pattern.with_token();
+    plan.product_in_name = separate && plan.pattern.has_token();
+}
+
+}  // namespace
+
+std::vector<int> BakePlan::resolutions() const {
+    std::vector<int> levels = {resolution};
+    while (view && levels.back() > kMinResolution) levels.push_back(levels.back() / 2);
+    return levels;
+}
+
+std::uint64_t BakePlan::memory_bytes() const {
+    std::uint64_t bytes = modes_bytes(sea.parameters.grid.resolution);
+    for (const int level : resolutions()) bytes += surface_bytes(level, channels.size());
+    if (format != BakeFormat::mesh2) return bytes;
+    // A vertex has six floats and two triangles of three numbers, and as much again as text.
+    const auto side = static_cast<std::uint64_t>(resolution) + 1;
+    const std::uint64_t vertices =
+        view ? static_cast<std::uint64_t>(view->columns) * static_cast<std::uint64_t>(view->rows)
+             : side * side;
+    return bytes + vertices * 2 * (6 * sizeof(float) + 6 * sizeof(int));
+}
+
+BakePlan make_bake_plan(const BakeOptions& options, int threads) {
+    BakePlan plan;
+    plan.pattern = OutputPattern(options.output);
+    plan.format = find_format(plan.pattern, options.output);
+    refuse_foreign(options, plan.format);
+    if (plan.format == BakeFormat::exr) plan.products = find_products(options.products);
+    if (!options.layout.empty()) {
+        plan.layered =
+            choose<bool>("--layout", options.layout, {{"separate", false}, {"layered", true}});
+    }
+    plan.exr = exr_options(options, threads);
+    plan.view = find_view(options);
+    plan.slope_variance_given = !options.slope_variance.empty();
+    if (!options.backend.empty()) plan.backend = find_backend(options.backend);
+    if (!options.frames.empty()) plan.frames = parse_frames(options.frames);
+
+    plan.sea = open_sea(options.sea);
+    if (!options.fps.empty()) set_parameter(plan.sea.parameters, "time.fps", options.fps);
+    if (plan.frames.empty()) plan.frames = {plan.sea.parameters.time.first_frame};
+    plan.resolution = find_resolution(options.resolution, plan.sea.parameters.grid);
+    plan.channels = find_channels(plan);
+    settle_names(plan);
+    return plan;
+}
+
+void add_bake_options(CLI::App& command, BakeOptions& options) {
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* group,
+                         const char* help) {
+        const auto not_empty = [](const std::string& text) {
+            return text.empty() ? "an empty value is not allowed" : std::string();
+        };
+        return command.add_option(name, value, help)
+            ->type_name(type)
+            ->check(not_empty)
+            ->group(group);
+    };
+    add_sea_argument(command, options.sea);
+    add("--fps", options.fps, "RATE", "Sea", "Frames per second, in place of the sea's time.fps");
+    add("-o,--output", options.output, "FILE", "Output",
+        "out/sea.####.exr; .exr, .png (height_field) or .inc (mesh2)")
+        ->required();
+    add("--frames", options.frames, "RANGES", "Output",
+        "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame");
+    add("--resolution", options.resolution, "R", "Output",
+        "Samples along a side, a power of two; default: the sea's grid");
+    add("--backend", options.backend, "NAME", "Output", "cpu, radix2 or dft; default cpu");
+    const char* exr = "EXR files";
+    add("--products", options.products, "LIST", exr,
+        "Of height, displacement, slope, normal, jacobian, velocity; default displacement,normal");
+    add("--type", options.type, "TYPE", exr,
+        "float or half; default: float for displacement and velocity, half for the rest");
+    add("--axes", options.axes, "AXES", exr,
+        "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb");
+    add("--layout", options.layout, "LAYOUT", exr,
+        "separate (a file for each product) or layered (one file); default separate");
+    add("--compression", options.compression, "CODEC", exr,
+        "none, rle, zips, zip, piz or pxr24; default zip");
+    const char* mesh = "Mesh files";
+    add("--eye", options.eye, "X,Y,HEIGHT", mesh,
+        "A mesh from this camera to the horizon, in metres; default: one period of the sea");
+    add("--heading", options.heading, "DEG", mesh,
+        "Where the camera looks, counter-clockwise from +x; default 0");
+    add("--field-of-view", options.field_of_view, "DEG", mesh, "Horizontal; default 60");
+    add("--horizon", options.horizon, "M", mesh,
+        "Distance of the farthest vertex; default: where the Earth hides the highest crest");
+    add("--mesh-columns", options.mesh_columns, "N", mesh, "Vertices across; default 720");
+    add("--mesh-rows", options.mesh_rows, "N", mesh, "Vertices away; default 1800");
+    add("--slope-variance", options.slope_variance, "V", mesh,
+        "Mean square slope of the waves that are too short for the map; default: what the "
+        "spectrum has of them");
+}
+
+}  // namespace ocean::app

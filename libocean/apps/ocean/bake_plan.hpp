@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What `ocean bake` is asked to do, settled before anything is computed: options that do not fit
+// each other or this version are refused here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frames.hpp"
+#include "ocean/io.hpp"
+#include "ocean/surface.hpp"
+#include "sea_argument.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace ocean::app {
+
+/// As typed; "" = not given.
+struct BakeOptions {
+    SeaArgument sea;
+    std::string output, frames, products, type, axes, layout, compression, backend, resolution, fps;
+    std::string eye, heading, field_of_view, horizon, mesh_columns, mesh_rows, slope_variance;
+};
+
+enum class BakeFormat { exr, height_field, mesh2 };
+
+struct BakePlan {
+    Sea sea;
+    BakeFormat format = BakeFormat::exr;
+    OutputPattern pattern;
+    std::vector<int> frames;
+    std::vector<const FieldInfo*> products;  // of an EXR
+    bool layered = false;
+    bool product_in_name = false;
+    io::ExrOptions exr;
+    std::optional<io::View> view;  // a mesh to the horizon instead of one period
+    bool slope_variance_given = false;
+    Backend backend = Backend::cpu;
+    int resolution = 0;  // of the finest map
+    ChannelSet channels;
+
+    /// The maps of one frame: one, or for a view R, R/2, ... 32 samples.
+    std::vector<int> resolutions() const;
+    /// What the modes, one frame's maps and a mesh need.
+    std::uint64_t memory_bytes() const;
+};
+
+void add_bake_options(CLI::App& command, BakeOptions& options);
+
+/// Throws Error invalid_value, unsupported, or what opening the sea throws.
+BakePlan make_bake_plan(const BakeOptions& options, int threads);
+
+}  // namespace ocean::app

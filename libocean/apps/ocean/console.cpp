@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a command says, and where; see console.hpp.
+#include "console.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+
+#include "ocean/error.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+bool standard_error_is_terminal() {
+    static const bool terminal = ::isatty(STDERR_FILENO) != 0;
+    return terminal;
+}
+
+}  // namespace
+
+// Takes no lock: a reader that stalls must not keep Ctrl-C from being answered.
+void Console::data(std::string_view text) {
+    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (whole && std::fflush(stdout) == 0) return;
+    throw Error(ErrorKind::output,
+                std::string("standard output cannot be written: ") + std::strerror(errno));
+}
+
+void Console::say(std::string_view kind, std::string_view text, bool wanted) {
+    if (!wanted) return;
+    const std::lock_guard lock(mutex_);
+    if (options_.json) {
+        write_error_line("{\"event\": " + json_string(kind) +
+                         ", \"message\": " + json_string(text) + "}");
+    } else {
+        const std::string label = kind == "error" ? "" : std::string(kind) + ": ";
+        write_error_line("ocean: " + label + std::string(text));
+    }
+}
+
+void Console::begin(int total, std::string_view summary, std::string_view json) {
+    const std::lock_guard lock(mutex_);
+    total_ = total;
+    done_ = 0;
+    started_ = now();
+    if (options_.quiet) return;
+    if (options_.json) {
+        std::string line = format_text("{\"event\": \"start\", \"total\": %d", total);
+        if (!json.empty()) line += ", " + std::string(json);
+        write_error_line(line + "}");
+    } else {
+        write_error_line("ocean: " + std::string(summary));
+    }
+}
+
+void Console::step(int frame, double seconds, const std::vector<std::string>& files) {
+    {
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        if (options_.quiet) return;
+        clear_bar();
+    }
+    for (const std::string& file : files) data(file + "\n");
+    const std::lock_guard lock(mutex_);
+    if (options_.json) {
+        write_error_line(format_text("{\"event\": \"frame\", \"frame\": %d, \"done\": %d, "
+                                     "\"total\": %d, \"seconds\": %.3f, \"eta_seconds\": %.1f, "
+                                     "\"files\": ",
+                                     frame, done_, total_, seconds, eta()) +
+                         json_list(files) + "}");
+    } else if (standard_error_is_terminal()) {
+        draw_bar(frame, seconds);
+    } else {
+        write_error_line(format_text("ocean: frame %d done (%d of %d), %.2f s, ETA ", frame, done_,
+                                     total_, seconds) +
+                         duration_text(eta()));
+    }
+}
+
+void Console::finish() {
+    const std::lock_guard lock(mutex_);
+    clear_bar();
+    if (options_.quiet) return;
+    const double seconds = now() - started_;
+    if (options_.json) {
+        write_error_line(
+            format_text("{\"event\": \"done\", \"done\": %d, \"total\": %d, "
+                        "\"seconds\": %.3f}",
+                        done_, total_, seconds));
+    } else {
+        write_error_line(format_text("ocean: %d of %d frames done in ", done_, total_) +
+                         duration_text(seconds));
+    }
+}
+
+void Console::interrupted() {
+    const std::lock_guard lock(mutex_);
+    const std::string progress = format_text("%d of %d frames are done", done_, total_);
+    if (options_.json) {
+        write_error_line(format_text("{\"event\": \"interrupted\", \"done\": %d, \"total\": %d}",
+                                     done_, total_));
+    } else {
+        write_error_line("ocean: interrupted" + (total_ > 0 ? ": " + progress : std::string()));
+    }
+}
+
+double Console::eta() const {
+    return done_ > 0 ? (now() - started_) / done_ * (total_ - done_) : 0.0;
+}
+
+void Console::draw_bar(int frame, double seconds) {
+    constexpr int kWidth = 24;
+    const auto filled = static_cast<std::size_t>(kWidth * done_ / std::max(total_, 1));
+    const std::string bar =
+        std::string(filled, '#') + std::string(static_cast<std::size_t>(kWidth) - filled, '.');
+    const std::string line = format_text("[%s] %d/%d  frame %d  %.2f s  ETA ", bar.c_str(), done_,
+                                         total_, frame, seconds) +
+                             duration_text(eta());
+    std::fwrite(line.data(), 1, line.size(), stderr);
+    bar_drawn_ = true;
+}
+
+void Console::clear_bar() {
+    if (bar_drawn_) std::fputs("\r\033[K", stderr);
+    bar_drawn_ = false;
+}
+
+/// In one call, so that lines of several processes do not mix.
+void Console::write_error_line(std::string_view line) {
+    clear_bar();
+    const std::string whole = std::string(line) + '\n';
+    std::fwrite(whole.data(), 1, whole.size(), stderr);
+}
+
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& json_help) {
+    const std::string group = "Running";
+    command.add_option("--threads", options.threads, "Threads to use; 0 = all cores")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1024).description(""))
+        ->group(group);
+    command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors")->group(group);
+    command.add_flag("-v,--verbose", options.verbose, "Say more")->group(group);
+    if (!json_help.empty()) command.add_flag("--json", options.json, json_help)->group(group);
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a command says, and where: data and paths on standard output, everything else on standard
+// error, as text for people or as JSON lines for schedulers. Any thread may speak on standard
+// error.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ocean::app {
+
+/// Options that every command has.
+struct RunOptions {
+    int threads = 0;  // 0 = all
+    bool quiet = false;
+    bool verbose = false;
+    bool json = false;
+};
+
+class Console {
+  public:
+    /// `options` is read at each call: it is filled when the command line is parsed.
+    explicit Console(const RunOptions& options) : options_(options) {}
+
+    /// Standard output; the main thread only. Throws Error output if it cannot be written, so that
+    /// a full disk behind a redirection is not taken for success.
+    void data(std::string_view text);
+    /// Standard error. Notes need -v; notes and warnings are silent with -q.
+    void note(std::string_view text) { say("note", text, options_.verbose && !options_.quiet); }
+    void warning(std::string_view text) { say("warning", text, !options_.quiet); }
+    void error(std::string_view text) { say("error", text, true); }
+
+    /// A run of `total` steps begins; `summary` says what is to be done, `json` are more members
+    /// for its JSON line ("\"resolution\": 512"), or "".
+    void begin(int total, std::string_view summary, std::string_view json);
+    /// One more step is done; its files were written. Prints their paths and the progress.
+    void step(int frame, double seconds, const std::vector<std::string>& files);
+    /// The run ends well.
+    void finish();
+    /// The run is cut off by a signal. Says how far it came.
+    void interrupted();
+
+  private:
+    void say(std::string_view kind, std::string_view text, bool wanted);
+    void draw_bar(int frame, double seconds);
+    void clear_bar();
+    void write_error_line(std::string_view line);
+    double eta() const;
+
+    const RunOptions& options_;
+    std::mutex mutex_;
+    int total_ = 0;
+    int done_ = 0;
+    double started_ = 0.0;  // s, of the steady clock
+    bool bar_drawn_ = false;
+};
+
+/// --threads, -q, -v; `json_help` = "" leaves --json out.
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& json_help);
+
+}  // namespace ocean::app

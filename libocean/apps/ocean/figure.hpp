@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sheet to draw on, by cairo: lines, texts and axes in points, and the PNG file as bytes. Knows
+// nothing of the sea.
+#pragma once
+
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ocean::app {
+
+struct Point {
+    double x;
+    double y;
+};
+
+struct Color {
+    double red;
+    double green;
+    double blue;
+    double alpha = 1.0;
+};
+
+/// Where a text stands relative to its point.
+enum class Anchor { left, center, right };
+
+class Figure {
+  public:
+    /// `scale` pixels per point; white paper.
+    Figure(double width, double height, double scale);
+
+    void line(const std::vector<Point>& points, Color color, double width);
+    void dashed_line(const std::vector<Point>& points, Color color, double width);
+    void area(const std::vector<Point>& points, Color fill);
+    void circle(Point center, double radius, Color color, double width);
+    /// From tail to tip, with a head.
+    void arrow(Point tail, Point tip, Color color, double width);
+    /// `size` in points, centred on its height; `turned` reads upwards. A halo keeps it legible
+    /// over colour.
+    void text(Point point, const std::string& text, double size, Color color,
+              Anchor anchor = Anchor::center, bool turned = false, bool bold = false,
+              bool halo = false);
+    /// Paints `color(point)` over a rectangle at the sheet's own resolution.
+    template <typename ColorOf>
+    void raster(Point corner, double width, double height, const ColorOf& color_of);
+
+    /// The picture as a PNG file. Throws Error output.
+    std::string png() const;
+
+  private:
+    void path(const std::vector<Point>& points);
+    void source(Color color);
+    void paint_pixels(Point corner, int columns, int rows, const std::vector<Color>& pixels);
+
+    double scale_;
+    std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface_;
+    std::unique_ptr<cairo_t, void (*)(cairo_t*)> context_;
+};
+
+/// 1, 2 or 5 times a power of ten, so that `range` holds about `count` steps.
+double tick_step(double range, int count);
+/// Without needless zeros.
+std::string tick_label(double value, double step);
+
+template <typename ColorOf>
+void Figure::raster(Point corner, double width, double height, const ColorOf& color_of) {
+    const int columns = static_cast<int>(width * scale_);
+    const int rows = static_cast<int>(height * scale_);
+    std::vector<Color> pixels;
+    pixels.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            pixels.push_back(
+                color_of({corner.x + (i + 0.5) / scale_, corner.y + (j + 0.5) / scale_}));
+        }
+    }
+    paint_pixels(corner, columns, rows, pixels);
+}
+
+}  // namespace ocean::app

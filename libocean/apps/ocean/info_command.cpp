@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean info`: what a sea is, asked by its spectrum and resolved by its grid, in the numbers that
+// wave people use. Also reads a sea back out of a baked file.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/seafile.hpp"
+#include "sea_argument.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+struct InfoOptions {
+    SeaArgument sea;
+    bool sea_file = false;
+};
+
+std::string row(const char* label, const std::string& value) {
+    return format_text("%-24s%s\n", label, value.c_str());
+}
+
+std::string asked_resolved(const char* label, const AskedResolved& value, const char* unit,
+                           const char* number = "%.4g") {
+    const auto cell = [&](double x) {
+        char text[64];
+        // A direction of -1e-15 is 0, not -0.0.
+        std::snprintf(text, sizeof(text), number, std::abs(x) < 1e-9 ? 0.0 : x);
+        return std::string(text) + unit;
+    };
+    return format_text("%-24s%-16s%s\n", label, cell(value.asked).c_str(),
+                       cell(value.resolved).c_str());
+}
+
+/// Sailors name the direction that waves come from, clockwise from north.
+double coming_from(double travelling_to) {
+    const double degrees = std::fmod(270.0 - travelling_to, 360.0);
+    return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
+std::string position_text(const SpectrumRecord& record) {
+    if (std::isnan(record.latitude) || std::isnan(record.longitude)) return "";
+    return format_text(", at %.3f N %.3f E", record.latitude, record.longitude);
+}
+
+std::string waves_text(const Parameters& parameters) {
+    std::string text;
+    for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
+        const WaveSystem& waves = parameters.waves[i];
+        const std::string prefix = "waves." + std::to_string(i) + ".";
+        std::string line = get_parameter(parameters, prefix + "spectrum");
+        if (waves.measured) {
+            line += " at " + (waves.measured->station.empty() ? "an unnamed station"
+                                                              : waves.measured->station);
+            line += ", " + waves.measured->time + " UTC" + position_text(*waves.measured);
+        } else {
+            line += format_text(", wind %g m/s towards %g deg", waves.wind_speed,
+                                waves.direction_degrees());
+        }
+        text += row(i == 0 ? "Waves" : "", line);
+    }
+    return text;
+}
+
+std::string state_text(const SeaState& state) {
+    std::string text = format_text("\n%-24s%-16s%s\n", "", "asked", "resolved by the grid");
+    text += asked_resolved("Significant height", state.significant_wave_height, " m");
+    if (state.significant_wave_height.asked > 0.0) {
+        text += asked_resolved("Peak period", state.peak_period, " s");
+        text += asked_resolved("Peak wavelength", state.peak_wavelength, " m");
+        text += asked_resolved("Mean square slope", state.mean_square_slope, "");
+        text += asked_resolved("Mean direction, to", state.mean_direction, " deg", "%.1f");
+        const AskedResolved from{coming_from(state.mean_direction.asked),
+                                 coming_from(state.mean_direction.resolved)};
+        text += asked_resolved("  nautical, from", from, " deg", "%.1f");
+    } else {
+        text += row("", "flat: there are no waves");
+    }
+    return text + row("Energy resolved", format_text("%.2f %%", 100.0 * state.energy_resolved));
+}
+
+std::string grid_text(const SeaState& state, const Parameters& parameters) {
+    const Grid& grid = parameters.grid;
+    std::string text = "\n";
+    text += row("Period",
+                format_text("%g m, %d x %d samples %.4g m apart", state.period, grid.resolution,
+                            grid.resolution, state.period / grid.resolution));
+    text += row("Waves held",
+                format_text("%.4g .. %.4g m long", state.shortest_wave, state.longest_wave));
+    text += row("Depth", std::isinf(parameters.water.depth)
+                             ? std::string("deep")
+                             : format_text("%g m", parameters.water.depth));
+    const Timing& time = parameters.time;
+    text += row("Time", format_text("%g s at frame %d, %g frames per second", time.start,
+                                    time.first_frame, time.fps));
+    if (time.loop_period > 0.0) text += row("Loop", format_text("%g s", time.loop_period));
+    text += row("Memory", bytes_text(state.memory_bytes));
+    return text;
+}
+
+void run(const InfoOptions& info, const Context& context) {
+    const Sea sea = open_sea(info.sea);
+    if (info.sea_file) return context.console.data(write_sea(sea));
+    Ocean ocean(sea.parameters, {.threads = context.options.threads});
+    const SeaState state = ocean.state();
+    if (context.options.json) {
+        context.console.data(sea_state_json(state) + "\n");
+    } else {
+        context.console.data(row("Sea", info.sea.source) + waves_text(sea.parameters) +
+                             state_text(state) + grid_text(state, sea.parameters));
+    }
+    for (const std::string& warning : state.warnings) context.console.warning(warning);
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("info", "Say what a sea is: heights, periods, grid");
+    auto info = std::make_shared<InfoOptions>();
+    add_sea_argument(*command, info->sea);
+    command
+        ->add_flag("--sea-file", info->sea_file,
+                   "Print the resolved sea file instead, as a baked file holds it")
+        ->group("Output");
+    add_run_options(*command, context.options, "Print one JSON object; warnings as JSON lines");
+    command->footer(
+        "asked: integral of the spectrum; resolved: sum over the modes of the grid. Directions in\n"
+        "degrees counter-clockwise from +x (east), the way the waves travel; nautical ones\n"
+        "clockwise from north, where they come from.");
+    command->callback([info, &context] { run(*info, context); });
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean presets`: seas to begin with.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "ocean/seafile.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+std::string presets_text() {
+    std::string text;
+    for (const Preset& preset : presets()) {
+        text += format_text("%-14s%s\n", preset.name.c_str(), preset.description.c_str());
+    }
+    return text;
+}
+
+std::string presets_json() {
+    std::string json = "[";
+    for (const Preset& preset : presets()) {
+        json += json.size() > 1 ? ",\n " : "\n ";
+        json += "{\"name\": " + json_string(preset.name) +
+                ", \"description\": " + json_string(preset.description) + "}";
+    }
+    return json + "\n]\n";
+}
+
+}  // namespace
+
+void add_presets_command(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("presets", "List the presets, or print one's sea file");
+    auto name = std::make_shared<std::string>();
+    command->add_option("NAME", *name, "Print the sea file of this preset")->type_name("");
+    command->add_flag("--json", context.options.json, "Print the list as a JSON array")
+        ->group("Output");
+    command->callback([name, &context] {
+        if (!name->empty()) return context.console.data(find_preset(*name).toml);
+        context.console.data(context.options.json ? presets_json() : presets_text());
+    });
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Checks what a host asks for and copies the maps into its buffers, vectors turned to its axes.
+#include "evaluate.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "guard.hpp"
+#include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/version.hpp"
+#include "sea_handle.hpp"
+
+namespace ocean::capi {
+namespace {
+
+constexpr int kMaxComponents = 4;
+constexpr int kUntouched = -1;
+
+static_assert(OCEAN_DX == static_cast<int>(Channel::dx));
+static_assert(OCEAN_JACOBIAN == static_cast<int>(Channel::jacobian));
+static_assert(OCEAN_VZ == static_cast<int>(Channel::vz) && OCEAN_VZ + 1 == kChannelCount);
+
+/// A channel whose field is of a later version is refused in that field's own words.
+void require_available(Channel channel) {
+    for (const FieldInfo& field : field_table()) {
+        if (field.set().contains(channel) && !field.available) find_field(field.name);
+    }
+}
+
+ChannelSet check_output(const ocean_output& output, const std::string& name, int resolution) {
+    if (output.channels < 1 || output.channels > kMaxComponents) {
+        refuse(name + ".channels = " + std::to_string(output.channels) + "; allowed: 1 .. 4");
+    }
+    if (output.axes < OCEAN_ZUP || output.axes > OCEAN_TNB) {
+        refuse(name + ".axes = " + std::to_string(output.axes) +
+               "; allowed: OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB");
+    }
+    require(output.data, (name + ".data").c_str());
+    const std::size_t needed =
+        Lattice{resolution, 1.0}.size() * static_cast<std::size_t>(output.channels);
+    if (output.count < needed) {
+        refuse(name + ".count = " + std::to_string(output.count) + "; a map of " +
+               std::to_string(resolution) + " x " + std::to_string(resolution) + " samples of " +
+               std::to_string(output.channels) + " channels needs " + std::to_string(needed));
+    }
+    ChannelSet channels;
+    for (int c = 0; c < output.channels; ++c) {
+        if (output.channel[c] == kUntouched) continue;
+        if (output.channel[c] < OCEAN_DX || output.channel[c] > OCEAN_VZ) {
+            refuse(name + ".channel[" + std::to_string(c) +
+                   "] = " + std::to_string(output.channel[c]) +
+                   "; allowed: OCEAN_DX .. OCEAN_VZ, or -1 to leave that component as it is");
+        }
+        const auto channel = static_cast<Channel>(output.channel[c]);
+        require_available(channel);
+        channels = channels | ChannelSet{channel};
+    }
+    return channels;
+}
+
+/// What one component of an output receives.
+struct Source {
+    int channel;
+    float sign;
+};
+
+/// The component's channels with whole vectors turned: (x, z, -y) or (x, z, y).
+std::array<Source, kMaxComponents> turned(const ocean_output& output) {
+    std::array<Source, kMaxComponents> sources;
+    for (std::size_t c = 0; c < kMaxComponents; ++c) sources[c] = {output.channel[c], 1.0f};
+    if (output.axes == OCEAN_ZUP) return sources;
+    for (std::size_t c = 0; c + 2 < static_cast<std::size_t>(output.channels); ++c) {
+        const int x = output.channel[c];
+        const bool vector = (x == OCEAN_DX || x == OCEAN_NX || x == OCEAN_VX) &&
+                            output.channel[c + 1] == x + 1 && output.channel[c + 2] == x + 2;
+        if (!vector) continue;
+        sources[c + 1] = {x + 2, 1.0f};
+        sources[c + 2] = {x + 1, output.axes == OCEAN_YUP ? -1.0f : 1.0f};
+    }
+    return sources;
+}
+
+}  // namespace
+
+ChannelSet check_outputs(std::span<const ocean_output> outputs, int resolution) {
+    ChannelSet channels;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const std::string name = "outputs[" + std::to_string(i) + "]";
+        channels = channels | check_output(outputs[i], name, resolution);
+    }
+    if (channels.empty()) refuse("no output names a channel: there is nothing to compute");
+    return channels;
+}
+
+void write_output(const Surface& surface, const ocean_output& output) {
+    const auto sources = turned(output);
+    const auto stride = static_cast<std::size_t>(output.channels);
+    for (std::size_t c = 0; c < stride; ++c) {
+        if (sources[c].channel == kUntouched) continue;
+        const std::span<const float> map =
+            surface.channel(static_cast<Channel>(sources[c].channel));
+        float* destination = output.data + c;
+        for (const float value : map) {
+            *destination = sources[c].sign * value;
+            destination += stride;
+        }
+    }
+}
+
+}  // namespace ocean::capi
+
+using namespace ocean;
+using namespace ocean::capi;
+
+namespace {
+
+int checked_resolution(const ocean_request& request, const Parameters& parameters) {
+    const int resolution = request.resolution;
+    if (resolution == 0) return parameters.grid.resolution;
+    if (resolution < kMinResolution || resolution > kMaxResolution ||
+        !is_power_of_two(resolution)) {
+        refuse("resolution = " + std::to_string(resolution) +
+               "; allowed: 0 (the sea's own) or a power of two, 32 .. 8192");
+    }
+    return resolution;
+}
+
+}  // namespace
+
+ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
+    return guarded([&] {
+        require(sea, "sea");
+        require(request, "request");
+        const ocean_request asked = read_struct(request, sizeof(ocean_request), "ocean_request");
+        if (!std::isfinite(asked.time)) {
+            refuse("time = " + std::to_string(asked.time) +
+                   "; allowed: a finite number of seconds");
+        }
+        if (asked.output_count > 0) require(asked.outputs, "outputs");
+        const std::span outputs(asked.outputs, asked.output_count);
+        const int resolution = checked_resolution(asked, sea->ocean->parameters());
+        const ChannelSet channels = check_outputs(outputs, resolution);
+
+        const Surface surface = sea->ocean->evaluate(asked.time, channels, asked.resolution);
+        // The buffers were measured for this resolution: any other would overrun them.
+        if (surface.resolution() != resolution) throw std::logic_error("map of another resolution");
+        for (const ocean_output& output : outputs) write_output(surface, output);
+    });
+}
+
+ocean_result ocean_query(ocean_sea* sea, double, const double*, size_t, float*, size_t) {
+    return guarded([&] {
+        require(sea, "sea");
+        throw Error(ErrorKind::unsupported,
+                    "queries at world points come with a later version of libocean than " +
+                        std::string(OCEAN_VERSION));
+    });
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one place where exceptions end: each kind of failure has its code, and its sentence is kept
+// for the thread that failed.
+#include "guard.hpp"
+
+#include <new>
+
+#include "ocean/error.hpp"
+
+namespace ocean::capi {
+namespace {
+
+/// Plain bytes: they need no memory when there is none, and no destructor when a host unloads the
+/// library while its threads live on.
+constexpr std::size_t kMaxSentence = 2048;
+thread_local char sentence[kMaxSentence] = "";
+
+void keep(const char* text) noexcept {
+    std::size_t length = std::strlen(text);
+    if (length >= kMaxSentence) {
+        length = kMaxSentence - 1;
+        // Never half a UTF-8 character: step back over continuation bytes 10xxxxxx.
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0u) == 0x80u) --length;
+    }
+    std::memmove(sentence, text, length);
+    sentence[length] = '\0';
+}
+
+ocean_result code_of(ErrorKind kind) noexcept {
+    switch (kind) {
+        case ErrorKind::invalid_value:
+            return OCEAN_INVALID_VALUE;
+        case ErrorKind::bad_file:
+            return OCEAN_BAD_FILE;
+        case ErrorKind::not_found:
+            return OCEAN_NOT_FOUND;
+        case ErrorKind::unsupported:
+            return OCEAN_UNSUPPORTED;
+        case ErrorKind::output:
+            return OCEAN_OUTPUT;
+        case ErrorKind::out_of_memory:
+            return OCEAN_OUT_OF_MEMORY;
+        case ErrorKind::interrupted:
+            break;  // only programs are interrupted, not libraries
+    }
+    return OCEAN_INTERNAL;
+}
+
+}  // namespace
+
+const char* last_error() noexcept {
+    return sentence;
+}
+
+ocean_result translate_exception() noexcept {
+    try {
+        throw;
+    } catch (const CallError& error) {
+        keep(error.what());
+        return error.code();
+    } catch (const Error& error) {
+        keep(error.what());
+        return code_of(error.kind());
+    } catch (const std::bad_alloc&) {
+        keep("out of memory");
+        return OCEAN_OUT_OF_MEMORY;
+    } catch (const std::exception& error) {
+        keep(error.what());
+    } catch (...) {
+        keep("a failure of unknown kind");
+    }
+    return OCEAN_INTERNAL;
+}
+
+void copy_text(std::string_view text, char* out, std::size_t* size) {
+    require(size, "size");
+    const std::size_t capacity = std::exchange(*size, text.size() + 1);
+    if (out == nullptr) return;
+    if (capacity <= text.size()) {
+        throw CallError(OCEAN_BUFFER_TOO_SMALL,
+                        "the text needs " + std::to_string(text.size() + 1) +
+                            " bytes, its final 0 included; out has " + std::to_string(capacity));
+    }
+    text.copy(out, text.size());
+    out[text.size()] = '\0';
+}
+
+}  // namespace ocean::capi

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The border between C++ and C: exceptions become codes and a sentence per thread, structs of other
+// versions become this version's. Every function of libocean.h that can fail runs inside guarded().
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "libocean.h"
+#include "ocean/version.hpp"
+
+namespace ocean::capi {
+
+/// A fault of the call itself, with the code it returns.
+class CallError : public std::runtime_error {
+  public:
+    CallError(ocean_result code, const std::string& message)
+        : std::runtime_error(message), code_(code) {}
+    ocean_result code() const noexcept { return code_; }
+
+  private:
+    ocean_result code_;
+};
+
+[[noreturn]] inline void refuse(const std::string& message) {
+    throw CallError(OCEAN_INVALID_ARGUMENT, message);
+}
+inline void require(const void* argument, const char* name) {
+    if (argument == nullptr) refuse(std::string(name) + " is NULL");
+}
+
+/// The sentence of this thread's last failure; never NULL.
+const char* last_error() noexcept;
+/// The code of the exception being handled; keeps its sentence. Only inside a catch block.
+ocean_result translate_exception() noexcept;
+
+/// Runs `body` so that nothing is thrown out of it.
+template <typename Body>
+ocean_result guarded(Body&& body) noexcept {
+    try {
+        std::forward<Body>(body)();
+        return OCEAN_OK;
+    } catch (...) {
+        return translate_exception();
+    }
+}
+
+/// Copies a text result as libocean.h promises for `out` and `size`.
+void copy_text(std::string_view text, char* out, std::size_t* size);
+
+/// Largest struct_size that is believed to be one.
+inline constexpr std::size_t kMaxStructSize = 4096;
+
+/// The caller's struct as this version's: `minimum` bytes must be there, the rest defaults to 0.
+template <typename Struct>
+Struct read_struct(const Struct* given, std::size_t minimum, const std::string& name) {
+    const std::size_t size = given->struct_size;
+    if (size < minimum || size > kMaxStructSize || size % alignof(std::int32_t) != 0) {
+        refuse(name + ".struct_size = " + std::to_string(size) + "; set it to sizeof(" + name +
+               "), here " + std::to_string(sizeof(Struct)));
+    }
+    const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+    for (std::size_t i = sizeof(Struct); i < size; ++i) {
+        if (bytes[i] != 0) {
+            throw CallError(OCEAN_UNSUPPORTED, name + " of " + std::to_string(size) +
+                                                   " bytes asks for what this older library "
+                                                   "(version " OCEAN_VERSION ") does not have");
+        }
+    }
+    Struct result{};
+    std::memcpy(&result, given, std::min(size, sizeof(Struct)));
+    return result;
+}
+
+}  // namespace ocean::capi

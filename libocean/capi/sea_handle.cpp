@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The functions of libocean.h that open, describe and change a sea, and those that need none: each
+// one a call into core or seafile, with its arguments checked and its result copied out.
+#include "sea_handle.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "guard.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/sea_state.hpp"
+#include "ocean/seafile.hpp"
+#include "ocean/version.hpp"
+
+using namespace ocean;
+using namespace ocean::capi;
+
+namespace {
+
+constexpr std::int32_t kMaxThreads = 1024;
+constexpr std::array<std::string_view, 4> kBackends = {"cpu", "gl", "radix2", "dft"};
+static_assert(OCEAN_CPU == 0 && OCEAN_GL == 1 && OCEAN_RADIX2 == 2 && OCEAN_DFT == 3);
+
+OceanOptions read_options(const ocean_options* given) {
+    if (given == nullptr) return {};
+    const ocean_options asked = read_struct(given, sizeof(given->struct_size), "ocean_options");
+    if (asked.threads < 0 || asked.threads > kMaxThreads) {
+        refuse("threads = " + std::to_string(asked.threads) +
+               "; allowed: 0 (the cores this process may use) .. " + std::to_string(kMaxThreads));
+    }
+    if (asked.backend < OCEAN_CPU || asked.backend > OCEAN_DFT) {
+        refuse("backend = " + std::to_string(asked.backend) +
+               "; allowed: OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT");
+    }
+    return {asked.threads, find_backend(kBackends[static_cast<std::size_t>(asked.backend)])};
+}
+
+std::string folder_of(const char* path) {
+    const std::u8string folder = utf8_path(path).parent_path().u8string();
+    return {folder.begin(), folder.end()};
+}
+
+bool chooses_record(const ParameterRef& parameter) {
+    return parameter.info->key == "file" || parameter.info->key == "record";
+}
+
+/// Another file or record must not leave the old one's waves in place. Changes nothing if it
+/// throws.
+void set_record(ocean_sea& sea, const ParameterRef& parameter, const char* name,
+                const char* value) {
+    Parameters changed = sea.ocean->parameters();
+    set_parameter(changed, name, value);
+    WaveSystem& system = changed.waves[parameter.wave];
+    if (system.spectrum == SpectrumKind::measured) {
+        system.measured = nullptr;
+        resolve_records(changed, sea.base_dir);
+    }
+    sea.ocean = std::make_unique<Ocean>(std::move(changed), sea.options);
+}
+
+std::string preset_names_json() {
+    std::string json = "[";
+    for (const Preset& preset : presets()) {
+        json += json.size() > 1 ? ", \"" : "\"";
+        json += preset.name + "\"";
+    }
+    return json + "]";
+}
+
+}  // namespace
+
+uint32_t ocean_abi_version(void) {
+    return OCEAN_ABI_VERSION;
+}
+const char* ocean_version(void) {
+    return OCEAN_VERSION;
+}
+const char* ocean_last_error(void) {
+    return last_error();
+}
+
+ocean_result ocean_open(const char* path, const ocean_options* options, ocean_sea** out) {
+    return guarded([&] {
+        require(path, "path");
+        require(out, "out");
+        const OceanOptions opened_with = read_options(options);
+        *out = std::make_unique<ocean_sea>(read_sea(path), opened_with, folder_of(path)).release();
+    });
+}
+
+ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
+                         const ocean_options* options, ocean_sea** out) {
+    return guarded([&] {
+        require(toml, "toml");
+        require(out, "out");
+        const OceanOptions opened_with = read_options(options);
+        const std::string folder = base_dir != nullptr ? base_dir : "";
+        Sea sea = parse_sea({toml, length}, "text", folder);
+        *out = std::make_unique<ocean_sea>(std::move(sea), opened_with, folder).release();
+    });
+}
+
+void ocean_free(ocean_sea* sea) {
+    delete sea;
+}
+
+ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
+    return guarded([&] {
+        require(sea, "sea");
+        require(name, "name");
+        require(value, "value");
+        const ParameterRef parameter = find_parameter(name);
+        if (chooses_record(parameter)) {
+            set_record(*sea, parameter, name, value);
+        } else {
+            sea->ocean->set(name, value);
+        }
+    });
+}
+
+ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size) {
+    return guarded([&] {
+        require(sea, "sea");
+        require(name, "name");
+        require(out, "out");
+        copy_text(get_parameter(sea->ocean->parameters(), name), out, &size);
+    });
+}
+
+ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size) {
+    return guarded([&] {
+        require(sea, "sea");
+        copy_text(write_sea(Sea{sea->ocean->parameters()}), out, size);
+    });
+}
+
+ocean_result ocean_parameters_json(char* out, size_t* size) {
+    return guarded([&] { copy_text(parameters_json(), out, size); });
+}
+
+ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size) {
+    return guarded([&] {
+        require(sea, "sea");
+        require(size, "size");
+        copy_text(sea_state_json(sea->ocean->state()), out, size);
+    });
+}
+
+ocean_result ocean_records_json(const char* file, char* out, size_t* size) {
+    return guarded([&] {
+        require(file, "file");
+        copy_text(records_json(read_spectra(file)), out, size);
+    });
+}
+
+ocean_result ocean_preset(const char* name, char* out, size_t* size) {
+    return guarded([&] {
+        copy_text(name != nullptr ? find_preset(name).toml : preset_names_json(), out, size);
+    });
+}

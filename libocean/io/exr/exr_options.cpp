@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The words by which people choose axes and compression.
+#include <array>
+#include <utility>
+
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Axes>, 3> kAxes{
+    {{"zup", Axes::zup}, {"yup", Axes::yup}, {"tnb", Axes::tnb}}};
+
+constexpr std::array<std::pair<std::string_view, ExrCompression>, 6> kCompressions{
+    {{"none", ExrCompression::none},
+     {"rle", ExrCompression::rle},
+     {"zips", ExrCompression::zips},
+     {"zip", ExrCompression::zip},
+     {"piz", ExrCompression::piz},
+     {"pxr24", ExrCompression::pxr24}}};
+
+}  // namespace
+
+Axes find_axes(std::string_view name) {
+    for (const auto& [text, axes] : kAxes) {
+        if (text == name) return axes;
+    }
+    throw Error(ErrorKind::invalid_value,
+                "axes '" + std::string(name) + "' are unknown; allowed: tnb, zup, yup");
+}
+
+std::string_view axes_name(Axes axes) {
+    for (const auto& [text, value] : kAxes) {
+        if (value == axes) return text;
+    }
+    return "";
+}
+
+ExrCompression find_exr_compression(std::string_view name) {
+    constexpr const char* kAllowed = "; allowed: none, rle, zips, zip, piz, pxr24";
+    for (const auto& [text, compression] : kCompressions) {
+        if (text == name) return compression;
+    }
+    // Both families are made for colour: B44 quantises blocks of half pixels, DWA throws away what
+    // an eye does not see in channels named R, G, B, Y and leaves others alone.
+    if (name == "b44" || name == "b44a" || name == "dwaa" || name == "dwab") {
+        throw Error(ErrorKind::invalid_value, "compression '" + std::string(name) +
+                                                  "' is lossy and spoils vectors by centimetres" +
+                                                  kAllowed);
+    }
+    throw Error(ErrorKind::invalid_value,
+                "compression '" + std::string(name) + "' is unknown" + kAllowed);
+}
+
+}  // namespace ocean::io

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Atomic output. A temporary `.NAME.ocean-PID-COUNT.tmp` is locked while its writer lives, so that
+// a later run can tell the remains of a killed process from a neighbour's work in progress. Writers
+// never see signals: a program that is interrupted finishes or abandons a file between two frames.
+#include "output_file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#ifdef _WIN32
+#include <io.h>
+#include <process.h>
+#else
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+#include "ocean/platform.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr std::string_view kMark = ".ocean-";
+constexpr std::string_view kSuffix = ".tmp";
+
+// The few calls that C++ has no portable name for. An open file cannot be removed on Windows, which
+// does there what the lock does elsewhere.
+#ifdef _WIN32
+int process_id() {
+    return _getpid();
+}
+bool sync_to_disk(std::FILE* file) {
+    return _commit(_fileno(file)) == 0;
+}
+bool claim(std::FILE*) {
+    return true;
+}
+int keep_lock(std::FILE*) {
+    return -1;
+}
+void release_lock(int) {}
+bool seek_to(std::FILE* file, std::uint64_t position) {
+    return _fseeki64(file, static_cast<long long>(position), SEEK_SET) == 0;
+}
+long long position_of(std::FILE* file) {
+    return _ftelli64(file);
+}
+bool abandoned(const std::filesystem::path&) {
+    return true;
+}
+#else
+int process_id() {
+    return static_cast<int>(getpid());
+}
+
+bool sync_to_disk(std::FILE* file) {
+    int result = 0;
+    do {
+        result = fsync(fileno(file));
+    } while (result != 0 && errno == EINTR);
+    // Pipes and devices have no disk behind them.
+    return result == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+// False if a cleaner found the file between its creation and this lock and has removed it.
+bool claim(std::FILE* file) {
+    flock(fileno(file), LOCK_EX);
+    struct stat status {};
+    return fstat(fileno(file), &status) == 0 && status.st_nlink > 0;
+}
+
+// A second descriptor of the same open file holds the lock on after the stream is closed.
+int keep_lock(std::FILE* file) {
+    return dup(fileno(file));
+}
+void release_lock(int descriptor) {
+    if (descriptor >= 0) close(descriptor);
+}
+
+bool seek_to(std::FILE* file, std::uint64_t position) {
+    return fseeko(file, static_cast<off_t>(position), SEEK_SET) == 0;
+}
+long long position_of(std::FILE* file) {
+    return static_cast<long long>(ftello(file));
+}
+
+bool abandoned(const std::filesystem::path& path) {
+    const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) return false;
+    // The lock is kept until the file is gone: see claim().
+    const bool unused = flock(descriptor, LOCK_EX | LOCK_NB) == 0 && unlink(path.c_str()) == 0;
+    close(descriptor);
+    return unused;
+}
+#endif
+
+}  // namespace
+
+OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
+    std::error_code error;
+    const auto native = utf8_path(path);
+    const auto status = std::filesystem::status(native, error);
+    if (path.empty() || std::filesystem::is_directory(status)) {
+        fail("cannot write", path.empty() ? ENOENT : EISDIR);
+    }
+    if (std::filesystem::is_symlink(native, error)) {
+        target_ = std::filesystem::weakly_canonical(native, error).string();
+    }
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        file_ = std::fopen(target_.c_str(), "wb");
+        if (file_ == nullptr) fail("cannot write", errno);
+        return;
+    }
+    open_temporary();
+}
+
+void OutputFile::open_temporary() {
+    static std::atomic<unsigned> counter{0};
+    const auto target = utf8_path(target_);
+    for (;;) {
+        const std::string unique =
+            std::to_string(process_id()) + "-" + std::to_string(counter.fetch_add(1));
+        const std::string name =
+            "." + target.filename().string() + std::string(kMark) + unique + std::string(kSuffix);
+        temporary_ = (target.parent_path() / name).string();
+        file_ = std::fopen(temporary_.c_str(), "wbx");
+        if (file_ == nullptr && errno == EEXIST) continue;
+        if (file_ == nullptr) {
+            const int error = errno;
+            temporary_.clear();
+            fail("cannot write", error);
+        }
+        if (claim(file_)) return;
+        std::fclose(file_);
+    }
+}
+
+OutputFile::~OutputFile() {
+    discard();
+}
+
+void OutputFile::write(std::string_view bytes) {
+    errno = 0;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+        fail("cannot write", errno);
+    }
+}
+
+void OutputFile::seek(std::uint64_t position) {
+    if (!seek_to(file_, position)) fail("cannot write", errno);
+}
+
+std::uint64_t OutputFile::tell() {
+    const long long position = position_of(file_);
+    if (position < 0) fail("cannot write", errno);
+    return static_cast<std::uint64_t>(position);
+}
+
+void OutputFile::commit() {
+    // errno still tells why, if a C library met an error before.
+    const bool failed_before = std::ferror(file_) != 0;
+    if (!failed_before) errno = 0;
+    // A full disk may show only here: fclose's own flush would come too late to be acted upon.
+    if (std::fflush(file_) != 0 || failed_before || !sync_to_disk(file_)) {
+        fail("cannot write", errno != 0 ? errno : EIO);
+    }
+    // What a network disk says only at the close still comes before the rename, and until then the
+    // lock tells cleaners to keep off.
+    const int lock = keep_lock(file_);
+    const bool closed = std::fclose(file_) == 0;
+    const int close_error = errno;
+    file_ = nullptr;
+    std::error_code rename_error;
+    if (closed && !temporary_.empty()) {
+        std::filesystem::rename(temporary_, target_, rename_error);
+    }
+    release_lock(lock);
+    if (!closed) fail("cannot write", close_error);
+    if (rename_error) fail("cannot write", rename_error.value());
+    temporary_.clear();
+}
+
+void OutputFile::fail(const char* what, int error) const {
+    throw Error(ErrorKind::output,
+                std::string(what) + " '" + path_ + "': " + std::generic_category().message(error));
+}
+
+void OutputFile::discard() noexcept {
+    if (file_ != nullptr) std::fclose(file_);
+    file_ = nullptr;
+    if (!temporary_.empty()) std::remove(temporary_.c_str());
+    temporary_.clear();
+}
+
+void write_file_atomically(const std::string& path, std::string_view bytes) {
+    OutputFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+int remove_abandoned_temporaries(const std::string& directory) {
+    int removed = 0;
+    std::error_code error;
+    const auto folder = utf8_path(directory.empty() ? "." : directory);
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        const bool ours =
+            name.starts_with('.') && name.ends_with(kSuffix) && name.find(kMark) != name.npos;
+        if (!ours || !entry->is_regular_file(error)) continue;
+        if (!abandoned(entry->path())) continue;
+        std::filesystem::remove(entry->path(), error);
+        ++removed;
+    }
+    return removed;
+}
+
+}  // namespace ocean::io

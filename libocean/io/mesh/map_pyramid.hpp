@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Maps of one sea at halving resolutions, read at any point and any fineness: the mip chain of the
+// horizon mesh. Band-limited by construction: a coarser map is a sum of fewer waves, not an
+// average.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ocean/surface.hpp"
+
+namespace ocean::io {
+
+/// Second moments of the slopes of some waves, by label.
+struct SlopeVariance {
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+};
+
+/// The surface at a label: offsets in metres, slopes of the displaced surface's normal, and the
+/// variance of the slopes that the asked fineness leaves out.
+struct PyramidSample {
+    double dx, dy, height;
+    double normal_x, normal_y, normal_z;  // a unit vector
+    SlopeVariance left_out;
+};
+
+/// Immutable; any thread may read. The surfaces must outlive it.
+class MapPyramid {
+  public:
+    /// Throws Error invalid_value unless each level has half the resolution of the one before, and
+    /// the same period and time.
+    explicit MapPyramid(std::span<const Surface> levels);
+
+    /// Only waves longer than twice `spacing` metres, blended between two levels; past the coarsest
+    /// level the sea fades to still water.
+    PyramidSample sample(double x, double y, double spacing) const;
+
+  private:
+    struct Blend {
+        std::size_t fine, coarse;  // levels_.size() = still water
+        double weight;             // of the coarse one
+    };
+    Blend blend(double spacing) const;
+
+    std::span<const Surface> levels_;
+    std::vector<SlopeVariance> variance_;  // of each level, then 0 for still water
+};
+
+}  // namespace ocean::io

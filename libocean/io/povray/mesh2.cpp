@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A mesh as a POV-Ray include file. POV-Ray is left-handed with y up: y and z change places, in
+// points and in normals. Numbers are the shortest text that gives the same float again, so that
+// vertices which met still meet.
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "../file/output_file.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/version.hpp"
+
+namespace ocean::io {
+namespace {
+
+// Collects text and hands it on in large pieces.
+class TextWriter {
+  public:
+    explicit TextWriter(OutputFile& file) : file_(file) { buffer_.reserve(kPiece + 4096); }
+
+    TextWriter& operator<<(std::string_view text) {
+        buffer_ += text;
+        if (buffer_.size() >= kPiece) flush();
+        return *this;
+    }
+    template <typename Number>
+    TextWriter& number(Number value) {
+        char text[48];
+        return *this << std::string_view(text, std::to_chars(text, text + sizeof text, value).ptr);
+    }
+    // Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves a tenth of the file.
+    TextWriter& unit_number(float value) {
+        const long scaled = std::lround(value * 10000.0f);
+        if (scaled < 0) *this << "-";
+        const long magnitude = std::labs(scaled);
+        if (magnitude >= 10000) return *this << "1";
+        char text[] = {'.', '0', '0', '0', '0'};
+        long digits = magnitude;
+        for (int place = 4; place > 0; --place, digits /= 10) {
+            text[place] = static_cast<char>('0' + digits % 10);
+        }
+        return *this << std::string_view(text, sizeof text);
+    }
+    void flush() {
+        file_.write(buffer_);
+        buffer_.clear();
+    }
+
+  private:
+    static constexpr std::size_t kPiece = std::size_t{1} << 20;
+    OutputFile& file_;
+    std::string buffer_;
+};
+
+// The guard's name, from the file's: two frames may be included by one scene.
+std::string guard_name(const std::string& file_name) {
+    std::string name = "Ocean_";
+    for (const char c : file_name) {
+        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+    }
+    return name + "_Temp";
+}
+
+void write_head(TextWriter& out, const Mesh& mesh, const Frame& frame,
+                const std::string& file_name) {
+    out << "//   Persistence of Vision Ray Tracer Include File\n//   File: " << file_name
+        << "\n//   Vers: 3.7\n//   Desc: The surface of a sea at one time, by "
+           "libocean " OCEAN_VERSION
+        << "\n//         Ocean_Surface: mesh2 of ";
+    out.number(mesh.positions.size() / 3) << " vertices with normals, metres, <east, up, north>.\n";
+    const std::string guard = guard_name(file_name);
+    out << "#ifndef(" << guard << ")\n#declare " << guard << " = version;\n#version 3.7;\n\n";
+    out << "#declare Ocean_Frame_Number = ";
+    out.number(frame.number) << ";\n#declare Ocean_Time = ";
+    out.number(frame.time) << ";      // s\n#declare Ocean_Period = ";
+    out.number(frame.surface.period()) << ";  // m, in both directions\n";
+}
+
+// The camera that the mesh was made for, so that a scene cannot look past its edge.
+void write_view(TextWriter& out, const View& view) {
+    const double heading = view.heading * kPi / 180.0;
+    out << "// The camera that this mesh was made for.\n#declare Ocean_Eye = <";
+    out.number(view.x) << ", ";
+    out.number(view.height) << ", ";
+    out.number(view.y) << ">;\n#declare Ocean_Forward = <";
+    out.number(std::cos(heading)) << ", 0, ";
+    out.number(std::sin(heading)) << ">;\n#declare Ocean_View_Angle = ";
+    out.number(view.field_of_view) << ";  // degrees, horizontal\n";
+}
+
+void write_vectors(TextWriter& out, const Mesh& mesh) {
+    const std::size_t count = mesh.positions.size() / 3;
+    out << "vertex_vectors { ";
+    out.number(count);
+    for (std::size_t v = 0; v < count; ++v) {
+        const float* p = &mesh.positions[3 * v];
+        out << ",\n<";
+        out.number(p[0]) << ",";
+        out.number(p[2]) << ",";
+        out.number(p[1]) << ">";
+    }
+    out << "\n}\nnormal_vectors { ";
+    out.number(count);
+    for (std::size_t v = 0; v < count; ++v) {
+        const float* n = &mesh.normals[3 * v];
+        out << ",\n<";
+        out.unit_number(n[0]) << ",";
+        out.unit_number(n[2]) << ",";
+        out.unit_number(n[1]) << ">";
+    }
+    out << "\n}\n";
+}
+
+void write_faces(TextWriter& out, const Mesh& mesh) {
+    const std::size_t count = mesh.triangles.size() / 3;
+    out << "face_indices { ";
+    out.number(count);
+    for (std::size_t f = 0; f < count; ++f) {
+        const int* corner = &mesh.triangles[3 * f];
+        out << ",\n<";
+        out.number(corner[0]) << ",";
+        out.number(corner[1]) << ",";
+        out.number(corner[2]) << ">";
+    }
+    out << "\n}\n";
+}
+
+}  // namespace
+
+void write_mesh2(const Mesh& mesh, const Frame& frame, const std::string& path, const View* view) {
+    if (mesh.positions.empty() || mesh.normals.size() != mesh.positions.size() ||
+        mesh.triangles.empty()) {
+        throw Error(ErrorKind::invalid_value, "a mesh2 needs vertices, as many normals, triangles");
+    }
+    OutputFile file(path);
+    TextWriter out(file);
+    write_head(out, mesh, frame, utf8_path(path).filename().string());
+    if (view != nullptr) write_view(out, *view);
+    out << "\n#declare Ocean_Surface = mesh2 {\n";
+    write_vectors(out, mesh);
+    write_faces(out, mesh);
+    // A sheet is not a solid, but an inside lets it cut others; off the axis, so that the test ray
+    // does not run along vertices and edges.
+    out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version "
+        << guard_name(utf8_path(path).filename().string()) << ";\n#end\n";
+    out.flush();
+    file.commit();
+}
+
+}  // namespace ocean::io

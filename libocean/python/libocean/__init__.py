@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""One sea file, the same ocean everywhere: the Python side of libocean.h, with numpy arrays.
+
+    import libocean
+
+    with libocean.open("atlantic.toml") as sea:
+        surface = sea.surface(12.0, resolution=1024)
+        print(surface.height.std() * 4, sea.state["significant_wave_height"])
+
+Arrays are float32 and indexed [j, i]: i counts east, j north. World z is up; metres, seconds.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+from ._library import (
+    Error,
+    InvalidValueError,
+    OutOfMemoryError,
+    UnsupportedError,
+    call,
+    library,
+    text_of,
+)
+from ._sea import Sea, Surface
+
+__all__ = [
+    "Error",
+    "InvalidValueError",
+    "OutOfMemoryError",
+    "Sea",
+    "Surface",
+    "UnsupportedError",
+    "open",
+    "parameters",
+    "parse",
+    "preset",
+    "presets",
+    "records",
+    "version",
+]
+
+version: str = library.ocean_version().decode()
+__version__ = version
+
+
+def open(path: str | os.PathLike[str], *, threads: int = 0, backend: str = "cpu") -> Sea:
+    """Opens a sea file. threads: 0 = the cores this process may use."""
+    name = os.fsencode(path)
+    return Sea(lambda options, out: call("ocean_open", name, options, out), threads, backend)
+
+
+def parse(
+    text: str,
+    *,
+    base_dir: str | os.PathLike[str] | None = None,
+    threads: int = 0,
+    backend: str = "cpu",
+) -> Sea:
+    """A sea from the text of a sea file; base_dir is where a relative `file` in it starts."""
+    toml = text.encode()
+    base = None if base_dir is None else os.fsencode(base_dir)
+    return Sea(
+        lambda options, out: call("ocean_parse", toml, len(toml), base, options, out),
+        threads,
+        backend,
+    )
+
+
+def preset(name: str, *, threads: int = 0, backend: str = "cpu") -> Sea:
+    """One of the seas of presets(): "beaufort_6", "douglas_4", "seed_thesis"."""
+    return parse(text_of("ocean_preset", name.encode()), threads=threads, backend=backend)
+
+
+def presets() -> list[str]:
+    """The names that preset() takes."""
+    return json.loads(text_of("ocean_preset", None))
+
+
+def parameters() -> list[dict[str, Any]]:
+    """The parameter table: name, type, unit, label, help, default and range of every parameter."""
+    return json.loads(text_of("ocean_parameters_json"))
+
+
+def records(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
+    """What a file of measured spectra holds, record by record."""
+    return json.loads(text_of("ocean_records_json", os.fsencode(path)))

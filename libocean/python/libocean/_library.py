@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""libocean.h in ctypes: finds and loads the library, turns its codes into exceptions."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+from ctypes import POINTER, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32, c_void_p
+from pathlib import Path
+from typing import Any
+
+ABI_VERSION = 1
+
+OK = 0
+INVALID_ARGUMENT = 1
+INVALID_VALUE = 2
+UNSUPPORTED = 5
+OUT_OF_MEMORY = 7
+BUFFER_TOO_SMALL = 8
+
+# In the order of the C enums.
+BACKENDS = ("cpu", "gl", "radix2", "dft")
+AXES = ("zup", "yup", "tnb")
+
+
+class Options(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("threads", c_int32), ("backend", c_int32)]
+
+
+class Output(ctypes.Structure):
+    _fields_ = [
+        ("data", POINTER(c_float)),
+        ("count", c_size_t),
+        ("channel", c_int32 * 4),
+        ("channels", c_int32),
+        ("axes", c_int32),
+    ]
+
+
+class Request(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("resolution", c_int32),
+        ("outputs", POINTER(Output)),
+        ("output_count", c_size_t),
+    ]
+
+
+class Error(Exception):
+    """A call that failed. `code` is that of libocean.h, the text is the library's sentence."""
+
+    def __init__(self, message: str, code: int) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+class InvalidValueError(Error, ValueError):
+    """A parameter or argument that is unknown, of a wrong type or out of range."""
+
+
+class UnsupportedError(Error, NotImplementedError):
+    """A feature that this version of the library does not have."""
+
+
+class OutOfMemoryError(Error, MemoryError):
+    """More memory than there is; said before it is allocated."""
+
+
+_ERRORS = {
+    INVALID_ARGUMENT: InvalidValueError,
+    INVALID_VALUE: InvalidValueError,
+    UNSUPPORTED: UnsupportedError,
+    OUT_OF_MEMORY: OutOfMemoryError,
+}
+
+
+def error(message: str, code: int) -> Error:
+    return _ERRORS.get(code, Error)(message, code)
+
+
+def _candidates() -> list[str]:
+    """Where the library may be, best first; a name without a folder is for the system's loader."""
+    asked = os.environ.get("LIBOCEAN_LIBRARY")
+    if asked:
+        return [asked]  # and nothing else: another one found by accident would hide the mistake
+    names = {"win32": ["libocean.dll"], "darwin": ["libocean.dylib"]}
+    beside = names.get(sys.platform, ["libocean.so"])
+    system = names.get(sys.platform, [f"libocean.so.{ABI_VERSION}"])
+    here = Path(__file__).parent
+    return [str(here / name) for name in beside if (here / name).exists()] + system
+
+
+_TEXT = [c_char_p, POINTER(c_size_t)]
+_SIGNATURES: dict[str, list[Any]] = {
+    "ocean_open": [c_char_p, POINTER(Options), POINTER(c_void_p)],
+    "ocean_parse": [c_char_p, c_size_t, c_char_p, POINTER(Options), POINTER(c_void_p)],
+    "ocean_set": [c_void_p, c_char_p, c_char_p],
+    "ocean_get": [c_void_p, c_char_p, c_char_p, c_size_t],
+    "ocean_text": [c_void_p, *_TEXT],
+    "ocean_parameters_json": _TEXT,
+    "ocean_state_json": [c_void_p, *_TEXT],
+    "ocean_records_json": [c_char_p, *_TEXT],
+    "ocean_preset": [c_char_p, *_TEXT],
+    "ocean_evaluate": [c_void_p, POINTER(Request)],
+    "ocean_query": [c_void_p, c_double, c_void_p, c_size_t, c_void_p, c_size_t],
+}
+
+
+def _load() -> ctypes.CDLL:
+    failures = []
+    for path in _candidates():
+        try:
+            loaded = ctypes.CDLL(path)
+        except OSError as failure:
+            failures.append(f"{path}: {failure}")
+            continue
+        loaded.ocean_abi_version.restype = c_uint32
+        abi = loaded.ocean_abi_version()
+        if abi != ABI_VERSION:
+            raise ImportError(
+                f"{path} has ABI version {abi}; this wrapper needs {ABI_VERSION}: "
+                "take both from the same release"
+            )
+        loaded.ocean_version.restype = c_char_p
+        loaded.ocean_last_error.restype = c_char_p
+        loaded.ocean_free.argtypes = [c_void_p]
+        loaded.ocean_free.restype = None
+        for name, arguments in _SIGNATURES.items():
+            getattr(loaded, name).argtypes = arguments
+            getattr(loaded, name).restype = c_int32
+        return loaded
+    raise ImportError(
+        "libocean's shared library does not load; set LIBOCEAN_LIBRARY to its path, or install "
+        "it. Tried " + "; ".join(failures)
+    )
+
+
+library = _load()
+
+
+def call(name: str, *arguments: Any) -> None:
+    """Calls a function that returns a code; raises the library's sentence."""
+    code = getattr(library, name)(*arguments)
+    if code != OK:
+        raise error(library.ocean_last_error().decode(errors="replace"), code)
+
+
+def text_of(name: str, *arguments: Any) -> str:
+    """The text result of a function whose last arguments are (out, size)."""
+    size = c_size_t(1 << 14)
+    while True:
+        out = ctypes.create_string_buffer(size.value)
+        try:
+            call(name, *arguments, out, ctypes.byref(size))
+        except Error as failure:
+            if failure.code != BUFFER_TOO_SMALL:
+                raise
+            continue
+        return out.value.decode()

@@ -1,0 +1,248 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Sea, an open sea file, and Surface, its maps at one time."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import numbers
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library
+from ._library import Options, Output, Request, call, text_of
+
+Array = npt.NDArray[np.float32]
+
+# The channels of each field, numbered as in libocean.h.
+FIELDS: dict[str, tuple[int, ...]] = {
+    "height": (2,),
+    "displacement": (0, 1, 2),
+    "slope": (6, 7),
+    "normal": (3, 4, 5),
+    "jacobian": (8,),
+    "whitecap": (9,),
+    "foam": (10,),
+    "velocity": (11, 12, 13),
+}
+
+
+def _choose(what: str, name: str, known: Sequence[str]) -> int:
+    if name not in known:
+        raise _library.error(
+            f"unknown {what} '{name}'; known: {', '.join(known)}", _library.INVALID_VALUE
+        )
+    return known.index(name)
+
+
+def _value_text(value: Any) -> str:
+    """A Python value as the library reads it; the shortest form that keeps every bit."""
+    if value is None:
+        return ""
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        return repr(float(value))
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value_text(item) for item in value) + "]"
+    return str(value)
+
+
+class Sea:
+    """An open sea. Made by open(), parse() and preset(); a context manager. Calls from several
+    threads wait for each other: open the sea once per thread to work in parallel."""
+
+    def __init__(
+        self, opener: Callable[[Any, Any], None], threads: int = 0, backend: str = "cpu"
+    ) -> None:
+        self._handle: ctypes.c_void_p | None = None
+        self._lock = threading.RLock()
+        self._changes = 0
+        number = _choose("backend", backend, _library.BACKENDS)
+        options = Options(ctypes.sizeof(Options), threads, number)
+        handle = ctypes.c_void_p()
+        opener(ctypes.byref(options), ctypes.byref(handle))
+        self._handle = handle
+
+    def close(self) -> None:
+        """Frees the sea. Surfaces keep the arrays they have. Closing twice is allowed."""
+        with self._lock:
+            handle, self._handle = self._handle, None
+            if handle is not None:
+                _library.library.ocean_free(handle)
+
+    def __enter__(self) -> Sea:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if getattr(self, "_handle", None) is not None:
+            self.close()
+
+    def _call(self, name: str, *arguments: Any) -> None:
+        with self._lock:
+            call(name, self._open_handle(), *arguments)
+
+    def _open_handle(self) -> ctypes.c_void_p:
+        if self._handle is None:
+            raise _library.error("this sea is closed", _library.INVALID_ARGUMENT)
+        return self._handle
+
+    def set(self, name: str, value: Any) -> None:
+        """Sets a parameter ("wind_speed", "waves.1.fetch"); None takes back an optional one."""
+        with self._lock:
+            self._call("ocean_set", name.encode(), _value_text(value).encode())
+            self._changes += 1
+
+    def get(self, name: str) -> str:
+        """The value of a parameter, as text; "" for an optional one that is not set."""
+        out = ctypes.create_string_buffer(8192)
+        self._call("ocean_get", name.encode(), out, len(out))
+        return out.value.decode()
+
+    @property
+    def text(self) -> str:
+        """The resolved sea file, self-contained: libocean.parse(text) gives the same sea."""
+        with self._lock:
+            return text_of("ocean_text", self._open_handle())
+
+    @property
+    def state(self) -> dict[str, Any]:
+        """What `ocean info --json` prints: heights, periods, directions, asked and resolved."""
+        with self._lock:
+            return json.loads(text_of("ocean_state_json", self._open_handle()))
+
+    def surface(
+        self,
+        time: float,
+        resolution: int | None = None,
+        fields: Iterable[str] | None = None,
+        axes: str = "zup",
+    ) -> Surface:
+        """The sea at `time` seconds, on resolution x resolution samples of one period (default:
+        the sea's own). `fields` are computed at once, in one go; without it each is computed when
+        it is first looked at. axes: "zup" (x, y, z), "yup" (x, z, -y) or "tnb" (x, z, y)."""
+        return Surface(self, time, resolution, fields, axes)
+
+    def query(self, points: npt.ArrayLike, time: float) -> Array:
+        """Ten numbers for each world point (x, y), those of `ocean query`: not in this version."""
+        xy = np.ascontiguousarray(points, dtype=np.float64).reshape(-1, 2)
+        samples = np.empty((len(xy), 10), dtype=np.float32)
+        self._call("ocean_query", time, xy.ctypes.data, len(xy), samples.ctypes.data, 10)
+        return samples
+
+    def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
+        """One array for each field, filled by the library in place."""
+        arrays: list[Array] = []
+        outputs = (Output * len(names))()
+        for output, name in zip(outputs, names, strict=True):
+            channels = FIELDS[name]
+            vector = (len(channels),) if len(channels) > 1 else ()
+            array = np.empty((resolution, resolution, *vector), dtype=np.float32)
+            output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
+            output.count = array.size
+            output.channel[: len(channels)] = channels
+            output.channels = len(channels)
+            output.axes = axes
+            arrays.append(array)
+        request = Request(ctypes.sizeof(Request), time, resolution, outputs, len(names))
+        self._call("ocean_evaluate", ctypes.byref(request))
+        return arrays
+
+
+class Surface:
+    """The maps of one sea at one time, as numpy arrays [j, i] or [j, i, component], float32."""
+
+    def __init__(
+        self,
+        sea: Sea,
+        time: float,
+        resolution: int | None,
+        fields: Iterable[str] | None,
+        axes: str,
+    ) -> None:
+        self._sea = sea
+        self._changes = sea._changes
+        self._axes = _choose("axes", axes, _library.AXES)
+        self._arrays: dict[str, Array] = {}
+        self.time = float(time)
+        self.resolution = self._checked_resolution(resolution)
+        names = [fields] if isinstance(fields, str) else list(fields or ())
+        if names:
+            self._compute(names)
+
+    def _checked_resolution(self, resolution: int | None) -> int:
+        if resolution is None:
+            return int(self._sea.get("grid.resolution"))
+        # Before an array of that size is made.
+        if resolution not in [32 << n for n in range(9)]:
+            raise _library.error(
+                f"resolution = {resolution}; allowed: a power of two, 32 .. 8192",
+                _library.INVALID_ARGUMENT,
+            )
+        return int(resolution)
+
+    def _compute(self, names: list[str]) -> None:
+        for name in names:
+            _choose("field", name, tuple(FIELDS))
+        with self._sea._lock:
+            if self._changes != self._sea._changes:
+                raise _library.error(
+                    f"the sea was changed after this surface was made, before {names[0]} was "
+                    "looked at: name it in surface(..., fields=[...]), or make a new surface",
+                    _library.INVALID_ARGUMENT,
+                )
+            arrays = self._sea._evaluate(self.time, self.resolution, self._axes, names)
+        self._arrays.update(zip(names, arrays, strict=True))
+
+    def _field(self, name: str) -> Array:
+        if name not in self._arrays:
+            self._compute([name])
+        return self._arrays[name]
+
+    @property
+    def height(self) -> Array:
+        """Metres, (R, R)."""
+        return self._field("height")
+
+    @property
+    def displacement(self) -> Array:
+        """Offset of each sample's point, metres, (R, R, 3); its z is the height."""
+        return self._field("displacement")
+
+    @property
+    def slope(self) -> Array:
+        """dh/dx and dh/dy before displacement, (R, R, 2)."""
+        return self._field("slope")
+
+    @property
+    def normal(self) -> Array:
+        """Unit normal of the displaced surface, (R, R, 3)."""
+        return self._field("normal")
+
+    @property
+    def jacobian(self) -> Array:
+        """Area of the displaced surface over that at rest, seen from above, (R, R)."""
+        return self._field("jacobian")
+
+    @property
+    def whitecap(self) -> Array:
+        """Foam that is made now, 0 .. 1, (R, R): not in this version."""
+        return self._field("whitecap")
+
+    @property
+    def foam(self) -> Array:
+        """Foam that is there, 0 .. 1, (R, R): not in this version."""
+        return self._field("foam")
+
+    @property
+    def velocity(self) -> Array:
+        """d/dt of the displaced point, m/s, (R, R, 3)."""
+        return self._field("velocity")

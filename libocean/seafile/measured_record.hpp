@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The record of a measured sea inside a sea file, [waves.measured_record]: one table of its keys,
+// from which it is read and written. It makes a saved sea independent of the buoy's file.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ocean/spectrum_record.hpp"
+
+namespace ocean {
+
+inline constexpr std::string_view kMeasuredRecord = "measured_record";
+
+struct RecordKey {
+    std::string_view key;
+    std::variant<std::string SpectrumRecord::*, double SpectrumRecord::*,
+                 std::vector<double> SpectrumRecord::*>
+        member;
+    bool may_be_nan = false;  // elements of a list
+};
+
+inline constexpr std::array<RecordKey, 11> kRecordKeys = {{
+    {"station", &SpectrumRecord::station},
+    {"time", &SpectrumRecord::time},
+    {"latitude", &SpectrumRecord::latitude},
+    {"longitude", &SpectrumRecord::longitude},
+    {"depth", &SpectrumRecord::depth},
+    {"frequency", &SpectrumRecord::frequency},
+    {"density", &SpectrumRecord::density},
+    {"a1", &SpectrumRecord::a1, true},
+    {"b1", &SpectrumRecord::b1, true},
+    {"a2", &SpectrumRecord::a2, true},
+    {"b2", &SpectrumRecord::b2, true},
+}};
+
+}  // namespace ocean

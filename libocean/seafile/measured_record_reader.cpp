@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads [waves.measured_record] of a sea file: see measured_record.hpp.
+#include "measured_record_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measured_record.hpp"
+#include "ocean/error.hpp"
+#include "spectrum_format.hpp"
+#include "text.hpp"
+
+namespace ocean {
+namespace {
+
+class RecordReader {
+  public:
+    RecordReader(const std::string& name, const std::string& path) : name_(name), path_(path) {}
+
+    SpectrumRecord read(const toml::table& table) {
+        for (const TomlEntry& entry : in_file_order(table)) {
+            const auto key = std::find_if(kRecordKeys.begin(), kRecordKeys.end(),
+                                          [&](const RecordKey& k) { return k.key == entry.key; });
+            if (key == kRecordKeys.end()) throw unknown(entry);
+            key_ = key;
+            std::visit([&](auto member) { store(record_.*member, *entry.node); }, key->member);
+        }
+        const std::string fault = record_fault(record_);
+        if (fault.empty()) return std::move(record_);
+        throw text::error_at(ErrorKind::invalid_value, name_, line_of(table), path_ + ": " + fault);
+    }
+
+  private:
+    void store(std::string& value, const toml::node& node) const {
+        const auto* text = node.as_string();
+        if (text == nullptr || text->get().size() > 200) {
+            throw wrong(node, "a text of at most 200 bytes");
+        }
+        value = text->get();
+    }
+    void store(double& value, const toml::node& node) const {
+        const std::optional<double> number = number_of(node);
+        if (!number || !std::isfinite(*number)) {
+            throw wrong(node, "a finite number");
+        }
+        value = *number;
+    }
+    void store(std::vector<double>& values, const toml::node& node) const {
+        const toml::array* list = node.as_array();
+        if (list == nullptr || list->size() > kMaxFrequencies) {
+            throw wrong(node, "an array of at most 4096 numbers");
+        }
+        values.clear();
+        for (const toml::node& item : *list) {
+            const std::optional<double> number = number_of(item);
+            const bool missing = number && std::isnan(*number) && key_->may_be_nan;
+            if (!number || !(std::isfinite(*number) || missing)) {
+                throw wrong(item,
+                            key_->may_be_nan ? "finite numbers, nan = missing" : "finite numbers");
+            }
+            values.push_back(*number);
+        }
+    }
+
+    Error wrong(const toml::node& node, const std::string& allowed) const {
+        return text::error_at(ErrorKind::invalid_value, name_, line_of(node),
+                              path_ + "." + std::string(key_->key) + " = " + shown(node) +
+                                  ": is not allowed; allowed: " + allowed);
+    }
+    Error unknown(const TomlEntry& entry) const {
+        std::vector<std::string_view> names;
+        for (const RecordKey& k : kRecordKeys) names.push_back(k.key);
+        const std::string_view nearest = text::nearest_name(entry.key, names);
+        std::string message = path_ + "." + text::printable(entry.key) + ": no such key";
+        if (!nearest.empty()) message += "; did you mean " + std::string(nearest) + "?";
+        return text::error_at(ErrorKind::invalid_value, name_, entry.line, message);
+    }
+
+    const std::string& name_;
+    const std::string& path_;
+    const RecordKey* key_ = nullptr;
+    SpectrumRecord record_;
+};
+
+}  // namespace
+
+SpectrumRecord read_measured_record(const toml::table& table, const std::string& name,
+                                    const std::string& path) {
+    return RecordReader(name, path).read(table);
+}
+
+}  // namespace ocean

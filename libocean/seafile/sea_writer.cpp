@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Writes sea files that read back to the same parameters in every bit. What is saved, baked into
+// image headers and sent to farms, so it depends on no other file: the record of a measured system
+// stands inside, as [waves.measured_record]. `file` and `record` are kept beside it to say where it
+// came from: a reader that finds the table opens no file, and refuses the sea if `record` was
+// edited to ask for another time. To choose anew, delete the table.
+#include "sea_writer.hpp"
+
+#include <array>
+
+#include "measured_record.hpp"
+#include "ocean/seafile.hpp"
+#include "toml_text.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::string_view kOpening =
+    "# A sea, for libocean. All units are SI, angles in degrees.\n";
+
+std::string array_text(const std::vector<double>& values) {
+    constexpr std::size_t kPerLine = 8;
+    std::string out = "[";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        out += i % kPerLine == 0 ? "\n    " : " ";
+        out += toml_number(values[i]) + ",";
+    }
+    return out + "\n]";
+}
+
+std::string text_if_known(const std::string& value) {
+    return value.empty() ? "" : toml_string(value);
+}
+std::string text_if_known(double value) {
+    return value != value ? "" : toml_number(value);
+}
+std::string text_if_known(const std::vector<double>& values) {
+    return values.empty() ? "" : array_text(values);
+}
+
+std::string measured_record_text(const WaveSystem& system) {
+    if (system.measured == nullptr) return "";
+    std::string out = "\n[waves." + std::string(kMeasuredRecord) + "]\n";
+    for (const RecordKey& key : kRecordKeys) {
+        const std::string value = std::visit(
+            [&](auto member) { return text_if_known((*system.measured).*member); }, key.member);
+        if (!value.empty()) out += std::string(key.key) + " = " + value + "\n";
+    }
+    return out;
+}
+
+/// The lines of one section of the table, or of one wave system.
+std::string section_lines(std::string_view section, std::size_t wave, const LineOfParameter& line) {
+    std::string out;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (info.section == section) out += line({&info, wave});
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string parameter_line(const Parameters& parameters, const ParameterRef& ref) {
+    const ParameterValue value = value_of(parameters, ref);
+    const bool unset = ref.info->type() == "float" && std::holds_alternative<std::string>(value);
+    return unset ? "" : std::string(ref.info->key) + " = " + toml_value(value) + "\n";
+}
+
+std::string sea_file_text(const Parameters& parameters, const LineOfParameter& line,
+                          const std::function<std::string(const WaveSystem&)>& after_wave) {
+    std::string out = "libocean = " + std::to_string(kSeaFileVersion) + "\n";
+    std::string_view section;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (info.section == section) continue;
+        section = info.section;
+        if (!info.per_wave_system()) {
+            const std::string lines = section_lines(section, 0, line);
+            if (!lines.empty()) out += "\n[" + std::string(section) + "]\n" + lines;
+            continue;
+        }
+        for (std::size_t wave = 0; wave < parameters.waves.size(); ++wave) {
+            out += "\n[[" + std::string(section) + "]]\n" + section_lines(section, wave, line);
+            out += after_wave(parameters.waves[wave]);
+        }
+    }
+    return out;
+}
+
+std::string write_sea(const Sea& sea) {
+    const auto line = [&](const ParameterRef& ref) { return parameter_line(sea.parameters, ref); };
+    return std::string(kOpening) + sea_file_text(sea.parameters, line, measured_record_text);
+}
+
+}  // namespace ocean

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reading spectrum files of any format: recognise by content, read, check. Between a file of a buoy
+// or a wave model and the record that a wave system takes.
+#include <array>
+#include <cmath>
+
+#include "ocean/error.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/seafile.hpp"
+#include "spectrum_format.hpp"
+#include "text.hpp"
+#include "utc_time.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::array kFormats = {&kNdbcRealtime};
+
+/// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
+constexpr double kMaxDensity = 1e6;
+constexpr double kMaxFrequency = 100.0;
+/// Moments are printed with two digits or more: what rounding may add to 1.
+constexpr double kMaxMoment = 1.005;
+
+std::string bin(std::size_t i) {
+    return " of bin " + std::to_string(i + 1);
+}
+
+std::string energy_fault(const SpectrumRecord& record) {
+    const std::size_t count = record.frequency.size();
+    if (count < 2) return "a spectrum needs at least 2 frequencies";
+    if (count > kMaxFrequencies) return "a spectrum has at most 4096 frequencies";
+    if (record.density.size() != count) return "density and frequency differ in length";
+    double below = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double f = record.frequency[i];
+        const double s = record.density[i];
+        if (!(f > 0.0 && f <= kMaxFrequency)) {
+            return "the frequency" + bin(i) + " is not above 0 and at most 100 Hz";
+        }
+        if (!(f > below)) return "the frequency" + bin(i) + " does not ascend";
+        if (!(s >= 0.0 && s <= kMaxDensity)) {
+            return "the density" + bin(i) + " is not within 0 .. 1e6 m^2/Hz";
+        }
+        below = f;
+    }
+    return "";
+}
+
+std::string moment_fault(const SpectrumRecord& record) {
+    const std::array moments = {&record.a1, &record.b1, &record.a2, &record.b2};
+    for (const std::vector<double>* moment : moments) {
+        if (moment->size() != record.a1.size()) return "a1, b1, a2 and b2 differ in length";
+        for (std::size_t i = 0; i < moment->size(); ++i) {
+            const double m = (*moment)[i];
+            if (!std::isnan(m) && !(std::abs(m) <= kMaxMoment)) {
+                return "a directional moment" + bin(i) + " is beyond 1";
+            }
+        }
+    }
+    if (record.has_directions() && record.a1.size() != record.frequency.size()) {
+        return "the directional moments and frequency differ in length";
+    }
+    return "";
+}
+
+std::string place_fault(const SpectrumRecord& record) {
+    const auto outside = [](double value, double low, double high) {
+        return !std::isnan(value) && !(value >= low && value <= high);
+    };
+    if (outside(record.latitude, -90.0, 90.0)) return "the latitude is not within -90 .. 90";
+    if (outside(record.longitude, -180.0, 360.0)) return "the longitude is not within -180 .. 360";
+    if (outside(record.depth, 0.01, 20000.0)) return "the depth is not within 0.01 .. 20000 m";
+    if (!record.time.empty() && !parse_utc_time(record.time)) {
+        return "the time is not like 2020-06-08T03:50";
+    }
+    return "";
+}
+
+std::string known_formats() {
+    std::string names;
+    for (const SpectrumFormat* format : kFormats) {
+        names += (names.empty() ? "" : ", ") + std::string(format->name);
+    }
+    return names;
+}
+
+std::optional<std::string> read_companion(const std::string& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(utf8_path(path), ignored)) return std::nullopt;
+    return text::read_file(path, kMaxSpectrumFileBytes);
+}
+
+}  // namespace
+
+std::string record_fault(const SpectrumRecord& record) {
+    for (const auto fault : {energy_fault, moment_fault, place_fault}) {
+        if (std::string message = fault(record); !message.empty()) return message;
+    }
+    return "";
+}
+
+std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
+    const auto fail = [&](const std::string& message) {
+        return text::error_at(ErrorKind::bad_file, source.name, 0, message);
+    };
+    if (source.content.empty()) throw fail("the file is empty");
+    for (const SpectrumFormat* format : kFormats) {
+        if (!format->recognises(source.content)) continue;
+        std::vector<SpectrumRecord> records = format->read(source);
+        if (records.empty()) throw fail("holds no spectrum");
+        for (const SpectrumRecord& record : records) {
+            const std::string fault = record_fault(record);
+            if (!fault.empty()) throw fail("record " + record.time + ": " + fault);
+        }
+        return records;
+    }
+    throw fail("is not a spectrum file of a known format; known: " + known_formats());
+}
+
+std::vector<SpectrumRecord> read_spectra(const std::string& path) {
+    const std::string content = text::read_file(path, kMaxSpectrumFileBytes);
+    return read_spectra_from({content, path, read_companion});
+}
+
+}  // namespace ocean

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a spectrum format is: a name, a way to recognise content, a way to read it. A format is one
+// file under formats/ and one line in the table of spectra.cpp.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ocean/spectrum_record.hpp"
+
+namespace ocean {
+
+/// No format reads more than this: hostile files end in a sentence, not in swap.
+inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxFrequencies = 4096;
+inline constexpr std::size_t kMaxRecords = 100000;
+
+/// Content to read, and where more of it may lie.
+struct SpectrumSource {
+    std::string_view content;
+    std::string name;  // the path, for messages and for the names of companions
+    /// The content of another file by its path; nothing if there is no such file.
+    std::function<std::optional<std::string>(const std::string& path)> companion;
+};
+
+struct SpectrumFormat {
+    std::string_view name;
+    bool (*recognises)(std::string_view content);
+    /// Throws Error bad_file "NAME:LINE: ...".
+    std::vector<SpectrumRecord> (*read)(const SpectrumSource& source);
+};
+
+extern const SpectrumFormat kNdbcRealtime;  // formats/ndbc_realtime.cpp
+
+/// read_spectra on content that is in memory already. Every record it gives is without a fault.
+std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);
+
+/// What is wrong with a record, as the end of a sentence; empty for a good one. The rules that
+/// every consumer of records relies on: at least two ascending positive frequencies, finite
+/// densities that are not negative, all moments or none, each within the unit circle or missing.
+std::string record_fault(const SpectrumRecord& record);
+
+}  // namespace ocean

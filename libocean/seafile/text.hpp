@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Text that comes from files nobody has checked: bounded reading, UTF-8, numbers without regard to
+// the locale, and messages that are safe to print. First and last stop of every reader here.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ocean/error.hpp"
+
+namespace ocean::text {
+
+/// The whole file. Throws Error bad_file: missing, a directory, unreadable, larger than `limit`.
+std::string read_file(const std::string& path, std::size_t limit);
+/// The inverse of utf8_path.
+std::string to_utf8(const std::filesystem::path& path);
+
+/// Bytes of the well-formed UTF-8 character that `bytes` begins with; 0 if there is none.
+std::size_t utf8_character(std::string_view bytes);
+/// One line without control characters or broken UTF-8, at most about `limit` bytes.
+std::string printable(std::string_view bytes, std::size_t limit = 60);
+/// "NAME:LINE: message", or "NAME: message" for line 0.
+Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::string_view message);
+
+/// The number that all of `digits` spells, finite or not; nothing if it spells none.
+std::optional<double> parse_number(std::string_view digits);
+/// Of `names` the one with the fewest edits from `word`; empty if all are far from it.
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
+
+}  // namespace ocean::text

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// TOML that nobody has checked: see toml_input.hpp.
+#include "toml_input.hpp"
+
+#include <algorithm>
+
+#include "ocean/error.hpp"
+#include "text.hpp"
+#include "toml_text.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::size_t kMaxKeyParts = 16;
+
+/// Where toml++ 3.3 itself would come to harm, found before it starts:
+/// - Keys of absurdly many parts, a.b.c.d...: each part is a table inside the one before, and
+/// nested
+///   tables are destroyed by recursion, which overflows the stack. Dots are counted outside strings
+///   and comments since the last separator; floats have one each.
+/// - Characters beyond ASCII where it asks whether they are blanks, that is outside comments and
+///   one-line strings: is_non_ascii_horizontal_whitespace runs into its TOML_UNREACHABLE.
+class Precheck {
+  public:
+    struct Fault {
+        std::size_t line;
+        std::string_view message;
+    };
+
+    explicit Precheck(std::string_view text) : text_(text) {}
+
+    std::optional<Fault> first_fault() {
+        std::size_t dots = 0;
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '"' || c == '\'') {
+                if (!skip_string(c)) return beyond_ascii_fault();
+                continue;
+            }
+            if (c == '#') {
+                at_ = std::min(text_.find('\n', at_), text_.size());
+                continue;
+            }
+            if (beyond_ascii(c)) return beyond_ascii_fault();
+            if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) dots = 0;
+            if (c == '\n') ++line_;
+            if (c == '.' && ++dots > kMaxKeyParts)
+                return Fault{line_, "a key has more than 16 parts"};
+            ++at_;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    static bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+    Fault beyond_ascii_fault() const {
+        return {line_, "a character beyond ASCII outside comments and one-line texts in quotes"};
+    }
+
+    /// False: a character beyond ASCII in a string of several lines.
+    bool skip_string(char quote) {
+        const std::string triple(3, quote);
+        const bool multi_line = text_.substr(at_).starts_with(triple);
+        at_ += multi_line ? 3 : 1;
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (multi_line && beyond_ascii(c)) return false;
+            if (c == '\n' && !multi_line) return true;
+            if (c == '\n') ++line_;
+            if (c == '\\' && quote == '"') {
+                // Past the escaped character, unless that one must be looked at itself.
+                const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : '\n';
+                at_ += next == '\n' || beyond_ascii(next) ? 1 : 2;
+            } else if (!multi_line && c == quote) {
+                ++at_;
+                return true;
+            } else if (multi_line && text_.substr(at_).starts_with(triple)) {
+                at_ += 3;
+                // Up to two quotes may stand before the closing three.
+                for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == quote; ++i) ++at_;
+                return true;
+            } else {
+                ++at_;
+            }
+        }
+        return true;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 1;
+};
+
+std::size_t line_at(std::string_view text, std::size_t offset) {
+    const auto lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n');
+    return static_cast<std::size_t>(lines) + 1;
+}
+
+void check_bounds(std::string_view text, const std::string& name) {
+    const auto fail = [&](std::size_t line, std::string_view message) {
+        return text::error_at(ErrorKind::bad_file, name, line, message);
+    };
+    if (text.size() > kMaxSeaFileBytes) throw fail(0, "is larger than the 4 MiB allowed");
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        throw fail(line_at(text, nul), "holds a NUL byte; a sea file is text");
+    }
+    if (const auto fault = Precheck(text).first_fault()) throw fail(fault->line, fault->message);
+}
+
+}  // namespace
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    check_bounds(text, name);
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        throw text::error_at(ErrorKind::bad_file, name, error.source().begin.line,
+                             "is not TOML: " + std::string(error.description()));
+    }
+}
+
+std::vector<TomlEntry> in_file_order(const toml::table& table) {
+    std::vector<TomlEntry> entries;
+    for (auto&& [key, node] : table) {
+        entries.push_back({key.str(), key.source().begin.line, &node});
+    }
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const TomlEntry& a, const TomlEntry& b) { return a.line < b.line; });
+    return entries;
+}
+
+std::size_t line_of(const toml::node& node) {
+    return node.source().begin.line;
+}
+
+std::optional<double> number_of(const toml::node& node) {
+    if (const auto* real = node.as_floating_point()) return real->get();
+    if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+    return std::nullopt;
+}
+
+std::string shown(const toml::node& node) {
+    if (const auto* text = node.as_string()) return '"' + text::printable(text->get()) + '"';
+    if (const auto* number = node.as_floating_point()) return toml_number(number->get());
+    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* list = node.as_array()) return "an array of " + std::to_string(list->size());
+    return node.is_table() ? "a table" : "a date or time";
+}
+
+}  // namespace ocean

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times of records: see utc_time.hpp.
+#include "utc_time.hpp"
+
+#include <chrono>
+
+namespace ocean {
+namespace {
+
+std::chrono::year_month_day calendar(const UtcTime& time) {
+    return std::chrono::year_month_day(std::chrono::year(time.year),
+                                       std::chrono::month(static_cast<unsigned>(time.month)),
+                                       std::chrono::day(static_cast<unsigned>(time.day)));
+}
+
+void append_padded(std::string& out, int value, std::size_t width) {
+    const std::string digits = std::to_string(value);
+    if (digits.size() < width) out.append(width - digits.size(), '0');
+    out += digits;
+}
+
+/// Takes `width` digits off the front; -1 if they are not there.
+int take_digits(std::string_view& text, std::size_t width) {
+    if (text.size() < width) return -1;
+    int value = 0;
+    for (char c : text.substr(0, width)) {
+        if (c < '0' || c > '9') return -1;
+        value = 10 * value + (c - '0');
+    }
+    text.remove_prefix(width);
+    return value;
+}
+
+bool take(std::string_view& text, std::string_view any_of) {
+    if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+}  // namespace
+
+bool UtcTime::valid() const {
+    return year >= 1800 && year <= 2999 && month >= 1 && month <= 12 && day >= 1 && day <= 31 &&
+           calendar(*this).ok() && hour >= 0 && hour <= 23 && minute >= 0 && minute <= 59;
+}
+
+std::string UtcTime::text() const {
+    std::string out;
+    append_padded(out, year, 4);
+    append_padded(out += '-', month, 2);
+    append_padded(out += '-', day, 2);
+    append_padded(out += 'T', hour, 2);
+    append_padded(out += ':', minute, 2);
+    return out;
+}
+
+std::int64_t UtcTime::minutes() const {
+    const auto days = std::chrono::sys_days(calendar(*this)).time_since_epoch();
+    return std::int64_t{days.count()} * 1440 + hour * 60 + minute;
+}
+
+std::optional<UtcTime> parse_utc_time(std::string_view text) {
+    UtcTime time;
+    time.year = take_digits(text, 4);
+    if (!take(text, "-")) return std::nullopt;
+    time.month = take_digits(text, 2);
+    if (!take(text, "-")) return std::nullopt;
+    time.day = take_digits(text, 2);
+    if (!take(text, "T ")) return std::nullopt;
+    time.hour = take_digits(text, 2);
+    if (!take(text, ":")) return std::nullopt;
+    time.minute = take_digits(text, 2);
+    if (take(text, ":") && take_digits(text, 2) < 0) return std::nullopt;
+    take(text, "Z");
+    if (!text.empty() || !time.valid()) return std::nullopt;
+    return time;
+}
+
+}  // namespace ocean

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times of records: UTC, to the minute, as ISO 8601 text. Spectrum formats write them, the choice
+// of a record compares them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ocean {
+
+struct UtcTime {
+    int year = 0;
+    int month = 0;
+    int day = 0;
+    int hour = 0;
+    int minute = 0;
+
+    /// A date of the calendar and a time of the day, years 1800 .. 2999.
+    bool valid() const;
+    /// "2020-06-08T03:50"
+    std::string text() const;
+    /// Since 1970; needs valid().
+    std::int64_t minutes() const;
+};
+
+/// "2020-06-08T03:50", with or without seconds (dropped) and a final Z; a blank may stand for the
+/// T.
+std::optional<UtcTime> parse_utc_time(std::string_view text);
+
+}  // namespace ocean

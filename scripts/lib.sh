@@ -1,0 +1,83 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# What the scripts share: the repository's root as the current directory, the packages each job
+# needs, how to install those that are missing, and how to build a preset. Sourced, never run.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# Every package that a job needs is named, also those that others bring along today: a bare machine
+# has none of them. The lists are read by the scripts that source this file.
+# shellcheck disable=SC2034
+{
+    build_packages=(
+        cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libcli11-dev libopenexr-dev
+        libpng-dev zlib1g-dev libcairo2-dev fonts-dejavu-core)
+    demo_packages=("${build_packages[@]}" povray povray-includes)
+    lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
+    test_packages=(
+        "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
+        libfftw3-dev glslang-tools python3-numpy python3-pytest python3-openimageio openexr clang
+        libclang-rt-14-dev)
+    cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
+    # One release of each PyPI tool, so that a new one cannot turn a good tree red.
+    ruff_tool=ruff==0.17.5
+    ziglang_tool=ziglang==0.17.0
+}
+
+say() { printf '%s\n' "$*" >&2; }
+fail() {
+    say "$(basename "$0"): $*"
+    exit 1
+}
+
+# ensure_packages NAME...: installs those Debian packages that are missing; silent if none is.
+ensure_packages() {
+    if ! command -v dpkg-query >/dev/null; then
+        say "this is not a Debian system: make sure that it has what these packages hold: $*"
+        return 0
+    fi
+    local missing as_root=() log
+    mapfile -t missing < <(comm -13 \
+        <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+            sed -n 's/^installed //p' | sort -u) \
+        <(printf '%s\n' "$@" | sort -u))
+    [ ${#missing[@]} -gt 0 ] || return 0
+
+    local install=(apt-get install -y -qq --no-install-recommends -o DPkg::Lock::Timeout=600
+        "${missing[@]}")
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || fail "packages are missing and this is neither root nor" \
+            "is there sudo. As root: apt-get update && ${install[*]}"
+        as_root=(sudo)
+    fi
+    say "installing ${#missing[@]} packages and what they need: ${missing[*]}"
+    log=$(mktemp)
+    as_root+=(env DEBIAN_FRONTEND=noninteractive)
+    # Whether stale lists are good enough is for the installation to find out.
+    "${as_root[@]}" apt-get update -qq >"$log" 2>&1 || true
+    if ! "${as_root[@]}" "${install[@]}" >>"$log" 2>&1 </dev/null; then
+        tail -n 20 "$log" >&2
+        rm -f "$log"
+        fail "the installation failed: ${install[*]}"
+    fi
+    rm -f "$log"
+}
+
+# ensure_tool NAME==VERSION: a PyPI package in the project's own virtual environment, .venv.
+ensure_tool() {
+    compgen -G ".venv/lib/python3*/site-packages/${1%%==*}-${1##*==}.dist-info" >/dev/null &&
+        return 0
+    say "installing $1 into .venv"
+    [ -x .venv/bin/pip ] || /usr/bin/python3 -m venv .venv
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check "$1"
+}
+
+# build_preset PRESET [TARGET...]: configures and builds in build/PRESET.
+build_preset() {
+    local preset=$1
+    shift
+    cmake --preset "$preset" --log-level=NOTICE >/dev/null
+    cmake --build "build/$preset" ${1:+--target "$@"}
+}

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Opening, describing and changing a sea through libocean.h.
+#include "tests.h"
+
+/* LIBOCEAN_TEST_DATA: the folder tests/data, as an absolute path or relative to where this runs. */
+static const char kBuoy[] = LIBOCEAN_TEST_DATA "/spectra/ndbc_41010.data_spec";
+
+void version_is_the_header_s(void) {
+    CHECK(ocean_abi_version() == OCEAN_ABI_VERSION);
+    CHECK(strcmp(ocean_version(), LIBOCEAN_TEST_VERSION) == 0);
+    CHECK(strcmp(ocean_last_error(), "") == 0 || failures > 0);
+}
+
+void open_reads_files_and_refuses_bad_ones(void) {
+    static const char path[] = "capi_test_sea.toml";
+    ocean_sea* sea = NULL;
+    FILE* file = fopen(path, "wb");
+    CHECK(file != NULL);
+    if (file == NULL) return;
+    fputs(kSmallSea, file);
+    fclose(file);
+    CHECK_RESULT(OCEAN_OK, ocean_open(path, NULL, &sea));
+    remove(path);
+    ocean_free(sea);
+
+    sea = NULL;
+    CHECK_RESULT(OCEAN_BAD_FILE, ocean_open("no such file.toml", NULL, &sea));
+    CHECK(strstr(ocean_last_error(), "no such file.toml") != NULL);
+    CHECK(sea == NULL);
+}
+
+void parse_takes_text_without_a_final_zero(void) {
+    static const char wrong[] = "libocean = 1\n[grid]\nresolution = 100\n";
+    ocean_sea* sea = NULL;
+    char* text = malloc(strlen(kSmallSea));
+    memcpy(text, kSmallSea, strlen(kSmallSea));
+    CHECK_RESULT(OCEAN_OK, ocean_parse(text, strlen(kSmallSea), NULL, NULL, &sea));
+    free(text);
+    ocean_free(sea);
+
+    sea = NULL;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_parse(wrong, strlen(wrong), NULL, NULL, &sea));
+    CHECK(strstr(ocean_last_error(), ":3:") != NULL);
+    CHECK(strstr(ocean_last_error(), "100") != NULL);
+    CHECK(sea == NULL);
+    ocean_free(NULL);
+}
+
+/* What a host compiled against a newer header might pass. */
+struct newer_options {
+    ocean_options known;
+    int32_t unknown[4];
+};
+
+static ocean_result parse_with(const ocean_options* options) {
+    ocean_sea* sea = NULL;
+    const ocean_result result = ocean_parse(kSmallSea, strlen(kSmallSea), NULL, options, &sea);
+    CHECK((sea != NULL) == (result == OCEAN_OK));
+    ocean_free(sea);
+    return result;
+}
+
+void options_of_other_versions_are_understood(void) {
+    const size_t refused[] = {0, 1, 4, 10, 4100, (size_t)-1};
+    ocean_options options = {sizeof(ocean_options), 2, OCEAN_RADIX2};
+    struct newer_options newer;
+    CHECK_RESULT(OCEAN_OK, parse_with(&options));
+    for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); ++i) {
+        options.struct_size = refused[i];
+        CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+        CHECK(strstr(ocean_last_error(), "struct_size") != NULL);
+    }
+    /* An older one without backend: what stands there is not read. */
+    options.struct_size = offsetof(ocean_options, backend);
+    options.backend = 1000;
+    CHECK_RESULT(OCEAN_OK, parse_with(&options));
+
+    memset(&newer, 0, sizeof(newer));
+    newer.known.struct_size = sizeof(newer);
+    CHECK_RESULT(OCEAN_OK, parse_with(&newer.known));
+    newer.unknown[3] = 1;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, parse_with(&newer.known));
+
+    options.struct_size = sizeof(options);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+    options.backend = OCEAN_GL;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, parse_with(&options));
+    options.backend = OCEAN_CPU;
+    options.threads = -1;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+    options.threads = 1025;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, parse_with(&options));
+}
+
+void null_is_refused_everywhere(void) {
+    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* other = NULL;
+    ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+    char text[64];
+    size_t size = sizeof(text);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_open(NULL, NULL, &other));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_open("x", NULL, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_parse(NULL, 0, NULL, NULL, &other));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_parse("", 0, NULL, NULL, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set(NULL, "fps", "24"));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set(sea, NULL, "24"));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set(sea, "fps", NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_get(NULL, "fps", text, size));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_get(sea, NULL, text, size));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_get(sea, "fps", NULL, size));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_text(NULL, text, &size));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_text(sea, text, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_parameters_json(text, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_state_json(NULL, text, &size));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_state_json(sea, text, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_records_json(NULL, text, &size));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_records_json(kBuoy, text, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_preset(NULL, text, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_evaluate(NULL, &request));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_evaluate(sea, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_evaluate(sea, &request));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(NULL, 0.0, NULL, 0, NULL, 0));
+    CHECK(size == sizeof(text));
+    CHECK(other == NULL);
+    ocean_free(sea);
+}
+
+void set_and_get_go_through_the_table(void) {
+    ocean_sea* sea = open_small_sea(NULL);
+    char text[32] = "before";
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "17.5"));
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "waves.0.wind_speed", text, sizeof(text)));
+    CHECK(strcmp(text, "17.5") == 0);
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "peak_period", text, sizeof(text)));
+    CHECK(strcmp(text, "") == 0);
+
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "wind_speed", "-3"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "wind_sped", "3"));
+    CHECK(strstr(ocean_last_error(), "wind_speed") != NULL);
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_set(sea, "cascades", "3"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_get(sea, "nothing", text, sizeof(text)));
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "wind_speed", text, sizeof(text)));
+    CHECK(strcmp(text, "17.5") == 0);
+
+    strcpy(text, "before");
+    CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_get(sea, "wind_speed", text, 4));
+    CHECK(strcmp(text, "before") == 0);
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "wind_speed", text, 5));
+    ocean_free(sea);
+}
+
+void set_of_a_record_reads_it(void) {
+    static const char text[] =
+        "libocean = 1\n"
+        "[grid]\n"
+        "resolution = 64\n"
+        "[[waves]]\n"
+        "spectrum = \"measured\"\n"
+        "file = \"ndbc_41010.data_spec\"\n";
+    const size_t bytes = kSmallCount * sizeof(float);
+    ocean_sea* sea = NULL;
+    float *first, *other, *kept;
+    CHECK_RESULT(OCEAN_OK,
+                 ocean_parse(text, strlen(text), LIBOCEAN_TEST_DATA "/spectra", NULL, &sea));
+    if (sea == NULL) return;
+    first = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "record", "2020-06-07T22:50"));
+    other = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(first, other, bytes) != 0);
+    CHECK_RESULT(OCEAN_NOT_FOUND, ocean_set(sea, "record", "1999-01-01T00:00"));
+    CHECK_RESULT(OCEAN_BAD_FILE, ocean_set(sea, "file", "nowhere.data_spec"));
+    kept = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(kept, other, bytes) == 0);
+    free(first);
+    free(other);
+    free(kept);
+    ocean_free(sea);
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tests of libocean.h, in C99 as its users write it. Each TEST below is a function that opens
+// with its claim; CMakeLists.txt reads this list and makes a ctest of each. The program runs those
+// named on its command line, or all.
+#ifndef LIBOCEAN_TESTS_H
+#define LIBOCEAN_TESTS_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "libocean.h"
+
+#define CAPI_TESTS(TEST)                                \
+    TEST(version_is_the_header_s)                       \
+    TEST(open_reads_files_and_refuses_bad_ones)         \
+    TEST(parse_takes_text_without_a_final_zero)         \
+    TEST(options_of_other_versions_are_understood)      \
+    TEST(null_is_refused_everywhere)                    \
+    TEST(set_and_get_go_through_the_table)              \
+    TEST(set_of_a_record_reads_it)                      \
+    TEST(texts_say_their_size_and_never_overrun)        \
+    TEST(resolved_text_gives_the_same_sea)              \
+    TEST(presets_open)                                  \
+    TEST(records_of_a_buoy_are_listed)                  \
+    TEST(interleaved_outputs_hold_the_planar_maps)      \
+    TEST(axes_turn_whole_vectors_only)                  \
+    TEST(a_finer_map_passes_through_the_coarse_samples) \
+    TEST(bad_requests_are_refused_and_write_nothing)    \
+    TEST(later_features_are_refused_in_a_sentence)      \
+    TEST(handles_in_two_threads_give_equal_bits)        \
+    TEST(errors_are_kept_per_thread)
+
+#define DECLARE(name) void name(void);
+CAPI_TESTS(DECLARE)
+#undef DECLARE
+
+extern int failures;
+
+#define CHECK(condition)                                                            \
+    do {                                                                            \
+        if (!(condition)) {                                                         \
+            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #condition); \
+            ++failures;                                                             \
+        }                                                                           \
+    } while (0)
+
+/* The call returns this code; any but OCEAN_OK comes with a sentence. */
+#define CHECK_RESULT(expected, call) check_result((expected), (call), #call, __FILE__, __LINE__)
+void check_result(ocean_result expected, ocean_result got, const char* call, const char* file,
+                  int line);
+
+/* A small JONSWAP sea of 64 x 64 samples on 200 m. */
+extern const char* const kSmallSea;
+enum { kSmallResolution = 64, kSmallCount = 64 * 64 };
+
+/* Opens it, or ends the program. */
+ocean_sea* open_small_sea(const ocean_options* options);
+/* One planar map of it, of resolution^2 floats (0 = 64): to be freed by the caller. */
+float* planar_map(ocean_sea* sea, double time, int32_t resolution, int32_t channel);
+
+#endif

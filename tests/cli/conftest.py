@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the `ocean` program of the environment variable OCEAN in a folder of its own."""
+
+import hashlib
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+OCEAN = os.environ.get("OCEAN", "")
+if not Path(OCEAN).is_file():
+    pytest.exit("set OCEAN to the path of the program; ctest does", returncode=1)
+DATA = Path(__file__).resolve().parent.parent / "data"
+BUOY = DATA / "spectra" / "ndbc_41010.data_spec"
+
+# Small enough that a bake takes milliseconds.
+SMALL_SEA = """libocean = 1
+[grid]
+resolution = 64
+patch_size = 200.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 9.0
+wind_direction = 30.0
+"""
+
+
+class Program:
+    """The program and the folder that it runs in."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+
+    def __call__(self, *arguments, **options) -> subprocess.CompletedProcess:
+        return subprocess.run(
+            [OCEAN, *map(str, arguments)],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            **options,
+        )
+
+    def good(self, *arguments) -> str:
+        """Standard output of a run that succeeds."""
+        done = self(*arguments)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    def bad(self, *arguments, code: int = 2) -> str:
+        """The one line that a run prints which fails with this exit code."""
+        return check_failure(self(*arguments), code)
+
+    def shell(self, script: str) -> subprocess.CompletedProcess:
+        """A line of bash, with $OCEAN as the program."""
+        return subprocess.run(
+            ["bash", "-c", script],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env={**os.environ, "OCEAN": OCEAN},
+        )
+
+    def write(self, name: str, text: str | bytes) -> Path:
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path
+
+    def files(self, folder: str = "out") -> list[str]:
+        """What lies in a folder, hidden files too."""
+        return sorted(path.name for path in (self.folder / folder).iterdir())
+
+    def hashes(self, folder: str) -> dict[str, str]:
+        return {
+            path.name: hashlib.sha256(path.read_bytes()).hexdigest()
+            for path in sorted((self.folder / folder).iterdir())
+        }
+
+
+def check_failure(done: subprocess.CompletedProcess, code: int) -> str:
+    assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
+    lines = done.stderr.splitlines()
+    assert len(lines) == 1 and lines[0].startswith("ocean: "), done.stderr
+    return lines[0]
+
+
+@pytest.fixture
+def ocean(tmp_path) -> Program:
+    program = Program(tmp_path)
+    program.write("sea.toml", SMALL_SEA)
+    program.write("buoy.toml", f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n')
+    return program

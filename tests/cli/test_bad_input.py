@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Bad input gets one clear line and exit code 2, what only the run can know gets 1."""
+
+import pytest
+from conftest import BUOY, SMALL_SEA, check_failure
+
+WAVES = "libocean = 1\n[[waves]]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        (SMALL_SEA + "wind_sped = 3\n", ["sea.toml:9", "wind_sped", "wind_speed"]),
+        (SMALL_SEA + 'fetch = "far"\n', ["sea.toml:9", "fetch", "far", "1000"]),
+        (SMALL_SEA + "swell = nan\n", ["sea.toml:9", "swell", "nan", "-1"]),
+        (SMALL_SEA + "fetch = inf\n", ["sea.toml:9", "fetch", "inf"]),
+        (WAVES + "[water]\ndepth = -5.0\n", ["sea.toml:4", "water.depth", "-5", "0.01"]),
+        (WAVES + "[grid]\nresolution = 500\n", ["sea.toml:4", "resolution", "500", "power of two"]),
+        (WAVES + "[grid]\nresolution = 16384\n", ["sea.toml:4", "16384", "8192"]),
+        (WAVES + "[grid]\ncascades = 3\n", ["cascades", "3", "later version"]),
+        (WAVES + '[time]\ntake = "a.take"\n', ["take", "later version"]),
+        ("libocean = 2\n", ["sea.toml:1", "2", "libocean = 1"]),
+        ("[[waves]]\n", ["sea.toml", "libocean = 1"]),
+        ("", ["sea.toml", "libocean = 1"]),
+        ("libocean = = 1\n", ["sea.toml:1"]),
+        (b"\x00\xff\xfe\x80", ["sea.toml"]),
+    ],
+)
+def test_a_bad_sea_file_is_named_with_line_key_value_and_range(ocean, text, parts):
+    ocean.write("sea.toml", text)
+    for command in (["info"], ["spectrum"], ["bake", "-o", "out/s.exr"]):
+        message = ocean.bad(command[0], "sea.toml", *command[1:])
+        for part in parts:
+            assert part in message
+    assert not (ocean.folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("assignment", "parts"),
+    [
+        ("wind_sped=3", ["wind_sped"]),
+        ("wind_speed=nan", ["wind_speed", "nan", "75"]),
+        ("wind_speed=76", ["76", "75"]),
+        ("wind_speed=fast", ["fast", "75"]),
+        ("wind_speed=3 ", ["wind_speed"]),
+        ("waves.7.wind_speed=3", ["waves.7"]),
+        ("resolution=100", ["100", "power of two"]),
+        ("spectrum=measured", ["file"]),
+        ("wind_speed", ["NAME=VALUE"]),
+        ("=3", ["NAME=VALUE"]),
+    ],
+)
+def test_a_bad_assignment_is_refused(ocean, assignment, parts):
+    message = ocean.bad("info", "sea.toml", "--set", assignment)
+    for part in parts:
+        assert part in message
+
+
+@pytest.mark.parametrize(
+    "spectrum",
+    [
+        b"",
+        b"hello\n",
+        BUOY.read_bytes()[:200],
+        BUOY.read_bytes().splitlines()[0] + b"\n",
+        b"\x7fELF\x00\x00\x00\xff" * 100,
+    ],
+    ids=["empty", "text", "truncated", "header only", "binary"],
+)
+def test_a_bad_spectrum_file_is_refused(ocean, spectrum):
+    ocean.write("b.data_spec", spectrum)
+    ocean.write("b.toml", WAVES + 'spectrum = "measured"\nfile = "b.data_spec"\n')
+    assert "b.data_spec" in ocean.bad("info", "b.toml")
+
+
+def test_a_missing_record_names_the_nearest(ocean):
+    text = WAVES + f'spectrum = "measured"\nfile = "{BUOY}"\nrecord = "2021-01-01T00:00"\n'
+    ocean.write("b.toml", text)
+    assert "2020-06-08T03:50" in ocean.bad("info", "b.toml")
+    assert "2020-06-08T03:50" in ocean.bad("info", "buoy.toml", "--set", "record=2021-01-01T00:00")
+
+
+@pytest.mark.parametrize("name", ["nowhere.toml", "."])
+def test_a_missing_sea_file_is_refused(ocean, name):
+    assert f"ocean: {name}: " in ocean.bad("info", name)
+
+
+def test_an_exr_of_another_program_is_refused(ocean):
+    import OpenImageIO
+
+    path = str(ocean.folder / "other.exr")
+    image = OpenImageIO.ImageBuf(OpenImageIO.ImageSpec(8, 8, 3, "half"))
+    assert image.write(path)
+    assert "other.exr" in ocean.bad("info", "other.exr")
+
+
+def test_a_truncated_baked_file_is_refused(ocean):
+    ocean.good("bake", "sea.toml", "-o", "s.exr", "--products", "height")
+    whole = (ocean.folder / "s.exr").read_bytes()
+    for size in (4, 100, 1000):
+        ocean.write("cut.exr", whole[:size])
+        assert "cut.exr" in ocean.bad("info", "cut.exr")
+
+
+@pytest.mark.parametrize("extension", ["vdb", "df3", "obj", "ply", "pc2"])
+def test_formats_of_later_versions_say_so(ocean, extension):
+    message = ocean.bad("bake", "sea.toml", "-o", f"s.{extension}")
+    assert f".{extension}" in message and "later version" in message
+
+
+@pytest.mark.parametrize("product", ["foam", "whitecap"])
+def test_products_of_later_versions_say_so(ocean, product):
+    message = ocean.bad("bake", "sea.toml", "-o", "s.exr", "--products", f"height,{product}")
+    assert product in message and "later version" in message
+
+
+@pytest.mark.parametrize(
+    ("arguments", "parts"),
+    [
+        (["--backend", "gl"], ["gl", "later version"]),
+        (["--backend", "gpu"], ["gpu", "radix2"]),
+        (["--products", "heights"], ["heights", "height"]),
+        (["--products", "height,height"], ["height", "twice"]),
+        (["--type", "double"], ["double", "half"]),
+        (["--axes", "xyz"], ["xyz", "tnb"]),
+        (["--layout", "tiled"], ["tiled", "layered"]),
+        (["--compression", "dwaa"], ["dwaa", "zip"]),
+        (["--compression", "lzw"], ["lzw", "zip"]),
+        (["--resolution", "48"], ["48", "power of two"]),
+        (["--resolution", "64.5"], ["64.5", "whole number"]),
+        (["--resolution", "1e9"], ["1e9", "8192"]),
+        (["--resolution", "nan"], ["nan", "8192"]),
+        (["--fps", "0"], ["fps", "0"]),
+        (["--eye", "0,0,6"], ["--eye", ".inc"]),
+    ],
+)
+def test_bad_bake_options_are_refused(ocean, arguments, parts):
+    message = ocean.bad("bake", "sea.toml", "-o", "out/s.exr", *arguments)
+    for part in parts:
+        assert part in message
+    assert not (ocean.folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "parts"),
+    [
+        (["--products", "height"], ["--products", ".exr"]),
+        (["--axes", "zup"], ["--axes", ".exr"]),
+        (["--heading", "10"], ["--heading", "--eye"]),
+        (["--eye", "1,2"], ["1,2", "X,Y,HEIGHT"]),
+        (["--eye", "1,2,nan"], ["nan", "HEIGHT"]),
+        (["--eye", "1,2,-3"], ["-3", "HEIGHT"]),
+        (["--eye", "0,0,6", "--field-of-view", "200"], ["200", "150"]),
+        (["--eye", "0,0,6", "--mesh-rows", "1"], ["--mesh-rows", "1"]),
+    ],
+)
+def test_options_that_a_mesh_cannot_use_are_refused(ocean, arguments, parts):
+    message = ocean.bad("bake", "sea.toml", "-o", "s.inc", *arguments)
+    for part in parts:
+        assert part in message
+
+
+@pytest.mark.parametrize("name", ["/proc/nowhere/s.exr", "sea.toml/s.exr", "/dev/null/x/s.exr"])
+def test_an_output_folder_that_cannot_be_made_is_a_failure_of_the_run(ocean, name):
+    assert name.rsplit("/", 1)[0] in ocean.bad("bake", "sea.toml", "-o", name, code=1)
+
+
+def test_a_folder_in_the_place_of_the_output_is_left_alone(ocean):
+    (ocean.folder / "s.exr").mkdir()
+    done = ocean("bake", "sea.toml", "-o", "s.exr", "--products", "height")
+    assert done.returncode == 1 and "s.exr" in done.stderr.splitlines()[-1]
+    assert ocean.files("s.exr") == []
+
+
+def test_a_full_disk_is_a_failure_that_names_the_file(ocean):
+    assert "/dev/full" in ocean.bad("spectrum", "sea.toml", "-o", "/dev/full", code=1)
+    assert "No space left" in ocean.bad("spectrum", "sea.toml", "--plot", "/dev/full", code=1)
+
+
+def test_a_file_size_limit_leaves_nothing_behind(ocean):
+    done = ocean.shell('ulimit -f 8; "$OCEAN" bake sea.toml -o out/s.####.exr --frames 1-3')
+    assert done.returncode == 1
+    assert "out/s.displacement.0001.exr" in done.stderr.splitlines()[-1]
+    assert done.stdout == ""
+    assert ocean.files("out") == []
+
+
+@pytest.mark.parametrize("option", ["--resolution 8192", "--set grid.resolution=8192"])
+def test_too_much_memory_is_said_before_it_is_allocated(ocean, option):
+    script = f'ulimit -v 1000000; "$OCEAN" bake sea.toml -o out/s.exr {option}'
+    message = check_failure(ocean.shell(script), 1)
+    assert "8192" in message and "memory" in message and "MiB" in message
+    assert not (ocean.folder / "out").exists()

@@ -1,0 +1,321 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean bake`: names, frames, and files that others read."""
+
+import json
+import math
+import re
+
+import numpy as np
+import OpenImageIO
+import pytest
+
+
+def bake(ocean, *arguments):
+    return ocean.good("bake", "sea.toml", *arguments).splitlines()
+
+
+def image(ocean, name):
+    """(spec, pixels) of an EXR, row 0 = y of the first sample."""
+    buffer = OpenImageIO.ImageBuf(str(ocean.folder / name))
+    assert not buffer.has_error, buffer.geterror()
+    return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
+
+
+@pytest.mark.parametrize(
+    ("output", "arguments", "names"),
+    [
+        ("o/s.####.exr", [], ["o/s.displacement.0001.exr", "o/s.normal.0001.exr"]),
+        ("o/s.####.exr", ["--products", "height"], ["o/s.height.0001.exr"]),
+        ("s.exr", [], ["s.displacement.0001.exr", "s.normal.0001.exr"]),
+        ("s.exr", ["--products", "height"], ["s.exr"]),
+        (
+            "s.exr",
+            ["--products", "height", "--frames", "1,2"],
+            ["s.height.0001.exr", "s.height.0002.exr"],
+        ),
+        ("s.exr", ["--layout", "layered"], ["s.exr"]),
+        ("s.#.exr", ["--layout", "layered"], ["s.0001.exr"]),
+        ("s.###.EXR", ["--layout", "layered"], ["s.001.EXR"]),
+        ("s_##.exr", ["--products", "slope"], ["s_slope_01.exr"]),
+        ("s%03d.exr", ["--products", "slope"], ["s.slope.001.exr"]),
+        ("s-$F6.exr", ["--products", "slope"], ["s-slope-000001.exr"]),
+        ("s.%d.exr", ["--products", "slope", "--frames", "12345"], ["s.slope.12345.exr"]),
+        ("s.##.exr", ["--products", "slope", "--frames", "12345"], ["s.slope.12345.exr"]),
+        ("####.exr", ["--products", "slope"], ["slope.0001.exr"]),
+        ("a.b/s.v2.exr", ["--products", "slope"], ["a.b/s.v2.exr"]),
+        ("s.png", [], ["s.png", "s.png.txt"]),
+        (
+            "s.png",
+            ["--frames", "1-2"],
+            ["s.0001.png", "s.0001.png.txt", "s.0002.png", "s.0002.png.txt"],
+        ),
+        ("s_####.inc", [], ["s_0001.inc"]),
+    ],
+)
+def test_names_of_files(ocean, output, arguments, names):
+    assert bake(ocean, "-o", output, *arguments) == names
+    made = {
+        str(path.relative_to(ocean.folder)) for path in ocean.folder.rglob("*") if path.is_file()
+    }
+    assert made == {"sea.toml", "buoy.toml", *names}
+
+
+@pytest.mark.parametrize(
+    ("frames", "numbers"),
+    [
+        ("7", ["0007"]),
+        ("1-3", ["0001", "0002", "0003"]),
+        ("1-9x3", ["0001", "0004", "0007"]),
+        ("5,1-2,9", ["0005", "0001", "0002", "0009"]),
+        ("1-3,2-4", ["0001", "0002", "0003", "0004"]),
+        ("-3", ["-003"]),
+        ("-3--1", ["-003", "-002", "-001"]),
+        ("-1-1", ["-001", "0000", "0001"]),
+    ],
+)
+def test_frame_grammar(ocean, frames, numbers):
+    names = bake(ocean, "-o", "s.####.exr", "--products", "height", "--frames", frames)
+    assert names == [f"s.height.{number}.exr" for number in numbers]
+
+
+@pytest.mark.parametrize(
+    "frames",
+    [
+        "x",
+        "1-",
+        "1-5y2",
+        "1-5:3",
+        "1-5x",
+        "1-5x0",
+        "1-5x-1",
+        "1-5x0.25",
+        "5-1",
+        "1,,2",
+        "1-2-3",
+        " 1",
+        "1;2",
+        "1.5",
+        "99999999999",
+        "1-999999999",
+        ",",
+    ],
+)
+def test_other_frame_grammars_are_refused_not_misread(ocean, frames):
+    message = ocean.bad("bake", "sea.toml", "-o", "out/s.####.exr", "--frames", frames)
+    assert "--frames" in message
+    assert not (ocean.folder / "out").exists()
+
+
+@pytest.mark.parametrize("output", ["", "out/", "s_##.####.exr", "s.%099d.exr"])
+def test_bad_names_are_refused(ocean, output):
+    ocean.bad("bake", "sea.toml", "-o", output)
+
+
+def test_the_default_frame_is_the_first_of_the_sea(ocean):
+    names = bake(ocean, "-o", "s.####.exr", "--products", "height", "--set", "first_frame=101")
+    assert names == ["s.height.0101.exr"]
+    spec, _ = image(ocean, names[0])
+    assert float(spec["ocean:time"]) == 0.0
+
+
+def test_time_comes_from_the_sea_not_from_the_range(ocean):
+    bake(ocean, "-o", "a/s.####.exr", "--frames", "9", "--set", "start=3")
+    spec, _ = image(ocean, "a/s.normal.0009.exr")
+    assert float(spec["ocean:time"]) == 3.0 + 8.0 / 24.0
+    bake(ocean, "-o", "b/s.####.exr", "--frames", "9", "--fps", "48")
+    spec, _ = image(ocean, "b/s.normal.0009.exr")
+    assert float(spec["ocean:time"]) == 8.0 / 48.0
+
+
+def test_channels_types_and_headers(ocean):
+    products = "height,displacement,slope,normal,jacobian,velocity"
+    bake(ocean, "-o", "s.####.exr", "--products", products, "--frames", "2")
+    kinds = {
+        "height": (1, "half"),
+        "displacement": (3, "float"),
+        "normal": (3, "half"),
+        "jacobian": (1, "half"),
+        "velocity": (3, "float"),
+    }
+    for product, (channels, kind) in kinds.items():
+        spec, pixels = image(ocean, f"s.{product}.0002.exr")
+        assert (spec.nchannels, str(spec.format)) == (channels, kind), product
+        names = ("R", "G", "B") if channels == 3 else ("Y",)
+        assert spec.channelnames == names
+        assert (spec.width, spec.height) == (64, 64)
+        assert spec["ocean:field"] == product and spec["ocean:frame"] == "2"
+        assert spec["ocean:period"] == "200" and "libocean = 1" in spec["ocean:sea"]
+        assert np.isfinite(pixels).all()
+
+
+def test_height_has_the_promised_statistics_and_fields_agree(ocean):
+    bake(
+        ocean,
+        "-o",
+        "s.####.exr",
+        "--products",
+        "height,displacement,normal,jacobian",
+        "--type",
+        "float",
+        "--axes",
+        "zup",
+    )
+    fields = {
+        name: image(ocean, f"s.{name}.0001.exr")[1]
+        for name in ("height", "displacement", "normal", "jacobian")
+    }
+    assert np.array_equal(fields["height"][..., 0], fields["displacement"][..., 2])
+    assert np.abs(np.linalg.norm(fields["normal"], axis=2) - 1.0).max() < 1e-5
+    assert fields["jacobian"].mean() == pytest.approx(1.0, abs=0.02)
+    state = json.loads(ocean.good("info", "sea.toml", "--json"))
+    height = state["significant_wave_height"]["resolved"]
+    # One realisation of a 200 m patch: the mean over seeds is the business of the unit tests.
+    assert 4.0 * fields["height"].std() == pytest.approx(height, rel=0.25)
+
+
+def test_axes_turn_vectors(ocean):
+    fields = {}
+    for axes in ("zup", "yup", "tnb"):
+        bake(ocean, "-o", f"{axes}.exr", "--products", "displacement", "--axes", axes)
+        spec, fields[axes] = image(ocean, f"{axes}.exr")
+        assert spec["ocean:axes"] == axes
+    x, y, z = np.moveaxis(fields["zup"], 2, 0)
+    assert np.array_equal(fields["tnb"], np.stack([x, z, y], axis=2))
+    assert np.array_equal(fields["yup"], np.stack([x, z, -y], axis=2))
+    bake(ocean, "-o", "default.exr", "--products", "displacement")
+    assert np.array_equal(image(ocean, "default.exr")[1], fields["tnb"])
+
+
+def test_the_bottom_scanline_is_the_first_row(ocean):
+    # A lone wave train that travels north: h(y, t) = h(y - c t, 0) moves up in the picture.
+    narrow = [
+        "--products",
+        "height",
+        "--type",
+        "float",
+        "--set",
+        "wind_direction=90",
+        "--set",
+        "longest_wavelength=60",
+        "--set",
+        "shortest_wavelength=45",
+    ]
+    bake(ocean, "-o", "s.####.exr", "--frames", "1-2", "--fps", "4", *narrow)
+    first, second = (
+        np.fft.fft(image(ocean, f"s.height.000{n}.exr")[1][..., 0].mean(axis=1)) for n in (1, 2)
+    )
+    wave = 1 + np.argmax(np.abs(first[1:32]))
+    turn = np.angle(second[wave] / first[wave])
+    omega = math.sqrt(9.81 * 2.0 * math.pi * wave / 200.0)
+    assert turn == pytest.approx(-omega * 0.25, rel=0.05)
+
+
+def test_layered_files_have_all_products(ocean):
+    bake(ocean, "-o", "s.exr", "--layout", "layered")
+    spec, pixels = image(ocean, "s.exr")
+    assert {"R", "G", "B", "A", "normal.X", "normal.Y", "normal.Z"} == set(spec.channelnames)
+    assert (pixels[..., spec.channelnames.index("A")] == 1.0).all()
+
+
+def test_type_and_compression_are_obeyed(ocean):
+    bake(ocean, "-o", "h.exr", "--products", "displacement", "--type", "half")
+    bake(ocean, "-o", "p.exr", "--products", "displacement", "--compression", "pxr24")
+    assert str(image(ocean, "h.exr")[0].format) == "half"
+    assert image(ocean, "p.exr")[0]["compression"] == "pxr24"
+    exact = bake(ocean, "-o", "f.exr", "--products", "displacement")
+    error = np.abs(image(ocean, "p.exr")[1] - image(ocean, exact[0])[1]).max()
+    assert 0.0 < error < 1e-4
+
+
+def test_resolution_and_backend_change_no_sample(ocean):
+    bake(ocean, "-o", "a.exr", "--products", "height", "--type", "float")
+    bake(ocean, "-o", "b.exr", "--products", "height", "--type", "float", "--resolution", "128")
+    small, large = image(ocean, "a.exr")[1], image(ocean, "b.exr")[1]
+    assert large.shape == (128, 128, 1)
+    assert np.abs(large[::2, ::2] - small).max() < 1e-5 * small.std()
+    for backend in ("radix2", "dft"):
+        bake(
+            ocean,
+            "-o",
+            f"{backend}.exr",
+            "--products",
+            "height",
+            "--type",
+            "float",
+            "--backend",
+            backend,
+        )
+        other = image(ocean, f"{backend}.exr")[1]
+        assert np.sqrt(((other - small) ** 2).mean()) < 2e-6 * small.std()
+        # Another way of summing rounds otherwise: the choice was obeyed.
+        assert not np.array_equal(other, small)
+
+
+def test_bytes_do_not_depend_on_threads_order_or_split(ocean):
+    frames = ["1", "2", "3", "4"]
+    bake(ocean, "-o", "one/s.####.exr", "--frames", "1-4", "--threads", "1")
+    bake(ocean, "-o", "two/s.####.exr", "--frames", "1-4", "--threads", "2")
+    bake(ocean, "-o", "back/s.####.exr", "--frames", "4,3,2,1", "--threads", "3")
+    for frame in frames:
+        bake(ocean, "-o", "alone/s.####.exr", "--frames", frame)
+    expected = ocean.hashes("one")
+    assert len(expected) == 8 and len(set(expected.values())) == 8
+    for folder in ("two", "back", "alone"):
+        assert ocean.hashes(folder) == expected
+
+
+def test_a_height_field_is_16_bit_and_closed(ocean):
+    bake(ocean, "-o", "s.png")
+    buffer = OpenImageIO.ImageBuf(str(ocean.folder / "s.png"))
+    assert buffer.spec().format == OpenImageIO.UINT16 and buffer.spec().nchannels == 1
+    codes = buffer.get_pixels(OpenImageIO.UINT16)[..., 0]
+    assert codes.shape == (65, 65)
+    assert np.array_equal(codes[0], codes[-1]) and np.array_equal(codes[:, 0], codes[:, -1])
+    bake(ocean, "-o", "s.exr", "--products", "height", "--type", "float")
+    height = image(ocean, "s.exr")[1][..., 0]
+    side = dict(
+        line.split(maxsplit=1)
+        for line in (ocean.folder / "s.png.txt").read_text().splitlines()
+        if line and not line.startswith("#") and len(line.split()) > 1
+    )
+    assert "lo" in " ".join(side) and "hi" in " ".join(side)
+    step = np.polyfit(codes[::-1][:64, :64].ravel().astype(float), height.ravel(), 1)
+    fit = np.polyval(step, codes[::-1][:64, :64].astype(float))
+    assert np.abs(fit - height).max() <= (height.max() - height.min()) / 16384.0
+
+
+def test_meshes_are_mesh2_of_one_period_or_of_a_view(ocean):
+    bake(ocean, "-o", "patch.inc")
+    camera = ["--eye", "10,20,6", "--heading", "90", "--field-of-view", "50"]
+    bake(ocean, "-o", "view.inc", *camera, "--mesh-columns", "64", "--mesh-rows", "80")
+    for name in ("patch.inc", "view.inc"):
+        text = (ocean.folder / name).read_text()
+        assert "#declare Ocean_Surface" in text and "mesh2" in text
+        assert "nan" not in text and "inf," not in text
+    assert f"{65 * 65}," in (ocean.folder / "patch.inc").read_text()
+    assert f"{64 * 80}," in (ocean.folder / "view.inc").read_text()
+    view = (ocean.folder / "view.inc").read_text()
+    assert "Ocean_Eye = <10, 6, 20>" in view
+    assert "Ocean_View_Angle = 50" in view
+    forward = re.search(r"Ocean_Forward = <(.*), 0, (.*)>", view)
+    assert [float(part) for part in forward.groups()] == pytest.approx([0.0, 1.0], abs=1e-9)
+
+
+def test_short_waves_that_no_map_holds_still_turn_the_normals(ocean):
+    view = ["--eye", "0,0,6", "--mesh-columns", "16", "--mesh-rows", "16"]
+    texts = []
+    for variance in (["--slope-variance", "0"], ["--slope-variance", "0.02"], []):
+        bake(ocean, "-o", "s.inc", *view, *variance)
+        texts.append((ocean.folder / "s.inc").read_text())
+    # The default is what the spectrum has beyond the map, and it has some.
+    assert len(set(texts)) == 3
+    positions = {text.split("normal_vectors")[0] for text in texts}
+    assert len(positions) == 1
+
+
+def test_an_existing_frame_is_replaced_whole(ocean):
+    path = ocean.write("s.exr", "old")
+    bake(ocean, "-o", "s.exr", "--products", "height")
+    assert path.read_bytes()[:4] == b"\x76\x2f\x31\x01"
+    assert ocean.files(".") == ["buoy.toml", "s.exr", "sea.toml"]

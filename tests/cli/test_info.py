@@ -1,0 +1,171 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean info` and `ocean spectrum`: the numbers of a sea."""
+
+import json
+import math
+import re
+
+import numpy as np
+import OpenImageIO
+import pytest
+from conftest import BUOY
+
+PAIRS = [
+    "significant_wave_height",
+    "peak_period",
+    "peak_wavelength",
+    "mean_square_slope",
+    "mean_direction",
+]
+NUMBERS = [
+    "energy_resolved",
+    "shortest_wave",
+    "longest_wave",
+    "period",
+    "memory_bytes",
+    "foam_preroll_seconds",
+]
+
+
+def state_of(ocean, *arguments):
+    return json.loads(ocean.good("info", "--json", *arguments))
+
+
+def columns(text):
+    header, *lines = text.splitlines()
+    cells = [line.split(",") for line in lines]
+    numbers = [[float(cell) if cell else math.nan for cell in row] for row in cells]
+    return dict(zip(header.split(","), np.array(numbers).T, strict=True))
+
+
+def test_json_has_the_documented_keys(ocean):
+    state = state_of(ocean, "sea.toml")
+    for name in PAIRS:
+        assert set(state[name]) == {"asked", "resolved"}
+    for name in NUMBERS:
+        assert isinstance(state[name], (int, float))
+    assert state["period"] == 200.0
+    assert state["mean_direction"]["asked"] == pytest.approx(30.0, abs=0.01)
+
+
+def test_text_says_the_same_as_json(ocean):
+    text = ocean.good("info", "sea.toml")
+    state = state_of(ocean, "sea.toml")
+    found = re.search(r"Significant height +(\S+) m +(\S+) m", text)
+    assert float(found[1]) == pytest.approx(state["significant_wave_height"]["asked"], rel=1e-3)
+    assert float(found[2]) == pytest.approx(state["significant_wave_height"]["resolved"], rel=1e-3)
+    assert "-0.0" not in ocean.good("info", "preset:beaufort_6")
+
+
+def test_direction_is_ours_and_nautical(ocean):
+    # Towards 30 degrees from east is towards 060 on the compass, so from 240.
+    text = ocean.good("info", "sea.toml")
+    assert re.search(r"Mean direction, to +30\.0 deg", text)
+    assert re.search(r"nautical, from +240\.0 deg", text)
+
+
+def test_a_measured_sea_names_its_station_and_time(ocean):
+    text = ocean.good("info", "buoy.toml")
+    assert "measured at 41010, 2020-06-08T03:50 UTC" in text
+
+
+def test_measured_height_is_the_integral_of_the_file(ocean):
+    line = BUOY.read_text().splitlines()[1]
+    pairs = [(float(f), float(s)) for s, f in re.findall(r"([\d.]+) \(([\d.]+)\)", line)]
+    frequency, density = np.array(pairs).T
+    height = 4.0 * math.sqrt(np.trapz(density, frequency))
+    asked = state_of(ocean, "buoy.toml")["significant_wave_height"]["asked"]
+    assert asked == pytest.approx(height, rel=0.01)
+
+
+def test_set_changes_a_parameter_and_may_be_repeated(ocean):
+    state = state_of(ocean, "sea.toml", "--set", "wind_direction=75", "--set", "patch_size=400")
+    assert state["mean_direction"]["asked"] == pytest.approx(75.0, abs=0.01)
+    assert state["period"] == 400.0
+
+
+def test_set_of_a_record_reads_that_record(ocean):
+    text = ocean.good("info", "buoy.toml", "--set", "record=2020-06-08T02:50")
+    assert "2020-06-08T02:50" in text
+    assert state_of(ocean, "buoy.toml") != state_of(
+        ocean, "buoy.toml", "--set", "record=2020-06-08T02:50"
+    )
+
+
+def test_a_grid_that_holds_too_little_is_warned_of(ocean):
+    done = ocean("info", "sea.toml", "--set", "patch_size=20")
+    assert done.returncode == 0
+    assert "ocean: warning: " in done.stderr
+    assert "warning" not in done.stdout
+
+
+def test_threads_do_not_change_the_numbers(ocean):
+    assert state_of(ocean, "sea.toml", "--threads", "1") == state_of(
+        ocean, "sea.toml", "--threads", "3"
+    )
+
+
+@pytest.mark.parametrize("sea", ["sea.toml", "buoy.toml"])
+def test_info_of_a_baked_file_is_info_of_the_sea(ocean, sea):
+    ocean.good("bake", sea, "-o", "out/s.exr", "--products", "height")
+    assert state_of(ocean, "out/s.exr") == state_of(ocean, sea)
+    assert ocean.good("info", "out/s.exr", "--sea-file") == ocean.good("info", sea, "--sea-file")
+
+
+def test_a_baked_file_needs_no_buoy_file(ocean):
+    copy = ocean.write("b.data_spec", BUOY.read_bytes())
+    ocean.write("b.toml", 'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "b.data_spec"\n')
+    ocean.good("bake", "b.toml", "-o", "s.exr", "--products", "height")
+    before = state_of(ocean, "b.toml")
+    copy.unlink()
+    assert state_of(ocean, "s.exr") == before
+
+
+def test_the_printed_sea_file_is_the_same_sea(ocean):
+    ocean.write("again.toml", ocean.good("info", "buoy.toml", "--sea-file"))
+    assert state_of(ocean, "again.toml") == state_of(ocean, "buoy.toml")
+
+
+@pytest.mark.parametrize("sea", ["sea.toml", "buoy.toml"])
+def test_trapezoid_over_the_csv_is_the_asked_height(ocean, sea):
+    table = columns(ocean.good("spectrum", sea))
+    m0 = np.trapz(table["density_m2_per_hz"], table["frequency_hz"])
+    height = state_of(ocean, sea)["significant_wave_height"]["asked"]
+    assert 4.0 * math.sqrt(m0) == pytest.approx(height, rel=1e-5)
+
+
+def test_directional_csv_sums_to_the_frequency_csv(ocean):
+    flat = columns(ocean.good("spectrum", "sea.toml"))
+    full = columns(ocean.good("spectrum", "sea.toml", "--directional"))
+    rows = len(flat["frequency_hz"])
+    density = full["density_m2_per_hz_per_deg"].reshape(rows, -1)
+    step = 360.0 / density.shape[1]
+    assert density.sum(axis=1) * step == pytest.approx(flat["density_m2_per_hz"], rel=1e-6)
+    direction = full["direction_deg"].reshape(rows, -1)
+    peak = np.unravel_index(density.argmax(), density.shape)
+    assert direction[peak] == pytest.approx(30.0, abs=step)
+    assert np.nanmax(np.abs(flat["mean_direction_deg"] - 30.0)) < 0.01
+
+
+def test_csv_has_no_nan(ocean):
+    for sea in ("sea.toml", "buoy.toml", "preset:beaufort_0"):
+        assert "nan" not in ocean.good("spectrum", sea).lower()
+
+
+def test_csv_goes_into_a_file_whose_folder_is_made(ocean):
+    text = ocean.good("spectrum", "sea.toml")
+    assert ocean.good("spectrum", "sea.toml", "-o", "new/s.csv") == "new/s.csv\n"
+    assert (ocean.folder / "new/s.csv").read_text() == text
+    assert ocean.files("new") == ["s.csv"]
+
+
+@pytest.mark.parametrize("sea", ["sea.toml", "buoy.toml", "preset:beaufort_0"])
+def test_plot_is_a_picture(ocean, sea):
+    assert ocean.good("spectrum", sea, "--plot", "new/p.png") == "new/p.png\n"
+    pixels = OpenImageIO.ImageBuf(str(ocean.folder / "new/p.png")).get_pixels(OpenImageIO.UINT8)
+    height, width, _ = pixels.shape
+    assert width >= 1280 and height >= 720
+    # Paper all around, ink inside.
+    assert (pixels[0] == 255).all() and (pixels[:, -1] == 255).all()
+    assert 0.01 < (pixels < 255).any(axis=2).mean() < 0.6

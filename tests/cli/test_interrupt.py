@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Ctrl-C in the middle of a bake: no half file, no temporary, exit code 130."""
+
+import json
+import signal
+import subprocess
+import time
+
+import OpenImageIO
+import pytest
+from conftest import OCEAN
+
+BAKE = [
+    OCEAN,
+    "bake",
+    "sea.toml",
+    "-o",
+    "out/s.####.exr",
+    "--frames",
+    "1-5000",
+    "--set",
+    "resolution=512",
+]
+
+
+def start(ocean, *more):
+    return subprocess.Popen(
+        [*BAKE, *more],
+        cwd=ocean.folder,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+
+
+def check_whole_files(ocean):
+    files = ocean.files("out")
+    assert files
+    for name in files:
+        assert name.endswith(".exr") and not name.startswith(".")
+        image = OpenImageIO.ImageBuf(str(ocean.folder / "out" / name))
+        assert image.read(force=True), image.geterror()
+    return files
+
+
+def interrupt(process, number=signal.SIGINT):
+    """Sends the signal; returns what is left on both streams."""
+    process.send_signal(number)
+    rest, errors = process.communicate(timeout=60)
+    assert process.returncode == 130, errors
+    return rest, errors
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_an_interrupted_bake_says_how_far_it_came(ocean, number):
+    process = start(ocean)
+    for _ in range(4):
+        process.stdout.readline()
+    rest, errors = interrupt(process, number)
+    printed = 4 + len(rest.splitlines())
+    last = errors.splitlines()[-1]
+    assert last == f"ocean: interrupted: {printed // 2} of 5000 frames are done"
+    files = check_whole_files(ocean)
+    assert printed <= len(files) <= printed + 2
+
+
+@pytest.mark.parametrize("attempt", range(4))
+def test_a_file_in_hand_becomes_whole(ocean, attempt):
+    every = "height,displacement,slope,normal,jacobian,velocity"
+    process = start(ocean, "--layout", "layered", "--products", every, "--resolution", "1024")
+    out = ocean.folder / "out"
+    deadline = time.monotonic() + 60.0
+    # The temporary is there: the signal comes in the middle of a file.
+    while not list(out.glob(".*.tmp")):
+        assert time.monotonic() < deadline
+    interrupt(process)
+    check_whole_files(ocean)
+
+
+def test_json_tells_of_the_interruption(ocean):
+    process = start(ocean, "--json")
+    process.stdout.readline()
+    _, errors = interrupt(process)
+    events = [json.loads(line) for line in errors.splitlines()]
+    assert events[-1]["event"] == "interrupted" and events[-1]["total"] == 5000
+
+
+def test_a_long_computation_is_left_at_once(ocean):
+    process = start(ocean, "--backend", "dft")
+    process.stderr.readline()
+    time.sleep(0.3)
+    began = time.monotonic()
+    interrupt(process)
+    # Waiting for the direct sum of a 512 x 512 frame would take far longer.
+    assert time.monotonic() - began < 10.0
+    assert ocean.files("out") == []
+
+
+def test_an_ignored_signal_stays_ignored(ocean):
+    script = """trap '' INT
+    "$OCEAN" bake sea.toml -o out/s.####.exr --frames 1-40 > list & process=$!
+    for _ in {1..3000}; do [ -s list ] && break; sleep 0.01; done
+    kill -INT "$process"; wait "$process"; echo "exit $?" """
+    assert "exit 0" in ocean.shell(script).stdout
+    assert len(ocean.files("out")) == 80
+
+
+def test_what_a_killed_bake_leaves_is_removed_by_the_next(ocean):
+    process = start(ocean)
+    process.stdout.readline()
+    process.kill()
+    process.communicate(timeout=30)
+    assert process.returncode == -signal.SIGKILL
+    ocean.write("out/.s.exr.ocean-999999999-0.tmp", "left")
+    ocean.good("bake", "sea.toml", "-o", "out/s.####.exr")
+    check_whole_files(ocean)

@@ -1,0 +1,175 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Help, versions, exit codes, and what goes to which stream."""
+
+import json
+import os
+import pty
+import subprocess
+
+import pytest
+from conftest import OCEAN, check_failure
+
+COMMANDS = ["info", "bake", "spectrum", "params", "presets"]
+
+
+def test_help_lists_every_command_and_is_not_an_error(ocean):
+    text = ocean.good("--help")
+    for command in COMMANDS:
+        assert f"\n  {command} " in text
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_of_a_command_groups_its_options(ocean, command):
+    text = ocean.good(command, "--help")
+    assert "Usage: ocean " + command in text
+    assert "\nOutput:" in text or command == "presets"
+
+
+def test_long_options_are_kebab_case(ocean):
+    for command in COMMANDS:
+        for word in ocean.good(command, "--help").split():
+            if word.startswith("--"):
+                assert word == word.lower() and "_" not in word
+
+
+def test_version_names_the_libraries(ocean):
+    text = ocean.good("--version")
+    assert text.startswith("ocean 0.")
+    for library in ("OpenEXR 3.", "libpng 1.", "cairo 1.", "toml++ 3.", "CLI11 2."):
+        assert library in text
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["paint"],
+        ["info"],
+        ["info", "sea.toml", "more"],
+        ["info", "sea.toml", "--loud"],
+        ["bake", "sea.toml"],
+        ["info", "sea.toml", "--threads", "-1"],
+        ["info", "sea.toml", "--threads", "many"],
+        ["params", "--xml"],
+        ["bake", "sea.toml", "-o", "a.exr", "--products", ""],
+    ],
+)
+def test_wrong_usage_is_one_line_that_points_to_the_help(ocean, arguments):
+    assert "--help`" in ocean.bad(*arguments)
+
+
+def test_formats_of_params_exclude_each_other(ocean):
+    done = ocean("params", "--json", "--markdown")
+    assert done.returncode == 2 and done.stdout == ""
+
+
+def test_run_options_may_stand_before_the_command(ocean):
+    assert ocean.good("--threads", "1", "info", "sea.toml") == ocean.good("info", "sea.toml")
+
+
+def test_a_failed_standard_output_is_an_error(ocean):
+    for command in ("info sea.toml", "params", "--help", "spectrum sea.toml"):
+        done = ocean.shell(f'"$OCEAN" {command} > /dev/full')
+        check_failure(done, 1)
+
+
+def test_a_reader_that_leaves_ends_the_program_in_silence(ocean):
+    done = ocean.shell('"$OCEAN" spectrum sea.toml --directional | head -n 1')
+    assert done.stderr == ""
+    assert done.stdout.startswith("frequency_hz")
+
+
+def test_progress_is_not_on_standard_output(ocean):
+    done = ocean("bake", "sea.toml", "-o", "out/s.####.exr", "--frames", "1-2")
+    assert done.stdout.splitlines() == [
+        f"out/s.{product}.000{frame}.exr"
+        for frame in (1, 2)
+        for product in ("displacement", "normal")
+    ]
+    assert "frame 2 done (2 of 2)" in done.stderr and "ETA" in done.stderr
+    assert "shortest wave" in done.stderr
+    assert "\r" not in done.stderr and "\033" not in done.stderr
+
+
+def test_quiet_says_nothing(ocean):
+    done = ocean("bake", "sea.toml", "-o", "out/s.exr", "-q")
+    assert (done.stdout, done.stderr) == ("", "")
+    assert ocean("info", "sea.toml", "-q", "--set", "wind_speed=0").stderr == ""
+
+
+def test_verbose_says_more(ocean):
+    assert (
+        "frame 7 is at 0.25 s"
+        in ocean("bake", "sea.toml", "-o", "s.exr", "-v", "--frames", "7").stderr
+    )
+
+
+def test_json_progress_is_a_line_for_each_event(ocean):
+    done = ocean("bake", "sea.toml", "-o", "out/s.####.exr", "--frames", "3-5", "--json")
+    events = [json.loads(line) for line in done.stderr.splitlines()]
+    assert [event["event"] for event in events] == ["start", "frame", "frame", "frame", "done"]
+    assert [event["frame"] for event in events[1:4]] == [3, 4, 5]
+    assert events[0]["total"] == 3 and events[0]["resolution"] == 64
+    files = [file for event in events[1:4] for file in event["files"]]
+    assert files == done.stdout.splitlines()
+
+
+def test_json_errors_and_warnings_parse_too(ocean):
+    done = ocean("bake", 'no "sea".toml', "-o", "a.exr", "--json")
+    assert done.returncode == 2
+    assert json.loads(done.stderr)["event"] == "error"
+    assert 'no "sea".toml' in json.loads(done.stderr)["message"]
+    done = ocean("info", "sea.toml", "--json", "--set", "wind_speed=0")
+    assert json.loads(done.stderr)["event"] == "warning"
+    json.loads(done.stdout)
+
+
+def test_a_terminal_gets_a_bar_with_eta(ocean):
+    master, slave = pty.openpty()
+    subprocess.run(
+        [OCEAN, "bake", "sea.toml", "-o", "s.####.exr", "--frames", "1-4"],
+        cwd=ocean.folder,
+        stdout=subprocess.DEVNULL,
+        stderr=slave,
+        check=True,
+        timeout=60,
+    )
+    os.close(slave)
+    text = b""
+    while True:
+        try:
+            part = os.read(master, 4096)
+        except OSError:
+            break
+        text += part
+    os.close(master)
+    assert b"[######......" in text and b"ETA" in text
+    assert text.rstrip().endswith(b"s") and b"4 of 4 frames done" in text
+
+
+def test_params_text_and_json_name_every_parameter(ocean):
+    table = json.loads(ocean.good("params", "--json"))
+    text = ocean.good("params")
+    for entry in table:
+        assert f"  {entry['key']} = " in text
+    assert {"depth", "resolution", "wind_speed", "foam_lifetime", "take"} <= {
+        entry["key"] for entry in table
+    }
+
+
+def test_every_preset_is_listed_and_is_a_sea_file(ocean):
+    names = [entry["name"] for entry in json.loads(ocean.good("presets", "--json"))]
+    assert names == [line.split()[0] for line in ocean.good("presets").splitlines()]
+    assert len(names) == 13 + 10 + 2
+    for name in names:
+        ocean.write("preset.toml", ocean.good("presets", name))
+        state = ocean.good("info", "preset.toml", "--json")
+        assert state == ocean.good("info", "preset:" + name, "--json")
+        # JSON has no NaN or infinity; Python would read both.
+        json.loads(state, parse_constant=lambda word: pytest.fail(word))
+
+
+def test_an_unknown_preset_is_refused(ocean):
+    assert "beaufort_13" in ocean.bad("presets", "beaufort_13")
+    assert "beaufort_13" in ocean.bad("info", "preset:beaufort_13")

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claim: read_exr_header answers any bytes with strings or with Error bad_file, and allocates no
+// more than the file has.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+#include "sample_surface.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+void spit(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string good_file(const TemporaryFolder& folder) {
+    const Surface surface = test::sample_surface(32);
+    const std::string sea = "libocean = 1\n";
+    io::write_exr({surface, sea, 1, 0.0}, find_field("height"), folder.file("good.exr"), {});
+    return test::read_bytes(folder.file("good.exr"));
+}
+
+std::string refusal(const std::string& path) {
+    try {
+        io::read_exr_header(path);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_file);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(ExrHeader, SaysWhatIsWrong) {
+    const TemporaryFolder folder;
+    const std::string bytes = good_file(folder), path = folder.file("bad.exr");
+    EXPECT_NE(refusal(folder.file("none.exr")).find("cannot open"), std::string::npos);
+    EXPECT_NE(refusal(folder.path()).find("directory"), std::string::npos);
+    spit(path, "");
+    EXPECT_NE(refusal(path).find("ends inside"), std::string::npos);
+    spit(path, "P5 16 16 255 and pixels");
+    EXPECT_NE(refusal(path).find("not an OpenEXR file"), std::string::npos);
+    spit(path, bytes.substr(0, 200));
+    EXPECT_NE(refusal(path).find("ends inside"), std::string::npos);
+    std::string foreign = bytes;
+    for (std::size_t at = 0; (at = foreign.find("ocean:", at)) != std::string::npos;) {
+        foreign[at] = 'O';
+    }
+    spit(path, foreign);
+    EXPECT_NE(refusal(path).find("not written by libocean"), std::string::npos);
+    // A claim of two gigabytes for the first attribute.
+    std::string greedy = bytes;
+    const std::size_t size_at = 8 + std::string("channels").size() + 1 + sizeof "chlist";
+    greedy.replace(size_at, 4, "\xff\xff\xff\x7f");
+    spit(path, greedy);
+    EXPECT_NE(refusal(path).find("ends inside"), std::string::npos);
+}
+
+TEST(ExrHeader, SurvivesEveryTruncationAndManyMutations) {
+    const TemporaryFolder folder;
+    const std::string bytes = good_file(folder), path = folder.file("bad.exr");
+    const std::size_t header = bytes.find("screenWindowWidth") + 40;
+    ASSERT_LT(header, bytes.size());
+    for (std::size_t size = 0; size < header; size += 3) {
+        spit(path, bytes.substr(0, size));
+        refusal(path);
+    }
+    std::mt19937 random(1);
+    for (int round = 0; round < 2000; ++round) {
+        std::string mutant = bytes;
+        for (int change = 0; change < 4; ++change) {
+            mutant[random() % header] = static_cast<char>(random());
+        }
+        spit(path, mutant);
+        refusal(path);
+    }
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: the PNG holds every height to half the quantum that the side file states, first row far,
+// last row and column wrapped, in a quarter of the codes. What POV-Ray makes of it: tests/povray.
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cstdint>
+
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+#include "sample_surface.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+double side_value(const std::string& text, const std::string& key) {
+    const std::size_t at = text.find("\n" + key + " = ");
+    EXPECT_NE(at, std::string::npos) << key;
+    return std::stod(text.substr(at + key.size() + 4));
+}
+
+// By the low-level reader: no gamma, no conversion.
+std::vector<std::uint16_t> read_grey16(const std::string& path, int& width) {
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, file);
+    png_read_png(png, info, PNG_TRANSFORM_SWAP_ENDIAN, nullptr);
+    EXPECT_EQ(png_get_bit_depth(png, info), 16);
+    EXPECT_EQ(png_get_color_type(png, info), PNG_COLOR_TYPE_GRAY);
+    width = static_cast<int>(png_get_image_width(png, info));
+    std::vector<std::uint16_t> codes;
+    for (png_uint_32 row = 0; row < png_get_image_height(png, info); ++row) {
+        const auto* line = reinterpret_cast<const std::uint16_t*>(png_get_rows(png, info)[row]);
+        codes.insert(codes.end(), line, line + width);
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+    std::fclose(file);
+    return codes;
+}
+
+TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
+    const TemporaryFolder folder;
+    const int n = 64;
+    const Surface surface = test::sample_surface(n);
+    const std::string sea;
+    io::write_height_field({surface, sea, 1, 0.0}, folder.file("h.png"));
+    EXPECT_EQ(folder.entries(), 2u);
+    const std::string side = test::read_bytes(folder.file("h.png.txt"));
+    const double scale = side_value(side, "scale"), base = side_value(side, "base");
+    const double quantum = side_value(side, "quantum");
+    EXPECT_NEAR(scale / (side_value(side, "hi") - side_value(side, "lo")), 4.0, 1e-9);
+    EXPECT_NEAR(quantum, scale / 65536.0, 1e-12);
+
+    int width = 0;
+    const auto codes = read_grey16(folder.file("h.png"), width);
+    ASSERT_EQ(width, n + 1);
+    ASSERT_EQ(codes.size(), static_cast<std::size_t>(width * width));
+    double worst = 0.0;
+    for (int row = 0; row <= n; ++row) {
+        for (int i = 0; i <= n; ++i) {
+            const double height =
+                base + scale * codes[static_cast<std::size_t>(row * width + i)] / 65536.0;
+            const double truth = test::sample_value(2, i % n, (n - row) % n, n);
+            worst = std::max(worst, std::abs(height - truth));
+        }
+    }
+    EXPECT_LE(worst, 0.5 * quantum * 1.0001);
+    EXPECT_GE(worst, 0.4 * quantum);  // or the quantum is stated too large
+}
+
+TEST(HeightField, FlatSeaAndErrors) {
+    const TemporaryFolder folder;
+    const std::string sea;
+    const Surface flat(Lattice{32, 10.0}, 0.0, {Channel::height});
+    io::write_height_field({flat, sea, 1, 0.0}, folder.file("flat.png"));
+    int width = 0;
+    for (const auto code : read_grey16(folder.file("flat.png"), width)) EXPECT_EQ(code, 32768);
+    Surface broken = flat;
+    broken.channel(Channel::height)[5] = std::nanf("");
+    EXPECT_THROW(io::write_height_field({broken, sea, 1, 0.0}, folder.file("nan.png")), Error);
+    const Surface none(Lattice{32, 10.0}, 0.0, {Channel::dx});
+    EXPECT_THROW(io::write_height_field({none, sea, 1, 0.0}, folder.file("none.png")), Error);
+}
+
+// A small image fails at the flush; a large one inside libpng, whose word for it is less telling.
+TEST(HeightField, FullDiskIsAnOutputError) {
+    const std::string sea;
+    for (const int n : {32, 512}) {
+        const Surface surface = test::sample_surface(n);
+        try {
+            io::write_height_field({surface, sea, 1, 0.0}, "/dev/full");
+            ADD_FAILURE() << n;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::output);
+            EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,265 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""The Python wrapper against the library of this build."""
+
+import math
+import os
+import re
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import libocean
+
+ROOT = Path(__file__).parents[2]
+DATA = ROOT / "tests" / "data"
+SMALL = """
+libocean = 1
+[grid]
+resolution = 64
+patch_size = 200.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 12.0
+wind_direction = 30.0
+"""
+
+
+@pytest.fixture
+def sea():
+    with libocean.parse(SMALL) as small:
+        yield small
+
+
+def test_versions_are_those_of_the_sources():
+    header = (ROOT / "libocean/include/ocean/version.hpp").read_text()
+    project = (ROOT / "libocean/python/pyproject.toml").read_text()
+    version = re.search(r'OCEAN_VERSION "(.+)"', header)[1]
+    assert libocean.version == libocean.__version__ == version
+    assert f'\nversion = "{version}"\n' in project
+
+
+def test_struct_fields_and_channels_are_those_of_the_header():
+    from libocean import _library, _sea
+
+    header = (ROOT / "libocean/include/libocean.h").read_text()
+    assert int(re.search(r"OCEAN_ABI_VERSION (\d+)", header)[1]) == _library.ABI_VERSION
+    channels = re.search(r"enum \{\s*(OCEAN_DX,.*?)\}", header, re.S)[1]
+    names = re.findall(r"OCEAN_(\w+)", channels)
+    spelled = {
+        "height": ["HEIGHT"],
+        "displacement": ["DX", "DY", "HEIGHT"],
+        "slope": ["SLOPE_X", "SLOPE_Y"],
+        "normal": ["NX", "NY", "NZ"],
+        "jacobian": ["JACOBIAN"],
+        "whitecap": ["WHITECAP"],
+        "foam": ["FOAM"],
+        "velocity": ["VX", "VY", "VZ"],
+    }
+    assert {field: [names[c] for c in cs] for field, cs in _sea.FIELDS.items()} == spelled
+    assert re.findall(r"OCEAN_(\w+)", re.search(r"enum \{ (OCEAN_ZUP.*?)\}", header)[1]) == [
+        name.upper() for name in _library.AXES
+    ]
+    assert re.findall(r"OCEAN_(\w+)", re.search(r"enum \{ (OCEAN_CPU.*?)\}", header)[1]) == [
+        name.upper() for name in _library.BACKENDS
+    ]
+    for struct, name in (
+        (_library.Options, "ocean_options"),
+        (_library.Output, "ocean_output"),
+        (_library.Request, "ocean_request"),
+    ):
+        body = re.findall(r"typedef struct \{([^}]*)\} (\w+);", header)
+        fields = next(re.findall(r"(\w+)(?:\[4\])?;", text) for text, n in body if n == name)
+        assert fields == [field for field, _ in struct._fields_]
+
+
+def test_fields_have_their_shapes_and_types(sea):
+    surface = sea.surface(12.0)
+    vectors = {"displacement": 3, "slope": 2, "normal": 3, "velocity": 3}
+    for name in ("height", "displacement", "slope", "normal", "jacobian", "velocity"):
+        array = getattr(surface, name)
+        assert array.dtype == np.float32
+        assert array.shape == (64, 64, *([vectors[name]] if name in vectors else []))
+        assert array.flags.c_contiguous and array.flags.owndata
+        assert getattr(surface, name) is array
+        assert np.isfinite(array).all() and array.std() > 0
+
+
+def test_fields_fit_each_other(sea):
+    surface = sea.surface(12.0, fields=["height", "displacement", "normal", "velocity"])
+    assert (surface.displacement[..., 2] == surface.height).all()
+    assert np.abs(np.linalg.norm(surface.normal, axis=-1) - 1).max() < 1e-5
+    later = sea.surface(12.0 + 1e-3).displacement.astype(float)
+    speed = (later - sea.surface(12.0 - 1e-3).displacement) / 2e-3
+    assert np.abs(speed - surface.velocity).max() < 0.01 * np.abs(surface.velocity).max()
+
+
+def test_i_counts_east_and_j_north(sea):
+    sea.set("choppiness", 0)
+    surface = sea.surface(3.0, resolution=256)
+    step = 200.0 / 256
+    east = (np.roll(surface.height, -1, axis=1) - np.roll(surface.height, 1, axis=1)) / (2 * step)
+    north = (np.roll(surface.height, -1, axis=0) - np.roll(surface.height, 1, axis=0)) / (2 * step)
+    scale = np.abs(surface.slope).max()
+    assert np.abs(east - surface.slope[..., 0]).max() < 0.05 * scale
+    assert np.abs(north - surface.slope[..., 1]).max() < 0.05 * scale
+
+
+def test_lazy_and_named_fields_are_the_same_bits(sea):
+    lazy = sea.surface(7.0, resolution=128)
+    named = sea.surface(7.0, resolution=128, fields=("normal", "height"))
+    assert lazy.resolution == 128
+    assert (lazy.height == named.height).all() and (lazy.normal == named.normal).all()
+    assert sea.surface(7.0, fields="height").height.shape == (64, 64)
+
+
+def test_axes_turn_vectors(sea):
+    x, y, z = np.moveaxis(sea.surface(1.0).displacement, -1, 0)
+    yup = np.moveaxis(sea.surface(1.0, axes="yup").displacement, -1, 0)
+    tnb = np.moveaxis(sea.surface(1.0, axes="tnb").displacement, -1, 0)
+    assert (yup == [x, z, -y]).all() and (tnb == [x, z, y]).all()
+    with pytest.raises(libocean.InvalidValueError, match="zup, yup, tnb"):
+        sea.surface(1.0, axes="xup")
+
+
+def test_a_changed_sea_does_not_answer_for_an_older_surface(sea):
+    surface = sea.surface(1.0)
+    height = surface.height.copy()
+    sea.set("wind_speed", 20.0)
+    assert (surface.height == height).all()
+    with pytest.raises(libocean.Error, match="changed after"):
+        _ = surface.normal
+    assert (sea.surface(1.0).height != height).any()
+
+
+def test_values_go_in_and_come_back(sea):
+    for name, value, text in (
+        ("wind_speed", 17, "17"),
+        ("wind_speed", np.float64(0.1), "0.1"),
+        ("wind_direction", -12.5, "-12.5"),
+        ("depth", math.inf, "inf"),
+        ("grid.resolution", np.int32(128), "128"),
+        ("waves.0.spreading", "hasselmann", "hasselmann"),
+        ("peak_period", 9.5, "9.5"),
+        ("peak_period", None, ""),
+    ):
+        sea.set(name, value)
+        assert sea.get(name) == text
+    assert sea.surface(0.0).resolution == 128
+
+
+def test_errors_carry_the_library_s_sentence_and_code(sea):
+    with pytest.raises(libocean.InvalidValueError, match="wind_speed = -1") as refused:
+        sea.set("wind_speed", -1)
+    assert refused.value.code == 2 and isinstance(refused.value, ValueError)
+    with pytest.raises(libocean.Error, match="no such file") as missing:
+        libocean.open("nowhere.toml")
+    assert missing.value.code == 3
+    with pytest.raises(libocean.Error, match="typhoon") as unknown:
+        libocean.preset("typhoon")
+    assert unknown.value.code == 4
+    for resolution in (0, 33, -64, 1 << 20):
+        with pytest.raises(libocean.InvalidValueError, match="power of two"):
+            sea.surface(0.0, resolution=resolution)
+    with pytest.raises(libocean.InvalidValueError, match="finite"):
+        sea.surface(math.nan, fields=["height"])
+    with pytest.raises(libocean.InvalidValueError, match="unknown field 'heigth'; known: height"):
+        sea.surface(0.0, fields=["heigth"])
+    with pytest.raises(libocean.InvalidValueError, match="known: cpu"):
+        libocean.parse(SMALL, backend="cuda")
+
+
+def test_features_of_later_versions_say_so(sea):
+    with pytest.raises(NotImplementedError, match="foam comes with a later version"):
+        _ = sea.surface(0.0).foam
+    with pytest.raises(libocean.UnsupportedError, match="later version") as refused:
+        sea.query([[1.0, 2.0], [3.0, 4.0]], 12.0)
+    assert refused.value.code == 5
+
+
+def test_a_closed_sea_keeps_its_arrays_and_refuses_the_rest():
+    with libocean.parse(SMALL) as sea:
+        surface = sea.surface(0.0, fields=["height"])
+    sea.close()
+    assert surface.height.std() > 0
+    for use in (
+        lambda: surface.normal,
+        lambda: sea.text,
+        lambda: sea.state,
+        lambda: sea.get("fps"),
+    ):
+        with pytest.raises(libocean.InvalidValueError, match="closed"):
+            use()
+
+
+def test_text_gives_the_same_sea(sea):
+    with libocean.parse(sea.text) as again:
+        assert again.text == sea.text
+        assert (again.surface(5.0).displacement == sea.surface(5.0).displacement).all()
+
+
+def test_state_is_what_the_maps_hold(sea):
+    variances = []
+    for seed in range(48):
+        sea.set("seed", seed)
+        variances.append(sea.surface(0.0).height.var(dtype=float))
+    resolved = sea.state["significant_wave_height"]["resolved"] ** 2 / 16
+    standard_error = np.std(variances) / np.sqrt(len(variances))
+    assert abs(np.mean(variances) - resolved) < 3 * standard_error
+    assert standard_error < 0.1 * resolved
+    assert sea.state["period"] == 200.0
+
+
+def test_a_path_with_any_letters_opens(tmp_path):
+    path = tmp_path / "Dünung 海.toml"
+    path.write_text(SMALL)
+    with libocean.open(path) as sea, libocean.open(str(path)) as same:
+        assert sea.text == same.text
+
+
+def test_parse_finds_a_buoy_beside_base_dir():
+    text = 'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "ndbc_41010.data_spec"\n'
+    with libocean.parse(text, base_dir=DATA / "spectra") as sea:
+        asked = sea.state["significant_wave_height"]["asked"]
+    record = libocean.records(DATA / "spectra" / "ndbc_41010.data_spec")[0]
+    assert abs(asked / record["significant_wave_height"] - 1) < 0.01
+
+
+def test_presets_and_parameters_are_listed():
+    names = libocean.presets()
+    assert {f"beaufort_{n}" for n in range(13)} <= set(names) and "seed_lantz" in names
+    with libocean.preset("beaufort_6") as sea:
+        assert 1.0 < sea.state["significant_wave_height"]["asked"] < 6.0
+        for parameter in libocean.parameters():
+            section = parameter["section"].replace("waves", "waves.0")
+            sea.get(f"{section}.{parameter['key']}")
+
+
+def test_threads_share_a_sea_and_several_seas_agree(sea):
+    heights = {}
+
+    def work(n):
+        with libocean.parse(SMALL, threads=n) as own:
+            heights[n] = (own.surface(9.0).height, sea.surface(9.0).height)
+
+    threads = [threading.Thread(target=work, args=(n,)) for n in (1, 2, 3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    expected = sea.surface(9.0).height
+    assert len(heights) == 3
+    assert all((h == expected).all() for pair in heights.values() for h in pair)
+
+
+def test_a_library_that_does_not_load_is_named():
+    environment = {**os.environ, "LIBOCEAN_LIBRARY": "/nowhere/libocean.so"}
+    run = subprocess.run(
+        [sys.executable, "-c", "import libocean"], env=environment, capture_output=True, text=True
+    )
+    assert run.returncode == 1
+    assert "ImportError" in run.stderr and "/nowhere/libocean.so" in run.stderr

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the tests of ocean::seafile share: errors as values, and equality of seas in every bit.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/seafile.hpp"
+
+namespace ocean::test {
+
+inline const std::string kData = OCEAN_TEST_DATA;
+inline const std::string kBuoy = kData + "/spectra/ndbc_41010.data_spec";
+
+struct Refusal {
+    bool refused = false;
+    ErrorKind kind = ErrorKind::interrupted;
+    std::string message;
+    bool says(const std::string& words) const { return message.find(words) != std::string::npos; }
+};
+
+template <typename Action>
+Refusal refusal_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return {true, error.kind(), error.what()};
+    }
+    return {};
+}
+
+/// Parses `body` under the line "libocean = 1", so that the body begins on line 2 of "test.toml".
+inline Sea parse(const std::string& body) {
+    return parse_sea("libocean = 1\n" + body, "test.toml", kData + "/spectra");
+}
+inline Refusal refusal_of_sea(const std::string& body) {
+    return refusal_of([&] { parse(body); });
+}
+
+inline bool same_bits(double a, double b) {
+    return (std::isnan(a) && std::isnan(b)) ||
+           std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!same_bits(a[i], b[i])) return false;
+    }
+    return true;
+}
+inline bool same_record(const SpectrumRecord& a, const SpectrumRecord& b) {
+    return a.station == b.station && a.time == b.time && same_bits(a.latitude, b.latitude) &&
+           same_bits(a.longitude, b.longitude) && same_bits(a.depth, b.depth) &&
+           same_bits(a.frequency, b.frequency) && same_bits(a.density, b.density) &&
+           same_bits(a.a1, b.a1) && same_bits(a.b1, b.b1) && same_bits(a.a2, b.a2) &&
+           same_bits(a.b2, b.b2);
+}
+inline bool same_value(const ParameterValue& a, const ParameterValue& b) {
+    const auto* x = std::get_if<double>(&a);
+    const auto* y = std::get_if<double>(&b);
+    return x != nullptr && y != nullptr ? same_bits(*x, *y) : a == b;
+}
+
+/// The first parameter in which two seas differ in any bit; empty if there is none.
+inline std::string difference(const Sea& a, const Sea& b) {
+    if (a.parameters.waves.size() != b.parameters.waves.size()) return "waves";
+    for (const ParameterInfo& info : parameter_table()) {
+        const std::size_t systems = info.per_wave_system() ? a.parameters.waves.size() : 1;
+        for (std::size_t wave = 0; wave < systems; ++wave) {
+            const ParameterRef ref{&info, wave};
+            if (!same_value(value_of(a.parameters, ref), value_of(b.parameters, ref))) {
+                return info.path(wave);
+            }
+        }
+    }
+    for (std::size_t wave = 0; wave < a.parameters.waves.size(); ++wave) {
+        const auto& x = a.parameters.waves[wave].measured;
+        const auto& y = b.parameters.waves[wave].measured;
+        if ((x == nullptr) != (y == nullptr)) return "measured_record";
+        if (x != nullptr && !same_record(*x, *y)) return "measured_record";
+    }
+    return "";
+}
+
+}  // namespace ocean::test

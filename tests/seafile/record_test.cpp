@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Records once they are read: their sums, the choice of one, their list as JSON.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "helpers.hpp"
+
+namespace ocean::test {
+namespace {
+
+const std::vector<SpectrumRecord>& buoy() {
+    static const std::vector<SpectrumRecord> kRecords = read_spectra(kBuoy);
+    return kRecords;
+}
+
+SpectrumRecord record_at(const std::string& time) {
+    SpectrumRecord record;
+    record.time = time;
+    record.frequency = {0.1, 0.2, 0.4};
+    record.density = {1.0, 3.0, 2.0};
+    return record;
+}
+
+TEST(RecordSummary, EnergyIsTheTrapezoidOverTheListedFrequencies) {
+    // (1 + 3)/2 * 0.1 + (3 + 2)/2 * 0.2
+    EXPECT_NEAR(summarize(record_at("")).m0, 0.7, 1e-15);
+    EXPECT_NEAR(summarize(record_at("")).peak_period, 5.0, 1e-15);
+}
+
+TEST(RecordSummary, FirstBuoyRecordHasTheHeightOfItsOwnNumbers) {
+    const SpectrumRecord& record = buoy().front();
+    double m0 = 0.0;
+    for (std::size_t i = 1; i < record.frequency.size(); ++i) {
+        m0 += 0.5 * (record.density[i] + record.density[i - 1]) *
+              (record.frequency[i] - record.frequency[i - 1]);
+    }
+    const RecordSummary summary = summarize(record);
+    EXPECT_NEAR(summary.m0, m0, 1e-12);
+    EXPECT_NEAR(4.0 * std::sqrt(summary.m0), 1.11885, 1e-4);
+    EXPECT_EQ(summary.peak_period, 1.0 / 0.180);
+}
+
+TEST(RecordSummary, MeanDirectionIsWeightedByEnergy) {
+    SpectrumRecord record = record_at("");
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    record.a1 = {0.0, 0.5, nan};
+    record.b1 = {0.5, 0.0, nan};
+    record.a2 = record.b2 = {0.0, 0.0, nan};
+    // Trapezoid weights 0.05 and 0.15: energies 0.05 to the north, 0.45 to the east.
+    EXPECT_NEAR(summarize(record).mean_direction, std::atan2(0.05, 0.45), 1e-12);
+}
+
+TEST(RecordSummary, WithoutDirectionsTheMeanDirectionIsNotANumber) {
+    EXPECT_TRUE(std::isnan(summarize(record_at("")).mean_direction));
+}
+
+TEST(RecordChoice, NothingAskedIsTheFirst) {
+    EXPECT_EQ(choose_record(buoy(), "", "f").time, "2020-06-08T03:50");
+}
+
+TEST(RecordChoice, IsTheNearestWithinThirtyMinutes) {
+    EXPECT_EQ(choose_record(buoy(), "2020-06-07T09:50", "f").time, "2020-06-07T09:50");
+    EXPECT_EQ(choose_record(buoy(), "2020-06-07T09:40:30Z", "f").time, "2020-06-07T09:50");
+    EXPECT_EQ(choose_record(buoy(), "2020-06-08 04:20", "f").time, "2020-06-08T03:50");
+    EXPECT_EQ(choose_record(buoy(), "2020-06-08T00:19", "f").time, "2020-06-07T23:50");
+    EXPECT_EQ(choose_record(buoy(), "2020-06-08T00:21", "f").time, "2020-06-08T00:50");
+    EXPECT_EQ(choose_record(buoy(), "2020-06-08T00:20", "f").time, "2020-06-08T00:50")
+        << "between two, the first of the file";
+}
+
+TEST(RecordChoice, BeyondThirtyMinutesNamesTheNearest) {
+    const Refusal refusal = refusal_of([] { choose_record(buoy(), "2020-06-08T04:21", "b.txt"); });
+    EXPECT_EQ(refusal.kind, ErrorKind::not_found);
+    EXPECT_TRUE(refusal.says("b.txt: ") && refusal.says("2020-06-08T04:21") &&
+                refusal.says("nearest is 2020-06-08T03:50"))
+        << refusal.message;
+}
+
+TEST(RecordChoice, CountsDaysAcrossMonthsAndLeapYears) {
+    const std::vector<SpectrumRecord> records = {record_at("2020-02-28T23:50"),
+                                                 record_at("2020-02-29T23:50")};
+    EXPECT_EQ(choose_record(records, "2020-03-01T00:10", "f").time, "2020-02-29T23:50");
+}
+
+TEST(RecordChoice, TextThatIsNoTimeIsRefused) {
+    for (const char* text : {"2020", "2020-06-08", "2020-13-08T03:50", "2020-06-31T03:50",
+                             "2020-06-08T03:50+02", "2020-06-08T3:50", "tomorrow"}) {
+        const Refusal refusal = refusal_of([&] { choose_record(buoy(), text, "f"); });
+        EXPECT_EQ(refusal.kind, ErrorKind::invalid_value) << text;
+        EXPECT_TRUE(refusal.says(text) && refusal.says("2020-06-08T03:50")) << refusal.message;
+    }
+}
+
+TEST(RecordChoice, IsMadeAnewForASystemWhoseRecordWasReset) {
+    Parameters parameters =
+        parse("[[waves]]\n[[waves]]\nspectrum = \"measured\"\nfile = \"ndbc_41010.data_spec\"\n")
+            .parameters;
+    EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-08T03:50");
+    parameters.waves[1].record = "2020-06-05T18:50";
+    resolve_records(parameters, kData + "/spectra");
+    EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-08T03:50") << "one that is there stays";
+    parameters.waves[1].measured.reset();
+    resolve_records(parameters, kData + "/spectra");
+    EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-05T18:50");
+    EXPECT_EQ(parameters.waves[0].measured, nullptr);
+}
+
+TEST(RecordList, IsJsonWithEscapesAndNullForTheUnknown) {
+    SpectrumRecord record = record_at("2020-06-08T03:50");
+    record.station = "a\"b\\c\n\xFF";
+    EXPECT_EQ(records_json({&record, 1}),
+              "[\n {\"time\": \"2020-06-08T03:50\", \"station\": \"a\\\"b\\\\c\\u000A?\", "
+              "\"latitude\": null, \"longitude\": null, \"depth\": null, "
+              "\"significant_wave_height\": 3.3466401061363027, \"peak_period\": 5, "
+              "\"mean_direction\": null}\n]\n");
+}
+
+TEST(RecordList, GivesDirectionsInDegreesCounterClockwiseFromEast) {
+    SpectrumRecord record = record_at("");
+    record.a1 = {0.0, 0.0, 0.0};
+    record.b1 = {-0.5, -0.5, -0.5};
+    record.a2 = record.b2 = {0.0, 0.0, 0.0};
+    EXPECT_NE(records_json({&record, 1}).find("\"mean_direction\": -90}"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ocean::test

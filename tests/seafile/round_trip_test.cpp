@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What write_sea writes, parse_sea reads back in every bit: no baked sea is another sea.
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <limits>
+#include <locale>
+#include <memory>
+
+#include "helpers.hpp"
+
+namespace ocean::test {
+namespace {
+
+Sea written_and_read(const Sea& sea) {
+    return parse_sea(write_sea(sea), "written", "/nowhere");
+}
+
+Sea buoy_sea() {
+    return parse(
+        "[[waves]]\nspectrum = \"measured\"\nfile = \"ndbc_41010.data_spec\"\n"
+        "record = \"2020-06-07T09:40\"\n");
+}
+
+/// A value that differs from the default and is inside the range, with bits in every place.
+ParameterValue other_value(const ParameterInfo& info, const ParameterValue& usual) {
+    if (!info.choices().empty()) {
+        const std::string last(info.choices().back());
+        return usual == ParameterValue(last) ? std::string(info.choices().front()) : last;
+    }
+    if (info.type() == "text") return std::string("a \"b\"\\ \xC3\xA9 #'.x");
+    if (info.key == "resolution") return std::int64_t{128};
+    if (info.key == "alignment") return std::int64_t{14};
+    if (info.type() == "int") return static_cast<std::int64_t>(info.max) - 1;
+    return info.min + (std::min(info.max, 1e5) - info.min) / 3.0;
+}
+
+/// Keys that validate refuses in this version.
+bool refused_until_later(const ParameterInfo& info) {
+    return info.key == "cascades" || info.key == "cascade_divisors" || info.key == "take";
+}
+
+TEST(SeaFileRoundTrip, EveryKeyNonDefaultKeepsEveryBit) {
+    Sea sea;
+    sea.parameters.waves.assign(3, WaveSystem{});
+    for (const ParameterInfo& info : parameter_table()) {
+        if (refused_until_later(info)) continue;
+        for (std::size_t wave = 0; wave < (info.per_wave_system() ? 3u : 1u); ++wave) {
+            const ParameterRef ref{&info, wave};
+            assign(sea.parameters, ref, other_value(info, value_of(sea.parameters, ref)));
+        }
+    }
+    sea.parameters.surface.longest_wavelength = 2.0 * sea.parameters.surface.shortest_wavelength;
+    for (WaveSystem& system : sea.parameters.waves) system.spectrum = SpectrumKind::tma;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (refused_until_later(info)) continue;
+        const bool usual =
+            same_value(value_of(sea.parameters, {&info, 0}), value_of(Parameters{}, {&info, 0}));
+        EXPECT_FALSE(usual) << info.path();
+    }
+    EXPECT_EQ(difference(written_and_read(sea), sea), "") << write_sea(sea);
+    EXPECT_EQ(write_sea(written_and_read(sea)), write_sea(sea));
+}
+
+TEST(SeaFileRoundTrip, AwkwardNumbersKeepTheirBits) {
+    const double awkward[] = {-0.0,        0.1,         1.0 / 3.0, 5e-324, 2.2250738585072014e-308,
+                              1e6 - 1e-10, 123456789.0, 1e-5,      -1e9};
+    for (double value : awkward) {
+        Sea sea;
+        sea.parameters.time.start = value;
+        EXPECT_EQ(difference(written_and_read(sea), sea), "") << value << "\n" << write_sea(sea);
+    }
+}
+
+TEST(SeaFileRoundTrip, EveryPresetIsReadAndRoundTrips) {
+    for (const Preset& preset : presets()) {
+        const Sea sea = parse_sea(preset.toml, preset.name, "");
+        EXPECT_EQ(difference(written_and_read(sea), sea), "") << preset.name;
+    }
+}
+
+TEST(SeaFileRoundTrip, MeasuredSeaNeedsItsFileNoMore) {
+    const Sea sea = buoy_sea();
+    ASSERT_NE(sea.parameters.waves[0].measured, nullptr);
+    EXPECT_EQ(sea.parameters.waves[0].measured->time, "2020-06-07T09:50");
+    EXPECT_EQ(difference(written_and_read(sea), sea), "");
+    const Sea again = written_and_read(written_and_read(sea));
+    EXPECT_EQ(difference(again, sea), "");
+    EXPECT_TRUE(std::isnan(again.parameters.waves[0].measured->a1.front())) << "missing bin kept";
+}
+
+TEST(SeaFileRoundTrip, RecordWithPlaceAndDepthKeepsThem) {
+    SpectrumRecord record = *buoy_sea().parameters.waves[0].measured;
+    record.latitude = 28.878;
+    record.longitude = -78.467;
+    record.depth = 890.0;
+    record.station = "41010 \"Canaveral East\"";
+    Sea sea = buoy_sea();
+    sea.parameters.waves[0].measured = std::make_shared<const SpectrumRecord>(record);
+    EXPECT_EQ(difference(written_and_read(sea), sea), "") << write_sea(sea);
+}
+
+TEST(SeaFileRoundTrip, EachSystemKeepsItsOwnRecord) {
+    Sea sea = buoy_sea();
+    sea.parameters.waves.insert(sea.parameters.waves.begin(), WaveSystem{});
+    SpectrumRecord plain = *sea.parameters.waves[1].measured;
+    plain.a1.clear();
+    plain.b1.clear();
+    plain.a2.clear();
+    plain.b2.clear();
+    sea.parameters.waves.push_back(sea.parameters.waves[1]);
+    sea.parameters.waves[2].measured = std::make_shared<const SpectrumRecord>(plain);
+    EXPECT_EQ(difference(written_and_read(sea), sea), "");
+}
+
+TEST(SeaFileRoundTrip, EveryKeyOfTheTableIsWritten) {
+    const std::string text = "\n" + write_sea(buoy_sea());
+    for (const ParameterInfo& info : parameter_table()) {
+        const bool optional =
+            std::holds_alternative<std::optional<double> WaveSystem::*>(info.member);
+        const bool written = text.find("\n" + std::string(info.key) + " = ") != std::string::npos;
+        EXPECT_EQ(written, !optional) << info.key;
+    }
+}
+
+TEST(SeaFileRoundTrip, TextThatIsNotUtf8IsRefusedByTheWriter) {
+    Sea sea;
+    sea.parameters.waves[0].file = "caf\xE9";
+    EXPECT_TRUE(refusal_of([&] { write_sea(sea); }).says("not UTF-8"));
+}
+
+TEST(SeaFileRoundTrip, AGermanLocaleChangesNothing) {
+    class CommaPoint : public std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const std::string before = write_sea(buoy_sea());
+    const std::string c_locale = std::setlocale(LC_ALL, nullptr);
+    const std::locale usual = std::locale::global(std::locale(std::locale(), new CommaPoint));
+    std::setlocale(LC_ALL, "de_DE.UTF-8");  // where it is installed
+    const std::string during = write_sea(parse_sea(before, "written", "/nowhere"));
+    std::locale::global(usual);
+    std::setlocale(LC_ALL, c_locale.c_str());
+    EXPECT_EQ(during, before);
+}
+
+TEST(MeasuredRecord, InlinedWinsOverAFileThatIsGone) {
+    std::string text = write_sea(buoy_sea());
+    text.replace(text.find("ndbc_41010"), 10, "ndbc_gone_");
+    EXPECT_EQ(parse_sea(text, "t", "/nowhere").parameters.waves[0].measured->station, "41010");
+}
+
+TEST(MeasuredRecord, ThatIsNotTheOneAskedForIsRefused) {
+    std::string text = write_sea(buoy_sea());
+    text.replace(text.find("2020-06-07T09:40"), 16, "2020-06-05T18:50");
+    const Refusal refusal = refusal_of([&] { parse_sea(text, "t", ""); });
+    EXPECT_TRUE(refusal.says("2020-06-05T18:50") && refusal.says("2020-06-07T09:50") &&
+                refusal.says("waves.0."))
+        << refusal.message;
+}
+
+TEST(MeasuredRecord, WithAFaultIsRefusedWithItsLine) {
+    const std::string head = "[[waves]]\nspectrum = \"measured\"\n[waves.measured_record]\n";
+    const std::string f = "frequency = [0.1, 0.2]\n";
+    const std::string s = "density = [1.0, 2.0]\n";
+    EXPECT_FALSE(refusal_of_sea(head + f + s).refused);
+    const std::pair<std::string, std::string> faults[] = {
+        {s, "at least 2 frequencies"},
+        {"frequency = [0.1]\ndensity = [1.0]\n", "at least 2 frequencies"},
+        {f + "density = [1.0]\n", "differ in length"},
+        {"frequency = [0.2, 0.1]\n" + s, "does not ascend"},
+        {"frequency = [0.1, 0.1]\n" + s, "does not ascend"},
+        {"frequency = [0.0, 0.1]\n" + s, "above 0"},
+        {"frequency = [0.1, nan]\n" + s, "test.toml:5: waves.0.measured_record.frequency = nan"},
+        {f + "density = [-1.0, 2.0]\n", "not within 0 .. 1e6"},
+        {f + "density = [1.0, inf]\n", "test.toml:6: waves.0.measured_record.density = inf"},
+        {f + "density = [1.0, \"2\"]\n", "test.toml:6: waves.0.measured_record.density = \"2\""},
+        {f + "density = 3\n", "test.toml:6: waves.0.measured_record.density = 3"},
+        {f + s + "a1 = [0.1, 0.2]\n", "differ in length"},
+        {f + s + "a1=[0,2]\nb1=[0,0]\na2=[0,0]\nb2=[0,0]\n", "beyond 1"},
+        {f + s + "a1=[0]\nb1=[0]\na2=[0]\nb2=[0]\n", "differ in length"},
+        {f + s + "a1=[0,inf]\nb1=[0,0]\na2=[0,0]\nb2=[0,0]\n", "test.toml:7: "},
+        {f + s + "latitude = 91\n", "latitude"},
+        {f + s + "longitude = nan\n", "test.toml:7: waves.0.measured_record.longitude = nan"},
+        {f + s + "depth = -3\n", "depth"},
+        {f + s + "time = \"noon\"\n", "2020-06-08T03:50"},
+        {f + s + "densty = 3\n",
+         "test.toml:7: waves.0.measured_record.densty: no such key; did you "
+         "mean density?"},
+    };
+    for (const auto& [body, words] : faults) {
+        const Refusal refusal = refusal_of_sea(head + body);
+        ASSERT_TRUE(refusal.refused) << body;
+        EXPECT_TRUE(refusal.says(words) && refusal.says("test.toml:")) << refusal.message;
+    }
+}
+
+}  // namespace
+}  // namespace ocean::test
