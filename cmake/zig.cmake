@@ -9,6 +9,8 @@ if(OCEAN_ZIG_TARGET MATCHES "windows")
   set(CMAKE_SYSTEM_NAME Windows)
 elseif(OCEAN_ZIG_TARGET MATCHES "macos")
   set(CMAKE_SYSTEM_NAME Darwin)
+  # Zig 0.17: <cmath> and others first make a later <cfloat> empty there; toml++ asks this of it.
+  set(CMAKE_CXX_FLAGS_INIT "-DFLT_RADIX=2")
 else()
   set(CMAKE_SYSTEM_NAME Linux)
 endif()

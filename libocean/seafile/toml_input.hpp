@@ -5,8 +5,6 @@
 // and records ask of its nodes. The only header here that includes toml++.
 #pragma once
 
-#include <cfloat>  // toml++ 3.3 uses it without including it
-
 // Debian builds toml++ as a shared library; compiled in, libocean.so depends on nothing.
 #define TOML_HEADER_ONLY 1
 #define TOML_MAX_NESTED_VALUES 16

@@ -86,7 +86,8 @@ void axes_turn_whole_vectors_only(void) {
             CHECK(holds(sea, data, 4, offset + 1, xyz[2], 1.0f));
             CHECK(holds(sea, data, 4, offset + 2, xyz[1], 1.0f));
             free(data);
-            data = interleaved(sea, channel + offset, 2, OCEAN_TNB);
+            memcpy(channel, xyz, 3 * sizeof(int32_t));
+            data = interleaved(sea, channel, 2, OCEAN_TNB);
             CHECK(holds(sea, data, 2, 1, xyz[1], 1.0f));
             free(data);
         }

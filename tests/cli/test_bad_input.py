@@ -52,9 +52,11 @@ def test_a_bad_sea_file_is_named_with_line_key_value_and_range(ocean, text, part
     ],
 )
 def test_a_bad_assignment_is_refused(ocean, assignment, parts):
-    message = ocean.bad("info", "sea.toml", "--set", assignment)
-    for part in parts:
-        assert part in message
+    for command in (["info"], ["bake", "-o", "out/s.exr"]):
+        message = ocean.bad(*command, "sea.toml", "--set", assignment)
+        for part in parts:
+            assert part in message
+    assert not (ocean.folder / "out").exists()
 
 
 @pytest.mark.parametrize(

@@ -150,7 +150,12 @@ def test_directional_csv_sums_to_the_frequency_csv(ocean):
 
 def test_csv_has_no_nan(ocean):
     for sea in ("sea.toml", "buoy.toml", "preset:beaufort_0"):
-        assert "nan" not in ocean.good("spectrum", sea).lower()
+        text = ocean.good("spectrum", sea)
+        assert "nan" not in text.lower()
+        for line in text.splitlines()[1:]:
+            _, density, direction, spread = line.split(",")
+            # Where there is no energy there is no direction, not even 0.
+            assert (direction == "") == (spread == "") == (float(density) == 0.0)
 
 
 def test_csv_goes_into_a_file_whose_folder_is_made(ocean):
@@ -169,3 +174,25 @@ def test_plot_is_a_picture(ocean, sea):
     # Paper all around, ink inside.
     assert (pixels[0] == 255).all() and (pixels[:, -1] == 255).all()
     assert 0.01 < (pixels < 255).any(axis=2).mean() < 0.6
+
+
+def test_plot_shows_as_much_resolved_as_asked_energy(ocean):
+    large = ["--set", "patch_size=1000", "--set", "resolution=512"]
+    ocean.good("spectrum", "sea.toml", "--plot", "p.png", *large)
+    image = OpenImageIO.ImageBuf(str(ocean.folder / "p.png"))
+    # The left panel up to its legend; its scale of pixels is 1.5 to the point.
+    panel = image.get_pixels(OpenImageIO.UINT8)[159:795, 126:570].astype(int)
+
+    def close(color, distance):
+        return np.abs(panel - np.array(color)).max(axis=2) < distance
+
+    curve = close([13, 69, 112], 40)
+    rows = np.arange(panel.shape[0])[:, None]
+    drawn = curve.any(axis=0)
+    assert drawn.mean() > 0.95
+    level = (curve * rows).sum(axis=0)[drawn] / curve.sum(axis=0)[drawn]
+    asked = (panel.shape[0] - level).sum()
+    # Columns are filled from their highest orange pixel down to the axis.
+    orange = (panel[..., 0] - panel[..., 2]) > 30
+    resolved = (panel.shape[0] - orange.argmax(axis=0))[orange.any(axis=0)].sum()
+    assert resolved / asked == pytest.approx(1.0, abs=0.1)

@@ -8,6 +8,7 @@
 
 #include <random>
 
+#include "../../libocean/io/mesh/map_pyramid.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io.hpp"
 #include "sample_surface.hpp"
@@ -182,6 +183,23 @@ TEST(HorizonMesh, LeavesOutWavesThatWouldAliasAndTurnsTheNormalsInstead) {
         EXPECT_NEAR(mesh.normals[3 * v + 1] / mesh.normals[3 * v + 2], -ey * r / kEarth, 1e-4);
     }
     EXPECT_GT(checked, 1000u);
+}
+
+// At the samples, where interpolation adds nothing of its own.
+TEST(MapPyramid, ShownAndLeftOutSlopesAddUpAtAnyFineness) {
+    const auto levels = levels_of(64, 0.002);
+    const io::MapPyramid maps(levels);
+    const double whole = 0.5 * std::pow(0.002 * kTwoPi * 64 / kPeriod, 2);
+    for (const double spacing : {0.1, 0.25, 0.3, 0.35, 0.42, 0.5, 3.0, 1000.0}) {
+        double shown = 0.0, left_out = 0.0;
+        for (int i = 0; i < 256; ++i) {
+            const io::PyramidSample sample = maps.sample(i * kPeriod / 256, 3.0, spacing);
+            shown += std::pow(sample.normal_x / sample.normal_z, 2) / 256;
+            left_out = sample.left_out.xx;
+        }
+        EXPECT_NEAR(shown + left_out, whole, 1e-3 * whole) << spacing;
+        EXPECT_GE(left_out, -1e-6 * whole);
+    }
 }
 
 TEST(HorizonMesh, NothingPopsBetweenLevels) {

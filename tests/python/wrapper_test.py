@@ -167,8 +167,8 @@ def test_errors_carry_the_library_s_sentence_and_code(sea):
             sea.surface(0.0, resolution=resolution)
     with pytest.raises(libocean.InvalidValueError, match="finite"):
         sea.surface(math.nan, fields=["height"])
-    with pytest.raises(libocean.InvalidValueError, match="unknown field 'heigth'; known: height"):
-        sea.surface(0.0, fields=["heigth"])
+    with pytest.raises(libocean.InvalidValueError, match="unknown field 'heights'; known: height"):
+        sea.surface(0.0, fields=["heights"])
     with pytest.raises(libocean.InvalidValueError, match="known: cpu"):
         libocean.parse(SMALL, backend="cuda")
 
