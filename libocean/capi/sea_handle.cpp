@@ -46,24 +46,6 @@ std::string folder_of(const char* path) {
     return {folder.begin(), folder.end()};
 }
 
-bool chooses_record(const ParameterRef& parameter) {
-    return parameter.info->key == "file" || parameter.info->key == "record";
-}
-
-/// Another file or record must not leave the old one's waves in place. Changes nothing if it
-/// throws.
-void set_record(ocean_sea& sea, const ParameterRef& parameter, const char* name,
-                const char* value) {
-    Parameters changed = sea.ocean->parameters();
-    set_parameter(changed, name, value);
-    WaveSystem& system = changed.waves[parameter.wave];
-    if (system.spectrum == SpectrumKind::measured) {
-        system.measured = nullptr;
-        resolve_records(changed, sea.base_dir);
-    }
-    sea.ocean = std::make_unique<Ocean>(std::move(changed), sea.options);
-}
-
 std::string preset_names_json() {
     std::string json = "[";
     for (const Preset& preset : presets()) {
@@ -115,12 +97,10 @@ ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
         require(sea, "sea");
         require(name, "name");
         require(value, "value");
-        const ParameterRef parameter = find_parameter(name);
-        if (chooses_record(parameter)) {
-            set_record(*sea, parameter, name, value);
-        } else {
-            sea->ocean->set(name, value);
-        }
+        Parameters changed = sea->ocean->parameters();
+        set_parameter(changed, name, value);
+        resolve_records(changed, sea->base_dir);
+        sea->ocean->change(std::move(changed), find_parameter(name).info->dirties);
     });
 }
 

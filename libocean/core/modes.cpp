@@ -30,7 +30,7 @@ double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& par
     if (n == 0 && m == 0) return 0.0;
     const double step = kTwoPi / parameters.grid.patch_size;
     const double k = step * std::hypot(n, m);
-    const double wavelength = kTwoPi / k;
+    const double wavelength = parameters.grid.patch_size / std::hypot(n, m);
     const SurfaceSettings& band = parameters.surface;
     if (wavelength < band.shortest_wavelength) return 0.0;
     if (band.longest_wavelength > 0.0 && wavelength > band.longest_wavelength) return 0.0;

@@ -8,25 +8,35 @@ namespace ocean {
 
 Ocean::Ocean(Parameters parameters, OceanOptions options)
     : parameters_(std::move(parameters)), options_(options), pool_(options.threads) {
-    validate(parameters_);
+    require_valid();
 }
 
 void Ocean::set(std::string_view name, std::string_view value) {
-    set_parameter(parameters_, name, value);
-    dirty(find_parameter(name).info->dirties);
+    Parameters changed = parameters_;
+    set_parameter(changed, name, value);
+    change(std::move(changed), find_parameter(name).info->dirties);
 }
 
-void Ocean::dirty(Stage stage) {
-    if (stage == Stage::spectrum) spectrum_.reset();
-    if (stage == Stage::spectrum || stage == Stage::modes) modes_.reset();
+void Ocean::change(Parameters parameters, Stage first_stage) {
+    parameters_ = std::move(parameters);
+    validated_ = false;
+    if (first_stage == Stage::spectrum) spectrum_.reset();
+    if (first_stage == Stage::spectrum || first_stage == Stage::modes) modes_.reset();
+}
+
+void Ocean::require_valid() {
+    if (!validated_) validate(parameters_);
+    validated_ = true;
 }
 
 const DirectionalSpectrum& Ocean::spectrum() {
+    require_valid();
     if (!spectrum_) spectrum_ = make_directional_spectrum(parameters_);
     return *spectrum_;
 }
 
 const Modes& Ocean::modes() {
+    require_valid();
     if (!modes_) {
         const int n = parameters_.grid.resolution;
         require_memory(modes_bytes(n), "grid.resolution = " + std::to_string(n));

@@ -159,7 +159,11 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
     const ParameterRef ref = find_parameter(name);
     Parameters changed = parameters;
     assign(changed, ref, parse_value(*ref.info, text));
-    validate(changed);
+    refuse_later_features(changed);
+    const bool names_record = ref.info->key == "file" || ref.info->key == "record";
+    if (names_record && value_of(changed, ref) != value_of(parameters, ref)) {
+        changed.waves[ref.wave].measured = nullptr;  // the old one is no longer what is named
+    }
     parameters = std::move(changed);
 }
 

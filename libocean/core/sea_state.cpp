@@ -71,6 +71,25 @@ void add(ModeSums& total, const ModeSums& row) {
     }
 }
 
+/// Rows in parallel, a batch at a time to bound the memory, added in order: the same bits for any
+/// number of threads.
+ModeSums sum_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                   ThreadPool& pool) {
+    constexpr int kBatch = 64;
+    const int half = parameters.grid.resolution / 2;
+    ModeSums sums;
+    for (int begin = -half + 1; begin < half; begin += kBatch) {
+        std::vector<ModeSums> rows(static_cast<std::size_t>(std::min(kBatch, half - begin)));
+        pool.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
+            for (int row = first; row < last; ++row) {
+                rows[static_cast<std::size_t>(row)] = sum_row(spectrum, parameters, begin + row);
+            }
+        });
+        for (const ModeSums& row : rows) add(sums, row);
+    }
+    return sums;
+}
+
 /// Frequency of the ring with the largest density over omega; 0 for a flat sea.
 double peak_of_rings(const ModeSums& sums, const Parameters& parameters) {
     const Dispersion dispersion(parameters.water);
@@ -132,15 +151,7 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     const int half = parameters.grid.resolution / 2;
     const double step = kTwoPi / parameters.grid.patch_size;
 
-    // Rows in parallel, added in order: the same bits for any number of threads.
-    std::vector<ModeSums> rows(static_cast<std::size_t>(2 * half - 1));
-    pool.for_each_range(2 * half - 1, [&](int first, int last) {
-        for (int row = first; row < last; ++row) {
-            rows[static_cast<std::size_t>(row)] = sum_row(spectrum, parameters, row - half + 1);
-        }
-    });
-    ModeSums sums;
-    for (const ModeSums& row : rows) add(sums, row);
+    const ModeSums sums = sum_modes(spectrum, parameters, pool);
     const SpectralMoments asked =
         spectrum.moments(parameters.water, band.shortest_wavelength, band.longest_wavelength);
 
@@ -166,6 +177,7 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     state.foam_preroll_seconds =
         std::ceil(std::log(512.0) * band.foam_lifetime / band.foam_step) * band.foam_step;
     add_warnings(parameters, asked.m0 <= 0.0, state);
+    state.energy_resolved = std::min(state.energy_resolved, 1.0);  // midpoint sums may exceed it
     return state;
 }
 
@@ -188,7 +200,7 @@ std::string sea_state_json(const SeaState& state) {
     pair("peak_wavelength", state.peak_wavelength);
     pair("mean_square_slope", state.mean_square_slope);
     pair("mean_direction", state.mean_direction);
-    single("energy_resolved", number(std::clamp(state.energy_resolved, 0.0, 1.0)));
+    single("energy_resolved", number(state.energy_resolved));
     single("shortest_wave", number(state.shortest_wave));
     single("longest_wave", number(state.longest_wave));
     single("period", number(state.period));

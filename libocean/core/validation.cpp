@@ -10,9 +10,6 @@
 
 namespace ocean {
 
-namespace {
-
-/// Keys that are in the table before their feature is there.
 void refuse_later_features(const Parameters& parameters) {
     const auto later = [](const std::string& what) {
         throw Error(ErrorKind::unsupported, what + " in a later version of libocean");
@@ -28,6 +25,8 @@ void refuse_later_features(const Parameters& parameters) {
         later("time.take = \"" + parameters.time.take + "\": takes come");
     }
 }
+
+namespace {
 
 /// What the stages rely on; readers of files give finer messages.
 void validate_record(const SpectrumRecord& record, const std::string& name) {
@@ -68,8 +67,11 @@ void validate(const Parameters& parameters) {
         const std::string name = "waves." + std::to_string(i);
         if (system.spectrum != SpectrumKind::measured) continue;
         if (!system.measured) {
-            throw Error(ErrorKind::invalid_value, name + ".spectrum = \"measured\": needs " + name +
-                                                      ".file, a file of measured spectra");
+            throw Error(ErrorKind::invalid_value,
+                        system.file.empty()
+                            ? name + ".spectrum = \"measured\": needs " + name +
+                                  ".file, a file of measured spectra"
+                            : name + ".file = \"" + system.file + "\": has not been read");
         }
         validate_record(*system.measured, name);
     }

@@ -237,8 +237,9 @@ void SeaReader::refuse_key(std::string_view section, std::size_t wave,
     std::string path(section);
     if (section == kWaves) path += "." + std::to_string(wave);
     path += "." + text::printable(entry.key);
-    at_line(entry.line, "", [&] { find_parameter(path); });  // throws, naming the nearest
-    throw fail(entry.line, path + ": no such key");
+    const std::string given = path + " = " + shown(*entry.node) + ": ";
+    at_line(entry.line, given, [&] { find_parameter(path); });  // throws, naming the nearest
+    throw fail(entry.line, given + "no such key");
 }
 
 void SeaReader::refuse_root_key(const TomlEntry& entry) const {
@@ -276,7 +277,8 @@ void load_record(WaveSystem& system, const std::string& base_dir) {
 
 void resolve_records(Parameters& parameters, const std::string& base_dir) {
     for (WaveSystem& system : parameters.waves) {
-        const bool needed = system.spectrum == SpectrumKind::measured && system.measured == nullptr;
+        const bool needed = system.spectrum == SpectrumKind::measured &&
+                            system.measured == nullptr && !system.file.empty();
         if (needed) load_record(system, base_dir);
     }
 }

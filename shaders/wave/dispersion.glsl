@@ -16,7 +16,7 @@ formula real angular_frequency(real k, real g, real s, real depth) {
     return sqrt((g * k + s * k * k * k) * tanh(clamped_depth(k, depth)));
 }
 
-// c_g = d omega / d k = ((g + 3 s k^2) tanh(kd) + k d (g + s k^2) sech^2(kd)) ... times 1/(2 omega),
+// c_g = d omega / d k = ((g + 3 s k^2) tanh(kd) + k d (g + s k^2) sech^2(kd)) / (2 omega),
 // with one factor k d written as clamped. [Horvath 2015] eq. 13 to 15. Deep limit: g / (2 omega).
 formula real group_velocity(real k, real g, real s, real depth) {
     real kd = clamped_depth(k, depth);

@@ -22,7 +22,8 @@ formula real surface_jacobian(real choppiness, real dxx, real dyy, real dxy) {
 
 // Unit normal of the shown surface: cross product of its two tangents (1 - C dxx, -C dxy, hx) and
 // (-C dxy, 1 - C dyy, hy). With C = 0 it is (-hx, -hy, 1) made a unit vector.
-formula SurfaceNormal surface_normal(real choppiness, real dxx, real dyy, real dxy, real hx, real hy) {
+formula SurfaceNormal surface_normal(real choppiness, real dxx, real dyy, real dxy, real hx,
+                                     real hy) {
     real xx = real(1.0) - choppiness * dxx;
     real yy = real(1.0) - choppiness * dyy;
     real xy = choppiness * dxy;

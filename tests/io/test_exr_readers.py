@@ -53,9 +53,7 @@ def read(path):
     assert not image.seek_subimage(1, 0), "more than one part"
     types = [str(spec.channelformat(c)) for c in range(spec.nchannels)]
     image.close()
-    return {
-        name: (pixels[::-1, :, c], types[c]) for c, name in enumerate(spec.channelnames)
-    }, spec
+    return {name: (pixels[::-1, :, c], types[c]) for c, name in enumerate(spec.channelnames)}, spec
 
 
 def expected_type(product, forced_half):
@@ -92,7 +90,7 @@ def test_separate(folder, product, suffix):
 def test_axes(folder, axes, order):
     channels, spec = read(folder / f"{axes}.exr")
     source = {"x": VX, "y": VY, "z": VZ}
-    for name, sign, component in zip("RGB", order[0::2], order[1::2]):
+    for name, sign, component in zip("RGB", order[0::2], order[1::2], strict=True):
         expected = float(sign + "1") * sample(source[component])
         assert numpy.abs(channels[name][0] - expected).max() < 1e-5
     assert spec.getattribute("ocean:axes") == axes
@@ -141,11 +139,21 @@ def test_layered(folder):
     assert list(channels)[:4] == ["R", "G", "B", "A"]
     assert all(len(name.split(".")[-1]) == 1 for name in channels)
     truth = {
-        "R": DX, "G": HEIGHT, "B": DY,
-        "normal.X": NX, "normal.Y": NZ, "normal.Z": NY,
-        "velocity.X": VX, "velocity.Y": VZ, "velocity.Z": VY,
-        "slope.X": SLOPE_X, "slope.Y": SLOPE_Y,
-        "height.V": HEIGHT, "jacobian.V": JACOBIAN, "whitecap.V": WHITECAP, "foam.V": FOAM,
+        "R": DX,
+        "G": HEIGHT,
+        "B": DY,
+        "normal.X": NX,
+        "normal.Y": NZ,
+        "normal.Z": NY,
+        "velocity.X": VX,
+        "velocity.Y": VZ,
+        "velocity.Z": VY,
+        "slope.X": SLOPE_X,
+        "slope.Y": SLOPE_Y,
+        "height.V": HEIGHT,
+        "jacobian.V": JACOBIAN,
+        "whitecap.V": WHITECAP,
+        "foam.V": FOAM,
     }
     assert set(channels) == set(truth) | {"A"}
     for name, channel in truth.items():

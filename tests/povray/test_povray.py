@@ -20,8 +20,12 @@ import pytest
 N, PERIOD = 128, 100.0
 LO, HI = -3.0, 3.0  # of the rendered grey values; the sea stays inside
 WAVES = [  # as in make_povray_samples.cpp
-    (1, 2, 1.2, 0.3), (3, -1, 0.8, 1.1), (-2, 5, 0.5, 2.2),
-    (6, 4, 0.25, 4.0), (9, -7, 0.1, 5.0), (14, 3, 0.05, 0.7),
+    (1, 2, 1.2, 0.3),
+    (3, -1, 0.8, 1.1),
+    (-2, 5, 0.5, 2.2),
+    (6, 4, 0.25, 4.0),
+    (9, -7, 0.1, 5.0),
+    (14, 3, 0.05, 0.7),
 ]
 pytestmark = pytest.mark.skipif(shutil.which("povray") is None, reason="povray is not installed")
 
@@ -62,8 +66,18 @@ def folder(tmp_path_factory):
 
 def povray(folder, scene, width=8, height=8):
     (folder / "scene.pov").write_text("#version 3.7;\nglobal_settings{assumed_gamma 1.0}\n" + scene)
-    command = ["povray", "scene.pov", "+Oout.png", f"+W{width}", f"+H{height}", "-D", "-A",
-               "+FN16", "File_Gamma=1.0", "+WT2"]
+    command = [
+        "povray",
+        "scene.pov",
+        "+Oout.png",
+        f"+W{width}",
+        f"+H{height}",
+        "-D",
+        "-A",
+        "+FN16",
+        "File_Gamma=1.0",
+        "+WT2",
+    ]
     result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert result.returncode == 0, result.stderr[-2000:]
     return result.stderr
@@ -73,11 +87,16 @@ def render(folder, declare, texture):
     """Seen from above, [j, i] as the grid: pixel centres are vertices."""
     cell = PERIOD / N
     centre = PERIOD / 2 - cell / 2
-    povray(folder, f"""background{{rgb <1,0,1>}}
+    povray(
+        folder,
+        f"""background{{rgb <1,0,1>}}
 camera{{orthographic location <{centre},50,{centre}> direction -y right {PERIOD}*x up {PERIOD}*z}}
 {declare}
 object{{Sea {texture}}}
-""", N, N)
+""",
+        N,
+        N,
+    )
     image = oiio.ImageInput.open(str(folder / "out.png"))
     pixels = image.read_image("uint16").astype(float)[::-1]  # first row far
     image.close()
@@ -86,15 +105,19 @@ object{{Sea {texture}}}
 
 
 GREY = "finish{ambient 0 diffuse 0 emission 1}"
-HEIGHT_TEXTURE = (f"texture{{pigment{{gradient y color_map{{[0 rgb 0][1 rgb 1]}} "
-                  f"scale {HI - LO} translate {LO}*y}} {GREY}}}")
+HEIGHT_TEXTURE = (
+    f"texture{{pigment{{gradient y color_map{{[0 rgb 0][1 rgb 1]}} "
+    f"scale {HI - LO} translate {LO}*y}} {GREY}}}"
+)
 QUANTUM = (HI - LO) / 65535
 
 
 def height_field(folder):
     side = tomllib.loads((folder / "height.png.txt").read_text())
-    return side, (f'#declare Sea = height_field {{ png "height.png" smooth '
-                  f'scale <{PERIOD}, {side["scale"]}, {PERIOD}> translate {side["base"]}*y }}')
+    return side, (
+        f'#declare Sea = height_field {{ png "height.png" smooth '
+        f"scale <{PERIOD}, {side['scale']}, {PERIOD}> translate {side['base']}*y }}"
+    )
 
 
 def test_height_field_shows_the_heights(folder):
@@ -116,13 +139,16 @@ def test_mesh2_shows_the_heights(folder):
 @pytest.mark.parametrize("shape,bound", [("mesh", 0.01), ("height_field", 3.0)])
 def test_smooth_normals(folder, shape, bound):
     """Degrees. `slope` gives the angle between the normal and an axis, in units of pi."""
-    declare = ('#include "flat.inc"\n#declare Sea = object { Ocean_Surface }' if shape == "mesh"
-               else height_field(folder)[1])
+    declare = (
+        '#include "flat.inc"\n#declare Sea = object { Ocean_Surface }'
+        if shape == "mesh"
+        else height_field(folder)[1]
+    )
     slope_x, slope_y = slopes()
     length = numpy.sqrt(slope_x**2 + slope_y**2 + 1)
     expected = {"x": -slope_x / length, "z": -slope_y / length}
     for axis, truth in expected.items():
-        texture = (f"texture{{pigment{{slope {axis} color_map{{[0 rgb 0][1 rgb 1]}}}} {GREY}}}")
+        texture = f"texture{{pigment{{slope {axis} color_map{{[0 rgb 0][1 rgb 1]}}}} {GREY}}}"
         seen = -numpy.cos(numpy.pi * render(folder, declare, texture))
         angle = numpy.degrees(numpy.arccos(numpy.clip(seen, -1, 1)) - numpy.arccos(truth))
         assert numpy.abs(angle[2:-2, 2:-2]).max() < bound
@@ -132,7 +158,9 @@ def test_choppy_mesh_has_its_vertices_where_they_belong(folder):
     x, y, height = sea(1.0)
     pick = [(j, i) for j in range(1, N, 5) for i in range(1, N, 3)]
     probes = "".join(f"Probe({x[j, i]:.9f}, {y[j, i]:.9f})\n" for j, i in pick)
-    povray(folder, f"""#include "choppy.inc"
+    povray(
+        folder,
+        f"""#include "choppy.inc"
 #fopen Out "probes.txt" write
 #macro Probe(X, Z)
     #local Normal = <0, 0, 0>;
@@ -143,7 +171,8 @@ def test_choppy_mesh_has_its_vertices_where_they_belong(folder):
 #fclose Out
 #if (Ocean_Time != 3.5 | Ocean_Period != 100 | Ocean_Frame_Number != 4) #error "parameters" #end
 sphere{{0, 1}}
-""")
+""",
+    )
     found = numpy.loadtxt(folder / "probes.txt")
     assert len(found) == len(pick)
     assert numpy.all(found[:, 1] > 0.9), "a ray missed the sea"
@@ -156,11 +185,14 @@ sphere{{0, 1}}
 def test_tiles_meet_without_a_crack(folder, neighbour):
     """Rays within 2e-5 m of the seam between two copies; unsnapped vertices lose 1 in 60."""
     x, y, _ = sea(1.0)
-    edge = numpy.stack([x[:, 0] + PERIOD, y[:, 0]] if neighbour == "x"
-                       else [x[0, :], y[0, :] + PERIOD], axis=1)
+    edge = numpy.stack(
+        [x[:, 0] + PERIOD, y[:, 0]] if neighbour == "x" else [x[0, :], y[0, :] + PERIOD], axis=1
+    )
     edge = numpy.round(edge * 65536) / 65536
     points = ",".join(f"<{a:.12f},0,{b:.12f}>" for a, b in edge)
-    log = povray(folder, f"""#include "choppy.inc"
+    log = povray(
+        folder,
+        f"""#include "choppy.inc"
 #declare Two = union {{ object {{ Ocean_Surface }}
                         object {{ Ocean_Surface translate Ocean_Period*{neighbour} }} }}
 #declare Edge = array[{N}] {{ {points} }}
@@ -176,5 +208,6 @@ def test_tiles_meet_without_a_crack(folder, neighbour):
 #end
 #debug concat("MISSES ", str(Misses, 0, 0), "\\n")
 sphere{{0, 1}}
-""")
+""",
+    )
     assert re.search(r"MISSES (\d+)", log).group(1) == "0"

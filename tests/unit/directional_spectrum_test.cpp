@@ -154,6 +154,37 @@ TEST(DirectionalSpectrum, GivenWindDirectionReplacesTheMeasuredMean) {
                 1e-3);
 }
 
+TEST(DirectionalSpectrum, TurningAMeasuredSeaKeepsTheShapeOfEveryRow) {
+    Parameters parameters = measured_sea();
+    const DirectionalSpectrum as_measured = make_directional_spectrum(parameters);
+    const double mean = as_measured.moments(parameters.water).mean_direction;
+    const double turn = kTwoPi * 200.0 / as_measured.directions();  // whole columns
+    parameters.waves.front().wind_direction = (mean + turn) * 180.0 / kPi;
+    const DirectionalSpectrum turned = make_directional_spectrum(parameters);
+    for (const double frequency : {0.08, 0.15, 0.22}) {
+        const double omega = kTwoPi * frequency;
+        const double scale = as_measured.frequency_density(omega);
+        for (double theta = 0.0; theta < kTwoPi; theta += 0.1) {
+            EXPECT_NEAR(turned.density(omega, theta + turn), as_measured.density(omega, theta),
+                        2e-3 * scale);
+        }
+    }
+}
+
+TEST(DirectionalSpectrum, MeanSquareSlopeIsTheIntegralOfKSquared) {
+    // A spectrum so narrow that k is one number: m0 k^2.
+    Parameters parameters;
+    auto record = std::make_shared<SpectrumRecord>();
+    record->frequency = {0.0999, 0.1001};
+    record->density = {500.0, 500.0};
+    parameters.waves.front().spectrum = SpectrumKind::measured;
+    parameters.waves.front().measured = record;
+    const SpectralMoments moments = make_directional_spectrum(parameters).moments(parameters.water);
+    const double k = std::pow(kTwoPi * 0.1, 2.0) / 9.81;
+    EXPECT_NEAR(moments.m0, 0.1, 1e-9);
+    EXPECT_NEAR(moments.mean_square_slope / (0.1 * k * k), 1.0, 1e-4);
+}
+
 TEST(DirectionalSpectrum, MissingMomentsAreFilledFromTheNeighbours) {
     Parameters parameters = measured_sea();
     auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);

@@ -97,14 +97,15 @@ TEST(Modes, ModalVarianceIsTheDensityInWavenumberSpace) {
     EXPECT_NEAR(modal_variance(spectrum, parameters, 3, 4) / expected, 1.0, 1e-12);
 }
 
-TEST(Modes, BandLimitsAreHalfOpenInWavelength) {
+TEST(Modes, BandLimitsKeepWavesOfExactlyThatLength) {
     Parameters parameters = test::wind_sea();
     const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
-    parameters.surface.shortest_wavelength = 400.0 / 9.5;
-    parameters.surface.longest_wavelength = 400.0 / 4.5;
-    EXPECT_GT(modal_variance(spectrum, parameters, 9, 0), 0.0);
-    EXPECT_EQ(modal_variance(spectrum, parameters, 10, 0), 0.0);
-    EXPECT_GT(modal_variance(spectrum, parameters, 5, 0), 0.0);
+    parameters.surface.shortest_wavelength = 400.0 / 8.0;
+    parameters.surface.longest_wavelength = 400.0 / 5.0;
+    EXPECT_GT(modal_variance(spectrum, parameters, 8, 0), 0.0);
+    EXPECT_EQ(modal_variance(spectrum, parameters, 8, 1), 0.0);
+    EXPECT_EQ(modal_variance(spectrum, parameters, 9, 0), 0.0);
+    EXPECT_GT(modal_variance(spectrum, parameters, 3, 4), 0.0);
     EXPECT_EQ(modal_variance(spectrum, parameters, 4, 0), 0.0);
 }
 

@@ -171,15 +171,33 @@ TEST(ParameterTable, LaterFeaturesSaySoWhenUsed) {
     }
 }
 
-TEST(ParameterTable, BandLimitsMustBeInOrder) {
+TEST(ParameterTable, BandLimitsMustBeInOrderOnceAllAreSet) {
     Parameters p;
     set_parameter(p, "shortest_wavelength", "5");
-    EXPECT_THROW(set_parameter(p, "longest_wavelength", "4"), Error);
-    EXPECT_NO_THROW(set_parameter(p, "longest_wavelength", "6"));
+    set_parameter(p, "longest_wavelength", "4");
+    EXPECT_THROW(validate(p), Error);
+    set_parameter(p, "longest_wavelength", "6");
+    EXPECT_NO_THROW(validate(p));
 }
 
 TEST(ParameterTable, AMeasuredSystemNeedsItsFile) {
-    EXPECT_TRUE(contains(message_of("spectrum", "measured"), "needs waves.0.file"));
+    Parameters p;
+    set_parameter(p, "spectrum", "measured");
+    try {
+        validate(p);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_TRUE(contains(error.what(), "needs waves.0.file")) << error.what();
+    }
+}
+
+TEST(ParameterTable, AnotherFileOrRecordDropsTheOldRecord) {
+    Parameters p;
+    p.waves.front().measured = std::make_shared<SpectrumRecord>();
+    set_parameter(p, "file", "");
+    EXPECT_TRUE(p.waves.front().measured) << "nothing changed";
+    set_parameter(p, "record", "2020-06-08T02:50");
+    EXPECT_FALSE(p.waves.front().measured);
 }
 
 TEST(ParameterTable, AMeasuredRecordMustBeUsable) {

@@ -37,6 +37,16 @@ TEST(Spectrum, PiersonMoskowitzAt17MetresPerSecondIs6_1643Metres) {
     EXPECT_NEAR(significant_wave_height(system), 6.1643, 5e-5);
 }
 
+TEST(Spectrum, PiersonMoskowitzPeakIsThatOfTheWindAt19_5Metres) {
+    // d ln S / d omega = 0: omega_p^4 = (4 * 0.74 / 5) (g / U19.5)^4.
+    EXPECT_NEAR(pierson_moskowitz_peak(17.0 / kWind195, 9.81), 0.8772 * 9.81 / 17.0, 5e-5);
+    const double peak = pierson_moskowitz_peak(10.0, 9.81);
+    for (const double x : {0.99, 1.01}) {
+        EXPECT_LT(pierson_moskowitz_density(x * peak, 10.0, 9.81),
+                  pierson_moskowitz_density(peak, 10.0, 9.81));
+    }
+}
+
 TEST(Spectrum, PiersonMoskowitzVarianceIsItsClosedForm) {
     const Water water;
     WaveSystem system;

@@ -196,6 +196,18 @@ TEST(MaximumEntropy, IsPositiveAndFiniteForImpossibleMomentsToo) {
     }
 }
 
+TEST(MaximumEntropy, MomentsThatNoDistributionHasArePulledToTheNearestThatOneHas) {
+    std::vector<double> limit(1024);
+    std::vector<double> beyond(1024);
+    estimate_row(0.98, 0.0, 0.98 * 0.98, 0.0, Estimator::maximum_entropy, limit);
+    estimate_row(1.0, 0.0, 0.98 * 0.98, 0.0, Estimator::maximum_entropy, beyond);
+    EXPECT_EQ(limit, beyond) << "|c1| = 1 is a line without width";
+    // c1 = 0.5: c2 lies within 0.75 of 0.25.
+    estimate_row(0.5, 0.0, 0.25 - 0.98 * 0.75, 0.0, Estimator::maximum_entropy, limit);
+    estimate_row(0.5, 0.0, -1.0, 0.0, Estimator::maximum_entropy, beyond);
+    for (std::size_t j = 0; j < limit.size(); ++j) EXPECT_NEAR(limit[j], beyond[j], 1e-9);
+}
+
 TEST(MaximumEntropy, NoMomentsMeanNoDirection) {
     std::vector<double> row(256);
     estimate_row(0, 0, 0, 0, Estimator::maximum_entropy, row);

@@ -304,6 +304,17 @@ TEST(Ocean, RedoesOnlyWhatAParameterDirties) {
     EXPECT_GT(sea.spectrum().moments(Water{}).m0, before);
 }
 
+TEST(Ocean, RulesBetweenParametersAreCheckedBeforeTheNextAnswer) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    sea.set("shortest_wavelength", "50");
+    sea.set("longest_wavelength", "20");
+    EXPECT_THROW(sea.modes(), Error);
+    EXPECT_THROW(sea.state(), Error);
+    EXPECT_THROW(sea.evaluate(0.0, {Channel::height}), Error);
+    sea.set("shortest_wavelength", "10");
+    EXPECT_NO_THROW(sea.evaluate(0.0, {Channel::height}));
+}
+
 TEST(Ocean, ARefusedValueChangesNothing) {
     Ocean sea(test::wind_sea(64), {.threads = 1});
     EXPECT_THROW(sea.set("grid.resolution", "100"), Error);

@@ -51,6 +51,13 @@ TEST(ThreadPool, ManyShortCallsDoNotDeadlock) {
     EXPECT_EQ(sum.load(), 15000);
 }
 
+TEST(ThreadPool, MoreThreadsThanItemsIsFine) {
+    ThreadPool pool(64);
+    std::atomic<int> sum = 0;
+    pool.for_each_range(5, [&](int first, int last) { sum += last - first; });
+    EXPECT_EQ(sum.load(), 5);
+}
+
 TEST(ThreadPool, DefaultIsTheCoresOfTheProcess) {
     EXPECT_EQ(ThreadPool().size(), available_cores());
     EXPECT_GE(available_cores(), 1);

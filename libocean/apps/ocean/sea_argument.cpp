@@ -5,8 +5,8 @@
 #include "sea_argument.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fstream>
-#include <memory>
 
 #include "ocean/error.hpp"
 #include "ocean/io.hpp"
@@ -48,28 +48,12 @@ void assign_text(Parameters& parameters, const std::string& assignment) {
         throw Error(ErrorKind::invalid_value,
                     "--set " + assignment + ": allowed is NAME=VALUE, such as wind_speed=12");
     }
-    set_parameter(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
-}
-
-/// Files named on the command line are relative to the current folder, those of a sea file to it.
-std::string spectrum_file(const WaveSystem& now, const WaveSystem& before,
-                          const std::string& source) {
-    if (now.file != before.file) return now.file;
-    return (utf8_path(source).parent_path() / utf8_path(now.file)).string();
-}
-
-/// A new `file` or `record` must not leave the old record in place.
-void choose_records_again(Parameters& parameters, const Parameters& before,
-                          const std::string& source) {
-    for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
-        WaveSystem& now = parameters.waves[i];
-        const WaveSystem& old = before.waves[i];
-        const bool same = now.file == old.file && now.record == old.record && now.measured;
-        if (now.spectrum != SpectrumKind::measured || now.file.empty() || same) continue;
-        const std::string file = spectrum_file(now, old, source);
-        now.measured = std::make_shared<const SpectrumRecord>(
-            choose_record(read_spectra(file), now.record, file));
+    const std::string name = assignment.substr(0, equals);
+    std::string value = assignment.substr(equals + 1);
+    if (find_parameter(name).info->key == "file" && !value.empty()) {
+        value = std::filesystem::absolute(utf8_path(value)).string();  // where the user stands
     }
+    set_parameter(parameters, name, value);
 }
 
 }  // namespace
@@ -91,11 +75,10 @@ void add_sea_argument(CLI::App& command, SeaArgument& argument) {
 
 Sea open_sea(const SeaArgument& argument) {
     Sea sea = read_source(argument.source);
-    const Parameters before = sea.parameters;
     for (const std::string& assignment : argument.assignments) {
         assign_text(sea.parameters, assignment);
     }
-    choose_records_again(sea.parameters, before, argument.source);
+    resolve_records(sea.parameters, utf8_path(argument.source).parent_path().string());
     validate(sea.parameters);
     return sea;
 }

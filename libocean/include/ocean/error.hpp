@@ -13,7 +13,7 @@ namespace ocean {
 enum class ErrorKind {
     invalid_value,  // a parameter or argument out of its range, of a wrong type, unknown
     bad_file,       // an input file that cannot be read or is not what it claims
-    not_found,      // a record, preset or file that does not exist
+    not_found,      // a record or preset that does not exist
     unsupported,    // a key or product whose feature this version does not have
     output,         // the run's own writing failed: path, permission, full disk
     out_of_memory,  // more memory than there is, said before it is allocated

@@ -39,7 +39,8 @@ struct Modes {
 };
 
 /// The variance of one mode, S D c_g / k dkx dky [m^2], without any random draw; n, m signed.
-/// Zero outside the band limits of `parameters.surface` and at k = 0.
+/// Zero outside the band limits (a wave of exactly that length is kept) of `parameters.surface` and
+/// at k = 0.
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m);
 

@@ -26,8 +26,11 @@ class Ocean {
     explicit Ocean(Parameters parameters, OceanOptions options = {});
 
     const Parameters& parameters() const { return parameters_; }
-    /// Throws and changes nothing if the value is refused.
+    /// Throws and changes nothing if the value is refused. Rules between parameters are checked
+    /// when the sea is next asked for anything.
     void set(std::string_view name, std::string_view value);
+    /// All parameters at once, of which only those that dirty `first_stage` or later may differ.
+    void change(Parameters parameters, Stage first_stage);
 
     const DirectionalSpectrum& spectrum();
     const Modes& modes();
@@ -36,9 +39,10 @@ class Ocean {
     Surface evaluate(double time, ChannelSet channels, int resolution = 0);
 
   private:
-    void dirty(Stage stage);
+    void require_valid();
 
     Parameters parameters_;
+    bool validated_ = false;
     OceanOptions options_;
     ThreadPool pool_;
     std::optional<DirectionalSpectrum> spectrum_;

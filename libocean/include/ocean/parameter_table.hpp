@@ -79,7 +79,9 @@ void assign(Parameters& parameters, const ParameterRef& ref, const ParameterValu
 ParameterValue value_of(const Parameters& parameters, const ParameterRef& ref);
 
 /// As text, for command lines, wires and the C API. Numbers are read and written without regard
-/// to the locale, shortest form that reads back to the same bits.
+/// to the locale, shortest form that reads back to the same bits. A refused value changes nothing.
+/// Rules between parameters are not checked here, so that several can be set in any order; call
+/// validate when all are. Another `file` or `record` drops the record of the old one.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
 std::string get_parameter(const Parameters& parameters, std::string_view name);
 std::string to_text(const ParameterValue& value);
@@ -87,6 +89,8 @@ std::string to_text(const ParameterValue& value);
 /// "0.01 .. inf m", "one of: jonswap, tma", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterInfo& info);
 
+/// Throws Error unsupported for keys that are in the table before their feature is there.
+void refuse_later_features(const Parameters& parameters);
 /// Rules between parameters (band limits in order, a measured system has its record ...).
 /// Throws Error. Every stage may rely on a validated value.
 void validate(const Parameters& parameters);
