@@ -8,47 +8,28 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 #include "ocean/error.hpp"
+#include "ocean/nearest_name.hpp"
 
 namespace ocean {
 
 namespace {
 
-/// Levenshtein's edit distance, for "did you mean".
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
-        }
-    }
-    return row[b.size()];
-}
-
 [[noreturn]] void unknown_name(std::string_view name) {
     const std::size_t dot = name.rfind('.');
     const std::string_view key = dot == std::string_view::npos ? name : name.substr(dot + 1);
-    const std::string shown(name.substr(0, 80));
-    const ParameterInfo* nearest = nullptr;
-    std::size_t least = key.size() / 2 + 1;
-    for (const ParameterInfo& info : parameter_table()) {
-        if (key.size() > 40) break;
-        const std::size_t distance = edit_distance(key, info.key);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = &info;
+    std::vector<std::string_view> keys;
+    for (const ParameterInfo& info : parameter_table()) keys.push_back(info.key);
+    const auto nearest = std::find(keys.begin(), keys.end(), nearest_name(key, keys));
+    std::string message = "unknown parameter '" + std::string(name.substr(0, 80)) + "'";
+    if (nearest == keys.end()) {
+        message += "; `ocean params` lists them";
+    } else {
+        const auto at = static_cast<std::size_t>(nearest - keys.begin());
+        message += "; did you mean " + parameter_table()[at].path() + "?";
     }
-    throw Error(ErrorKind::invalid_value,
-                "unknown parameter '" + shown + "'" +
-                    (nearest != nullptr ? "; did you mean " + nearest->path() + "?"
-                                        : "; `ocean params` lists them"));
+    throw Error(ErrorKind::invalid_value, message);
 }
 
 /// Shortest digits that read back to the same bits; 300000 rather than 3e+05.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/nearest_name.hpp"
 #include "ocean/seafile.hpp"
 #include "sea_writer.hpp"
 #include "text.hpp"
@@ -226,7 +227,7 @@ const Preset& find_preset(std::string_view name) {
         if (preset.name == name) return preset;
         names.push_back(preset.name);
     }
-    const std::string_view nearest = text::nearest_name(name, names);
+    const std::string_view nearest = nearest_name(name, names);
     std::string message = "no preset is called '" + text::printable(name) + "'";
     if (!nearest.empty()) message += "; did you mean " + std::string(nearest) + "?";
     throw Error(ErrorKind::not_found,

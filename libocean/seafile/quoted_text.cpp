@@ -3,7 +3,6 @@
 //
 // Values as TOML and JSON spell them: the writers' side of strings and numbers. See toml_text.hpp
 // and json_text.hpp; both languages share their escapes.
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -60,16 +59,9 @@ std::string toml_string(std::string_view text) {
 
 std::string toml_number(double value) {
     if (std::isnan(value)) return "nan";
-    if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-    // Without an exponent where people would write none: to_chars prefers 3e+05 to 300000.
-    const double size = std::abs(value);
-    const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e12);
-    const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value, format);
-    std::string digits(buffer, end.ptr);
-    if (digits.find_first_of(".eE") == std::string::npos) digits += ".0";
-    return digits;
+    std::string digits = to_text(ParameterValue(value));
+    const bool whole = std::isfinite(value) && digits.find_first_of(".eE") == std::string::npos;
+    return whole ? digits + ".0" : digits;
 }
 
 std::string toml_value(const ParameterValue& value) {

@@ -9,6 +9,7 @@
 
 #include "measured_record.hpp"
 #include "measured_record_reader.hpp"
+#include "ocean/nearest_name.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -256,7 +257,7 @@ void SeaReader::refuse_root_key(const TomlEntry& entry) const {
     for (std::string_view name : names) {
         allowed += (allowed.empty() ? "" : ", ") + std::string(name);
     }
-    const std::string_view nearest = text::nearest_name(entry.key, names);
+    const std::string_view nearest = nearest_name(entry.key, names);
     std::string message = key + ": no such section";
     if (!nearest.empty()) message += "; did you mean " + std::string(nearest) + "?";
     throw fail(entry.line, message + "; allowed: " + allowed);

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,7 +29,5 @@ Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::str
 
 /// The number that all of `digits` spells, finite or not; nothing if it spells none.
 std::optional<double> parse_number(std::string_view digits);
-/// Of `names` the one with the fewest edits from `word`; empty if all are far from it.
-std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace ocean::text

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// "Did you mean": the known name that is nearest to a mistyped one. For error messages everywhere.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ocean {
+
+/// Of `names` the one with the fewest edits from `word`; empty if all are far from it.
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
+
+}  // namespace ocean
