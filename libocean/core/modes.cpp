@@ -4,6 +4,7 @@
 // From the table E(omega, theta) and the seed to the modes: amplitude, noise, phase rate.
 #include "ocean/modes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ocean/dispersion.hpp"
@@ -25,19 +26,45 @@ double Modes::tau(double time) const {
     return grains >= kGrain ? 0.0 : grains / kGrain;
 }
 
+namespace {
+
+/// S D c_g / k, the variance density over the wavenumber plane, at (n, m) lattice steps; m^4.
+double wavenumber_density(const DirectionalSpectrum& spectrum, const Dispersion& dispersion,
+                          double step, double n, double m) {
+    const double k = step * std::hypot(n, m);
+    const double density = spectrum.density(dispersion.angular_frequency(k), std::atan2(m, n));
+    return density * dispersion.group_velocity(k) / k;
+}
+
+/// Points along each side of a mode's cell, so that they lie 1/128 of a wavenumber and of a radian
+/// apart: closer than the narrowest beams and peaks of the table. Farther than 128 steps from the
+/// origin the cell itself is as small. Proved by Statistics.EveryRecordKeepsItsEnergyOnEveryPatch.
+int samples_per_cell_side(double length) {
+    return std::clamp(static_cast<int>(std::ceil(128.0 / length)), 1, 64);
+}
+
+}  // namespace
+
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m) {
     if (n == 0 && m == 0) return 0.0;
-    const double step = kTwoPi / parameters.grid.patch_size;
-    const double k = step * std::hypot(n, m);
-    const double wavelength = parameters.grid.patch_size / std::hypot(n, m);
+    const double length = std::hypot(n, m);
+    const double wavelength = parameters.grid.patch_size / length;
     const SurfaceSettings& band = parameters.surface;
     if (wavelength < band.shortest_wavelength) return 0.0;
     if (band.longest_wavelength > 0.0 && wavelength > band.longest_wavelength) return 0.0;
+
+    const double step = kTwoPi / parameters.grid.patch_size;
     const Dispersion dispersion(parameters.water);
-    const double omega = dispersion.angular_frequency(k);
-    const double density = spectrum.density(omega, std::atan2(m, n));
-    return density * dispersion.group_velocity(k) / k * step * step;
+    const int side = samples_per_cell_side(length);
+    double sum = 0.0;
+    for (int b = 0; b < side; ++b) {
+        for (int a = 0; a < side; ++a) {
+            sum += wavenumber_density(spectrum, dispersion, step, n + (a + 0.5) / side - 0.5,
+                                      m + (b + 0.5) / side - 0.5);
+        }
+    }
+    return sum / (side * side) * step * step;
 }
 
 namespace {

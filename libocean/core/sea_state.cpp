@@ -44,8 +44,9 @@ ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& paramete
         sums.m0 += variance;
         sums.mean_square_slope += k * k * variance;
         sums.direction += std::complex<double>(n, m) * (variance / length);
-        sums.shortest = sums.shortest > 0.0 ? std::min(sums.shortest, kTwoPi / k) : kTwoPi / k;
-        sums.longest = std::max(sums.longest, kTwoPi / k);
+        const double wavelength = parameters.grid.patch_size / length;
+        sums.shortest = sums.shortest > 0.0 ? std::min(sums.shortest, wavelength) : wavelength;
+        sums.longest = std::max(sums.longest, wavelength);
         const auto ring = static_cast<std::size_t>(std::lround(length));
         if (ring >= sums.ring.size()) continue;
         sums.ring[ring] += variance;

@@ -49,6 +49,40 @@ def test_json_has_the_documented_keys(ocean):
     assert state["mean_direction"]["asked"] == pytest.approx(30.0, abs=0.01)
 
 
+def table_of(suffix, columns_before):
+    """Time -> [(frequency, value)] of an NDBC table, read by these few lines alone."""
+    table = {}
+    for line in BUOY.with_suffix(suffix).read_text().splitlines():
+        cells = line.split()
+        if line.startswith("#"):
+            continue
+        pairs = zip(cells[columns_before::2], cells[columns_before + 1 :: 2], strict=True)
+        time = "{}-{}-{}T{}:{}".format(*cells[:5])
+        table[time] = np.array([(float(f.strip("()")), float(v)) for v, f in pairs])
+    return table
+
+
+def test_every_record_of_the_buoy_has_the_files_own_height_and_direction(ocean):
+    density, alpha, spread = (
+        table_of(*table) for table in [(".data_spec", 6), (".swdir", 5), (".swr1", 5)]
+    )
+    ocean.write("buoy.toml", f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n')
+    assert len(density) > 40
+    for time, bins in density.items():
+        f, s = bins.T
+        m0 = np.trapz(s, f)
+        known = (alpha[time][:, 1] < 900) & (spread[time][:, 1] < 90)
+        weight = (s * np.gradient(f) * spread[time][:, 1])[known]
+        towards = np.deg2rad(270.0 - alpha[time][known, 1])
+        mean = np.rad2deg(np.angle(np.sum(weight * np.exp(1j * towards))))
+        state = state_of(ocean, "buoy.toml", "--set", f"record={time}")
+        for part in ("asked", "resolved"):
+            height = state["significant_wave_height"][part]
+            assert height == pytest.approx(4.0 * math.sqrt(m0), rel=0.01), (time, part)
+            turned = (state["mean_direction"][part] - mean + 180.0) % 360.0 - 180.0
+            assert abs(turned) < 5.0, (time, part)
+
+
 def test_text_says_the_same_as_json(ocean):
     text = ocean.good("info", "sea.toml")
     state = state_of(ocean, "sea.toml")

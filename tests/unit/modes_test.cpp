@@ -86,15 +86,28 @@ TEST(Modes, AmplitudeIsHalfTheRootOfTheModalVariance) {
     EXPECT_NEAR(drawn / expected, 1.0, 4.0 * std::sqrt(weight) / expected);
 }
 
-TEST(Modes, ModalVarianceIsTheDensityInWavenumberSpace) {
+TEST(Modes, ModalVarianceIsTheEnergyOfTheModesCellInWavenumberSpace) {
     const Parameters parameters = test::wind_sea();
     const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
     const double step = kTwoPi / 400.0;
-    const double k = step * 5.0;
-    const double omega = std::sqrt(9.81 * k + 7.4e-5 * k * k * k);
-    const double expected = spectrum.density(omega, std::atan2(4.0, 3.0)) *
-                            (9.81 + 3.0 * 7.4e-5 * k * k) / (2.0 * omega) / k * step * step;
-    EXPECT_NEAR(modal_variance(spectrum, parameters, 3, 4) / expected, 1.0, 1e-12);
+    const auto energy = [&](double n, double m) {
+        const double k = step * std::hypot(n, m);
+        const double omega = std::sqrt(9.81 * k + 7.4e-5 * k * k * k);
+        const double group_velocity = (9.81 + 3.0 * 7.4e-5 * k * k) / (2.0 * omega);
+        return spectrum.density(omega, std::atan2(m, n)) * group_velocity / k * step * step;
+    };
+    // Far out the cell is small: its centre is its mean.
+    EXPECT_NEAR(modal_variance(spectrum, parameters, 90, 120) / energy(90, 120), 1.0, 1e-12);
+    // Near the peak it is not.
+    double mean = 0.0;
+    constexpr int kFine = 200;
+    for (int b = 0; b < kFine; ++b) {
+        for (int a = 0; a < kFine; ++a) {
+            mean += energy(5.5 + (a + 0.5) / kFine, 2.5 + (b + 0.5) / kFine) / (kFine * kFine);
+        }
+    }
+    EXPECT_NEAR(modal_variance(spectrum, parameters, 6, 3) / mean, 1.0, 1e-3);
+    EXPECT_GT(std::abs(energy(6, 3) / mean - 1.0), 0.01) << "the centre would do as well";
 }
 
 TEST(Modes, BandLimitsKeepWavesOfExactlyThatLength) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "ocean/spectrum.hpp"
 #include "test_seas.hpp"
@@ -51,6 +52,54 @@ TEST(Statistics, TheSumOverModesIsTheIntegralOverTheResolvedBandForEveryGrid) {
             const double m0 = std::pow(state.significant_wave_height.resolved / 4.0, 2.0);
             EXPECT_GT(m0, circle * 0.997) << patch << " " << resolution;
             EXPECT_LT(m0, corner * 1.003) << patch << " " << resolution;
+        }
+    }
+}
+
+TEST(Statistics, ASwellNarrowerThanTheLatticeKeepsItsEnergyOnEveryPatch) {
+    Parameters parameters = test::wind_sea(256);
+    WaveSystem& system = parameters.waves.front();
+    system.peak_enhancement = 10.0;
+    system.peak_period = 13.0;  // 264 m
+    system.swell = 1.0;
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    ThreadPool pool(2);
+    for (double patch = 800.0; patch < 1300.0; patch += 61.0) {
+        parameters.grid.patch_size = patch;
+        const SeaState state = sea_state(spectrum, parameters, pool);
+        EXPECT_NEAR(state.significant_wave_height.resolved / state.significant_wave_height.asked,
+                    1.0, 3e-3)
+            << patch;
+    }
+}
+
+TEST(Statistics, EveryRecordKeepsItsEnergyOnEveryPatch) {
+    // Swells of one frequency bin and of the narrowest beam that two moments allow.
+    for (const double frequency : {0.07, 0.13}) {
+        auto record = std::make_shared<SpectrumRecord>();
+        for (int i = 0; i < 5; ++i) {
+            record->frequency.push_back(frequency + 0.005 * (i - 2));
+            record->density.push_back(i == 2 ? 1.0 : 0.05);
+            record->a1.push_back(0.97 * std::cos(1.1));
+            record->b1.push_back(0.97 * std::sin(1.1));
+            record->a2.push_back(0.93 * std::cos(2.2));
+            record->b2.push_back(0.93 * std::sin(2.2));
+        }
+        Parameters parameters;
+        parameters.waves.front().spectrum = SpectrumKind::measured;
+        parameters.waves.front().measured = record;
+        const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+        ThreadPool pool(2);
+        for (double patch = 600.0; patch < 1100.0; patch += 97.0) {
+            parameters.grid.patch_size = patch;
+            const SeaState state = sea_state(spectrum, parameters, pool);
+            EXPECT_NEAR(std::pow(state.significant_wave_height.resolved /
+                                     state.significant_wave_height.asked,
+                                 2.0),
+                        1.0, 3e-3)
+                << frequency << " Hz, " << patch << " m";
+            // It travels as the two or three modes that hold it do.
+            EXPECT_NEAR(state.mean_direction.resolved, state.mean_direction.asked, 3.0);
         }
     }
 }

@@ -39,6 +39,8 @@ struct Modes {
 };
 
 /// The variance of one mode, S D c_g / k dkx dky [m^2], without any random draw; n, m signed.
+/// S D c_g / k is its mean over the mode's cell of the lattice, so that no energy falls between the
+/// modes, however narrow the swell.
 /// Zero outside the band limits (a wave of exactly that length is kept) of `parameters.surface` and
 /// at k = 0.
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
