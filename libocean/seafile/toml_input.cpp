@@ -15,77 +15,58 @@ namespace {
 
 constexpr std::size_t kMaxKeyParts = 16;
 
-/// Where toml++ 3.3 itself would come to harm, found before it starts:
-/// - Keys of absurdly many parts, a.b.c.d...: each part is a table inside the one before, and
-/// nested
-///   tables are destroyed by recursion, which overflows the stack. Dots are counted outside strings
-///   and comments since the last separator; floats have one each.
-/// - Characters beyond ASCII where it asks whether they are blanks, that is outside comments and
-///   one-line strings: is_non_ascii_horizontal_whitespace runs into its TOML_UNREACHABLE.
-class Precheck {
+/// Finds keys of absurdly many parts, a.b.c.d...: each part is a table inside the one before, and
+/// toml++ destroys nested tables by recursion, which overflows the stack. Dots are counted outside
+/// strings and comments since the last separator; floats have one each.
+class KeyDepth {
   public:
-    struct Fault {
-        std::size_t line;
-        std::string_view message;
-    };
+    explicit KeyDepth(std::string_view text) : text_(text) {}
 
-    explicit Precheck(std::string_view text) : text_(text) {}
-
-    std::optional<Fault> first_fault() {
+    /// Line of the first such key.
+    std::optional<std::size_t> first_fault() {
         std::size_t dots = 0;
         while (at_ < text_.size()) {
             const char c = text_[at_];
             if (c == '"' || c == '\'') {
-                if (!skip_string(c)) return beyond_ascii_fault();
+                skip_string(c);
                 continue;
             }
             if (c == '#') {
                 at_ = std::min(text_.find('\n', at_), text_.size());
                 continue;
             }
-            if (beyond_ascii(c)) return beyond_ascii_fault();
             if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) dots = 0;
             if (c == '\n') ++line_;
-            if (c == '.' && ++dots > kMaxKeyParts)
-                return Fault{line_, "a key has more than 16 parts"};
+            if (c == '.' && ++dots > kMaxKeyParts) return line_;
             ++at_;
         }
         return std::nullopt;
     }
 
   private:
-    static bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-    Fault beyond_ascii_fault() const {
-        return {line_, "a character beyond ASCII outside comments and one-line texts in quotes"};
-    }
-
-    /// False: a character beyond ASCII in a string of several lines.
-    bool skip_string(char quote) {
+    void skip_string(char quote) {
         const std::string triple(3, quote);
         const bool multi_line = text_.substr(at_).starts_with(triple);
         at_ += multi_line ? 3 : 1;
         while (at_ < text_.size()) {
             const char c = text_[at_];
-            if (multi_line && beyond_ascii(c)) return false;
-            if (c == '\n' && !multi_line) return true;
+            if (c == '\n' && !multi_line) return;
             if (c == '\n') ++line_;
             if (c == '\\' && quote == '"') {
-                // Past the escaped character, unless that one must be looked at itself.
-                const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : '\n';
-                at_ += next == '\n' || beyond_ascii(next) ? 1 : 2;
+                const bool line_ends = at_ + 1 < text_.size() && text_[at_ + 1] == '\n';
+                at_ += line_ends ? 1 : 2;
             } else if (!multi_line && c == quote) {
                 ++at_;
-                return true;
+                return;
             } else if (multi_line && text_.substr(at_).starts_with(triple)) {
                 at_ += 3;
                 // Up to two quotes may stand before the closing three.
                 for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == quote; ++i) ++at_;
-                return true;
+                return;
             } else {
                 ++at_;
             }
         }
-        return true;
     }
 
     std::string_view text_;
@@ -107,7 +88,9 @@ void check_bounds(std::string_view text, const std::string& name) {
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
         throw fail(line_at(text, nul), "holds a NUL byte; a sea file is text");
     }
-    if (const auto fault = Precheck(text).first_fault()) throw fail(fault->line, fault->message);
+    if (const auto line = KeyDepth(text).first_fault()) {
+        throw fail(*line, "a key has more than 16 parts");
+    }
 }
 
 }  // namespace

@@ -51,16 +51,19 @@ TEST(HostileSeaFile, DotsInTextsAndCommentsAndNumbersAreNoKeys) {
     EXPECT_EQ(sea.parameters.waves[0].file, dots);
 }
 
-TEST(HostileSeaFile, CharactersBeyondAsciiAreForCommentsAndOneLineTexts) {
-    for (const char* text :
-         {"caf\xC3\xA9 = 1", "x = \"a\" \xC3\xA9", "x = \xC3\xA9", "\xC2\xA0",
-          "x = \"\"\"\\\n\xC3\xA9\"\"\"", "x = '''\xC3\xA9'''", "x = \"\"\"\\\xC3\xA9\"\"\""}) {
+TEST(HostileSeaFile, CharactersBeyondAsciiAreForCommentsAndTexts) {
+    // From U+00A1 to U+0499 the parser's own test for blanks had no answer: see toml_input.hpp.
+    for (const char* text : {"caf\xC3\xA9 = 1", "x = \"a\" \xC3\xA9", "x = \xC3\xA9",
+                             "x = 0X0Ape'pe'''on'\xCE\x88i'", "\xCE\x88 = 1", "x\xD2\x99 = 1"}) {
         const Refusal refusal = refusal_of_text("libocean = 1\n" + std::string(text));
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
-        EXPECT_TRUE(refusal.says("test.toml:") && refusal.says("beyond ASCII")) << refusal.message;
+        EXPECT_TRUE(refusal.says("test.toml:2: is not TOML")) << refusal.message;
     }
-    const Sea sea = parse("# \xC3\xA9 '\n[[waves]]\nfile = 'M\xC3\xA9t\xC3\xA9o'\n");
-    EXPECT_EQ(sea.parameters.waves[0].file, "M\xC3\xA9t\xC3\xA9o");
+    for (const char* quote : {"'", "\"", "\"\"\"", "'''"}) {
+        const std::string word = std::string(quote) + "M\xC3\xA9t\xC3\xA9o" + quote;
+        const Sea sea = parse("# \xC3\xA9 '\n[[waves]]\nfile = " + word + "\n");
+        EXPECT_EQ(sea.parameters.waves[0].file, "M\xC3\xA9t\xC3\xA9o");
+    }
 }
 
 TEST(HostileSeaFile, DeepNestingIsRefused) {
