@@ -15,6 +15,9 @@ namespace ocean {
 
 namespace {
 
+// 1.5 * 2^52: adding and subtracting it rounds a double to an integer, without a library call.
+constexpr double kRound = 6755399441055744.0;
+
 /// h and dh/dt of kLanes columns kx at one ky.
 struct LaneState {
     float re[kLanes], im[kLanes], rate_re[kLanes], rate_im[kLanes];
@@ -23,7 +26,6 @@ struct LaneState {
 /// Sine and cosine of turns, reduced in double: shaders/wave/turns.glsl, shortened to what float
 /// holds and without branches.
 void sin_cos_lanes(const double* turns, float* sine, float* cosine) {
-    constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to integers
     for (int l = 0; l < kLanes; ++l) {
         const double quarter = (4.0 * turns[l] + kRound) - kRound;
         const auto x = static_cast<float>((turns[l] - 0.25 * quarter) * 6.283185307179586);
@@ -95,7 +97,6 @@ class Synthesis {
         double turns[kLanes];
         double rate[kLanes];
         float sine[kLanes], cosine[kLanes];
-        constexpr double kRound = 6755399441055744.0;
         for (int l = 0; l < kLanes; ++l) {
             const std::size_t i = row + static_cast<std::size_t>(n0 + l);
             rate[l] = static_cast<double>(cascade_.rate_high[i]) + cascade_.rate_low[i];

@@ -14,7 +14,6 @@ namespace ocean {
 LinearPlanes<float> synthesize_radix2(const SynthesisRequest& request, ThreadPool& pool) {
     LinearPlanes<float> planes;
     const Radix2Fft<float> fft(request.resolution);
-    for (const Linear field : request.fields) planes[field] = {};
     // A field per item: the planes are independent of each other.
     pool.for_each_range(static_cast<int>(request.fields.size()), [&](int first, int last) {
         for (int item = first; item < last; ++item) {
