@@ -9,6 +9,7 @@
 
 #include "ocean/dispersion.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/spreading.hpp"
 #include "wave_system_table.hpp"
 
 namespace ocean {
@@ -147,7 +148,7 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
     if (result.m0 > 0.0) {
         result.mean_direction = std::atan2(mean_north, mean_east);
         const double c1 = std::hypot(mean_east, mean_north) / result.m0;
-        result.directional_spread = std::sqrt(2.0 * std::max(0.0, 1.0 - c1));
+        result.directional_spread = circular_spread(c1);
     }
     return result;
 }

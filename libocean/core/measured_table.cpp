@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A measured sea on its way into the table: the record's own frequencies are the rows, its moments
-// become distributions by the chosen estimate. Nothing is added that was not measured.
+// A measured sea on its way into the table: the record's own frequencies are the rows. Moments
+// become distributions by the chosen estimate, a spectrum over directions is taken as it is.
+// Nothing is added that was not measured.
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <memory>
 
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
@@ -15,24 +18,24 @@ namespace ocean {
 
 namespace {
 
-/// The moments of a record in every bin: gaps filled from the neighbours in frequency.
+using Complex = std::complex<double>;
+
+/// The moments of a buoy's record in every bin: gaps filled from the neighbours in frequency.
 struct Moments {
-    std::vector<std::complex<double>> first;
-    std::vector<std::complex<double>> second;
-    bool any = false;
+    std::vector<Complex> first;
+    std::vector<Complex> second;
 };
 
+/// Nothing if no bin has moments.
 Moments fill_gaps(const SpectrumRecord& record) {
     Moments moments;
     const std::size_t n = record.frequency.size();
-    if (!record.has_directions()) return moments;
+    if (!record.has_moments()) return moments;
     std::vector<std::size_t> known;
     for (std::size_t i = 0; i < n; ++i) {
-        const double sum = record.a1[i] + record.b1[i] + record.a2[i] + record.b2[i];
-        if (std::isfinite(sum)) known.push_back(i);
+        if (std::isfinite(record.a1[i] + record.b1[i])) known.push_back(i);
     }
-    moments.any = !known.empty();
-    for (std::size_t i = 0; i < n && moments.any; ++i) {
+    for (std::size_t i = 0; i < n && !known.empty(); ++i) {
         const auto after = std::lower_bound(known.begin(), known.end(), i);
         const std::size_t right = after == known.end() ? known.back() : *after;
         const std::size_t left = after == known.begin() || right == i ? right : *(after - 1);
@@ -41,13 +44,72 @@ Moments fill_gaps(const SpectrumRecord& record) {
                                   : (record.frequency[i] - record.frequency[left]) /
                                         (record.frequency[right] - record.frequency[left]);
         const auto mix = [&](const std::vector<double>& a, const std::vector<double>& b) {
-            return (1.0 - weight) * std::complex<double>(a[left], b[left]) +
-                   weight * std::complex<double>(a[right], b[right]);
+            return (1.0 - weight) * Complex(a[left], b[left]) +
+                   weight * Complex(a[right], b[right]);
         };
         moments.first.push_back(mix(record.a1, record.b1));
         moments.second.push_back(mix(record.a2, record.b2));
     }
     return moments;
+}
+
+/// D(theta_j) of one listed frequency, sums to 1 times row.size() / 2 pi.
+using ListedDistribution = std::function<void(std::size_t frequency, std::span<double> row)>;
+
+ListedDistribution estimated_distribution(Moments moments, Estimator estimator, double turn) {
+    for (Complex& c1 : moments.first) c1 *= std::polar(1.0, turn);
+    for (Complex& c2 : moments.second) c2 *= std::polar(1.0, 2.0 * turn);
+    return [moments = std::move(moments), estimator](std::size_t i, std::span<double> row) {
+        const Complex c1 = moments.first[i];
+        const Complex c2 = moments.second[i];
+        estimate_row(c1.real(), c1.imag(), c2.real(), c2.imag(), estimator, row);
+    };
+}
+
+/// The record's own distribution, linear between its directions and periodic. Normalised on the
+/// columns of the table, so that each row keeps its energy whatever columns fall between.
+ListedDistribution listed_distribution(std::shared_ptr<const SpectrumRecord> record, double turn) {
+    return [record = std::move(record), turn](std::size_t frequency, std::span<double> row) {
+        const std::vector<double>& listed = record->direction;
+        const double* values = record->directional_density.data() + frequency * listed.size();
+        const double step = 360.0 / static_cast<double>(row.size());
+        double sum = 0.0;
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            double at = static_cast<double>(j) * step - turn * 180.0 / kPi;
+            at -= 360.0 * std::floor(at / 360.0);
+            const auto upper = std::upper_bound(listed.begin(), listed.end(), at);
+            const auto after = static_cast<std::size_t>(upper - listed.begin()) % listed.size();
+            const std::size_t before = after == 0 ? listed.size() - 1 : after - 1;
+            const auto ahead = [&](double d) { return d < 0.0 ? d + 360.0 : d; };
+            const double gap = ahead(listed[after] - listed[before]);
+            const double share = std::min(ahead(at - listed[before]) / gap, 1.0);
+            row[j] = values[before] + share * (values[after] - values[before]);
+            sum += row[j];
+        }
+        const auto columns = static_cast<double>(row.size());
+        // A frequency without energy has no direction: any will do.
+        if (!(sum > 0.0)) std::fill(row.begin(), row.end(), 1.0 / kTwoPi);
+        for (double& value : row) value *= sum > 0.0 ? columns / (kTwoPi * sum) : 1.0;
+    };
+}
+
+/// First moment of each listed frequency.
+std::vector<Complex> first_moments(const SpectrumRecord& record) {
+    constexpr std::size_t kColumns = 1024;
+    const ListedDistribution distribution =
+        listed_distribution(std::make_shared<const SpectrumRecord>(record), 0.0);
+    std::vector<double> row(kColumns);
+    std::vector<Complex> first;
+    for (std::size_t i = 0; i < record.frequency.size(); ++i) {
+        distribution(i, row);
+        Complex sum = 0.0;
+        for (std::size_t j = 0; j < kColumns; ++j) {
+            const double theta = kTwoPi * static_cast<double>(j) / kColumns;
+            sum += row[j] * std::polar(1.0, theta);
+        }
+        first.push_back(sum * kTwoPi / static_cast<double>(kColumns));
+    }
+    return first;
 }
 
 /// Linear interpolation between the listed frequencies, nothing beyond them.
@@ -91,12 +153,12 @@ MeasuredDensity rescaled_density(const WaveSystem& system) {
 }
 
 /// Direction of the whole record, weighted by energy.
-double mean_direction(const Moments& moments, const MeasuredDensity& sea) {
-    std::complex<double> mean = 0.0;
+double mean_direction(const std::vector<Complex>& first_moments, const MeasuredDensity& sea) {
+    Complex mean = 0.0;
     for (std::size_t i = 0; i < sea.omega.size(); ++i) {
         const double below = i > 0 ? sea.omega[i] - sea.omega[i - 1] : 0.0;
         const double above = i + 1 < sea.omega.size() ? sea.omega[i + 1] - sea.omega[i] : 0.0;
-        mean += moments.first[i] * sea.density[i] * (below + above);
+        mean += first_moments[i] * sea.density[i] * (below + above);
     }
     return std::arg(mean);
 }
@@ -104,11 +166,11 @@ double mean_direction(const Moments& moments, const MeasuredDensity& sea) {
 /// Distributions of the listed frequencies, mixed in between by energy: E is linear there, not D.
 class MeasuredSpreading {
   public:
-    MeasuredSpreading(Moments moments, MeasuredDensity sea, Estimator estimator)
-        : moments_(std::move(moments)), sea_(std::move(sea)), estimator_(estimator) {}
+    MeasuredSpreading(ListedDistribution distribution, MeasuredDensity sea)
+        : distribution_(std::move(distribution)), sea_(std::move(sea)) {}
 
     void operator()(double omega, std::span<double> row) {
-        estimate_all(row.size());
+        fill_all(row.size());
         const std::vector<double>& listed = sea_.omega;
         const auto upper = std::upper_bound(listed.begin() + 1, listed.end() - 1, omega);
         const auto i = static_cast<std::size_t>(upper - listed.begin());
@@ -118,25 +180,20 @@ class MeasuredSpreading {
         const double right = weight * sea_.density[i];
         const double share = left + right > 0.0 ? right / (left + right) : weight;
         for (std::size_t j = 0; j < row.size(); ++j) {
-            row[j] = estimated_[i - 1][j] + share * (estimated_[i][j] - estimated_[i - 1][j]);
+            row[j] = rows_[i - 1][j] + share * (rows_[i][j] - rows_[i - 1][j]);
         }
     }
 
   private:
-    void estimate_all(std::size_t directions) {
-        if (!estimated_.empty() && estimated_.front().size() == directions) return;
-        estimated_.assign(sea_.omega.size(), std::vector<double>(directions));
-        for (std::size_t i = 0; i < estimated_.size(); ++i) {
-            const std::complex<double> c1 = moments_.first[i];
-            const std::complex<double> c2 = moments_.second[i];
-            estimate_row(c1.real(), c1.imag(), c2.real(), c2.imag(), estimator_, estimated_[i]);
-        }
+    void fill_all(std::size_t directions) {
+        if (!rows_.empty() && rows_.front().size() == directions) return;
+        rows_.assign(sea_.omega.size(), std::vector<double>(directions));
+        for (std::size_t i = 0; i < rows_.size(); ++i) distribution_(i, rows_[i]);
     }
 
-    Moments moments_;
+    ListedDistribution distribution_;
     MeasuredDensity sea_;
-    Estimator estimator_;
-    std::vector<std::vector<double>> estimated_;
+    std::vector<std::vector<double>> rows_;  // of the listed frequencies
 };
 
 }  // namespace
@@ -150,7 +207,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
     table.density = [sea](double w) { return interpolate(sea.omega, sea.density, w); };
 
     Moments moments = fill_gaps(*system.measured);
-    if (!moments.any) {
+    if (moments.first.empty() && !system.measured->is_directional()) {
         // Calm air has no wave age; a metre per second stands for it.
         const double wave_age_inverse = std::max(system.wind_speed, 1.0) * sea.peak / water.gravity;
         const double mean = system.direction_degrees() * kPi / 180.0;
@@ -160,13 +217,17 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
         };
         return table;
     }
+    double turn = 0.0;
     if (system.wind_direction) {  // replaces the record's own mean: everything is turned
-        const double turn = *system.wind_direction * kPi / 180.0 - mean_direction(moments, sea);
-        for (auto& c1 : moments.first) c1 *= std::polar(1.0, turn);
-        for (auto& c2 : moments.second) c2 *= std::polar(1.0, 2.0 * turn);
+        const std::vector<Complex> first =
+            moments.first.empty() ? first_moments(*system.measured) : moments.first;
+        turn = *system.wind_direction * kPi / 180.0 - mean_direction(first, sea);
     }
     table.directions = 1024;
-    table.spreading = MeasuredSpreading(std::move(moments), sea, system.estimator);
+    table.spreading = MeasuredSpreading(
+        moments.first.empty() ? listed_distribution(system.measured, turn)
+                              : estimated_distribution(std::move(moments), system.estimator, turn),
+        sea);
     return table;
 }
 

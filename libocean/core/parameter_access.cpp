@@ -160,7 +160,8 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
     Parameters changed = parameters;
     assign(changed, ref, parse_value(*ref.info, text));
     refuse_later_features(changed);
-    const bool names_record = ref.info->key == "file" || ref.info->key == "record";
+    const std::string_view key = ref.info->key;
+    const bool names_record = key == "file" || key == "record" || key == "place";
     if (names_record && value_of(changed, ref) != value_of(parameters, ref)) {
         changed.waves[ref.wave].measured = nullptr;  // the old one is no longer what is named
     }

@@ -12,6 +12,7 @@
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
+#include "ocean/spreading.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -167,6 +168,9 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     state.peak_wavelength = {wavelength(asked.peak_omega), wavelength(peak)};
     state.mean_square_slope = {asked.mean_square_slope, sums.mean_square_slope};
     state.mean_direction = {degrees(asked.mean_direction), degrees(std::arg(sums.direction))};
+    state.directional_spread = {
+        degrees(asked.directional_spread),
+        sums.m0 > 0.0 ? degrees(circular_spread(std::abs(sums.direction) / sums.m0)) : 0.0};
     state.energy_resolved = asked.m0 > 0.0 ? sums.m0 / asked.m0 : 1.0;
     state.shortest_wave =
         sums.shortest > 0.0 ? sums.shortest : kTwoPi / (step * std::sqrt(2.0) * (half - 1));
@@ -201,6 +205,7 @@ std::string sea_state_json(const SeaState& state) {
     pair("peak_wavelength", state.peak_wavelength);
     pair("mean_square_slope", state.mean_square_slope);
     pair("mean_direction", state.mean_direction);
+    pair("directional_spread", state.directional_spread);
     single("energy_resolved", number(state.energy_resolved));
     single("shortest_wave", number(state.shortest_wave));
     single("longest_wave", number(state.longest_wave));

@@ -33,6 +33,10 @@ double swell_exponent(double x, double swell) {
     return 16.0 * std::tanh(1.0 / x) * swell * swell;
 }
 
+double circular_spread(double r1) {
+    return std::sqrt(2.0 * std::clamp(1.0 - r1, 0.0, 1.0));
+}
+
 double cosine_2s_normalisation(double s) {
     // ln Q = (2s-1) ln 2 - ln pi + 2 ln Gamma(s+1) - ln Gamma(2s+1): tgamma overflows from s = 86.
     return std::exp((2.0 * s - 1.0) * std::log(2.0) - std::log(kPi) + 2.0 * std::lgamma(s + 1.0) -
@@ -40,9 +44,6 @@ double cosine_2s_normalisation(double s) {
 }
 
 namespace {
-
-// An 8 degree wide beam. Mitsuyasu's s_p grows without bound for swell that has outrun its wind.
-constexpr double kLargestExponent = 200.0;
 
 /// The exponent of |cos(theta/2)|^2 that the system's base distribution has at x; 0 if it is not of
 /// that family.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ocean/spectrum_record.hpp"
+#include "spectrum_format.hpp"
 
 namespace ocean {
 
@@ -22,10 +23,11 @@ struct RecordKey {
     std::variant<std::string SpectrumRecord::*, double SpectrumRecord::*,
                  std::vector<double> SpectrumRecord::*>
         member;
-    bool may_be_nan = false;  // elements of a list
+    bool may_be_nan = false;             // elements of a list
+    std::size_t most = kMaxFrequencies;  // elements of a list
 };
 
-inline constexpr std::array<RecordKey, 11> kRecordKeys = {{
+inline constexpr std::array<RecordKey, 13> kRecordKeys = {{
     {"station", &SpectrumRecord::station},
     {"time", &SpectrumRecord::time},
     {"latitude", &SpectrumRecord::latitude},
@@ -37,6 +39,8 @@ inline constexpr std::array<RecordKey, 11> kRecordKeys = {{
     {"b1", &SpectrumRecord::b1, true},
     {"a2", &SpectrumRecord::a2, true},
     {"b2", &SpectrumRecord::b2, true},
+    {"direction", &SpectrumRecord::direction},
+    {"directional_density", &SpectrumRecord::directional_density, false, kMaxDirectionalValues},
 }};
 
 }  // namespace ocean

@@ -50,8 +50,8 @@ class RecordReader {
     }
     void store(std::vector<double>& values, const toml::node& node) const {
         const toml::array* list = node.as_array();
-        if (list == nullptr || list->size() > kMaxFrequencies) {
-            throw wrong(node, "an array of at most 4096 numbers");
+        if (list == nullptr || list->size() > key_->most) {
+            throw wrong(node, "an array of at most " + std::to_string(key_->most) + " numbers");
         }
         values.clear();
         for (const toml::node& item : *list) {

@@ -2,22 +2,151 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What to do with the records of a spectrum file: choose one by time, sum one up, list all.
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
+#include "directional_record.hpp"
 #include "json_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/nearest_name.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/spreading.hpp"
 #include "text.hpp"
 #include "utc_time.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr std::int64_t kRecordTolerance = 30;  // minutes
+constexpr std::int64_t kTimeTolerance = 30;  // minutes
+constexpr double kPlaceTolerance = 50.0;     // km
+constexpr double kDegree = kPi / 180.0;
+
+struct Position {
+    double latitude;
+    double longitude;
+};
+
+/// Along the great circle, km, by the haversine formula.
+double distance_km(const Position& a, const Position& b) {
+    constexpr double kEarthRadius = 6371.0;
+    const double north = std::sin(0.5 * (b.latitude - a.latitude) * kDegree);
+    const double east = std::sin(0.5 * (b.longitude - a.longitude) * kDegree);
+    const double h = north * north +
+                     std::cos(a.latitude * kDegree) * std::cos(b.latitude * kDegree) * east * east;
+    return 2.0 * kEarthRadius * std::asin(std::min(1.0, std::sqrt(h)));
+}
+
+Position position_of(const SpectrumRecord& record) {
+    return {record.latitude, record.longitude};
+}
+
+std::string position_text(const Position& position) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.4f,%.4f", position.latitude, position.longitude);
+    return text;
+}
+
+/// "40.98,-71.12", with blanks around the numbers or not.
+std::optional<Position> parse_position(std::string_view place) {
+    const std::size_t comma = place.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    const auto number = [](std::string_view word) {
+        const std::size_t first = std::min(word.find_first_not_of(' '), word.size());
+        word.remove_prefix(first);
+        return text::parse_number(word.substr(0, word.find_last_not_of(' ') + 1));
+    };
+    const std::optional<double> latitude = number(place.substr(0, comma));
+    const std::optional<double> longitude = number(place.substr(comma + 1));
+    const bool good = latitude && longitude && std::abs(*latitude) <= 90.0 &&
+                      *longitude >= -180.0 && *longitude <= 360.0;
+    return good ? std::optional(Position{*latitude, *longitude}) : std::nullopt;
+}
+
+using Candidates = std::vector<const SpectrumRecord*>;
+
+Candidates at_station(const Candidates& records, const std::string& station,
+                      const std::string& file) {
+    Candidates chosen;
+    std::vector<std::string_view> names;
+    for (const SpectrumRecord* record : records) {
+        if (record->station == station) chosen.push_back(record);
+        const bool listed = std::find(names.begin(), names.end(), record->station) != names.end();
+        if (!record->station.empty() && !listed && names.size() < 1000) {
+            names.push_back(record->station);
+        }
+    }
+    if (!chosen.empty()) return chosen;
+    std::string message = "no station \"" + text::printable(station) + "\"";
+    const std::string_view nearest = nearest_name(station, names);
+    if (!nearest.empty()) {
+        message += "; did you mean " + text::printable(nearest) + "?";
+    } else if (!names.empty()) {
+        message += "; the first is " + text::printable(names.front());
+    } else {
+        message += "; its records have no station; a place may be LATITUDE,LONGITUDE";
+    }
+    throw text::error_at(ErrorKind::not_found, file, 0, message);
+}
+
+Candidates at_position(const Candidates& records, const Position& wanted, const std::string& file) {
+    double least = std::numeric_limits<double>::infinity();
+    Position nearest{};
+    for (const SpectrumRecord* record : records) {
+        if (std::isnan(record->latitude + record->longitude)) continue;
+        const double distance = distance_km(position_of(*record), wanted);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = position_of(*record);
+    }
+    if (!(least <= kPlaceTolerance)) {
+        char far[32];
+        std::snprintf(far, sizeof far, "%.0f km away", least);
+        throw text::error_at(
+            ErrorKind::not_found, file, 0,
+            "no record within 50 km of " + position_text(wanted) +
+                (std::isinf(least) ? "; its records have no position"
+                                   : "; the nearest is at " + position_text(nearest) + ", " + far));
+    }
+    Candidates chosen;
+    for (const SpectrumRecord* record : records) {
+        if (record->latitude == nearest.latitude && record->longitude == nearest.longitude) {
+            chosen.push_back(record);
+        }
+    }
+    return chosen;
+}
+
+const SpectrumRecord& at_time(const Candidates& records, const std::string& time,
+                              const std::string& file) {
+    const std::optional<UtcTime> wanted = parse_utc_time(time);
+    if (!wanted) {
+        throw Error(ErrorKind::invalid_value,
+                    "record = \"" + text::printable(time) +
+                        "\": is not a time; allowed: UTC like 2020-06-08T03:50");
+    }
+    const SpectrumRecord* nearest = nullptr;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (const SpectrumRecord* record : records) {
+        const std::optional<UtcTime> its = parse_utc_time(record->time);
+        if (!its) continue;
+        const std::int64_t distance = std::llabs(its->minutes() - wanted->minutes());
+        if (distance < least) {
+            least = distance;
+            nearest = record;
+        }
+    }
+    if (nearest != nullptr && least <= kTimeTolerance) return *nearest;
+    throw text::error_at(ErrorKind::not_found, file, 0,
+                         "no record within 30 minutes of " + wanted->text() +
+                             (nearest != nullptr ? "; the nearest is " + nearest->time
+                                                 : std::string("; its records have no time")));
+}
 
 /// Width that the trapezoid rule gives to one of the listed frequencies, Hz.
 double trapezoid_weight(const SpectrumRecord& record, std::size_t i) {
@@ -27,41 +156,46 @@ double trapezoid_weight(const SpectrumRecord& record, std::size_t i) {
     return 0.5 * (below + above);
 }
 
+/// First circular moment of one frequency; NaN if it is not known.
+std::complex<double> first_moment(const SpectrumRecord& record, std::size_t i) {
+    if (record.has_moments()) return {record.a1[i], record.b1[i]};
+    std::complex<double> sum = 0.0;
+    double total = 0.0;
+    const std::vector<double>& d = record.direction;
+    for (std::size_t j = 0; j < d.size(); ++j) {
+        const double before = j > 0 ? d[j - 1] : d.back() - 360.0;
+        const double after = j + 1 < d.size() ? d[j + 1] : d.front() + 360.0;
+        const double energy = record.directional_density[i * d.size() + j] * 0.5 * (after - before);
+        sum += energy * std::polar(1.0, d[j] * kDegree);
+        total += energy;
+    }
+    return sum / total;
+}
+
+std::string_view directions_name(const SpectrumRecord& record) {
+    return record.has_moments() ? "moments" : record.is_directional() ? "full" : "none";
+}
+
 }  // namespace
 
-const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records, std::string_view time,
-                                    const std::string& file) {
+const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
+                                    const RecordChoice& choice, const std::string& file) {
     if (records.empty()) throw text::error_at(ErrorKind::not_found, file, 0, "holds no record");
-    if (time.empty()) return records.front();
-    const std::optional<UtcTime> wanted = parse_utc_time(time);
-    if (!wanted) {
-        throw Error(ErrorKind::invalid_value,
-                    "record = \"" + text::printable(time) +
-                        "\": is not a time; allowed: UTC like 2020-06-08T03:50");
+    Candidates candidates;
+    for (const SpectrumRecord& record : records) candidates.push_back(&record);
+    if (!choice.place.empty()) {
+        const std::optional<Position> position = parse_position(choice.place);
+        candidates = position ? at_position(candidates, *position, file)
+                              : at_station(candidates, choice.place, file);
     }
-    const SpectrumRecord* nearest = nullptr;
-    std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    for (const SpectrumRecord& record : records) {
-        const std::optional<UtcTime> its = parse_utc_time(record.time);
-        if (!its) continue;
-        const std::int64_t distance = std::llabs(its->minutes() - wanted->minutes());
-        if (distance < least) {
-            least = distance;
-            nearest = &record;
-        }
-    }
-    if (nearest != nullptr && least <= kRecordTolerance) return *nearest;
-    throw text::error_at(ErrorKind::not_found, file, 0,
-                         "no record within 30 minutes of " + wanted->text() +
-                             (nearest != nullptr ? "; the nearest is " + nearest->time
-                                                 : std::string("; its records have no time")));
+    return choice.time.empty() ? *candidates.front() : at_time(candidates, choice.time, file);
 }
 
 RecordSummary summarize(const SpectrumRecord& record) {
     RecordSummary summary;
     double highest = 0.0;
-    double east = 0.0;  // energy-weighted mean of the first moments
-    double north = 0.0;
+    double directed = 0.0;  // energy of bins whose direction is known
+    std::complex<double> mean = 0.0;
     for (std::size_t i = 0; i < record.frequency.size(); ++i) {
         const double energy = record.density[i] * trapezoid_weight(record, i);
         summary.m0 += energy;
@@ -69,13 +203,17 @@ RecordSummary summarize(const SpectrumRecord& record) {
             highest = record.density[i];
             summary.peak_period = 1.0 / record.frequency[i];
         }
-        if (!record.has_directions() || std::isnan(record.a1[i])) continue;
-        east += energy * record.a1[i];
-        north += energy * record.b1[i];
+        if (!record.has_moments() && !record.is_directional()) continue;
+        const std::complex<double> c1 = first_moment(record, i);
+        if (std::isnan(c1.real()) || !(energy > 0.0)) continue;
+        mean += energy * c1;
+        directed += energy;
     }
-    const bool directed = east != 0.0 || north != 0.0;
-    summary.mean_direction =
-        directed ? std::atan2(north, east) : std::numeric_limits<double>::quiet_NaN();
+    const bool known = mean != 0.0;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    summary.mean_direction = known ? std::arg(mean) : unknown;
+    summary.directional_spread =
+        directed > 0.0 ? circular_spread(std::abs(mean) / directed) : unknown;
     return summary;
 }
 
@@ -91,7 +229,12 @@ std::string records_json(std::span<const SpectrumRecord> records) {
         out += ", \"depth\": " + json_number(record.depth);
         out += ", \"significant_wave_height\": " + json_number(4.0 * std::sqrt(summary.m0));
         out += ", \"peak_period\": " + json_number(summary.peak_period);
-        out += ", \"mean_direction\": " + json_number(summary.mean_direction * (180.0 / kPi)) + "}";
+        const double mean = summary.mean_direction / kDegree;
+        out += ", \"mean_direction\": " + json_number(mean);
+        out += ", \"coming_from\": " + json_number(coming_from(mean));
+        out += ", \"directional_spread\": " + json_number(summary.directional_spread / kDegree);
+        out += ", \"directions\": " + json_string(directions_name(record));
+        out += ", \"frequencies\": " + std::to_string(record.frequency.size()) + "}";
     }
     return out + "\n]\n";
 }

@@ -42,13 +42,14 @@ const ParameterInfo* find_in_section(std::string_view section, std::string_view 
     return nullptr;
 }
 
+RecordChoice choice_of(const WaveSystem& system);
 /// Reads `file` and keeps the record asked for.
-void load_record(WaveSystem& system, const std::string& base_dir);
+void load_record(WaveSystem& system, const std::string& base_dir, const SpectrumReader& reader);
 
 class SeaReader {
   public:
-    SeaReader(const std::string& name, const std::string& base_dir)
-        : name_(name), base_dir_(base_dir) {}
+    SeaReader(const std::string& name, const std::string& base_dir, const SpectrumReader& reader)
+        : name_(name), base_dir_(base_dir), spectra_(reader) {}
 
     Sea read(std::string_view text);
 
@@ -81,6 +82,7 @@ class SeaReader {
 
     const std::string& name_;
     const std::string& base_dir_;
+    const SpectrumReader& spectra_;
     Parameters parameters_;
     std::map<std::string, std::size_t, std::less<>> lines_;  // of the paths that were given
 };
@@ -211,14 +213,15 @@ void SeaReader::resolve_record(std::size_t wave) {
     if (system.measured != nullptr) {
         // Stale after an edit? The inlined record must be the one that `record` asks for.
         at_line(line_named_by(path + ".record"), path + ".", [&] {
-            choose_record({system.measured.get(), 1}, system.record,
+            choose_record({system.measured.get(), 1}, choice_of(system),
                           "[waves." + std::string(kMeasuredRecord) + "]");
         });
     } else if (system.spectrum == SpectrumKind::measured) {
         const std::string given = path + (system.file.empty() ? ".spectrum" : ".file");
         const std::string value = system.file.empty() ? "measured" : text::printable(system.file);
-        at_line(line_named_by(given),
-                given + " = \"" + value + "\": ", [&] { load_record(system, base_dir_); });
+        at_line(line_named_by(given), given + " = \"" + value + "\": ", [&] {
+            load_record(system, base_dir_, spectra_);
+        });
     }
 }
 
@@ -263,34 +266,40 @@ void SeaReader::refuse_root_key(const TomlEntry& entry) const {
     throw fail(entry.line, message + "; allowed: " + allowed);
 }
 
-void load_record(WaveSystem& system, const std::string& base_dir) {
+RecordChoice choice_of(const WaveSystem& system) {
+    return {system.record, system.place};
+}
+
+void load_record(WaveSystem& system, const std::string& base_dir, const SpectrumReader& reader) {
     if (system.file.empty()) {
         throw Error(ErrorKind::invalid_value,
                     "needs the measured spectra; allowed: file = a path, relative to the sea file");
     }
     const std::string file = text::to_utf8(utf8_path(base_dir) / utf8_path(system.file));
-    const std::vector<SpectrumRecord> records = read_spectra(file);
+    const std::vector<SpectrumRecord> records = reader(file);
     system.measured =
-        std::make_shared<const SpectrumRecord>(choose_record(records, system.record, file));
+        std::make_shared<const SpectrumRecord>(choose_record(records, choice_of(system), file));
 }
 
 }  // namespace
 
-void resolve_records(Parameters& parameters, const std::string& base_dir) {
+void resolve_records(Parameters& parameters, const std::string& base_dir,
+                     const SpectrumReader& reader) {
     for (WaveSystem& system : parameters.waves) {
         const bool needed = system.spectrum == SpectrumKind::measured &&
                             system.measured == nullptr && !system.file.empty();
-        if (needed) load_record(system, base_dir);
+        if (needed) load_record(system, base_dir, reader);
     }
 }
 
-Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir) {
-    return SeaReader(name, base_dir).read(toml);
+Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
+              const SpectrumReader& reader) {
+    return SeaReader(name, base_dir, reader).read(toml);
 }
 
-Sea read_sea(const std::string& path) {
+Sea read_sea(const std::string& path, const SpectrumReader& reader) {
     const std::string content = text::read_file(path, kMaxSeaFileBytes);
-    return parse_sea(content, path, text::to_utf8(utf8_path(path).parent_path()));
+    return parse_sea(content, path, text::to_utf8(utf8_path(path).parent_path()), reader);
 }
 
 }  // namespace ocean

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gzip.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -16,11 +17,11 @@
 namespace ocean {
 namespace {
 
-constexpr std::array kFormats = {&kNdbcRealtime};
+/// The first that recognises the content reads it; CSV, the least particular, comes last.
+constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kWavewatch, &kSwan, &kCsv};
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;
-constexpr double kMaxFrequency = 100.0;
 /// Moments are printed with two digits or more: what rounding may add to 1.
 constexpr double kMaxMoment = 1.005;
 
@@ -37,8 +38,8 @@ std::string energy_fault(const SpectrumRecord& record) {
     for (std::size_t i = 0; i < count; ++i) {
         const double f = record.frequency[i];
         const double s = record.density[i];
-        if (!(f > 0.0 && f <= kMaxFrequency)) {
-            return "the frequency" + bin(i) + " is not above 0 and at most 100 Hz";
+        if (!(f >= kMinFrequency && f <= kMaxFrequency)) {
+            return "the frequency" + bin(i) + " is not within " + std::string(kFrequencyRange);
         }
         if (!(f > below)) return "the frequency" + bin(i) + " does not ascend";
         if (!(s >= 0.0 && s <= kMaxDensity)) {
@@ -60,8 +61,38 @@ std::string moment_fault(const SpectrumRecord& record) {
             }
         }
     }
-    if (record.has_directions() && record.a1.size() != record.frequency.size()) {
+    if (record.has_moments() && record.a1.size() != record.frequency.size()) {
         return "the directional moments and frequency differ in length";
+    }
+    return "";
+}
+
+std::string direction_fault(const SpectrumRecord& record) {
+    const std::size_t count = record.direction.size();
+    const std::size_t values = record.directional_density.size();
+    if (count == 0 && values == 0) return "";
+    if (record.has_moments()) return "has directional moments and a density over directions";
+    if (count < 3) return "a directional spectrum needs at least 3 directions";
+    if (count > kMaxDirections + 2) return "a spectrum has at most 720 directions";
+    if (values != count * record.frequency.size()) {
+        return "the directional density has not a value for each frequency and direction";
+    }
+    if (values > kMaxDirectionalValues) {
+        return "a spectrum has at most 131072 values over frequency and direction";
+    }
+    double below = -1.0;
+    for (const double d : record.direction) {
+        if (!(d >= 0.0 && d < 360.0 && d > below)) {
+            return "the directions do not ascend within 0 .. 360 degrees";
+        }
+        below = d;
+    }
+    for (std::size_t i = 0; i < values; ++i) {
+        const double s = record.directional_density[i];
+        if (!(s >= 0.0 && s <= kMaxDensity)) {
+            return "the directional density" + bin(i / count) +
+                   " is not within 0 .. 1e6 m^2/Hz/deg";
+        }
     }
     return "";
 }
@@ -82,24 +113,44 @@ std::string place_fault(const SpectrumRecord& record) {
 std::string known_formats() {
     std::string names;
     for (const SpectrumFormat* format : kFormats) {
-        names += (names.empty() ? "" : ", ") + std::string(format->name);
+        names += (names.empty() ? "" : "; ") + std::string(format->name);
     }
     return names;
+}
+
+/// The text of a file, unpacked if it is gzip.
+std::string read_content(const std::string& path) {
+    std::string content = text::read_file(path, kMaxSpectrumFileBytes);
+    return is_gzip(content) ? gunzip(content, path, kMaxSpectrumFileBytes) : content;
 }
 
 std::optional<std::string> read_companion(const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::exists(utf8_path(path), ignored)) return std::nullopt;
-    return text::read_file(path, kMaxSpectrumFileBytes);
+    return read_content(path);
 }
 
 }  // namespace
 
 std::string record_fault(const SpectrumRecord& record) {
-    for (const auto fault : {energy_fault, moment_fault, place_fault}) {
+    for (const auto fault : {energy_fault, moment_fault, direction_fault, place_fault}) {
         if (std::string message = fault(record); !message.empty()) return message;
     }
     return "";
+}
+
+std::vector<SpectrumRecord> read_format(const SpectrumFormat& format,
+                                        const SpectrumSource& source) {
+    const auto fail = [&](const std::string& message) {
+        return text::error_at(ErrorKind::bad_file, source.name, 0, message);
+    };
+    std::vector<SpectrumRecord> records = format.read(source);
+    if (records.empty()) throw fail("holds no spectrum");
+    for (const SpectrumRecord& record : records) {
+        const std::string fault = record_fault(record);
+        if (!fault.empty()) throw fail("record " + record.time + ": " + fault);
+    }
+    return records;
 }
 
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
@@ -108,20 +159,18 @@ std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
     };
     if (source.content.empty()) throw fail("the file is empty");
     for (const SpectrumFormat* format : kFormats) {
-        if (!format->recognises(source.content)) continue;
-        std::vector<SpectrumRecord> records = format->read(source);
-        if (records.empty()) throw fail("holds no spectrum");
-        for (const SpectrumRecord& record : records) {
-            const std::string fault = record_fault(record);
-            if (!fault.empty()) throw fail("record " + record.time + ": " + fault);
-        }
-        return records;
+        if (format->recognises(source.content)) return read_format(*format, source);
+    }
+    if (source.content.starts_with("CDF") || source.content.starts_with("\x89HDF")) {
+        throw fail(
+            "is NetCDF, which the `ocean` command reads; a sea that it saves (`ocean info SEA "
+            "--sea-file`) holds the record and needs the file no more");
     }
     throw fail("is not a spectrum file of a known format; known: " + known_formats());
 }
 
 std::vector<SpectrumRecord> read_spectra(const std::string& path) {
-    const std::string content = text::read_file(path, kMaxSpectrumFileBytes);
+    const std::string content = read_content(path);
     return read_spectra_from({content, path, read_companion});
 }
 

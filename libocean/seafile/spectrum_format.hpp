@@ -16,15 +16,22 @@
 namespace ocean {
 
 /// No format reads more than this: hostile files end in a sentence, not in swap.
-inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMaxFrequencies = 4096;
+inline constexpr std::size_t kMaxDirections = 720;
+/// Waves of a day to capillaries: periods stay finite.
+inline constexpr double kMinFrequency = 1e-5;  // Hz
+inline constexpr double kMaxFrequency = 100.0;
+inline constexpr std::string_view kFrequencyRange = "1e-5 .. 100 Hz";
+/// Of one record: frequencies times directions, some 2 MB as text in a sea file.
+inline constexpr std::size_t kMaxDirectionalValues = std::size_t{1} << 17;
 inline constexpr std::size_t kMaxRecords = 100000;
 
 /// Content to read, and where more of it may lie.
 struct SpectrumSource {
     std::string_view content;
     std::string name;  // the path, for messages and for the names of companions
-    /// The content of another file by its path; nothing if there is no such file.
+    /// The content of another file by its path, unpacked; nothing if there is no such file.
     std::function<std::optional<std::string>(const std::string& path)> companion;
 };
 
@@ -35,8 +42,14 @@ struct SpectrumFormat {
     std::vector<SpectrumRecord> (*read)(const SpectrumSource& source);
 };
 
-extern const SpectrumFormat kNdbcRealtime;  // formats/ndbc_realtime.cpp
+extern const SpectrumFormat kNdbcRealtime;    // formats/ndbc_realtime.cpp
+extern const SpectrumFormat kNdbcHistorical;  // formats/ndbc_historical.cpp
+extern const SpectrumFormat kWavewatch;       // formats/wavewatch.cpp
+extern const SpectrumFormat kSwan;            // formats/swan.cpp
+extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
+/// Reads by one format; the file must hold a spectrum, and none may have a fault.
+std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
 /// read_spectra on content that is in memory already. Every record it gives is without a fault.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);
 

@@ -44,7 +44,7 @@ LAYERS = {
     "seafile": layer(
         "core",
         "seafile",
-        libraries=frozenset({"ocean_options", "tomlplusplus::tomlplusplus", "ZLIB::ZLIB"}),
+        libraries=frozenset({"ocean_options", "tomlplusplus::tomlplusplus", "zlib_static"}),
         headers=("toml++/", "zlib.h"),
         banned=frozenset({"iostream"}),
     ),
@@ -73,7 +73,8 @@ def include_breaches(layer_name: str, file_name: str, text: str) -> list[str]:
     for bracket, name in re.findall(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', text, re.M):
         owner = layer_of_header(name)
         standard = bracket == "<" and re.fullmatch(r"[a-z_0-9]+|stddef\.h|stdint\.h", name)
-        beside = bracket == '"' and ".." not in name and (ROOT / layer_name / name).exists()
+        folders = (ROOT / layer_name, (ROOT / layer_name / file_name).parent)
+        beside = bracket == '"' and ".." not in name and any((f / name).exists() for f in folders)
         excepted = name.startswith(rule.excepted.get(file_name, ("\0",)))
         if owner is not None:
             allowed = owner in rule.below
@@ -98,6 +99,7 @@ def link_breaches(layer_name: str, text: str) -> list[str]:
             own = re.fullmatch(r"ocean(?:::|_)(\w+)", name)
             if own is not None:
                 part = re.sub("^io_.*|^exr$|^povray$|^mesh$|^vdb$", "io", own[1])
+                part = re.sub("^netcdf_spectra$", "apps", part)
                 allowed = ("capi" if part == "c" else part) in rule.below
             else:
                 allowed = rule.libraries is None or name in rule.libraries

@@ -17,6 +17,7 @@ PAIRS = [
     "peak_wavelength",
     "mean_square_slope",
     "mean_direction",
+    "directional_spread",
 ]
 NUMBERS = [
     "energy_resolved",
@@ -101,7 +102,7 @@ def test_direction_is_ours_and_nautical(ocean):
 
 def test_a_measured_sea_names_its_station_and_time(ocean):
     text = ocean.good("info", "buoy.toml")
-    assert "measured at 41010, 2020-06-08T03:50 UTC" in text
+    assert "measured: 41010, 2020-06-08T03:50 UTC" in text
 
 
 def test_measured_height_is_the_integral_of_the_file(ocean):

@@ -130,11 +130,11 @@ TEST(NdbcRealtime, MissingCompanionsMeanNoDirections) {
     for (const char* gone : {"b.swdir", "b.swdir2", "b.swr1", "b.swr2"}) {
         Files files = one_line_buoy();
         files.erase(gone);
-        EXPECT_FALSE(read(files).front().has_directions()) << gone;
+        EXPECT_FALSE(read(files).front().has_moments()) << gone;
     }
     Files files = one_line_buoy();
     files["b.swr1"].replace(files["b.swr1"].find(" 03 50 "), 7, " 04 50 ");
-    EXPECT_FALSE(read(files).front().has_directions()) << "no row of that time";
+    EXPECT_FALSE(read(files).front().has_moments()) << "no row of that time";
 }
 
 TEST(NdbcRealtime, IsRecognisedByContentButFindsCompanionsByName) {
@@ -142,7 +142,7 @@ TEST(NdbcRealtime, IsRecognisedByContentButFindsCompanionsByName) {
     files["buoy.txt"] = files["b.data_spec"];
     const SpectrumRecord record = read(files, "buoy.txt").front();
     EXPECT_EQ(record.density, (std::vector<double>{1.5, 2.5}));
-    EXPECT_FALSE(record.has_directions());
+    EXPECT_FALSE(record.has_moments());
 }
 
 TEST(NdbcRealtime, HeadersWithoutMinutesAndTwoDigitYearsAreRead) {
@@ -175,7 +175,7 @@ TEST(NdbcRealtime, BrokenLinesAreRefusedWithTheirNumber) {
         {"2020 06 08 03 50 0.2 1.5 (0.1) 1,5 (0.2)\n", "'1,5' is not a number"},
         {"2020 06 08 03 50 0.2 1.5 (0.2) 2.5 (0.1)\n", "do not ascend"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.1)\n", "do not ascend"},
-        {"2020 06 08 03 50 0.2 1.5 (0.0) 2.5 (0.1)\n", "above 0"},
+        {"2020 06 08 03 50 0.2 1.5 (0.0) 2.5 (0.1)\n", "allowed: 1e-5 .. 100 Hz"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (inf)\n", "'inf' is not a frequency"},
         {"2020 06 31 03 50 0.2 1.5 (0.1) 2.5 (0.2)\n", "date"},
         {"2020 06 08 24 50 0.2 1.5 (0.1) 2.5 (0.2)\n", "date"},

@@ -57,22 +57,99 @@ TEST(RecordSummary, WithoutDirectionsTheMeanDirectionIsNotANumber) {
     EXPECT_TRUE(std::isnan(summarize(record_at("")).mean_direction));
 }
 
+TEST(RecordSummary, FullSpectrumHasTheDirectionAndSpreadOfItsDensity) {
+    SpectrumRecord record = record_at("");
+    // Half the energy of each frequency to 80 degrees, half to 100; uneven bins weigh by width.
+    record.direction = {0.0, 70.0, 80.0, 90.0, 100.0, 110.0, 180.0, 270.0};
+    for (const double s : record.density) {
+        const double half = 0.5 * s / 10.0;
+        record.directional_density.insert(record.directional_density.end(),
+                                          {0.0, 0.0, half, 0.0, half, 0.0, 0.0, 0.0});
+    }
+    const double pi = std::numbers::pi;
+    const RecordSummary summary = summarize(record);
+    EXPECT_NEAR(summary.mean_direction, 0.5 * pi, 1e-12);
+    EXPECT_NEAR(summary.directional_spread, std::sqrt(2.0 * (1.0 - std::cos(pi / 18.0))), 1e-12);
+    EXPECT_NE(records_json({&record, 1}).find("\"directions\": \"full\""), std::string::npos);
+}
+
+TEST(RecordSummary, FlatSeaHasNoDirection) {
+    SpectrumRecord record = record_at("");
+    record.density = {0.0, 0.0, 0.0};
+    record.direction = {0.0, 120.0, 240.0};
+    record.directional_density.assign(9, 0.0);
+    EXPECT_TRUE(std::isnan(summarize(record).mean_direction));
+    EXPECT_TRUE(std::isnan(summarize(record).directional_spread));
+}
+
+/// Two stations at two times, 5 degrees apart across the date line, and one without a position.
+std::vector<SpectrumRecord> several_places() {
+    std::vector<SpectrumRecord> records;
+    for (const char* time : {"2020-01-01T00:00", "2020-01-01T06:00"}) {
+        records.push_back(record_at(time));
+        records.back().station = "west";
+        records.back().latitude = -40.0;
+        records.back().longitude = 178.0;
+        records.push_back(record_at(time));
+        records.back().station = "east";
+        records.back().latitude = -40.0;
+        records.back().longitude = -177.0;
+        records.push_back(record_at(time));
+        records.back().station = "drifter";
+    }
+    return records;
+}
+
+TEST(RecordChoice, PlaceIsAStationOrTheNearestPosition) {
+    const std::vector<SpectrumRecord> records = several_places();
+    EXPECT_EQ(choose_record(records, {"", "east"}, "f").station, "east");
+    EXPECT_EQ(choose_record(records, {"", "drifter"}, "f").time, "2020-01-01T00:00");
+    const SpectrumRecord& late = choose_record(records, {"2020-01-01T06:10", "east"}, "f");
+    EXPECT_EQ(late.station + late.time, "east2020-01-01T06:00");
+    EXPECT_EQ(choose_record(records, {"", "-40.2,-177.1"}, "f").station, "east");
+    EXPECT_EQ(choose_record(records, {"", " -40 , 183 "}, "f").station, "east") << "183 is -177";
+    EXPECT_EQ(choose_record(records, {"", "-39.9,178.2"}, "f").station, "west");
+}
+
+TEST(RecordChoice, PlaceThatIsNotThereIsRefusedWithTheNearest) {
+    const std::vector<SpectrumRecord> records = several_places();
+    const auto refused = [&](const std::string& place) {
+        return refusal_of([&] { choose_record(records, {"", place}, "b.txt"); });
+    };
+    EXPECT_TRUE(refused("wset").says("did you mean west")) << refused("wset").message;
+    EXPECT_TRUE(refused("zanzibar").says("the first is west")) << refused("zanzibar").message;
+    EXPECT_TRUE(refused("-40,180").says("the nearest is at -40.0000,178.0000, 170 km away"))
+        << refused("-40,180").message;
+    EXPECT_TRUE(refused("91,0").says("no station")) << refused("91,0").message;
+    for (const char* place : {"wset", "-40,180", "91,0"}) {
+        EXPECT_EQ(refused(place).kind, ErrorKind::not_found) << place;
+    }
+    std::vector<SpectrumRecord> nowhere = {record_at("")};
+    const auto message = [&](const char* place) {
+        return refusal_of([&] { choose_record(nowhere, {"", place}, "b.txt"); }).message;
+    };
+    EXPECT_NE(message("1,2").find("its records have no position"), std::string::npos);
+    EXPECT_NE(message("41010").find("its records have no station"), std::string::npos);
+}
+
 TEST(RecordChoice, NothingAskedIsTheFirst) {
-    EXPECT_EQ(choose_record(buoy(), "", "f").time, "2020-06-08T03:50");
+    EXPECT_EQ(choose_record(buoy(), {"", ""}, "f").time, "2020-06-08T03:50");
 }
 
 TEST(RecordChoice, IsTheNearestWithinThirtyMinutes) {
-    EXPECT_EQ(choose_record(buoy(), "2020-06-07T09:50", "f").time, "2020-06-07T09:50");
-    EXPECT_EQ(choose_record(buoy(), "2020-06-07T09:40:30Z", "f").time, "2020-06-07T09:50");
-    EXPECT_EQ(choose_record(buoy(), "2020-06-08 04:20", "f").time, "2020-06-08T03:50");
-    EXPECT_EQ(choose_record(buoy(), "2020-06-08T00:19", "f").time, "2020-06-07T23:50");
-    EXPECT_EQ(choose_record(buoy(), "2020-06-08T00:21", "f").time, "2020-06-08T00:50");
-    EXPECT_EQ(choose_record(buoy(), "2020-06-08T00:20", "f").time, "2020-06-08T00:50")
+    EXPECT_EQ(choose_record(buoy(), {"2020-06-07T09:50", ""}, "f").time, "2020-06-07T09:50");
+    EXPECT_EQ(choose_record(buoy(), {"2020-06-07T09:40:30Z", ""}, "f").time, "2020-06-07T09:50");
+    EXPECT_EQ(choose_record(buoy(), {"2020-06-08 04:20", ""}, "f").time, "2020-06-08T03:50");
+    EXPECT_EQ(choose_record(buoy(), {"2020-06-08T00:19", ""}, "f").time, "2020-06-07T23:50");
+    EXPECT_EQ(choose_record(buoy(), {"2020-06-08T00:21", ""}, "f").time, "2020-06-08T00:50");
+    EXPECT_EQ(choose_record(buoy(), {"2020-06-08T00:20", ""}, "f").time, "2020-06-08T00:50")
         << "between two, the first of the file";
 }
 
 TEST(RecordChoice, BeyondThirtyMinutesNamesTheNearest) {
-    const Refusal refusal = refusal_of([] { choose_record(buoy(), "2020-06-08T04:21", "b.txt"); });
+    const Refusal refusal = refusal_of([] {
+        choose_record(buoy(), {"2020-06-08T04:21", ""}, "b.txt");
+    });
     EXPECT_EQ(refusal.kind, ErrorKind::not_found);
     EXPECT_TRUE(refusal.says("b.txt: ") && refusal.says("2020-06-08T04:21") &&
                 refusal.says("nearest is 2020-06-08T03:50"))
@@ -82,13 +159,13 @@ TEST(RecordChoice, BeyondThirtyMinutesNamesTheNearest) {
 TEST(RecordChoice, CountsDaysAcrossMonthsAndLeapYears) {
     const std::vector<SpectrumRecord> records = {record_at("2020-02-28T23:50"),
                                                  record_at("2020-02-29T23:50")};
-    EXPECT_EQ(choose_record(records, "2020-03-01T00:10", "f").time, "2020-02-29T23:50");
+    EXPECT_EQ(choose_record(records, {"2020-03-01T00:10", ""}, "f").time, "2020-02-29T23:50");
 }
 
 TEST(RecordChoice, TextThatIsNoTimeIsRefused) {
     for (const char* text : {"2020", "2020-06-08", "2020-13-08T03:50", "2020-06-31T03:50",
                              "2020-06-08T03:50+02", "2020-06-08T3:50", "tomorrow"}) {
-        const Refusal refusal = refusal_of([&] { choose_record(buoy(), text, "f"); });
+        const Refusal refusal = refusal_of([&] { choose_record(buoy(), {text, ""}, "f"); });
         EXPECT_EQ(refusal.kind, ErrorKind::invalid_value) << text;
         EXPECT_TRUE(refusal.says(text) && refusal.says("2020-06-08T03:50")) << refusal.message;
     }
@@ -106,6 +183,8 @@ TEST(RecordChoice, IsMadeAnewForASystemWhoseRecordWasReset) {
     resolve_records(parameters, kData + "/spectra");
     EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-05T18:50");
     EXPECT_EQ(parameters.waves[0].measured, nullptr);
+    set_parameter(parameters, "waves.1.place", "41010");
+    EXPECT_EQ(parameters.waves[1].measured, nullptr) << "another place is another record";
 }
 
 TEST(RecordList, IsJsonWithEscapesAndNullForTheUnknown) {
@@ -115,15 +194,21 @@ TEST(RecordList, IsJsonWithEscapesAndNullForTheUnknown) {
               "[\n {\"time\": \"2020-06-08T03:50\", \"station\": \"a\\\"b\\\\c\\u000A?\", "
               "\"latitude\": null, \"longitude\": null, \"depth\": null, "
               "\"significant_wave_height\": 3.3466401061363027, \"peak_period\": 5, "
-              "\"mean_direction\": null}\n]\n");
+              "\"mean_direction\": null, \"coming_from\": null, \"directional_spread\": null, "
+              "\"directions\": \"none\", \"frequencies\": 3}\n]\n");
 }
 
-TEST(RecordList, GivesDirectionsInDegreesCounterClockwiseFromEast) {
+TEST(RecordList, GivesDirectionsInBothConventions) {
     SpectrumRecord record = record_at("");
     record.a1 = {0.0, 0.0, 0.0};
-    record.b1 = {-0.5, -0.5, -0.5};
+    record.b1 = {-0.5, -0.5, -0.5};  // to the south
     record.a2 = record.b2 = {0.0, 0.0, 0.0};
-    EXPECT_NE(records_json({&record, 1}).find("\"mean_direction\": -90}"), std::string::npos);
+    const std::string json = records_json({&record, 1});
+    EXPECT_NE(
+        json.find("\"mean_direction\": -90, \"coming_from\": 0, \"directional_spread\": 57.29"),
+        std::string::npos)
+        << json;
+    EXPECT_NE(json.find("\"directions\": \"moments\""), std::string::npos) << json;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "helpers.hpp"
+#include "spectrum_format.hpp"
 
 namespace ocean::test {
 namespace {
@@ -153,6 +154,42 @@ TEST(MeasuredRecord, InlinedWinsOverAFileThatIsGone) {
     EXPECT_EQ(parse_sea(text, "t", "/nowhere").parameters.waves[0].measured->station, "41010");
 }
 
+TEST(MeasuredRecord, FullSpectrumComesBackInEveryBit) {
+    Sea sea = buoy_sea();
+    SpectrumRecord record = *sea.parameters.waves[0].measured;
+    record.a1 = record.b1 = record.a2 = record.b2 = {};
+    record.latitude = record.longitude = record.depth = 1.0 / 3.0;  // NaN equals nothing
+    record.direction = {0.1, 120.0 / 7.0, 200.3};
+    for (std::size_t i = 0; i < 3 * record.frequency.size(); ++i) {
+        record.directional_density.push_back(std::exp(-0.1 * static_cast<double>(i)) / 3.0);
+    }
+    sea.parameters.waves[0].measured = std::make_shared<const SpectrumRecord>(record);
+    const Sea again = parse_sea(write_sea(sea), "written", "/nowhere");
+    EXPECT_EQ(*again.parameters.waves[0].measured, record);
+}
+
+TEST(MeasuredRecord, OfTheLargestSizeFitsIntoASeaFile) {
+    Sea sea = buoy_sea();
+    SpectrumRecord record;
+    record.latitude = record.longitude = record.depth = 1.0 / 3.0;
+    const std::size_t frequencies = kMaxDirectionalValues / 512;
+    for (std::size_t j = 0; j < 512; ++j) {
+        record.direction.push_back(static_cast<double>(j) * (360.0 / 512.3));
+    }
+    for (std::size_t i = 0; i < frequencies; ++i) {
+        record.frequency.push_back(0.01 + static_cast<double>(i) / 300.0);
+        record.density.push_back(1.0 / static_cast<double>(i + 3));
+        for (std::size_t j = 0; j < 512; ++j) {
+            record.directional_density.push_back(1e-5 / static_cast<double>(i + j + 3));
+        }
+    }
+    ASSERT_EQ(record_fault(record), "");
+    sea.parameters.waves[0].measured = std::make_shared<const SpectrumRecord>(record);
+    sea.parameters.waves[0].record = "";
+    const std::string text = write_sea(sea);
+    EXPECT_EQ(*parse_sea(text, "t", "").parameters.waves[0].measured, record) << text.size();
+}
+
 TEST(MeasuredRecord, ThatIsNotTheOneAskedForIsRefused) {
     std::string text = write_sea(buoy_sea());
     text.replace(text.find("2020-06-07T09:40"), 16, "2020-06-05T18:50");
@@ -166,14 +203,17 @@ TEST(MeasuredRecord, WithAFaultIsRefusedWithItsLine) {
     const std::string head = "[[waves]]\nspectrum = \"measured\"\n[waves.measured_record]\n";
     const std::string f = "frequency = [0.1, 0.2]\n";
     const std::string s = "density = [1.0, 2.0]\n";
+    const std::string d = "direction = [0, 120, 240]\n";
+    const std::string e = "directional_density = [1, 2, 3, 4, 5, 6]\n";
     EXPECT_FALSE(refusal_of_sea(head + f + s).refused);
+    EXPECT_FALSE(refusal_of_sea(head + f + s + d + e).refused);
     const std::pair<std::string, std::string> faults[] = {
         {s, "at least 2 frequencies"},
         {"frequency = [0.1]\ndensity = [1.0]\n", "at least 2 frequencies"},
         {f + "density = [1.0]\n", "differ in length"},
         {"frequency = [0.2, 0.1]\n" + s, "does not ascend"},
         {"frequency = [0.1, 0.1]\n" + s, "does not ascend"},
-        {"frequency = [0.0, 0.1]\n" + s, "above 0"},
+        {"frequency = [0.0, 0.1]\n" + s, "not within 1e-5 .. 100 Hz"},
         {"frequency = [0.1, nan]\n" + s, "test.toml:5: waves.0.measured_record.frequency = nan"},
         {f + "density = [-1.0, 2.0]\n", "not within 0 .. 1e6"},
         {f + "density = [1.0, inf]\n", "test.toml:6: waves.0.measured_record.density = inf"},
@@ -183,6 +223,15 @@ TEST(MeasuredRecord, WithAFaultIsRefusedWithItsLine) {
         {f + s + "a1=[0,2]\nb1=[0,0]\na2=[0,0]\nb2=[0,0]\n", "beyond 1"},
         {f + s + "a1=[0]\nb1=[0]\na2=[0]\nb2=[0]\n", "differ in length"},
         {f + s + "a1=[0,inf]\nb1=[0,0]\na2=[0,0]\nb2=[0,0]\n", "test.toml:7: "},
+        {f + s + d, "has not a value for each"},
+        {f + s + "directional_density=[1,2,3,4,5,6]\n", "at least 3 directions"},
+        {f + s + "direction=[0,120]\ndirectional_density=[1,2,3,4]\n", "at least 3 directions"},
+        {f + s + "direction=[0,240,120]\n" + e, "do not ascend"},
+        {f + s + "direction=[0,120,360]\n" + e, "do not ascend"},
+        {f + s + "direction=[-1,120,240]\n" + e, "do not ascend"},
+        {f + s + d + "directional_density=[1,2,3,4,5,-6]\n", "directional density of bin 2"},
+        {f + s + d + e + "a1=[0,0]\nb1=[0,0]\na2=[0,0]\nb2=[0,0]\n", "moments and a density"},
+        {f + s + d + "directional_density=[1,2,3,4,5,nan]\n", "test.toml:8: "},
         {f + s + "latitude = 91\n", "latitude"},
         {f + s + "longitude = nan\n", "test.toml:7: waves.0.measured_record.longitude = nan"},
         {f + s + "depth = -3\n", "depth"},

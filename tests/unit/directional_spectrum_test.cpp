@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -211,6 +212,116 @@ TEST(DirectionalSpectrum, MeasuredWithoutDirectionsTakesTheWind) {
     const SpectralMoments moments = make_directional_spectrum(parameters).moments(parameters.water);
     EXPECT_NEAR(moments.mean_direction * 180.0 / kPi, -45.0, 0.1);
     EXPECT_NEAR(moments.m0 / trapezoid(*record), 1.0, 1e-7);
+}
+
+/// Swell in a narrow lobe and a wind sea in a broad one, at uneven directions and frequencies.
+std::shared_ptr<SpectrumRecord> full_record() {
+    auto record = std::make_shared<SpectrumRecord>();
+    record->frequency = {0.05, 0.06, 0.075, 0.09, 0.12, 0.2, 0.35};
+    for (double d = 2.0; d < 360.0; d += d < 90.0 ? 5.0 : 13.0) record->direction.push_back(d);
+    const auto lobe = [](double degrees, double mean, double exponent) {
+        return std::pow(std::abs(std::cos(0.5 * (degrees - mean) * kPi / 180.0)), exponent);
+    };
+    const std::vector<double>& d = record->direction;
+    for (const double f : record->frequency) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < d.size(); ++j) {
+            const double before = j > 0 ? d[j - 1] : d.back() - 360.0;
+            const double after = j + 1 < d.size() ? d[j + 1] : d.front() + 360.0;
+            const double value =
+                f < 0.1 ? 0.3 * lobe(d[j], 30.0, 120.0) * (0.1 - f) : 0.02 * lobe(d[j], 250.0, 4.0);
+            record->directional_density.push_back(value);
+            sum += 0.5 * (after - before) * value;
+        }
+        record->density.push_back(sum);
+    }
+    return record;
+}
+
+Parameters full_sea() {
+    Parameters parameters = measured_sea();
+    parameters.waves.front().measured = full_record();
+    return parameters;
+}
+
+TEST(DirectionalSpectrum, FullSpectrumKeepsTheEnergyOfEveryFrequencyRow) {
+    const Parameters parameters = full_sea();
+    const SpectrumRecord& record = *parameters.waves.front().measured;
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    EXPECT_NEAR(table.moments(parameters.water).m0 / trapezoid(record), 1.0, 1e-7);
+    for (std::size_t i = 0; i + 1 < record.frequency.size(); ++i) {
+        EXPECT_NEAR(table.frequency_density(kTwoPi * record.frequency[i]) * kTwoPi,
+                    record.density[i], 1e-6 * record.density[i]);
+    }
+}
+
+TEST(DirectionalSpectrum, FullSpectrumIsTakenAsItIs) {
+    const Parameters parameters = full_sea();
+    const SpectrumRecord& record = *parameters.waves.front().measured;
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    const std::size_t width = record.direction.size();
+    // m^2/Hz/degree as m^2 s/rad^2.
+    const double unit = 180.0 / kPi / kTwoPi;
+    for (std::size_t i = 0; i + 1 < record.frequency.size(); ++i) {
+        const double* row = record.directional_density.data() + i * width;
+        const double largest = *std::max_element(row, row + width) * unit;
+        for (std::size_t j = 0; j < width; ++j) {
+            const double next = j + 1 < width ? record.direction[j + 1] : 360.0 + 2.0;
+            const double middle = 0.5 * (record.direction[j] + next) * kPi / 180.0;
+            const double omega = kTwoPi * record.frequency[i];
+            EXPECT_NEAR(table.density(omega, record.direction[j] * kPi / 180.0), row[j] * unit,
+                        0.01 * largest);
+            EXPECT_NEAR(table.density(omega, middle), 0.5 * (row[j] + row[(j + 1) % width]) * unit,
+                        0.01 * largest)
+                << "linear between the listed directions, across 360 degrees too";
+        }
+    }
+}
+
+TEST(DirectionalSpectrum, FullSpectrumTurnsToAGivenDirection) {
+    Parameters parameters = full_sea();
+    const SpectralMoments before = make_directional_spectrum(parameters).moments(parameters.water);
+    parameters.waves.front().wind_direction = -170.0;
+    const SpectralMoments turned = make_directional_spectrum(parameters).moments(parameters.water);
+    EXPECT_GT(std::abs(before.mean_direction * 180.0 / kPi + 170.0), 20.0);
+    EXPECT_NEAR(turned.mean_direction * 180.0 / kPi, -170.0, 0.1);
+    EXPECT_NEAR(turned.directional_spread, before.directional_spread, 1e-3);
+    EXPECT_NEAR(turned.m0 / before.m0, 1.0, 1e-9);
+}
+
+TEST(DirectionalSpectrum, MeasuredSwellAndParametricWindSeaAdd) {
+    Parameters both = full_sea();
+    WaveSystem wind = test::wind_sea().waves.front();
+    both.waves.push_back(wind);
+    Parameters alone = both;
+    alone.waves = {wind};
+    const DirectionalSpectrum sum = make_directional_spectrum(both);
+    const DirectionalSpectrum measured = make_directional_spectrum(full_sea());
+    const DirectionalSpectrum parametric = make_directional_spectrum(alone);
+    const double m0 = measured.moments(both.water).m0 + parametric.moments(both.water).m0;
+    EXPECT_NEAR(sum.moments(both.water).m0 / m0, 1.0, 2e-5);
+    for (const double frequency : {0.055, 0.08, 0.17, 0.3}) {
+        for (const double theta : {0.4, 0.5, 2.0, -1.9}) {
+            const double omega = kTwoPi * frequency;
+            const double expected =
+                measured.density(omega, theta) + parametric.density(omega, theta);
+            EXPECT_NEAR(sum.density(omega, theta), expected, 1e-3 * expected + 1e-6);
+        }
+    }
+}
+
+TEST(DirectionalSpectrum, FullSpectrumRowWithoutEnergyIsNoWaves) {
+    Parameters parameters = full_sea();
+    auto record = std::make_shared<SpectrumRecord>(*parameters.waves.front().measured);
+    const std::size_t width = record->direction.size();
+    std::fill_n(record->directional_density.begin() + static_cast<std::ptrdiff_t>(3 * width), width,
+                0.0);
+    record->density[3] = 0.0;
+    parameters.waves.front().measured = record;
+    const DirectionalSpectrum table = make_directional_spectrum(parameters);
+    EXPECT_EQ(table.frequency_density(kTwoPi * record->frequency[3]), 0.0);
+    EXPECT_GT(table.frequency_density(kTwoPi * record->frequency[2]), 0.0);
+    EXPECT_TRUE(std::isfinite(table.moments(parameters.water).directional_spread));
 }
 
 TEST(DirectionalSpectrum, FlatSeaIsZeroEverywhere) {

@@ -64,6 +64,7 @@ TEST(ParameterTable, HasEveryKeyOfTheSeaFileOnce) {
                                             "waves.0.alignment",
                                             "waves.0.cutoff_wavelength",
                                             "waves.0.file",
+                                            "waves.0.place",
                                             "waves.0.record",
                                             "waves.0.estimator"};
     std::set<std::string> found;

@@ -32,6 +32,16 @@ TEST(SeaState, AskedAndResolvedAgreeOnAGoodGrid) {
     EXPECT_NEAR(state.foam_preroll_seconds, 25.0, 1e-9);
 }
 
+TEST(SeaState, DirectionalSpreadIsTheCircularDeviation) {
+    Parameters parameters = test::wind_sea(512, 800.0);
+    parameters.waves.front().spreading = SpreadingKind::cosine_squared;
+    const SeaState state = state_of(parameters);
+    const double r1 = 8.0 / (3.0 * kPi);  // of 2/pi cos^2
+    const double spread = std::sqrt(2.0 * (1.0 - r1)) * 180.0 / kPi;
+    EXPECT_NEAR(state.directional_spread.asked, spread, 0.01);
+    EXPECT_NEAR(state.directional_spread.resolved, spread, 0.3);
+}
+
 TEST(SeaState, WarnsOfAGridThatIsTooSmallOrTooCoarse) {
     EXPECT_LT(state_of(test::wind_sea(512, 20.0)).energy_resolved, 0.9);
     EXPECT_FALSE(state_of(test::wind_sea(512, 20.0)).warnings.empty());

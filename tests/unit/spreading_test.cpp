@@ -214,6 +214,32 @@ TEST(MaximumEntropy, NoMomentsMeanNoDirection) {
     for (const double value : row) EXPECT_NEAR(value, 1.0 / kTwoPi, 1e-12);
 }
 
+TEST(MeanAndSpreadEstimate, IsTheCosinePowerWithThatFirstMoment) {
+    std::vector<double> row(2048);
+    for (const double r1 : {0.5, 0.9, 0.99}) {
+        const std::complex<double> c1 = std::polar(r1, -2.4);
+        estimate_row(c1.real(), c1.imag(), std::nan(""), std::nan(""), Estimator::maximum_entropy,
+                     row);
+        const double s = r1 / (1.0 - r1);
+        EXPECT_NEAR(std::abs(moment(row, 1) - c1), 0.0, 1e-6) << r1;
+        const double r2 = s * (s - 1.0) / ((s + 1.0) * (s + 2.0));
+        EXPECT_NEAR((moment(row, 2) * std::polar(1.0, 4.8)).real(), r2, 1e-6) << r1;
+        EXPECT_NEAR(integral(row), 1.0, 1e-12);
+        const std::size_t top =
+            static_cast<std::size_t>(std::max_element(row.begin(), row.end()) - row.begin());
+        EXPECT_NEAR(kTwoPi * static_cast<double>(top) / 2048.0, kTwoPi - 2.4, 0.002)
+            << "one crest, at the mean";
+    }
+}
+
+TEST(MeanAndSpreadEstimate, OfALineOrOfNoDirectionIsFinite) {
+    std::vector<double> row(1024);
+    for (const double r1 : {0.0, 1.0, 1.004}) {
+        estimate_row(r1, 0.0, std::nan(""), std::nan(""), Estimator::fourier, row);
+        EXPECT_NEAR(integral(row), 1.0, 1e-12) << r1;
+    }
+}
+
 TEST(FourierEstimate, IsTheTruncatedSeriesWhereThatIsPositive) {
     std::vector<double> row(256);
     estimate_row(0.3, 0.0, 0.1, 0.0, Estimator::fourier, row);

@@ -25,6 +25,7 @@ struct Context {
 void add_info_command(CLI::App& app, Context& context);
 void add_bake_command(CLI::App& app, Context& context);
 void add_spectrum_command(CLI::App& app, Context& context);
+void add_records_command(CLI::App& app, Context& context);
 void add_params_command(CLI::App& app, Context& context);
 void add_presets_command(CLI::App& app, Context& context);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "any_spectra.hpp"
 #include "command.hpp"
 #include "console.hpp"
 #include "ocean/ocean.hpp"
@@ -44,11 +45,6 @@ double coming_from(double travelling_to) {
     return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
-std::string position_text(const SpectrumRecord& record) {
-    if (std::isnan(record.latitude) || std::isnan(record.longitude)) return "";
-    return format_text(", at %.3f N %.3f E", record.latitude, record.longitude);
-}
-
 std::string waves_text(const Parameters& parameters) {
     std::string text;
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
@@ -56,9 +52,7 @@ std::string waves_text(const Parameters& parameters) {
         const std::string prefix = "waves." + std::to_string(i) + ".";
         std::string line = get_parameter(parameters, prefix + "spectrum");
         if (waves.measured) {
-            line += " at " + (waves.measured->station.empty() ? "an unnamed station"
-                                                              : waves.measured->station);
-            line += ", " + waves.measured->time + " UTC" + position_text(*waves.measured);
+            line += ": " + origin_text(*waves.measured);
         } else {
             line += format_text(", wind %g m/s towards %g deg", waves.wind_speed,
                                 waves.direction_degrees());
@@ -79,6 +73,7 @@ std::string state_text(const SeaState& state) {
         const AskedResolved from{coming_from(state.mean_direction.asked),
                                  coming_from(state.mean_direction.resolved)};
         text += asked_resolved("  nautical, from", from, " deg", "%.1f");
+        text += asked_resolved("Directional spread", state.directional_spread, " deg", "%.1f");
     } else {
         text += row("", "flat: there are no waves");
     }

@@ -77,6 +77,7 @@ int run(int argc, char** argv) {
     add_info_command(app, context);
     add_bake_command(app, context);
     add_spectrum_command(app, context);
+    add_records_command(app, context);
     add_params_command(app, context);
     add_presets_command(app, context);
     try {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "any_spectra.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io.hpp"
 #include "ocean/parameter_table.hpp"
@@ -28,7 +29,7 @@ bool is_exr(const std::string& path) {
 
 Sea sea_of_exr(const std::string& path) {
     for (const auto& [key, value] : io::read_exr_header(path)) {
-        if (key == "ocean:sea") return parse_sea(value, path, "");
+        if (key == "ocean:sea") return parse_sea(value, path, "", read_any_spectra);
     }
     throw Error(ErrorKind::bad_file,
                 path + ": no sea is in this file; only files that `ocean bake` wrote hold one");
@@ -37,9 +38,9 @@ Sea sea_of_exr(const std::string& path) {
 Sea read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
         const Preset& preset = find_preset(source.substr(kPresetPrefix.size()));
-        return parse_sea(preset.toml, source, "");
+        return parse_sea(preset.toml, source, "", read_any_spectra);
     }
-    return is_exr(source) ? sea_of_exr(source) : read_sea(source);
+    return is_exr(source) ? sea_of_exr(source) : read_sea(source, read_any_spectra);
 }
 
 void assign_text(Parameters& parameters, const std::string& assignment) {
@@ -78,7 +79,8 @@ Sea open_sea(const SeaArgument& argument) {
     for (const std::string& assignment : argument.assignments) {
         assign_text(sea.parameters, assignment);
     }
-    resolve_records(sea.parameters, utf8_path(argument.source).parent_path().string());
+    resolve_records(sea.parameters, utf8_path(argument.source).parent_path().string(),
+                    read_any_spectra);
     validate(sea.parameters);
     return sea;
 }

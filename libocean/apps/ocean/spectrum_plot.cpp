@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "any_spectra.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/ocean.hpp"
 #include "spectrum_panels.hpp"
@@ -39,7 +40,7 @@ int whole_degrees(double degrees) {
 std::string title_of(const Parameters& parameters, const std::string& name) {
     for (const WaveSystem& waves : parameters.waves) {
         if (!waves.measured) continue;
-        return name + "  \u2013  " + waves.measured->station + ", " + waves.measured->time + " UTC";
+        return name + "  \u2013  " + origin_text(*waves.measured);
     }
     return name;
 }

@@ -81,6 +81,7 @@ struct WaveSystem {
     double cutoff_wavelength = 0.0;
     std::string file;
     std::string record;
+    std::string place;
     Estimator estimator = Estimator::maximum_entropy;
 
     /// The chosen record of `file`, resolved by ocean::seafile. Shared, never changed.

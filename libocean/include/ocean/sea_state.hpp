@@ -22,9 +22,10 @@ struct SeaState {
     AskedResolved peak_period;              // s; 0 = flat
     AskedResolved peak_wavelength;          // m
     AskedResolved mean_square_slope;
-    AskedResolved mean_direction;  // degrees counter-clockwise from +x, travelling to
-    double energy_resolved = 1.0;  // resolved m0 / asked m0; 1 for a flat sea
-    double shortest_wave = 0.0;    // m, of the grid within the band limits
+    AskedResolved mean_direction;      // degrees counter-clockwise from +x, travelling to
+    AskedResolved directional_spread;  // degrees, circular standard deviation
+    double energy_resolved = 1.0;      // resolved m0 / asked m0; 1 for a flat sea
+    double shortest_wave = 0.0;        // m, of the grid within the band limits
     double longest_wave = 0.0;
     double period = 0.0;             // m
     std::uint64_t memory_bytes = 0;  // modes, spectrum table and one frame of all fields

@@ -18,15 +18,23 @@ namespace ocean {
 /// The format version that this library reads and writes.
 inline constexpr int kSeaFileVersion = 1;
 
+/// All records of a spectrum file, in file order, whatever its format: it is recognised by content.
+/// Text formats, and .gz of them where zlib is there. Throws Error bad_file "PATH:LINE: ...".
+std::vector<SpectrumRecord> read_spectra(const std::string& path);
+/// read_spectra or a program's own, which knows formats that need more libraries.
+using SpectrumReader = std::function<std::vector<SpectrumRecord>(const std::string& path)>;
+
 /// Reads a sea file. A relative `file` is relative to it. Throws Error with
 /// "PATH:LINE: section.key = VALUE: what is wrong; allowed: RANGE".
-Sea read_sea(const std::string& path);
+Sea read_sea(const std::string& path, const SpectrumReader& reader = read_spectra);
 /// The same from text; `name` stands for the path in messages, `base_dir` is where a relative
 /// `file` starts (empty: the current directory).
-Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir);
-/// Reads the record of each measured system that has none yet: after `file` or `record` was
-/// assigned anew and `measured` reset. Throws as read_spectra and choose_record.
-void resolve_records(Parameters& parameters, const std::string& base_dir);
+Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
+              const SpectrumReader& reader = read_spectra);
+/// Reads the record of each measured system that has none yet: after `file`, `record` or `place`
+/// was assigned anew and `measured` reset. Throws as read_spectra and choose_record.
+void resolve_records(Parameters& parameters, const std::string& base_dir,
+                     const SpectrumReader& reader = read_spectra);
 /// The resolved sea as text: every key of the table, the chosen records inlined as
 /// [waves.measured_record], which a reader takes before any `file`. parse_sea(write_sea(s)) gives
 /// the same parameters in every bit. Throws Error invalid_value for a text that is not UTF-8.
@@ -41,23 +49,27 @@ std::span<const Preset> presets();
 /// Throws Error not_found naming the nearest.
 const Preset& find_preset(std::string_view name);
 
-/// All records of a spectrum file, in file order, whatever its format: it is recognised by content.
-/// Throws Error bad_file "PATH:LINE: ...".
-std::vector<SpectrumRecord> read_spectra(const std::string& path);
-/// The record at `time` (ISO 8601): the nearest within 30 minutes; "" = the first. Throws Error
-/// not_found that names the nearest.
-const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records, std::string_view time,
-                                    const std::string& file);
+/// Which of the records to take; "" = the first.
+struct RecordChoice {
+    std::string time;   // ISO 8601: the nearest within 30 minutes
+    std::string place;  // a station's name, or "LATITUDE,LONGITUDE": the nearest within 50 km
+};
+/// The place is chosen first. Throws Error invalid_value for a choice that says nothing, not_found
+/// that names the nearest there is.
+const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
+                                    const RecordChoice& choice, const std::string& file);
 /// JSON, one object a record: time, station, latitude, longitude, depth, significant_wave_height
-/// [m], peak_period [s], mean_direction [degrees counter-clockwise from +x, travelling to]; null
-/// where it is not known.
+/// [m], peak_period [s], mean_direction [degrees counter-clockwise from +x, travelling to],
+/// coming_from [the same, degrees clockwise from north], directional_spread [degrees], directions
+/// ("none", "moments" or "full"), frequencies [how many]; null where it is not known.
 std::string records_json(std::span<const SpectrumRecord> records);
 
-/// m0 [m^2] by the trapezoid over the listed frequencies, Tp [s] and mean direction [rad].
+/// Integrals of a record as it was measured, over its listed frequencies by the trapezoid.
 struct RecordSummary {
-    double m0 = 0.0;
-    double peak_period = 0.0;
-    double mean_direction = 0.0;  // NaN without directions
+    double m0 = 0.0;                  // m^2
+    double peak_period = 0.0;         // s, of the listed frequency with the most energy
+    double mean_direction = 0.0;      // rad, travelling to, energy-weighted; NaN without directions
+    double directional_spread = 0.0;  // rad, sqrt(2 (1 - |c1|)); NaN without directions
 };
 RecordSummary summarize(const SpectrumRecord& record);
 

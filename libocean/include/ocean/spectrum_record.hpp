@@ -11,11 +11,12 @@
 
 namespace ocean {
 
-/// Plain value. Angles are already converted: radians counter-clockwise from east, the direction
-/// waves travel to. Vectors are parallel to `frequency`.
+/// Plain value. Angles are already converted: counter-clockwise from east, the direction waves
+/// travel to. A record says of directions nothing, or their first two moments (buoys), or all (wave
+/// models), never both. Vectors are parallel to `frequency` where nothing else is said.
 struct SpectrumRecord {
     std::string station;
-    std::string time;  // ISO 8601 in UTC, to the minute: 2020-06-08T03:50
+    std::string time;  // ISO 8601 in UTC, to the minute: 2020-06-08T03:50; empty = not known
     double latitude = std::numeric_limits<double>::quiet_NaN();   // degrees north
     double longitude = std::numeric_limits<double>::quiet_NaN();  // degrees east
     double depth = std::numeric_limits<double>::quiet_NaN();      // m; NaN = not known
@@ -24,11 +25,18 @@ struct SpectrumRecord {
     std::vector<double> density;    // S(f), m^2/Hz, >= 0
 
     // First and second normalised Fourier moments of the directional distribution,
-    // a_n = mean of cos(n theta), b_n = mean of sin(n theta). Empty: no directions were measured.
-    // NaN in a bin: missing there.
+    // a_n = mean of cos(n theta), b_n = mean of sin(n theta). Empty: not measured.
+    // NaN in a bin: missing there. a2 and b2 alone missing: a mean direction and a spread are all
+    // that is known, and the distribution is taken as cos^2s of half the angle.
     std::vector<double> a1, b1, a2, b2;
 
-    bool has_directions() const { return !a1.empty(); }
+    // The spectrum over frequency and direction: piecewise linear and periodic in direction.
+    // Its integral over the circle at a frequency is `density` there.
+    std::vector<double> direction;            // degrees, 0 <= d < 360, ascending, 3 or more
+    std::vector<double> directional_density;  // m^2/Hz/degree, >= 0, [frequency][direction]
+
+    bool has_moments() const { return !a1.empty(); }
+    bool is_directional() const { return !direction.empty(); }
     bool operator==(const SpectrumRecord&) const = default;
 };
 

@@ -11,6 +11,10 @@
 
 namespace ocean {
 
+/// Of the cos-2s family: a beam 8 degrees wide. Mitsuyasu's s_p grows without bound for swell that
+/// has outrun its wind.
+inline constexpr double kLargestExponent = 200.0;
+
 /// s of the cos-2s family. x = omega / omega_p; wave_age_inverse = U omega_p / g.
 /// [Mitsuyasu 1975] eq. 27 to 29: s_p = 11.5 (U omega_p / g)^-2.5, s_p x^5 or s_p x^-2.5.
 double mitsuyasu_exponent(double x, double wave_age_inverse);
@@ -20,6 +24,10 @@ double hasselmann_exponent(double x, double wave_age_inverse);
 double donelan_banner_beta(double x);
 /// s_xi = 16 tanh(omega_p / omega) xi^2 of [Horvath 2015] eq. 44: long waves are more aligned.
 double swell_exponent(double x, double swell);
+
+/// Circular standard deviation, rad, of a distribution whose first moment has the length r1 (0..1):
+/// sqrt(2 (1 - r1)) [Kuik 1988]; sqrt(2) when there is no direction.
+double circular_spread(double r1);
 
 /// Normalisation of |cos(theta/2)|^(2s) over the full circle, by lgamma: finite for any s.
 double cosine_2s_normalisation(double s);
@@ -36,6 +44,9 @@ int directions_needed(const WaveSystem& system, double wave_age_inverse);
 /// Non-negative D(theta_j) with the given first two moments, travel direction in radians.
 /// maximum_entropy: [Lygre and Krogstad 1986] eq. 13; moments that no distribution can have are
 /// pulled to the nearest that one can. fourier: truncated series, negative parts cut off.
+/// a2 or b2 = NaN, not known: |cos(theta/2)|^(2s) about the mean with s = r1 / (1 - r1), which has
+/// the first moment r1 [Longuet-Higgins 1963]; s at most kLargestExponent. A maximum of entropy
+/// under a guessed second moment would split a narrow swell in two.
 void estimate_row(double a1, double b1, double a2, double b2, Estimator estimator,
                   std::span<double> row);
 

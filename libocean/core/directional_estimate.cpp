@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Directions of a measured sea: from the two Fourier moments that a buoy reports to a non-negative
-// distribution over the circle.
+// Directions of a measured sea: from the one or two Fourier moments that are known of a frequency
+// to a non-negative distribution over the circle.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -28,18 +28,20 @@ void make_possible(Complex& c1, Complex& c2) {
     if (std::abs(offset) > radius) c2 = c1 * c1 + offset * (radius / std::abs(offset));
 }
 
-}  // namespace
+void cosine_2s_row(Complex c1, std::span<double> row) {
+    const double r1 = std::abs(c1);
+    const double s = r1 < 1.0 ? std::min(r1 / (1.0 - r1), kLargestExponent) : kLargestExponent;
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        const double theta = kTwoPi * static_cast<double>(j) / static_cast<double>(row.size());
+        row[j] = std::pow(std::abs(std::cos(0.5 * (theta - std::arg(c1)))), 2.0 * s);
+    }
+}
 
-void estimate_row(double a1, double b1, double a2, double b2, Estimator estimator,
-                  std::span<double> row) {
-    Complex c1(a1, b1);
-    Complex c2(a2, b2);
+void moments_row(Complex c1, Complex c2, Estimator estimator, std::span<double> row) {
     make_possible(c1, c2);
     // phi_1, phi_2 of the second-order autoregressive process that has these moments.
     const Complex phi1 = (c1 - c2 * std::conj(c1)) / (1.0 - std::norm(c1));
     const Complex phi2 = c2 - c1 * phi1;
-
-    double sum = 0.0;
     for (std::size_t j = 0; j < row.size(); ++j) {
         const double theta = kTwoPi * static_cast<double>(j) / static_cast<double>(row.size());
         const Complex turn1 = std::polar(1.0, -theta);
@@ -49,8 +51,20 @@ void estimate_row(double a1, double b1, double a2, double b2, Estimator estimato
         } else {
             row[j] = std::max(0.0, 0.5 + (c1 * turn1).real() + (c2 * turn2).real());
         }
-        sum += row[j];
     }
+}
+
+}  // namespace
+
+void estimate_row(double a1, double b1, double a2, double b2, Estimator estimator,
+                  std::span<double> row) {
+    if (std::isnan(a2 + b2)) {
+        cosine_2s_row({a1, b1}, row);
+    } else {
+        moments_row({a1, b1}, {a2, b2}, estimator, row);
+    }
+    double sum = 0.0;
+    for (const double value : row) sum += value;
     const double scale = static_cast<double>(row.size()) / (kTwoPi * sum);
     for (double& value : row) value *= scale;
 }

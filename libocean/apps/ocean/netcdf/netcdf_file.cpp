@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A NetCDF file by way of libnetcdf: see netcdf_file.hpp.
+#include "netcdf_file.hpp"
+
+#include <netcdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+
+#include "classic_extent.hpp"
+#include "netcdf_layout.hpp"
+
+namespace ocean::netcdf {
+namespace {
+
+void require(int status, const std::string& what) {
+    if (status != NC_NOERR)
+        throw Fault(what, std::string("the NetCDF library says: ") + nc_strerror(status));
+}
+
+class File {
+  public:
+    explicit File(const std::string& path) {
+        const int status = nc_open(path.c_str(), NC_NOWRITE, &id_);
+        if (status == NC_NOERR) return;
+        throw Fault(std::string("is not a whole NetCDF file: ") + nc_strerror(status));
+    }
+    ~File() { nc_close(id_); }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    int id() const { return id_; }
+
+  private:
+    int id_ = -1;
+};
+
+/// HDF5 knows its own end.
+void require_whole(const File& file, const std::string& path) {
+    int format = 0;
+    require(nc_inq_format(file.id(), &format), "format");
+    if (format == NC_FORMAT_NETCDF4 || format == NC_FORMAT_NETCDF4_CLASSIC) return;
+    std::ifstream stream(path, std::ios::binary);
+    const std::uint64_t promised = classic_extent(stream);
+    const std::uint64_t size = std::filesystem::file_size(path);
+    if (size >= promised) return;
+    throw Fault("the file is cut off: it has " + std::to_string(size) + " bytes of " +
+                std::to_string(promised));
+}
+
+/// A variable of the header and what the file calls it.
+struct Source {
+    int id = 0;
+    nc_type type = NC_NAT;
+    std::vector<std::size_t> dimensions;  // with those of characters
+};
+
+struct Header {
+    Content content;
+    std::vector<Source> sources;  // of its variables
+};
+
+std::optional<std::string> text_attribute(int file, int variable, const char* name) {
+    nc_type type = NC_NAT;
+    std::size_t length = 0;
+    if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR) return std::nullopt;
+    if (type == NC_CHAR && length <= kMaxTextBytes) {
+        std::string text(length, '\0');
+        if (nc_get_att_text(file, variable, name, text.data()) != NC_NOERR) return std::nullopt;
+        return text.substr(0, text.find('\0'));
+    }
+    char* string = nullptr;
+    if (type != NC_STRING || length != 1 ||
+        nc_get_att_string(file, variable, name, &string) != NC_NOERR) {
+        return std::nullopt;
+    }
+    std::string text = string != nullptr ? std::string(string).substr(0, kMaxTextBytes) : "";
+    nc_free_string(1, &string);
+    return text;
+}
+
+/// Empty if there is none of a few numbers.
+std::vector<double> number_attribute(const Source& source, int file, const char* name) {
+    constexpr std::size_t kMost = 16;
+    nc_type type = NC_NAT;
+    std::size_t length = 0;
+    const bool found = nc_inq_att(file, source.id, name, &type, &length) == NC_NOERR;
+    if (!found || type == NC_CHAR || type >= NC_STRING || length == 0 || length > kMost) return {};
+    std::vector<double> numbers(length);
+    if (nc_get_att_double(file, source.id, name, numbers.data()) != NC_NOERR) return {};
+    return numbers;
+}
+
+std::vector<int> read_dimensions(const File& file, Content& content) {
+    int count = 0;
+    require(nc_inq_ndims(file.id(), &count), "dimensions");
+    if (static_cast<std::size_t>(count) > kMaxDimensions) throw Fault("more than 1024 dimensions");
+    std::vector<int> ids(static_cast<std::size_t>(count));
+    require(nc_inq_dimids(file.id(), nullptr, ids.data(), 0), "dimensions");
+    for (const int id : ids) {
+        char name[NC_MAX_NAME + 1] = "";
+        std::size_t size = 0;
+        require(nc_inq_dim(file.id(), id, name, &size), "dimensions");
+        content.dimensions.push_back({name, size});
+    }
+    return ids;
+}
+
+/// Classic files have no strings: dimensions of characters stand for them, mostly the last.
+void drop_characters(const Content& content, Variable& variable) {
+    std::vector<std::size_t>& dimensions = variable.dimensions;
+    if (dimensions.empty()) return;
+    const auto of_characters = [&](std::size_t dimension) {
+        return content.dimensions[dimension].name.find("string") != std::string::npos;
+    };
+    const std::size_t rank = dimensions.size();
+    while (!dimensions.empty() && of_characters(dimensions.back())) dimensions.pop_back();
+    if (dimensions.size() < rank) return;
+    if (of_characters(dimensions.front())) {
+        dimensions.erase(dimensions.begin());
+    } else {
+        dimensions.pop_back();
+    }
+}
+
+/// All variables that may play a part, without values.
+Header read_header(const File& file) {
+    Header header;
+    const std::vector<int> dimension_ids = read_dimensions(file, header.content);
+    int count = 0;
+    require(nc_inq_nvars(file.id(), &count), "variables");
+    if (static_cast<std::size_t>(count) > kMaxVariables) throw Fault("more than 1024 variables");
+    for (int id = 0; id < count; ++id) {
+        char name[NC_MAX_NAME + 1] = "";
+        int rank = 0;
+        Source source{id, NC_NAT, {}};
+        require(nc_inq_varndims(file.id(), id, &rank), "variables");
+        if (static_cast<std::size_t>(rank) > kMaxVariableDimensions) continue;
+        std::vector<int> ids(static_cast<std::size_t>(rank));
+        require(nc_inq_var(file.id(), id, name, &source.type, nullptr, ids.data(), nullptr),
+                "variables");
+        if (source.type > NC_STRING) continue;  // compounds and the like
+        for (const int dimension : ids) {
+            const auto found = std::find(dimension_ids.begin(), dimension_ids.end(), dimension);
+            if (found == dimension_ids.end()) throw Fault(name, "has an unknown dimension");
+            source.dimensions.push_back(static_cast<std::size_t>(found - dimension_ids.begin()));
+        }
+        Variable variable{name, source.dimensions, {}, false, {}, {}};
+        variable.is_text = source.type == NC_CHAR || source.type == NC_STRING;
+        if (source.type == NC_CHAR) drop_characters(header.content, variable);
+        for (const char* key : {"units", "standard_name", "long_name", "calendar", "cf_role"}) {
+            if (auto text = text_attribute(file.id(), id, key)) variable.attributes[key] = *text;
+        }
+        header.content.variables.push_back(std::move(variable));
+        header.sources.push_back(std::move(source));
+    }
+    return header;
+}
+
+/// Of a variable; refuses more than is left of kMaxValues.
+std::size_t checked_size(const Content& content, const std::vector<std::size_t>& dimensions,
+                         const std::string& name, std::size_t left) {
+    std::size_t size = 1;
+    double exact = 1.0;
+    std::string factors;
+    for (const std::size_t d : dimensions) {
+        const std::size_t factor = content.dimensions[d].size;
+        factors += (factors.empty() ? "" : " x ") + std::to_string(factor);
+        exact *= static_cast<double>(factor);
+        size *= factor;
+    }
+    if (exact <= static_cast<double>(left)) return size;
+    throw Fault(name, "has " + factors + " values; at most " + std::to_string(kMaxValues) +
+                          " are read of a file: cut it by time or place");
+}
+
+/// What stands for "no value" in the file's own type.
+std::vector<double> fill_values(const File& file, const Source& source) {
+    std::vector<double> fills = number_attribute(source, file.id(), "_FillValue");
+    if (fills.empty() && source.type != NC_BYTE && source.type != NC_UBYTE) {
+        switch (source.type) {
+            case NC_SHORT:
+                fills = {NC_FILL_SHORT};
+                break;
+            case NC_INT:
+                fills = {NC_FILL_INT};
+                break;
+            case NC_FLOAT:
+            case NC_DOUBLE:
+                fills = {NC_FILL_DOUBLE};
+                break;
+            default:
+                break;
+        }
+    }
+    for (const double more : number_attribute(source, file.id(), "missing_value")) {
+        fills.push_back(more);
+    }
+    // 1e20 as a double is not the 1e20 of single precision.
+    for (double& fill : fills) {
+        const bool single =
+            source.type == NC_FLOAT && std::abs(fill) <= double{std::numeric_limits<float>::max()};
+        if (single) fill = double{static_cast<float>(fill)};
+    }
+    return fills;
+}
+
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool packed = false;  // compares before scale and offset
+};
+
+/// A range in the packed type is one of packed values [CF conventions, section 8.1].
+Range valid_range(const File& file, const Source& source) {
+    Range range;
+    nc_type type = source.type;
+    const auto set = [&](double& limit, const char* name, std::size_t size, std::size_t i) {
+        const std::vector<double> numbers = number_attribute(source, file.id(), name);
+        if (numbers.size() != size || std::isnan(numbers[i])) return;
+        limit = numbers[i];
+        nc_inq_atttype(file.id(), source.id, name, &type);
+    };
+    set(range.low, "valid_min", 1, 0);
+    set(range.high, "valid_max", 1, 0);
+    set(range.low, "valid_range", 2, 0);
+    set(range.high, "valid_range", 2, 1);
+    range.packed = type == source.type;
+    return range;
+}
+
+double factor(const File& file, const Source& source, const std::string& name, const char* key,
+              double otherwise) {
+    const std::vector<double> numbers = number_attribute(source, file.id(), key);
+    if (numbers.empty()) return otherwise;
+    if (numbers.size() == 1 && std::isfinite(numbers[0])) return numbers[0];
+    throw Fault(name, std::string(key) + " is not a number");
+}
+
+void read_values(const File& file, const Source& source, Variable& variable, std::size_t size) {
+    variable.values.resize(size);
+    if (size == 0) return;
+    require(nc_get_var_double(file.id(), source.id, variable.values.data()), variable.name);
+    const std::vector<double> fills = fill_values(file, source);
+    const Range valid = valid_range(file, source);
+    const double scale = factor(file, source, variable.name, "scale_factor", 1.0);
+    const double add = factor(file, source, variable.name, "add_offset", 0.0);
+    if (scale == 0.0) throw Fault(variable.name, "scale_factor is 0");
+    for (double& value : variable.values) {
+        const double packed = value;
+        value = scale * packed + add;
+        const double ranged = valid.packed ? packed : value;
+        const bool missing = std::find(fills.begin(), fills.end(), packed) != fills.end() ||
+                             ranged < valid.low || ranged > valid.high;
+        if (missing) value = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+/// Without what pads it.
+std::string trimmed(std::string text) {
+    text.erase(std::min(text.find('\0'), text.size()));
+    text.erase(text.find_last_not_of(" \t\r\n") + 1);
+    return text;
+}
+
+/// `count` texts of `size` characters, or strings.
+void read_texts(const File& file, const Source& source, Variable& variable, std::size_t size,
+                std::size_t count) {
+    variable.texts.resize(count);
+    if (size == 0) return;
+    if (source.type == NC_STRING) {
+        std::vector<char*> strings(size, nullptr);
+        require(nc_get_var_string(file.id(), source.id, strings.data()), variable.name);
+        for (std::size_t i = 0; i < count; ++i) {
+            variable.texts[i] = trimmed(strings[i] != nullptr ? strings[i] : "");
+        }
+        nc_free_string(size, strings.data());
+        return;
+    }
+    std::string bytes(size, '\0');
+    require(nc_get_var_text(file.id(), source.id, bytes.data()), variable.name);
+    const bool characters_first =
+        !variable.dimensions.empty() && variable.dimensions[0] != source.dimensions[0];
+    const std::size_t length = size / count;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string text;
+        for (std::size_t k = 0; k < length; ++k) {
+            text += bytes[characters_first ? k * count + i : i * length + k];
+        }
+        variable.texts[i] = trimmed(std::move(text));
+    }
+}
+
+}  // namespace
+
+Content read_file(const std::string& path) {
+    const File file(path);
+    require_whole(file, path);
+    Header header = read_header(file);
+    Content& content = header.content;
+    std::size_t left = kMaxValues;
+    std::vector<Variable> needed;
+    for (const std::size_t i : find_layout(content).variables()) {
+        Variable& variable = content.variables[i];
+        const Source& source = header.sources[i];
+        const std::size_t size = checked_size(content, source.dimensions, variable.name, left);
+        left -= size;
+        if (variable.is_text) {
+            const std::size_t count =
+                checked_size(content, variable.dimensions, variable.name, kMaxValues);
+            read_texts(file, source, variable, size, count);
+        } else {
+            read_values(file, source, variable, size);
+        }
+        needed.push_back(std::move(variable));
+    }
+    content.variables = std::move(needed);
+    return std::move(content);
+}
+
+}  // namespace ocean::netcdf

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean records`: what a file of measured spectra holds, before a sea is made of it.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "any_spectra.hpp"
+#include "command.hpp"
+#include "console.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/seafile.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+std::string cell(double value, const char* number) {
+    return std::isnan(value) ? "-" : format_text(number, value);
+}
+
+std::string direction_cell(const RecordSummary& summary) {
+    // To the degree, so that 359.7 is 0 and not 360.
+    const double from = std::round(270.0 - summary.mean_direction * 180.0 / kPi);
+    return cell(from - 360.0 * std::floor(from / 360.0), "%.0f");
+}
+
+std::string line(const SpectrumRecord& record) {
+    const RecordSummary summary = summarize(record);
+    const auto known = [](const std::string& text) { return text.empty() ? "-" : text; };
+    return format_text("%-16s  %-12s %9s %10s %7s %7s %6s %5s %6s\n", known(record.time).c_str(),
+                       known(record.station).c_str(), cell(record.latitude, "%.4f").c_str(),
+                       cell(record.longitude, "%.4f").c_str(), cell(record.depth, "%.4g").c_str(),
+                       cell(4.0 * std::sqrt(summary.m0), "%.2f").c_str(),
+                       cell(summary.peak_period, "%.1f").c_str(), direction_cell(summary).c_str(),
+                       cell(summary.directional_spread * 180.0 / kPi, "%.0f").c_str());
+}
+
+void run(const std::string& file, const Context& context) {
+    const std::vector<SpectrumRecord> records = read_any_spectra(file);
+    if (context.options.json) return context.console.data(records_json(records));
+    context.console.data(format_text("%-16s  %-12s %9s %10s %7s %7s %6s %5s %6s\n", "time, UTC",
+                                     "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",
+                                     "from", "spread"));
+    for (const SpectrumRecord& record : records) context.console.data(line(record));
+}
+
+}  // namespace
+
+void add_records_command(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("records", "List what a file of measured spectra holds");
+    auto file = std::make_shared<std::string>();
+    command->add_option("FILE", *file, "Spectra of a buoy or a wave model")
+        ->required()
+        ->type_name("");
+    add_run_options(*command, context.options, "Print one JSON array");
+    command->footer(
+        "Reads NDBC real-time and historical tables, WAVEWATCH III point output, SWAN spectra,\n"
+        "CSV and NetCDF, packed with gzip or not, recognised by their content. `from` is the mean\n"
+        "direction that the waves come from, degrees clockwise from north; `spread` the circular\n"
+        "standard deviation. A sea takes one of them: spectrum = \"measured\", file, and record = "
+        "a\n"
+        "time, place = a station or LATITUDE,LONGITUDE.");
+    command->callback([file, &context] { run(*file, context); });
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What spectrum formats say of directions, in libocean's: degrees counter-clockwise from east, the
+// direction waves travel to. Formats hand over what they read; conventions are converted here.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/spectrum_record.hpp"
+
+namespace ocean {
+
+/// Where formats measure a direction from, and whether waves come from it or travel to it.
+enum class DirectionConvention {
+    from_nautical,  // degrees clockwise from north, coming from: buoys, meteorology
+    to_nautical,    // degrees clockwise from north, travelling to: oceanography
+    to_cartesian,   // degrees counter-clockwise from east, travelling to: libocean
+};
+/// Within 0 <= d < 360.
+double travel_direction(double degrees, DirectionConvention convention);
+/// The inverse of from_nautical: what people who read buoys expect.
+double coming_from(double travel_direction);
+
+/// The direction bins of a file: in any order, wrapped anywhere, even or not, the first bin
+/// repeated after 360 degrees or not, the whole circle or a sector of it. Made once for all spectra
+/// that share it.
+class DirectionAxis {
+  public:
+    /// What is wrong with the bins, as a message; empty for good ones: 3 .. 720, finite, distinct.
+    static std::string fault(std::span<const double> degrees);
+    /// Needs bins without a fault.
+    DirectionAxis(std::span<const double> degrees, DirectionConvention convention);
+
+    /// Sets `direction`, `directional_density` and `density` of a record that has its frequencies.
+    /// `values`: [frequency][bin] in the order of the file, NaN = missing = 0; `to_per_degree`
+    /// makes them m^2/Hz/degree. A sector falls to 0 within a bin of its edges.
+    void fill(SpectrumRecord& record, std::span<const double> values, double to_per_degree) const;
+
+  private:
+    void close_sector();
+
+    std::size_t bins_;                 // of the file
+    std::vector<double> direction_;    // ascending
+    std::vector<std::size_t> source_;  // the bin of the file for each direction; bins_ = none: 0
+    std::vector<double> weight_;       // of each direction in the integral, degrees
+};
+
+/// Appends the first moment of one frequency, r1 = 1 - spread^2 / 2, from a mean travel direction
+/// and a directional spread, the circular standard deviation [Kuik 1988], both in degrees; NaN =
+/// missing. The second moment is not known.
+void append_mean_and_spread(SpectrumRecord& record, double mean, double spread);
+
+}  // namespace ocean

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Spectra as CSV, for data that has no format of its own. Lines that begin with '#' and blank lines
+// are skipped. The first line left names the columns, in any order and any case, separated by tabs,
+// semicolons or commas (the first of these it contains); each line after it is one value of the
+// spectrum. A text may stand in "double quotes".
+//
+//   frequency              (Hz) or (rad/s)                                        needed
+//   density                what the rows hold; empty or nan = missing             needed
+//     without a direction: (m2/Hz), (m2 s), the same, or (m2 s/rad), per rad/s
+//     with a direction:    (m2/Hz/deg), (m2/Hz/rad), or (m2 s/rad), per Hz and rad as ERA5 has it
+//   direction              (deg) or (rad), coming from, clockwise from north
+//   direction_to           travelling to, clockwise from north
+//   direction_cartesian    travelling to, counter-clockwise from east             one of the three
+//   mean_direction, mean_direction_to or mean_direction_cartesian, and spread
+//                          (deg) or (rad) at a frequency: circular mean, standard deviation
+//   a1 b1 a2 b2            moments of the travel direction, counter-clockwise from east
+//   time                   UTC: 2020-06-08T03:50 or 2020-06-08
+//   station                a text
+//   latitude longitude     (deg), both or none
+//   depth                  (m), one for each record
+//
+// A unit stands in () or [] after the name; without one it is the first in the list, but a density
+// over rad/s must name its own. m2, m^2 and m² are the same, blank and '*' too. Rows alike in time,
+// station, latitude and longitude are one record. Its rows are in any order: one a frequency, or
+// with a direction one for each of its frequencies and directions.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "csv_header.hpp"
+#include "directional_record.hpp"
+#include "spectrum_format.hpp"
+#include "utc_time.hpp"
+
+namespace ocean {
+namespace {
+
+using namespace csv;
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+struct Row {
+    double frequency;
+    double direction;  // degrees, as the file has it; 0 without directions
+    double density;    // NaN = missing
+    std::size_t line;
+    std::size_t moments;  // place in Group::moments
+};
+
+/// By column - direction and by column - mean_direction.
+constexpr std::array kConventions = {DirectionConvention::from_nautical,
+                                     DirectionConvention::to_nautical,
+                                     DirectionConvention::to_cartesian};
+
+/// The rows of one record.
+struct Group {
+    SpectrumRecord record;  // without the spectrum
+    std::vector<Row> rows;
+    std::vector<std::array<double, 4>> moments;  // a1 b1 a2 b2, or mean and spread in degrees
+};
+
+class CsvReader {
+  public:
+    explicit CsvReader(const SpectrumSource& source)
+        : name_(source.name), lines_(source.content, source.name) {}
+
+    std::vector<SpectrumRecord> read() {
+        if (!next_row(lines_)) throw lines_.fail("there is no header line");
+        header_.emplace(lines_);
+        direction_ = header_->any_of(direction);
+        mean_ = header_->any_of(mean_direction);
+        while (next_row(lines_)) read_row();
+        std::vector<SpectrumRecord> records;
+        for (Group& group : groups_) {
+            const auto known = [](const Row& row) { return !std::isnan(row.density); };
+            if (std::none_of(group.rows.begin(), group.rows.end(), known)) continue;
+            records.push_back(direction_ == kNone ? over_frequency(group) : over_both(group));
+            const std::string fault = record_fault(records.back());
+            if (!fault.empty()) throw fail_record(group, fault);
+            group = {};
+        }
+        return records;
+    }
+
+  private:
+    Error fail_at(std::size_t line, std::string_view message) const {
+        return text::error_at(ErrorKind::bad_file, name_, line, message);
+    }
+    static std::size_t last_line(const Group& group) {
+        return std::max_element(group.rows.begin(), group.rows.end(),
+                                [](const Row& a, const Row& b) { return a.line < b.line; })
+            ->line;
+    }
+    Error fail_record(const Group& group, const std::string& message) const {
+        return fail_at(last_line(group), "in the record that ends here: " + message);
+    }
+
+    void read_row() {
+        auto fields = split(lines_.line(), header_->separator(), header_->width());
+        if (!fields) throw lines_.fail("a quote is not closed");
+        fields_ = std::move(*fields);
+        if (fields_.size() < header_->width() && lines_.cut_off()) {
+            throw lines_.fail("the file ends within this line");
+        }
+        if (fields_.size() != header_->width()) {
+            throw lines_.fail((fields_.size() > header_->width() ? "more" : "fewer") +
+                              std::string(" fields than the header line has columns"));
+        }
+        Group& group = group_of_row();
+        check_depth(group);
+        if (group.rows.size() == (direction_ == kNone ? kMaxFrequencies : kMaxDirectionalValues)) {
+            throw lines_.fail("more rows than the 4096 frequencies or 131072 values of a record");
+        }
+        Row row{number(frequency, kMinFrequency, kMaxFrequency), 0.0,
+                optional_number(density, 0.0, 1e6), lines_.number(), group.moments.size()};
+        if (direction_ != kNone) row.direction = number(direction_, -360.0, 720.0);
+        if (mean_ != kNone) {
+            const double mean = optional_number(mean_, -360.0, 720.0);
+            group.moments.push_back({travel_direction(mean, kConventions[mean_ - mean_direction]),
+                                     optional_number(spread, 0.0, 180.0)});
+        } else if (header_->has(a1)) {
+            group.moments.push_back({optional_number(a1, -1.0, 1.0), optional_number(b1, -1.0, 1.0),
+                                     optional_number(a2, -1.0, 1.0),
+                                     optional_number(b2, -1.0, 1.0)});
+        }
+        group.rows.push_back(row);
+    }
+
+    std::string_view field(Column column) const {
+        return header_->has(column) ? fields_[header_->place(column)] : std::string_view();
+    }
+    /// Empty or nan = missing = NaN. The limits are in the record's unit.
+    double optional_number(Column column, double low, double high) const {
+        const std::string_view word = field(column);
+        if (word.empty()) return kMissing;
+        const std::optional<double> read = text::parse_number(word);
+        const auto named = [&] {
+            return "the " + std::string(name_of(column)) + " '" + text::printable(word, 20) + "'";
+        };
+        if (!read) throw lines_.fail(named() + " is not a number");
+        const double value = *read * header_->factor(column);
+        if (std::isnan(value) || (value >= low && value <= high)) return value;
+        char range[64];
+        std::snprintf(range, sizeof range, " is not within %g .. %g", low, high);
+        throw lines_.fail(named() + range);
+    }
+    double number(Column column, double low, double high) const {
+        const double value = optional_number(column, low, high);
+        if (!std::isnan(value)) return value;
+        throw lines_.fail("the " + std::string(name_of(column)) + " is missing");
+    }
+
+    /// Rows of one record mostly follow each other: only a change is looked up.
+    Group& group_of_row() {
+        std::string key;
+        for (const Column column : {time, station, latitude, longitude}) {
+            key += std::string(field(column)) + '\n';
+        }
+        if (!groups_.empty() && key == key_) return groups_[current_];
+        key_ = std::move(key);
+        SpectrumRecord record;
+        record.time = read_time();
+        record.station = read_station();
+        record.latitude = optional_number(latitude, -90.0, 90.0);
+        record.longitude = optional_number(longitude, -180.0, 360.0);
+        record.depth = optional_number(depth, 0.01, 20000.0);
+        const auto text = [](double value) { return std::to_string(value) + '\n'; };
+        const auto [found, added] =
+            group_by_key_.emplace(record.time + '\n' + record.station + '\n' +
+                                      text(record.latitude) + text(record.longitude),
+                                  groups_.size());
+        if (added && groups_.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
+        if (added) groups_.push_back({std::move(record), {}, {}});
+        current_ = found->second;
+        return groups_[current_];
+    }
+    void check_depth(const Group& group) const {
+        const double here = optional_number(depth, 0.01, 20000.0);
+        const bool same =
+            here == group.record.depth || (std::isnan(here) && std::isnan(group.record.depth));
+        if (!same) throw lines_.fail("the depth differs from that of the record's first row");
+    }
+    std::string read_time() const {
+        const std::string_view word = field(time);
+        if (word.empty()) return "";
+        const bool date = word.size() == 10;  // what pandas writes of midnights
+        const auto read = parse_utc_time(date ? std::string(word) + "T00:00" : std::string(word));
+        if (read) return read->text();
+        throw lines_.fail("the time '" + text::printable(word, 30) +
+                          "' is not UTC like 2020-06-08T03:50");
+    }
+    std::string read_station() const {
+        std::string text(field(station).substr(0, 256));
+        for (std::size_t at = 0; (at = text.find("\"\"", at)) < text.size(); ++at)
+            text.erase(at, 1);
+        return text::printable(text);
+    }
+
+    SpectrumRecord over_frequency(Group& group) const {
+        std::sort(group.rows.begin(), group.rows.end(),
+                  [](const Row& a, const Row& b) { return a.frequency < b.frequency; });
+        SpectrumRecord record = group.record;
+        for (std::size_t i = 0; i < group.rows.size(); ++i) {
+            const Row& row = group.rows[i];
+            if (i > 0 && group.rows[i - 1].frequency == row.frequency) {
+                throw fail_at(std::max(group.rows[i - 1].line, row.line),
+                              "this frequency is there twice in one record");
+            }
+            if (std::isnan(row.density)) continue;
+            record.frequency.push_back(row.frequency);
+            record.density.push_back(row.density);
+            if (!group.moments.empty()) append_moments(record, group.moments[row.moments]);
+        }
+        drop_unknown_moments(record);
+        return record;
+    }
+    void append_moments(SpectrumRecord& record, const std::array<double, 4>& values) const {
+        if (mean_ != kNone) return append_mean_and_spread(record, values[0], values[1]);
+        const bool whole = !std::isnan(values[0] + values[1] + values[2] + values[3]);
+        record.a1.push_back(whole ? values[0] : kMissing);
+        record.b1.push_back(whole ? values[1] : kMissing);
+        record.a2.push_back(whole ? values[2] : kMissing);
+        record.b2.push_back(whole ? values[3] : kMissing);
+    }
+    static void drop_unknown_moments(SpectrumRecord& record) {
+        const auto missing = [](double a) { return std::isnan(a); };
+        if (!std::all_of(record.a1.begin(), record.a1.end(), missing)) return;
+        for (auto* moment : {&record.a1, &record.b1, &record.a2, &record.b2}) moment->clear();
+    }
+
+    SpectrumRecord over_both(Group& group) const {
+        std::sort(group.rows.begin(), group.rows.end(), [](const Row& a, const Row& b) {
+            return std::tie(a.frequency, a.direction, a.line) <
+                   std::tie(b.frequency, b.direction, b.line);
+        });
+        SpectrumRecord record = group.record;
+        std::vector<double> directions;
+        for (const Row& row : group.rows) {
+            directions.push_back(row.direction);
+            if (record.frequency.empty() || record.frequency.back() != row.frequency) {
+                record.frequency.push_back(row.frequency);
+            }
+        }
+        std::sort(directions.begin(), directions.end());
+        directions.erase(std::unique(directions.begin(), directions.end()), directions.end());
+        check_grid(group, record.frequency, directions);
+        const std::string fault = DirectionAxis::fault(directions);
+        if (!fault.empty()) throw fail_record(group, fault);
+        std::vector<double> values;
+        for (const Row& row : group.rows) values.push_back(row.density);
+        DirectionAxis(directions, kConventions[direction_ - direction]).fill(record, values, 1.0);
+        return record;
+    }
+
+    /// Sorted rows are a grid if each has the frequency and direction of its place.
+    void check_grid(const Group& group, const std::vector<double>& frequencies,
+                    const std::vector<double>& directions) const {
+        for (std::size_t i = 0; i < frequencies.size() * directions.size(); ++i) {
+            const double f = frequencies[i / directions.size()];
+            const double d = directions[i % directions.size()];
+            if (i < group.rows.size() && group.rows[i].frequency == f &&
+                group.rows[i].direction == d) {
+                continue;
+            }
+            const bool twice = i > 0 && i < group.rows.size() &&
+                               group.rows[i].frequency == group.rows[i - 1].frequency &&
+                               group.rows[i].direction == group.rows[i - 1].direction;
+            if (twice) {
+                throw fail_at(group.rows[i].line,
+                              "this frequency and direction are there twice in one record");
+            }
+            char cell[128];
+            std::snprintf(cell, sizeof cell, "no row for %.6g Hz and %.6g degrees", f, d);
+            throw fail_record(group, cell);
+        }
+        const std::size_t cells = frequencies.size() * directions.size();
+        if (group.rows.size() > cells) {
+            throw fail_at(group.rows[cells].line,
+                          "this frequency and direction are there twice in one record");
+        }
+    }
+
+    std::string_view name_;
+    LineReader lines_;
+    std::optional<Header> header_;
+    Column direction_ = kNone;
+    Column mean_ = kNone;
+    std::vector<std::string_view> fields_;  // of the row
+    std::vector<Group> groups_;
+    std::map<std::string, std::size_t> group_by_key_;
+    std::string key_;  // of the row before
+    std::size_t current_ = 0;
+};
+
+bool recognises(std::string_view content) {
+    LineReader lines(content, "");
+    if (!next_row(lines)) return false;
+    const std::optional<char> separator = separator_of(lines.line());
+    if (!separator) return false;
+    const auto fields = split(lines.line(), *separator, kColumns);
+    return fields && std::any_of(fields->begin(), fields->end(), [](std::string_view field) {
+               const Column column = column_of(field);
+               return column == frequency || column == density;
+           });
+}
+
+std::vector<SpectrumRecord> read(const SpectrumSource& source) {
+    return CsvReader(source).read();
+}
+
+}  // namespace
+
+const SpectrumFormat kCsv = {"CSV with the columns frequency and density", recognises, read};
+
+}  // namespace ocean

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Text of wave models as Fortran reads it: numbers in free form, over as many lines as they take.
+// What the readers of WAVEWATCH III and SWAN share, between lines and records.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "line_reader.hpp"
+#include "spectrum_format.hpp"
+#include "text.hpp"
+#include "utc_time.hpp"
+
+namespace ocean {
+
+/// Of all records of a file: a word as short as SWAN's ZERO may stand for a whole spectrum.
+inline constexpr std::size_t kMaxFileValues = std::size_t{1} << 26;
+
+/// A format that marks whole lines as comments also has comments after the values of its header.
+/// References must outlive the reader.
+class FreeForm {
+  public:
+    FreeForm(std::string_view content, std::string_view name, char comment_mark = '\0')
+        : lines_(content, name), comment_mark_(comment_mark) {}
+
+    /// Leaves the line for the next one with more than a comment; false at the end of the file.
+    bool next_line() {
+        do {
+            rest_ = {};
+            if (!lines_.next_filled()) return false;
+            rest_ = lines_.line();
+            skip_blanks();
+            begun_ = false;
+        } while (comment_mark_ != '\0' && rest_.starts_with(comment_mark_));
+        return true;
+    }
+    void need_line(std::string_view what) {
+        if (!next_line()) throw fail("the file ends where " + std::string(what) + " should be");
+    }
+    /// What of the line is not taken yet, without blanks before it.
+    std::string_view rest() {
+        skip_blanks();
+        return rest_;
+    }
+    std::string_view word() {
+        begun_ = true;
+        return take_word(rest_);
+    }
+    void take(std::size_t bytes) { rest_.remove_prefix(bytes); }
+    void leave_line() { rest_ = {}; }
+    void end_line(std::string_view what) {
+        if (!rest().empty()) {
+            throw fail("'" + shown(rest()) + "' after " + std::string(what) +
+                       ", where the line should end");
+        }
+    }
+
+    /// The next number, of this line or one that follows. `what`: "a density".
+    double number(std::string_view what) {
+        while (rest().empty()) need_line(what);
+        const std::string_view before = rest_;
+        const std::optional<double> value = text::take_fortran_number(rest_);
+        if (!value) throw no_number(what);
+        number_ = before.substr(0, before.size() - rest_.size());
+        begun_ = true;
+        return *value;
+    }
+    /// The same, of this line.
+    double number_here(std::string_view what) {
+        if (rest().empty()) throw fail("the line ends where " + std::string(what) + " should be");
+        return number(what);
+    }
+    /// The same as number(), in a header.
+    double header_number(std::string_view what) {
+        const bool comment = comment_mark_ != '\0' && begun_ && !begins_number(rest());
+        if (comment) leave_line();
+        return number(what);
+    }
+    /// How many there are of `what`: "frequencies".
+    std::size_t count(std::string_view what, std::size_t least, std::size_t most) {
+        const double value = header_number("the number of " + std::string(what));
+        const bool within =
+            value >= static_cast<double>(least) && value <= static_cast<double>(most);
+        if (!within || value != std::floor(value)) {
+            throw fail(last_number() + " " + std::string(what) +
+                       "; allowed: " + std::to_string(least) + " .. " + std::to_string(most));
+        }
+        return static_cast<std::size_t>(value);
+    }
+    /// The last number as the file spells it.
+    std::string last_number() const { return shown(number_); }
+    void require_within(double value, double low, double high, std::string_view what,
+                        std::string_view allowed) const {
+        if (value >= low && value <= high) return;
+        throw fail(std::string(what) + " of " + last_number() +
+                   "; allowed: " + std::string(allowed));
+    }
+
+    Error fail(std::string_view message) const { return lines_.fail(message); }
+    static std::string shown(std::string_view text) {
+        return text::printable(text.substr(0, text.find_first_of(" \t")), 20);
+    }
+
+  private:
+    void skip_blanks() {
+        rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
+    }
+    static bool begins_number(std::string_view text) {
+        return text.find_first_of("0123456789+-.") == 0;
+    }
+    Error no_number(std::string_view what) const {
+        const bool overflow = rest_.starts_with('*');
+        return fail("'" + shown(rest_) + "' is not " + std::string(what) +
+                    (overflow ? ": the number was too wide for its column" : ""));
+    }
+
+    LineReader lines_;
+    char comment_mark_;
+    std::string_view rest_;
+    std::string_view number_;
+    bool begun_ = false;  // something of the line is taken
+};
+
+/// Hz, ascending.
+inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
+    std::vector<double> frequency;
+    while (frequency.size() < count) {
+        const double f = in.header_number("a frequency");
+        in.require_within(f, kMinFrequency, kMaxFrequency, "a frequency", kFrequencyRange);
+        if (!frequency.empty() && !(f > frequency.back())) {
+            throw in.fail("the frequencies do not ascend at bin " +
+                          std::to_string(frequency.size() + 1));
+        }
+        frequency.push_back(f);
+    }
+    return frequency;
+}
+
+/// Before a record joins others of the same size.
+inline void require_room(const FreeForm& in, std::size_t records, std::size_t values_of_each) {
+    if (records >= kMaxRecords) throw in.fail("more than 100000 records");
+    if ((records + 1) * values_of_each > kMaxFileValues) {
+        throw in.fail("more than 67108864 values over all records");
+    }
+}
+
+/// The time that `text` begins with, by a pattern of Y M D h m s for digits and b for the three
+/// letters of a month; other characters stand for themselves. Not checked for validity; a year of
+/// two digits stays one.
+inline std::optional<UtcTime> match_time(std::string_view text, std::string_view pattern) {
+    constexpr std::string_view kMonths = "janfebmaraprmayjunjulaugsepoctnovdec";
+    if (text.size() < pattern.size()) return std::nullopt;
+    UtcTime time;
+    int second = 0;
+    std::string month;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        const std::size_t field = std::string_view("YMDhms").find(pattern[i]);
+        if (field != std::string_view::npos) {
+            if (text[i] < '0' || text[i] > '9') return std::nullopt;
+            int* fields[] = {&time.year, &time.month, &time.day, &time.hour, &time.minute, &second};
+            *fields[field] = 10 * *fields[field] + (text[i] - '0');
+        } else if (pattern[i] == 'b') {
+            month += static_cast<char>(text[i] | 0x20);
+        } else if (text[i] != pattern[i]) {
+            return std::nullopt;
+        }
+    }
+    if (!month.empty()) {
+        const std::size_t place = kMonths.find(month);
+        if (place == std::string_view::npos || place % 3 != 0) return std::nullopt;
+        time.month = static_cast<int>(place / 3) + 1;
+    }
+    if (second > 59) return std::nullopt;
+    return time;
+}
+
+}  // namespace ocean

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the tables of the National Data Buoy Center have in common, real-time or historical: dates,
+// missing values, and how five tables of one station become records. Buoy's degrees become
+// libocean's directions here, and only here.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "line_reader.hpp"
+#include "ocean/spectrum_record.hpp"
+
+namespace ocean::ndbc {
+
+inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+/// Two digits may round an r1 or r2 up to here.
+inline constexpr double kMaxSpread = 1.05;
+
+/// What the five tables hold: density, alpha1, alpha2, r1, r2.
+enum class Quantity { density, direction1, direction2, spread1, spread2 };
+inline constexpr std::size_t kCompanions = 4;
+
+struct Bin {
+    double frequency;
+    double value;  // NaN = missing
+};
+
+struct Row {
+    std::string time;
+    std::vector<Bin> bins;  // ascending in frequency
+};
+
+/// Rows of one companion by their time, and all of a station.
+using Companion = std::map<std::string, std::vector<Bin>>;
+using Companions = std::array<Companion, kCompanions>;
+
+/// A finite number, or a failure that says what the word is not.
+double number(const LineReader& lines, std::string_view word, std::string_view what);
+/// Takes year, month, day, hour and perhaps minute off the front of a line: "2020-06-08T03:50".
+std::string take_time(const LineReader& lines, std::string_view& line, bool minutes);
+/// The frequency that follows those of `bins`: within the limits, ascending.
+double next_frequency(const LineReader& lines, std::string_view word, const std::vector<Bin>& bins);
+/// A value of a table; `full` is how that table writes an r1 or r2 of 1. Nines mean missing: 999 in
+/// every table, 99 too where it is no possible value (a direction of 99 degrees is; its bin is
+/// missing all the same if the spread beside it is).
+double value(const LineReader& lines, std::string_view word, Quantity quantity, double full);
+
+/// The rows of a table; of two with one time the first.
+Companion by_time(std::vector<Row> rows);
+/// NDBC's identifiers have five characters: "41010" of "ndbc_41010", else all of the stem.
+std::string station_of(std::string_view stem);
+/// A record for each row that has two densities or more.
+std::vector<SpectrumRecord> make_records(const std::string& station, const std::vector<Row>& rows,
+                                         const std::optional<Companions>& companions);
+
+}  // namespace ocean::ndbc

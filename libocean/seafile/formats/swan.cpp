@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Standard spectral files of SWAN, over frequency or over frequency and direction (SWAN user
+// manual, appendix on spectrum files). A header of keywords, each with its numbers on the lines
+// below:
+//   SWAN 1;  TIME (none: stationary);  LONLAT or LOCATIONS (metres);  AFREQ or RFREQ [Hz];
+//   NDIR or CDIR [degrees] (none: a spectrum over frequency only);  QUANT: name, unit and exception
+//   value of each quantity
+// then for each time a line with it, and for each location
+//   FACTOR, a number, and a line of integers for each frequency; or ZERO; or NODATA
+// or, over frequency only, LOCATION k and a line of all quantities for each frequency; or NODATA.
+// A line that begins with $ is a comment, and so is what follows the values of the header.
+// A reader of spectra: turns such a file into records in libocean's conventions.
+#include <array>
+#include <limits>
+
+#include "directional_record.hpp"
+#include "free_form.hpp"
+#include "ocean/grid.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+/// What SWAN multiplies variance by to make energy, J/m^2: its default density and gravity.
+constexpr double kEnergyOfVariance = 1025.0 * 9.81;
+/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+constexpr double kMaxBinDensity = 2500.0;
+/// Two digits of a year: SWAN is of 1993, what is computed with it rarely from before 1950.
+constexpr int kFirstYear = 1950;
+
+enum class Meaning { density, direction, spread };
+
+/// A column of a spectrum over frequency, or all of one over directions.
+struct Quantity {
+    Meaning meaning = Meaning::density;
+    double scale = 1.0;  // makes a density m^2/Hz
+    DirectionConvention convention = DirectionConvention::to_cartesian;
+    bool spread_is_power = false;
+    double exception = 0.0;
+};
+
+struct Place {
+    std::string station;
+    double latitude = kMissing;
+    double longitude = kMissing;
+};
+
+/// The circular standard deviation, in degrees, of cos^m about the mean, over a half circle: with
+/// r1 = G(m/2 + 1)^2 / (G(m/2 + 1/2) G(m/2 + 3/2)), G the gamma function, it is sqrt(2 (1 - r1));
+/// 31.5 degrees for m = 2.
+double spread_of_power(double m) {
+    const double r1 = std::exp(2.0 * std::lgamma(0.5 * m + 1.0) - std::lgamma(0.5 * m + 0.5) -
+                               std::lgamma(0.5 * m + 1.5));
+    return std::sqrt(2.0 * std::max(0.0, 1.0 - r1)) * (180.0 / kPi);
+}
+
+class SwanReader {
+  public:
+    explicit SwanReader(const SpectrumSource& source) : in_(source.content, source.name, '$') {}
+
+    std::vector<SpectrumRecord> read() {
+        read_header();
+        if (time_pattern_.empty()) {
+            read_places("");
+            if (in_.next_line()) {
+                throw in_.fail("'" + FreeForm::shown(in_.rest()) +
+                               "' after the last location of a stationary file");
+            }
+        } else {
+            while (in_.next_line()) read_places(read_time());
+        }
+        return std::move(records_);
+    }
+
+  private:
+    bool directional() const { return axis_.has_value(); }
+
+    // --- header
+
+    void read_header() {
+        keyword({"SWAN"});
+        if (in_.number_here("a version") != 1.0) {
+            throw in_.fail("version " + in_.last_number() + " of SWAN's files; known: 1");
+        }
+        std::string_view word = keyword({"TIME", "LONLAT", "LOCATIONS"});
+        if (word == "TIME") {
+            read_time_coding();
+            word = keyword({"LONLAT", "LOCATIONS"});
+        }
+        read_locations(word == "LONLAT");
+        keyword({"AFREQ", "RFREQ"});  // absolute and relative to the current: alike without one
+        frequency_ = read_frequencies(in_, in_.count("frequencies", 2, kMaxFrequencies));
+        word = keyword({"NDIR", "CDIR", "QUANT"});
+        if (word != "QUANT") {
+            read_directions(word == "NDIR" ? DirectionConvention::from_nautical
+                                           : DirectionConvention::to_cartesian);
+            keyword({"QUANT"});
+        }
+        read_quantities();
+    }
+
+    /// Of the next line, one of those allowed.
+    std::string_view keyword(std::initializer_list<std::string_view> allowed) {
+        std::string names;
+        for (const std::string_view name : allowed) {
+            names += (names.empty() ? "" : " or ") + std::string(name);
+        }
+        in_.need_line(names);
+        const std::string_view word = in_.word();
+        if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) {
+            throw in_.fail("'" + FreeForm::shown(word) + "' where " + names + " should be");
+        }
+        return word;
+    }
+
+    void read_time_coding() {
+        constexpr std::array<std::string_view, 6> kPatterns = {"YYYYMMDD.hhmmss",
+                                                               "DD-bbb-YY hh:mm:ss",
+                                                               "MM/DD/YY.hh:mm:ss",
+                                                               "",  // the time of day only
+                                                               "YY/MM/DD hh:mm:ss",
+                                                               "YYMMDDhhmm"};
+        const std::size_t option = in_.count("as time coding option", 1, kPatterns.size());
+        time_pattern_ = kPatterns[option - 1];
+        if (time_pattern_.empty()) throw in_.fail("time coding option 4 tells no dates");
+    }
+
+    void read_locations(bool geographic) {
+        const std::size_t count = in_.count("locations", 1, kMaxRecords);
+        while (places_.size() < count) {
+            in_.need_line("location " + std::to_string(places_.size() + 1));
+            Place place;
+            place.longitude = in_.number_here("a coordinate");
+            if (geographic) {
+                in_.require_within(place.longitude, -180.0, 360.0, "a longitude", "-180 .. 360");
+            }
+            const std::string x = in_.last_number();
+            place.latitude = in_.number_here("a coordinate");
+            if (geographic) {
+                in_.require_within(place.latitude, -90.0, 90.0, "a latitude", "-90 .. 90");
+            } else {
+                place = {x + " " + in_.last_number(), kMissing, kMissing};
+            }
+            if (const std::string name = name_of(in_.rest()); !name.empty()) place.station = name;
+            places_.push_back(std::move(place));
+        }
+    }
+    /// The manual allows a name after the coordinates.
+    static std::string name_of(std::string_view text) {
+        constexpr std::string_view kAround = " \t'\"";
+        text.remove_prefix(std::min(text.find_first_not_of(kAround), text.size()));
+        return text::printable(text.substr(0, text.find_last_not_of(kAround) + 1));
+    }
+
+    void read_directions(DirectionConvention convention) {
+        const std::size_t count = in_.count("directions", 3, kMaxDirections);
+        if (count * frequency_.size() > kMaxDirectionalValues) {
+            throw in_.fail("a spectrum has at most 131072 values over frequency and direction");
+        }
+        std::vector<double> degrees;
+        while (degrees.size() < count) {
+            degrees.push_back(in_.header_number("a direction"));
+            in_.require_within(degrees.back(), -360.0, 720.0, "a direction", "-360 .. 720");
+        }
+        const std::string fault = DirectionAxis::fault(degrees);
+        if (!fault.empty()) throw in_.fail(fault);
+        axis_.emplace(degrees, convention);
+        values_.resize(count * frequency_.size());
+    }
+
+    void read_quantities() {
+        const std::size_t count = in_.count("quantities", 1, directional() ? 1 : 3);
+        while (quantities_.size() < count) quantities_.push_back(read_quantity());
+        if (!has(Meaning::density)) throw in_.fail("no VaDens or EnDens among the quantities");
+    }
+    bool has(Meaning meaning) const {
+        return std::any_of(quantities_.begin(), quantities_.end(),
+                           [&](const Quantity& q) { return q.meaning == meaning; });
+    }
+
+    Quantity read_quantity() {
+        in_.need_line("the name of a quantity");
+        const std::string name(in_.word());
+        Quantity quantity;
+        quantity.meaning = meaning_of(name);
+        if (has(quantity.meaning)) throw in_.fail("a second " + name);
+        in_.need_line("the unit of " + name);
+        switch (quantity.meaning) {
+            case Meaning::density: {
+                const bool energy = name == "EnDens";
+                const std::string unit = std::string(energy ? "J/" : "") + "m2/Hz";
+                if (directional()) {
+                    read_unit(name, {unit + "/degr", unit + "/deg"});
+                } else {
+                    read_unit(name, {unit});
+                }
+                quantity.scale = energy ? 1.0 / kEnergyOfVariance : 1.0;
+                break;
+            }
+            case Meaning::direction:
+                read_unit(name, {"degr", "deg"});
+                quantity.convention = name == "NDIR" ? DirectionConvention::from_nautical
+                                                     : DirectionConvention::to_cartesian;
+                break;
+            case Meaning::spread:
+                quantity.spread_is_power = read_unit(name, {"degr", "deg", "-"}) == "-";
+                break;
+        }
+        in_.need_line("the exception value of " + name);
+        quantity.exception = in_.number_here("an exception value");
+        return quantity;
+    }
+
+    Meaning meaning_of(const std::string& name) const {
+        if (name == "VaDens" || name == "EnDens") return Meaning::density;
+        if (!directional() && (name == "NDIR" || name == "CDIR")) return Meaning::direction;
+        if (!directional() && (name == "DSPRDEGR" || name == "DSPR")) return Meaning::spread;
+        throw in_.fail("'" + FreeForm::shown(name) + "' is not a quantity; known: VaDens, EnDens" +
+                       (directional() ? "" : ", NDIR, CDIR, DSPRDEGR, DSPR"));
+    }
+
+    std::string read_unit(const std::string& quantity, const std::vector<std::string>& allowed) {
+        const std::string unit(in_.word());
+        if (std::find(allowed.begin(), allowed.end(), unit) == allowed.end()) {
+            throw in_.fail("'" + FreeForm::shown(unit) + "' is not a unit of " + quantity +
+                           "; known: " + allowed[0] + (allowed.back() == "-" ? " or -" : ""));
+        }
+        return unit;
+    }
+
+    // --- spectra
+
+    std::string read_time() {
+        std::string_view text = in_.rest();
+        if (text.starts_with('\'')) text.remove_prefix(1);
+        std::optional<UtcTime> time = match_time(text, time_pattern_);
+        if (time && time->year < 100) time->year += time->year < kFirstYear % 100 ? 2000 : 1900;
+        const std::string_view after = time ? text.substr(time_pattern_.size()) : "";
+        const bool ends = after.empty() || after.find_first_of(" \t'") == 0;
+        if (!time || !time->valid() || !ends) {
+            throw in_.fail("'" + FreeForm::shown(text) + "' where a time like " +
+                           std::string(time_pattern_) + " should be");
+        }
+        return time->text();
+    }
+
+    void read_places(const std::string& time) {
+        const std::size_t size = frequency_.size() + values_.size();
+        for (std::size_t k = 0; k < places_.size(); ++k) {
+            in_.need_line("location " + std::to_string(k + 1) + " of " +
+                          std::to_string(places_.size()));
+            const std::string_view word = in_.word();
+            if (word == "NODATA") continue;
+            require_room(in_, records_.size(), size);
+            SpectrumRecord record;
+            record.station = places_[k].station;
+            record.latitude = places_[k].latitude;
+            record.longitude = places_[k].longitude;
+            record.time = time;
+            record.frequency = frequency_;
+            if (directional()) {
+                read_directional(word, record);
+            } else if (!read_rows(word, k + 1, record)) {
+                continue;
+            }
+            records_.push_back(std::move(record));
+        }
+    }
+
+    void read_directional(std::string_view word, SpectrumRecord& record) {
+        if (word == "ZERO") {
+            std::fill(values_.begin(), values_.end(), 0.0);
+        } else if (word == "FACTOR") {
+            const double factor = in_.header_number("a factor");
+            in_.require_within(factor, 0.0, 1e300, "a factor", "0 or more");
+            in_.leave_line();
+            read_integers(factor);
+        } else {
+            throw in_.fail("'" + FreeForm::shown(word) +
+                           "' where FACTOR, ZERO or NODATA should be");
+        }
+        axis_->fill(record, values_, 1.0);
+    }
+
+    void read_integers(double factor) {
+        const Quantity& quantity = quantities_.front();
+        const std::size_t bins = values_.size() / frequency_.size();
+        for (std::size_t i = 0; i < frequency_.size(); ++i) {
+            for (std::size_t j = 0; j < bins; ++j) {
+                const double digits = in_.number("a density");
+                const double density = digits * factor * quantity.scale;
+                const bool missing = digits == quantity.exception;
+                if (!missing && digits != std::floor(digits)) {
+                    throw in_.fail(in_.last_number() + " is not a whole number");
+                }
+                if (!missing && !(density >= 0.0 && density <= kMaxBinDensity)) {
+                    throw in_.fail(in_.last_number() + " times the factor is not within 0 .. " +
+                                   "2500 m2/Hz/degr");
+                }
+                values_[i * bins + j] = missing ? kMissing : density;
+            }
+            in_.end_line("the values of all directions");
+        }
+    }
+
+    /// False if there is no spectrum.
+    bool read_rows(std::string_view word, std::size_t location, SpectrumRecord& record) {
+        if (word != "LOCATION") {
+            throw in_.fail("'" + FreeForm::shown(word) + "' where LOCATION or NODATA should be");
+        }
+        if (in_.number_here("the number of the location") != static_cast<double>(location)) {
+            throw in_.fail("LOCATION " + in_.last_number() + " where LOCATION " +
+                           std::to_string(location) + " should be");
+        }
+        in_.need_line("the first frequency");
+        if (in_.rest().starts_with("NODATA")) return false;
+        bool directions = false;
+        for (std::size_t i = 0; i < frequency_.size(); ++i) directions |= read_row(record);
+        if (!directions) record.a1 = record.b1 = record.a2 = record.b2 = {};
+        return true;
+    }
+
+    /// Whether its direction and spread are known.
+    bool read_row(SpectrumRecord& record) {
+        double mean = kMissing;
+        double spread = kMissing;
+        for (const Quantity& quantity : quantities_) {
+            const double value = in_.number("a number");
+            const bool missing = value == quantity.exception;
+            switch (quantity.meaning) {
+                case Meaning::density:
+                    record.density.push_back(missing ? 0.0 : value * quantity.scale);
+                    if (missing) break;
+                    in_.require_within(record.density.back(), 0.0, 1e6, "a density",
+                                       "0 .. 1e6 m2/Hz");
+                    break;
+                case Meaning::direction:
+                    if (missing) break;
+                    in_.require_within(value, -360.0, 720.0, "a direction", "-360 .. 720");
+                    mean = travel_direction(value, quantity.convention);
+                    break;
+                case Meaning::spread:
+                    if (missing) break;
+                    in_.require_within(value, 0.0, quantity.spread_is_power ? 1e4 : 180.0,
+                                       "a spread", "0 .. 180 degrees, powers 0 .. 1e4");
+                    spread = quantity.spread_is_power ? spread_of_power(value) : value;
+                    break;
+            }
+        }
+        in_.end_line("the quantities of a frequency");
+        append_mean_and_spread(record, mean, spread);
+        return !std::isnan(mean) && !std::isnan(spread);
+    }
+
+    FreeForm in_;
+    std::string_view time_pattern_;  // empty: stationary
+    std::vector<Place> places_;
+    std::vector<double> frequency_;
+    std::optional<DirectionAxis> axis_;  // none: over frequency only
+    std::vector<Quantity> quantities_;
+    std::vector<double> values_;  // [frequency][direction]
+    std::vector<SpectrumRecord> records_;
+};
+
+bool recognises(std::string_view content) {
+    if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+    content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+    std::string_view line = content.substr(0, content.find_first_of("\r\n"));
+    const bool swan = take_word(line) == "SWAN";
+    return swan && take_word(line).find_first_of("0123456789") == 0;
+}
+
+std::vector<SpectrumRecord> read(const SpectrumSource& source) {
+    return SwanReader(source).read();
+}
+
+}  // namespace
+
+const SpectrumFormat kSwan = {"SWAN spectra", recognises, read};
+
+}  // namespace ocean

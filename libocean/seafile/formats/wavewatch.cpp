@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Point output of WAVEWATCH III, the ASCII transfer file of its program ww3_outp:
+//   'WAVEWATCH III SPECTRA'     50    36     1 'spectral resolution for points'
+//   frequencies [Hz], then directions [rad, clockwise from north, travelling to]; for each time
+//   20220912 060000
+//   and each point
+//   '44097     '  40.98 -71.12      46.6   1.45 225.6   0.18  94.1
+//   (latitude, longitude, depth, speed and direction of wind and current) and the densities
+//   [m^2/Hz/rad], frequency fastest.
+// A reader of spectra: turns such a file into records in libocean's conventions.
+#include "directional_record.hpp"
+#include "free_form.hpp"
+#include "ocean/grid.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::string_view kMagic = "'WAVEWATCH III SPECTRA'";
+/// Half a unit of the third digit of 6.28, and what the smallest direction may be off.
+constexpr double kRounding = 0.0055;
+/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+constexpr double kMaxDensity = 1e5;
+
+/// The model's directions are even, but 85 degrees is printed as 1.48. Taken as printed, the
+/// weights of the bins in every integral would be off by some percent, each in its own way. So
+/// directions that rounding alone keeps from an even circle are put back on it, from the smallest
+/// one, which is printed with the most digits; others are as printed.
+std::vector<double> even_circle(const std::vector<double>& printed) {
+    const auto count = static_cast<double>(printed.size());
+    const auto smallest = std::min_element(printed.begin(), printed.end());
+    for (const double step : {2.0 * kPi / count, -2.0 * kPi / count}) {
+        std::vector<double> even;
+        bool close = true;
+        for (std::size_t j = 0; j < printed.size(); ++j) {
+            const auto from_smallest =
+                static_cast<double>(j) - static_cast<double>(smallest - printed.begin());
+            const double direction = *smallest + from_smallest * step;
+            const double off = std::remainder(printed[j] - direction, 2.0 * kPi);
+            close = close && std::abs(off) <= kRounding;
+            even.push_back(direction);
+        }
+        if (close) return even;
+    }
+    return printed;
+}
+
+class WavewatchReader {
+  public:
+    explicit WavewatchReader(const SpectrumSource& source) : in_(source.content, source.name) {}
+
+    std::vector<SpectrumRecord> read() {
+        read_header();
+        const DirectionAxis axis = read_directions();
+        std::vector<SpectrumRecord> records;
+        while (in_.next_line()) {
+            const std::string time = read_time();
+            for (std::size_t point = 1; point <= points_; ++point) {
+                require_room(in_, records.size(), values_.size());
+                in_.need_line("point " + std::to_string(point) + " of " + std::to_string(points_));
+                SpectrumRecord record = read_point();
+                record.time = time;
+                record.frequency = frequency_;
+                read_values();
+                axis.fill(record, values_, kPi / 180.0);
+                records.push_back(std::move(record));
+            }
+        }
+        return records;
+    }
+
+  private:
+    void read_header() {
+        in_.need_line("a header");
+        if (!in_.rest().starts_with(kMagic))
+            throw in_.fail("does not begin with " + std::string(kMagic));
+        in_.take(kMagic.size());
+        const std::size_t frequencies = in_.count("frequencies", 2, kMaxFrequencies);
+        directions_ = in_.count("directions", 3, kMaxDirections);
+        if (frequencies * directions_ > kMaxDirectionalValues) {
+            throw in_.fail("a spectrum has at most 131072 values over frequency and direction");
+        }
+        points_ = in_.count("points", 1, kMaxRecords);
+        in_.leave_line();  // the name of the grid
+        frequency_ = read_frequencies(in_, frequencies);
+        in_.end_line("the frequencies");
+        values_.resize(frequencies * directions_);
+    }
+
+    DirectionAxis read_directions() {
+        std::vector<double> radians;
+        while (radians.size() < directions_) {
+            radians.push_back(in_.number("a direction"));
+            in_.require_within(radians.back(), -7.0, 7.0, "a direction", "0 .. 2 pi (radians)");
+        }
+        in_.end_line("the directions");
+        std::vector<double> degrees = even_circle(radians);
+        for (double& d : degrees) d *= 180.0 / kPi;
+        const std::string fault = DirectionAxis::fault(degrees);
+        if (!fault.empty()) throw in_.fail(fault);
+        return DirectionAxis(degrees, DirectionConvention::to_nautical);
+    }
+
+    std::string read_time() {
+        constexpr std::string_view kPattern = "YYYYMMDD hhmmss";
+        const std::optional<UtcTime> time = match_time(in_.rest(), kPattern);
+        if (!time || !time->valid()) {
+            throw in_.fail("'" + FreeForm::shown(in_.rest()) +
+                           "' where a time like 20220912 060000 should be");
+        }
+        in_.take(kPattern.size());
+        in_.end_line("the time");
+        return time->text();
+    }
+
+    SpectrumRecord read_point() {
+        const std::string_view line = in_.rest();
+        const std::size_t quote = line.rfind('\'');  // a name may contain quotes
+        if (!line.starts_with('\'') || quote == 0) {
+            throw in_.fail("'" + FreeForm::shown(line) +
+                           "' where the name of a point in quotes should be");
+        }
+        SpectrumRecord record;
+        const std::string_view name = line.substr(1, quote - 1);
+        record.station = text::printable(name.substr(0, name.find_last_not_of(" \t") + 1));
+        in_.take(quote + 1);
+        record.latitude = in_.number_here("a latitude");
+        in_.require_within(record.latitude, -90.0, 90.0, "a latitude", "-90 .. 90");
+        record.longitude = in_.number_here("a longitude");
+        in_.require_within(record.longitude, -180.0, 360.0, "a longitude", "-180 .. 360");
+        const double depth = in_.number_here("a depth");
+        in_.require_within(depth, -20000.0, 20000.0, "a depth", "at most 20000 m");
+        if (depth >= 0.01) record.depth = depth;  // else not known, or land
+        for (const char* what :
+             {"a wind speed", "a wind direction", "a current speed", "a current direction"}) {
+            in_.number_here(what);
+        }
+        in_.end_line("the current");
+        return record;
+    }
+
+    void read_values() {
+        for (std::size_t j = 0; j < directions_; ++j) {
+            for (std::size_t i = 0; i < frequency_.size(); ++i) {
+                const double value = in_.number("a density");
+                in_.require_within(value, 0.0, kMaxDensity, "a density", "0 .. 1e5 m^2/Hz/rad");
+                values_[i * directions_ + j] = value;
+            }
+        }
+        in_.end_line("the densities");
+    }
+
+    FreeForm in_;
+    std::size_t directions_ = 0;
+    std::size_t points_ = 0;
+    std::vector<double> frequency_;
+    std::vector<double> values_;  // [frequency][direction]
+};
+
+bool recognises(std::string_view content) {
+    if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+    content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+    return content.starts_with(kMagic);
+}
+
+std::vector<SpectrumRecord> read(const SpectrumSource& source) {
+    return WavewatchReader(source).read();
+}
+
+}  // namespace
+
+const SpectrumFormat kWavewatch = {"WAVEWATCH III point output", recognises, read};
+
+}  // namespace ocean

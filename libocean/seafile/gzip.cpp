@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Packed text files: see gzip.hpp. zlib is linked statically, so that libocean.so needs no library.
+#include "gzip.hpp"
+
+#include "text.hpp"
+
+#ifdef OCEAN_HAVE_ZLIB
+#include <zlib.h>
+
+#include <algorithm>
+#endif
+
+namespace ocean {
+
+bool is_gzip(std::string_view content) {
+    return content.starts_with("\x1f\x8b");
+}
+
+#ifdef OCEAN_HAVE_ZLIB
+
+namespace {
+
+class Inflater {
+  public:
+    Inflater() { good_ = inflateInit2(&stream_, 15 + 16) == Z_OK; }  // 16: gzip, not zlib
+    ~Inflater() { inflateEnd(&stream_); }
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
+
+    bool good() const { return good_; }
+    z_stream& stream() { return stream_; }
+
+  private:
+    z_stream stream_{};
+    bool good_ = false;
+};
+
+}  // namespace
+
+std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit) {
+    const auto fail = [&](const std::string& why) {
+        return text::error_at(ErrorKind::bad_file, name, 0, "gzip: " + why);
+    };
+    constexpr std::size_t kBlock = std::size_t{1} << 16;
+    std::string out;
+    while (!packed.empty()) {
+        Inflater inflater;  // files may be several members in a row
+        if (!inflater.good()) throw Error(ErrorKind::out_of_memory, "zlib has not enough memory");
+        z_stream& stream = inflater.stream();
+        // zlib reads from next_in only, in spite of its type; sizes are below the reader's limit.
+        stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+        stream.avail_in = static_cast<uInt>(packed.size());
+        int state = Z_OK;
+        while (state == Z_OK) {
+            const std::size_t before = out.size();
+            out.resize(before + kBlock);
+            stream.next_out = reinterpret_cast<Bytef*>(out.data() + before);
+            stream.avail_out = kBlock;
+            state = inflate(&stream, Z_NO_FLUSH);
+            out.resize(before + kBlock - stream.avail_out);
+            if (out.size() > limit) {
+                throw fail("unpacks to more than the " + std::to_string(limit >> 20) +
+                           " MiB allowed");
+            }
+        }
+        if (state == Z_BUF_ERROR) throw fail("the file is cut off");
+        if (state != Z_STREAM_END) throw fail("the file is damaged");
+        packed.remove_prefix(packed.size() - stream.avail_in);
+        // Zeros that pad a block of a tape or a download are no member.
+        packed.remove_prefix(std::min(packed.find_first_not_of('\0'), packed.size()));
+    }
+    return out;
+}
+
+#else
+
+std::string gunzip(std::string_view, const std::string& name, std::size_t) {
+    throw text::error_at(ErrorKind::unsupported, name, 0,
+                         "is packed, and this libocean was built without zlib; unpack it first");
+}
+
+#endif
+
+}  // namespace ocean

@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Broken NetCDF spectra, written byte by byte: the classic format needs no library.
+
+A file is (dimensions, variables): {name: size} and a list of
+(name, dimension names, attributes, type, values). HDF5 is here as ruins only.
+"""
+
+import struct
+
+CHAR, SHORT, INT, FLOAT, DOUBLE = 2, 3, 4, 5, 6
+CODES = {SHORT: "h", INT: "i", FLOAT: "f", DOUBLE: "d"}
+NAN = float("nan")
+
+
+def padded(data):
+    return data + b"\0" * (-len(data) % 4)
+
+
+def name(text):
+    data = text if isinstance(text, bytes) else text.encode()
+    return struct.pack(">i", len(data)) + padded(data)
+
+
+def numbers(kind, values):
+    return struct.pack(f">{len(values)}{CODES[kind]}", *values)
+
+
+def items(tag, entries):
+    return struct.pack(">ii", tag if entries else 0, len(entries)) + b"".join(entries)
+
+
+def attribute(key, value):
+    if isinstance(value, (str, bytes)):
+        data = value if isinstance(value, bytes) else value.encode()
+        return name(key) + struct.pack(">ii", CHAR, len(data)) + padded(data)
+    return name(key) + struct.pack(">ii", DOUBLE, 1) + numbers(DOUBLE, [value])
+
+
+def classic(dimensions, variables, version=1):
+    """A CDF-1 file."""
+    order = list(dimensions)
+    data = [
+        padded(values if kind == CHAR else numbers(kind, values))
+        for _, _, _, kind, values in variables
+    ]
+
+    def header(begins):
+        entries = []
+        for (text, axes, attributes, kind, _), own, begin in zip(
+            variables, data, begins, strict=True
+        ):
+            entries.append(
+                name(text)
+                + struct.pack(f">i{len(axes)}i", len(axes), *[order.index(a) for a in axes])
+                + items(12, [attribute(k, v) for k, v in attributes.items()])
+                + struct.pack(">iii", kind, len(own), begin)
+            )
+        sizes = [name(n) + struct.pack(">I", s) for n, s in dimensions.items()]
+        return (
+            b"CDF"
+            + bytes([version, 0, 0, 0, 0])
+            + items(10, sizes)
+            + items(0, [])
+            + items(11, entries)
+        )
+
+    begin = len(header([0] * len(variables)))
+    begins = []
+    for own in data:
+        begins.append(begin)
+        begin += len(own)
+    return header(begins) + b"".join(data)
+
+
+DIMENSIONS = {"time": 2, "site": 1, "freq": 3, "dir": 4}
+
+
+def sea(dimensions=None, drop=(), **changed):
+    """The good file, some variables otherwise: NAME=(attributes, values), None as it was."""
+    variables = [
+        ("efth", ("time", "site", "freq", "dir"), {"units": "m2 s degree-1"}, [0.01] * 24),
+        ("time", ("time",), {"units": "days since 1990-01-01"}, [11000.0, 11000.125]),
+        ("lat", ("site",), {"units": "degrees_north"}, [50.0]),
+        ("lon", ("site",), {"units": "degrees_east"}, [-3.0]),
+        ("freq", ("freq",), {"units": "Hz"}, [0.1, 0.2, 0.3]),
+        ("dir", ("dir",), {"units": "degree"}, [0.0, 90.0, 180.0, 270.0]),
+    ]
+    made = []
+    for text, axes, attributes, values in variables:
+        if text in drop:
+            continue
+        own, other = changed.get(text, (None, None))
+        made.append((text, axes, own if own is not None else attributes, DOUBLE, other or values))
+    return classic({**DIMENSIONS, **(dimensions or {})}, made)
+
+
+GOOD = sea()
+
+
+def efth(*values):
+    return sea(efth=(None, list(values) + [0.01] * (24 - len(values))))
+
+
+def case(label, data, fragment):
+    return (label, {"sea.nc": data}, None, fragment)
+
+
+LIBRARY = "NetCDF"
+CASES = [
+    case("signature_alone", b"CDF\1", LIBRARY),
+    case("cut_in_the_dimensions", GOOD[:30], "holds no wave spectrum"),
+    case("cut_in_the_variables", GOOD[:200], LIBRARY),
+    case("cut_in_the_spectrum", GOOD[:-150], "the file is cut off"),
+    case("cut_by_a_value", GOOD[:-8], "the file is cut off: it has 780 bytes of 788"),
+    case("unknown_version", b"CDF\4" + GOOD[4:], ""),
+    case("hdf5_signature_alone", b"\x89HDF\r\n\x1a\n", LIBRARY),
+    case("hdf5_with_zeros", b"\x89HDF\r\n\x1a\n" + bytes(4096), LIBRARY),
+    case("hdf5_with_ones", b"\x89HDF\r\n\x1a\n" + b"\xff" * 4096, LIBRARY),
+    case("no_variables", classic(DIMENSIONS, []), "holds no wave spectrum"),
+    case("no_spectrum", sea(drop=("efth",)), "holds no wave spectrum"),
+    case("a_billion_times", sea(dimensions={"time": 1_000_000_000}), "sea.nc: "),
+    case("a_million_directions", sea(dimensions={"time": 1, "dir": 1_000_000}), "sea.nc: "),
+    case("negative_density", efth(0.1, -0.5), "efth: record 2020-02-13T00:00: a density of -0.5"),
+    case("huge_density", efth(1e30), "efth: "),
+    case("infinite_density", efth(float("inf")), "a density of inf"),
+    case("all_missing", efth(*[NAN] * 24), "efth: all values are missing"),
+    case("density_without_angle", sea(efth=({"units": "m2 s"}, None)), "efth: units 'm2 s'"),
+    case("density_in_joules", sea(efth=({"units": "J m-2"}, None)), "efth: units 'J m-2'"),
+    case(
+        "latin_1_units", sea(efth=({"units": b"m\xb2 s deg-1"}, None)), "efth: units 'm? s deg-1'"
+    ),
+    case(
+        "scale_of_zero",
+        sea(efth=({"units": "m2 s rad-1", "scale_factor": 0.0}, None)),
+        "scale_factor",
+    ),
+    case("frequency_zero", sea(freq=(None, [0.0, 0.1, 0.2])), "freq: a frequency of 0.0"),
+    case("frequency_nan", sea(freq=(None, [0.1, NAN, 0.2])), "freq: a frequency of nan"),
+    case("frequency_twice", sea(freq=(None, [0.1, 0.2, 0.1])), "freq: a frequency is there twice"),
+    case("frequency_in_radians", sea(freq=({"units": "rad s-1"}, None)), "freq: units 'rad s-1'"),
+    case("no_frequencies", sea(drop=("freq",)), "no variable with its frequencies"),
+    case("no_directions", sea(drop=("dir",)), "no variable with its directions"),
+    case(
+        "direction_twice",
+        sea(dir=(None, [0.0, 90.0, 90.0, 270.0])),
+        "dir: a direction is there twice",
+    ),
+    case(
+        "direction_out_of_range",
+        sea(dir=(None, [0.0, 90.0, 180.0, 1e6])),
+        "dir: a direction is not",
+    ),
+    case("direction_in_metres", sea(dir=({"units": "m"}, None)), "dir: units 'm'"),
+    case("latitude_95", sea(lat=(None, [95.0])), "lat: 95"),
+    case("longitude_400", sea(lon=(None, [400.0])), "lon: 400"),
+    case("time_without_origin", sea(time=({"units": "days"}, None)), "time: units 'days'"),
+    case(
+        "time_on_february_30", sea(time=({"units": "days since 1990-02-30"}, None)), "time: units"
+    ),
+    case("time_nan", sea(time=(None, [NAN, 1.0])), "time: nan is no time"),
+    case("time_in_the_year_5000", sea(time=(None, [1.1e6, 1.1e6])), "is no time in 1800 .. 2999"),
+    case(
+        "calendar_of_360_days",
+        sea(time=({"units": "days since 1990-01-01", "calendar": "360_day"}, None)),
+        "calendar '360_day'",
+    ),
+]

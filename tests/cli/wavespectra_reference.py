@@ -1,0 +1,167 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""What an independent package says of the same spectra: wavespectra, from PyPI.
+
+usage: PYTHON tests/cli/wavespectra_reference.py FOLDER > tests/data/wavespectra.json
+
+PYTHON has wavespectra and netCDF4. Writes spectrum files into FOLDER by the package's own writers,
+reads them and the samples of tests/data/spectra by its own readers, and prints for each file the
+records with their significant wave height (without a tail), peak period (of the highest bin), mean
+direction (coming from) and directional spread. test_wavespectra.py compares `ocean` with it.
+"""
+
+import gzip
+import json
+import shutil
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from wavespectra import (
+    read_era5,
+    read_ndbc_ascii,
+    read_netcdf,
+    read_swan,
+    read_ww3,
+    read_ww3_station,
+)
+
+SAMPLES = Path(__file__).resolve().parent.parent / "data" / "spectra"
+NDBC_PARTS = (".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2")
+warnings.filterwarnings("ignore")
+
+
+def records(data: xr.Dataset) -> list[dict]:
+    """Time by time, and place by place within it: the order of `ocean records`."""
+    spec = data.spec
+    values = {
+        "significant_wave_height": spec.hs(tail=False),
+        "peak_period": spec.tp(smooth=False),
+        "coming_from": spec.dm(),
+        "directional_spread": spec.dspr(),
+    }
+    times = [str(t)[:16] for t in np.atleast_1d(data.time.values)]
+    columns = {
+        name: np.asarray(value.transpose("time", ...)).reshape(len(times), -1)
+        for name, value in values.items()
+    }
+    return [
+        {"time": time, **{name: round(float(c[i, k]), 6) for name, c in columns.items()}}
+        for i, time in enumerate(times)
+        for k in range(columns["peak_period"].shape[1])
+    ]
+
+
+def three_places(folder: Path) -> xr.Dataset:
+    """The sample of SWAN at three places: as it is, turned by 130 degrees, and halved."""
+    one = read_swan(str(SAMPLES / "swan_nz_west_coast.spec"), as_site=True).isel(time=slice(0, 2))
+    one = one.compute()
+    turned = one.copy(deep=True)
+    turned["efth"] = turned.efth.roll(dir=13, roll_coords=False)
+    halved = one.copy(deep=True)
+    halved["efth"] = 0.5 * halved.efth
+    data = xr.concat([one, turned, halved], dim="site")
+    data = data.assign_coords(site=[1, 2, 3])
+    data["lon"] = ("site", [174.67, -176.2, 12.5])
+    data["lat"] = ("site", [-38.17, -38.5, 54.25])
+    return data
+
+
+def write_era5(data: xr.Dataset, path: Path) -> None:
+    """The layout of ECMWF's files: log10 of m^2 s/rad on 30 frequencies and 24 directions."""
+    frequency = 0.03453 * 1.1 ** np.arange(30)
+    direction = (7.5 + 15.0 * np.arange(24) + 180.0) % 360.0  # travelling to, as coming from
+    place = data.isel(site=0).drop_vars(["lon", "lat", "site"], errors="ignore")
+    even = place.spec.interp(freq=frequency, dir=np.sort(direction)).sel(dir=direction)
+    values = np.log10((even * 180.0 / np.pi).where(even > 1e-8))
+    spectra = values.transpose("time", "freq", "dir").values[:, :, :, None, None]
+    xr.Dataset(
+        {"d2fd": (("time", "frequency", "direction", "latitude", "longitude"), spectra)},
+        coords={
+            "time": data.time.values,
+            "frequency": np.arange(1, 31),
+            "direction": np.arange(1, 25),
+            "latitude": [-38.0],
+            "longitude": [174.5],
+        },
+    ).to_netcdf(path)
+
+
+def write_csv(data: xr.Dataset, path: Path) -> None:
+    with path.open("w") as file:
+        file.write("time,latitude,longitude,frequency (Hz),direction,density (m2/Hz/deg)\n")
+        for time in data.time.values:
+            for site in range(data.site.size):
+                one = data.sel(time=time).isel(site=site)
+                start = f"{str(time)[:16]},{float(one.lat)},{float(one.lon)}"
+                for f in one.freq.values:
+                    for d in one.dir.values:
+                        value = float(one.efth.sel(freq=f, dir=d))
+                        file.write(f"{start},{f:.9g},{d:.9g},{value:.9g}\n")
+
+
+def made(folder: Path) -> dict[str, list[dict]]:
+    data = three_places(folder)
+    data.spec.to_swan(str(folder / "places.swan"))
+    with (folder / "places.swan").open("rb") as plain, gzip.open(folder / "p.gz", "wb") as packed:
+        shutil.copyfileobj(plain, packed)
+    (folder / "p.gz").rename(folder / "places.swan.gz")
+    data.spec.to_netcdf(str(folder / "places.nc"))
+    data.spec.to_ww3(str(folder / "places_ww3.nc"))
+    write_era5(data, folder / "era5.nc")
+    write_csv(data, folder / "places.csv")
+    swan = read_swan(str(folder / "places.swan"), as_site=True)
+    return {
+        "places.swan": records(swan),
+        "places.swan.gz": records(swan),
+        "places.nc": records(read_netcdf(str(folder / "places.nc"))),
+        "places_ww3.nc": records(read_ww3(str(folder / "places_ww3.nc"))),
+        "era5.nc": records(read_era5(str(folder / "era5.nc"))),
+        "places.csv": records(data),
+    }
+
+
+def wavewatch(path: Path) -> xr.Dataset:
+    """The package weighs every bin by the distance of the first two, which radians of three digits
+    make 9.74 degrees where 36 bins are 10 degrees wide: the directions are put back on the circle.
+    """
+    data = read_ww3_station(str(path))
+    return data.assign_coords(dir=np.round((data.dir.values - 5.0) / 10.0) * 10.0 % 360.0 + 5.0)
+
+
+def of_one(line: str) -> str:
+    """NDBC's yearly r1 and r2 are in hundredths, which the package does not know."""
+    if line.startswith("#"):
+        return line
+    cells = line.split()
+    return " ".join(cells[:5] + [c if float(c) == 999 else f"{float(c) / 100}" for c in cells[5:]])
+
+
+def samples(folder: Path) -> dict[str, list[dict]]:
+    realtime = [str(SAMPLES / f"ndbc_41010{part}") for part in NDBC_PARTS]
+    historical = []
+    for letter in "wdijk":
+        packed = SAMPLES / "ndbc_historical" / f"41010{letter}2020.txt.gz"
+        plain = folder / packed.stem
+        lines = gzip.decompress(packed.read_bytes()).decode().splitlines()
+        plain.write_text("\n".join(map(of_one, lines) if letter in "jk" else lines) + "\n")
+        historical.append(str(plain))
+    yearly = read_ndbc_ascii(historical)
+    return {
+        "ndbc_41010.data_spec": records(read_ndbc_ascii(realtime)),
+        "ndbc_historical/41010w2020.txt.gz": records(yearly),
+        "ww3_station_44097.spec": records(wavewatch(SAMPLES / "ww3_station_44097.spec")),
+        "swan_nz_west_coast.spec": records(read_swan(str(SAMPLES / "swan_nz_west_coast.spec"))),
+    }
+
+
+def main() -> None:
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    print(json.dumps({"made": made(folder), "samples": samples(folder)}, indent=1))
+
+
+if __name__ == "__main__":
+    main()

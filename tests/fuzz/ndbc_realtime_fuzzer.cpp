@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reader_fuzzer.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    ocean::fuzz::run_reader(
+        ocean::kNdbcRealtime,
+        {"fuzz.data_spec", "fuzz.swdir", "fuzz.swdir2", "fuzz.swr1", "fuzz.swr2"}, data, size);
+    return 0;
+}

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a child that reads NetCDF may send, whatever file has overrun it: decode and records_from
+// give records without a fault, or one exception with a message that is safe to print.
+#include "netcdf_records.hpp"
+#include "netcdf_wire.hpp"
+#include "reader_fuzzer.hpp"
+#include "text.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ocean;
+    const auto source = [&](void* to, std::size_t count) {
+        if (count > size) return false;
+        std::copy_n(data, count, static_cast<std::uint8_t*>(to));
+        data += count;
+        size -= count;
+        return true;
+    };
+    try {
+        fuzz::check_all(netcdf::records_from(netcdf::decode(source)));
+    } catch (const netcdf::WireError&) {
+    } catch (const netcdf::Fault& fault) {
+        fuzz::check_message(text::error_at(ErrorKind::bad_file, "fuzz", 0, fault.what()).what());
+    }
+    return 0;
+}

@@ -1,0 +1,652 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Spectra from NetCDF: what variables and units mean, on contents made by hand; real files of the
+// classic and the HDF5 kind through the child process; and a child that crashes, hangs or lies.
+#include "netcdf_spectra.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+
+#include "cf_units.hpp"
+#include "child_process.hpp"
+#include "netcdf_layout.hpp"
+#include "netcdf_records.hpp"
+#include "netcdf_wire.hpp"
+#include "ocean/error.hpp"
+#include "ocean/seafile.hpp"
+#include "sample_surface.hpp"
+#ifdef OCEAN_TEST_NETCDF
+#include <netcdf.h>
+#endif
+
+namespace ocean::netcdf {
+namespace {
+
+using test::TemporaryFolder;
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t points(const Content& content, const Variable& v) {
+    std::size_t count = 1;
+    for (const std::size_t d : v.dimensions) count *= content.dimensions[d].size;
+    return count;
+}
+
+std::string fault_of(const Content& content) {
+    try {
+        records_from(content);
+    } catch (const Fault& fault) {
+        return fault.what();
+    }
+    return "";
+}
+
+Variable& find(Content& content, const std::string& name) {
+    for (Variable& v : content.variables) {
+        if (v.name == name) return v;
+    }
+    throw std::out_of_range(name);
+}
+
+Variable numbers(const std::string& name, std::vector<std::size_t> dimensions,
+                 std::map<std::string, std::string> attributes, std::vector<double> values) {
+    return {name, std::move(dimensions), std::move(attributes), false, std::move(values), {}};
+}
+
+/// wavespectra's: two times, two sites, two frequencies, four directions; value
+/// t*1000+s*100+f*10+d.
+Content wavespectra() {
+    Content content;
+    content.dimensions = {{"time", 2}, {"site", 2}, {"freq", 2}, {"dir", 4}};
+    std::vector<double> values;
+    for (int i = 0; i < 32; ++i) {
+        values.push_back(i / 16 * 1000 + i / 8 % 2 * 100 + i / 4 % 2 * 10 + i % 4);
+    }
+    content.variables = {
+        numbers("efth", {0, 1, 2, 3}, {{"units", "m2 s degree-1"}}, values),
+        numbers("time", {0}, {{"units", "hours since 2020-02-28 22:00:00"}}, {0.0, 3.0}),
+        numbers("lat", {1}, {}, {-38.0, 50.0}),
+        numbers("lon", {1}, {}, {174.0, -3.0}),
+        numbers("dpt", {1}, {}, {55.0, 60.0}),
+        numbers("freq", {2}, {{"units", "Hz"}}, {0.1, 0.2}),
+        numbers("dir", {3}, {{"units", "degree"}}, {0.0, 90.0, 180.0, 270.0}),
+    };
+    return content;
+}
+
+/// The value of a record in the bin of waves that come from `from`.
+double value_from(const SpectrumRecord& record, std::size_t frequency, double from) {
+    const double travel = std::fmod(630.0 - from, 360.0);
+    for (std::size_t j = 0; j < record.direction.size(); ++j) {
+        if (std::abs(record.direction[j] - travel) < 1e-9) {
+            return record.directional_density[frequency * record.direction.size() + j];
+        }
+    }
+    return kMissing;
+}
+
+TEST(NetcdfRecords, ARecordForEachTimeAndPlaceTimesOutermost) {
+    const std::vector<SpectrumRecord> records = records_from(wavespectra());
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_EQ(records[0].time, "2020-02-28T22:00");
+    EXPECT_EQ(records[1].time, "2020-02-28T22:00");
+    EXPECT_EQ(records[3].time, "2020-02-29T01:00");
+    EXPECT_EQ(records[1].latitude, 50.0);
+    EXPECT_EQ(records[2].longitude, 174.0);
+    for (std::size_t r = 0; r < 4; ++r) {
+        for (std::size_t f = 0; f < 2; ++f) {
+            const double base = static_cast<double>(r / 2 * 1000 + r % 2 * 100 + f * 10);
+            EXPECT_EQ(value_from(records[r], f, 90.0), base + 1.0) << r;
+            EXPECT_EQ(value_from(records[r], f, 270.0), base + 3.0) << r;
+            EXPECT_DOUBLE_EQ(records[r].density[f], 90.0 * (4.0 * base + 6.0)) << r;
+        }
+    }
+}
+
+TEST(NetcdfRecords, DimensionsComeInAnyOrderAndFrequenciesToo) {
+    const Content straight = wavespectra();
+    Content turned = straight;
+    Variable& efth = find(turned, "efth");
+    efth.dimensions = {3, 1, 2, 0};  // dir, site, freq, time
+    find(turned, "freq").values = {0.2, 0.1};
+    const Variable& original = straight.variables[0];
+    for (std::size_t i = 0; i < 32; ++i) {
+        const std::size_t d = i / 8, s = i / 4 % 2, f = i / 2 % 2, t = i % 2;
+        efth.values[i] = original.values[t * 16 + s * 8 + (1 - f) * 4 + d];
+    }
+    EXPECT_EQ(records_from(turned), records_from(straight));
+}
+
+TEST(NetcdfRecords, UnitsPerRadianAreConverted) {
+    Content content = wavespectra();
+    find(content, "efth").attributes["units"] = "m2 s rad-1";
+    EXPECT_NEAR(value_from(records_from(content)[3], 1, 270.0), 1113.0 * kDegree, 1e-9);
+}
+
+TEST(NetcdfRecords, DirectionsComeFromOrTravelToAsTheFileSays) {
+    const auto first_travels_to = [](const std::string& name, const std::string& key,
+                                     const std::string& words) {
+        Content content = wavespectra();
+        Variable& dir = find(content, "dir");
+        dir.name = name;
+        if (!key.empty()) dir.attributes[key] = words;
+        for (double& d : dir.values) d += 30.0;
+        Variable& efth = find(content, "efth");
+        for (std::size_t i = 0; i < 32; ++i) efth.values[i] = i % 4 == 0 ? 1.0 : 0.0;
+        const SpectrumRecord record = records_from(content).front();
+        for (std::size_t j = 0; j < 4; ++j) {
+            if (record.directional_density[j] > 0.0) return record.direction[j];
+        }
+        return kMissing;
+    };
+    // 30 degrees: travelling north-north-east is 60 degrees from east, coming from there 240.
+    EXPECT_EQ(first_travels_to("dir", "", ""), 240.0) << "wavespectra's default";
+    EXPECT_EQ(first_travels_to("direction", "", ""), 60.0) << "WAVEWATCH III's default";
+    const std::string from = "sea_surface_wave_from_direction";
+    const std::string to = "sea_surface_wave_to_direction";
+    EXPECT_EQ(first_travels_to("direction", "standard_name", from), 240.0);
+    EXPECT_EQ(first_travels_to("dir", "standard_name", to), 60.0);
+    EXPECT_EQ(first_travels_to("dir", "long_name", "sea surface wave to direction"), 60.0);
+}
+
+Content ecmwf() {
+    Content content;
+    content.dimensions = {
+        {"time", 1}, {"frequency", 30}, {"direction", 24}, {"latitude", 2}, {"longitude", 1}};
+    std::vector<double> values(30 * 24 * 2, kMissing);
+    values[(3 * 24 + 6) * 2 + 1] = 0.5;  // fourth frequency, seventh direction, second latitude
+    std::vector<double> frequency(30), direction(24);
+    for (std::size_t i = 0; i < 30; ++i) frequency[i] = static_cast<double>(i + 1);
+    for (std::size_t j = 0; j < 24; ++j) direction[j] = static_cast<double>(j + 1);
+    content.variables = {
+        numbers("d2fd", {0, 1, 2, 3, 4}, {{"units", "m**2 s radian**-1"}}, values),
+        numbers("time", {0}, {{"units", "hours since 1900-01-01 00:00:00.0"}}, {1051896.0}),
+        numbers("frequency", {1}, {}, frequency),
+        numbers("direction", {2}, {}, direction),
+        numbers("latitude", {3}, {}, {50.0, 49.5}),
+        numbers("longitude", {4}, {}, {350.0}),
+    };
+    return content;
+}
+
+TEST(NetcdfRecords, EcmwfIsALogarithmOverNumberedBins) {
+    const std::vector<SpectrumRecord> records = records_from(ecmwf());
+    ASSERT_EQ(records.size(), 1u) << "a place without any value is land";
+    const SpectrumRecord& record = records[0];
+    EXPECT_EQ(record.time, "2020-01-01T00:00");
+    EXPECT_EQ(record.latitude, 49.5);
+    EXPECT_EQ(record.longitude, 350.0);
+    ASSERT_EQ(record.frequency.size(), 30u);
+    EXPECT_NEAR(record.frequency[0], 0.03453, 1e-12);
+    EXPECT_NEAR(record.frequency[3], 0.03453 * 1.331, 1e-12);
+    // The seventh direction is 97.5 degrees, where waves travel to: from 277.5.
+    EXPECT_NEAR(value_from(record, 3, 277.5), std::pow(10.0, 0.5) * kDegree, 1e-12);
+    EXPECT_NEAR(record.density[3], std::pow(10.0, 0.5) * 15.0 * kDegree, 1e-12);
+    EXPECT_EQ(record.density[4], 0.0) << "missing is no energy";
+}
+
+TEST(NetcdfRecords, EcmwfCoordinatesWithValuesAreTakenAsTheyAre) {
+    Content content = ecmwf();
+    for (double& f : find(content, "frequency").values) f *= 0.01;
+    for (double& d : find(content, "direction").values) d = 15.0 * (d - 1.0);
+    const SpectrumRecord record = records_from(content)[0];
+    EXPECT_EQ(record.frequency[3], 0.04);
+    EXPECT_NEAR(value_from(record, 3, 270.0), std::pow(10.0, 0.5) * kDegree, 1e-12);
+}
+
+TEST(NetcdfRecords, WavewatchPackedAsLogarithmIsUnpacked) {
+    Content content = wavespectra();
+    Variable& efth = find(content, "efth");
+    efth.attributes["units"] = "log10(m2 s rad-1 +1E-12)";
+    for (std::size_t i = 0; i < 32; ++i) efth.values[i] = i % 2 == 0 ? -12.0 : 0.0;
+    const SpectrumRecord record = records_from(content)[0];
+    EXPECT_EQ(value_from(record, 0, 0.0), 0.0);
+    EXPECT_NEAR(value_from(record, 0, 90.0), kDegree, 1e-9);
+}
+
+TEST(NetcdfRecords, WithoutDirectionsTheSpectrumHasOneDimension) {
+    Content content = wavespectra();
+    content.variables.pop_back();
+    content.dimensions[3].name = "unused";
+    content.variables[0] = numbers("ef", {0, 1, 2}, {{"units", "m2 s"}},
+                                   {1.0, 2.0, kMissing, kMissing, 5.0, 6.0, 7.0, kMissing});
+    const std::vector<SpectrumRecord> records = records_from(content);
+    ASSERT_EQ(records.size(), 2u) << "one has no values, one has a single value";
+    EXPECT_FALSE(records[0].is_directional());
+    EXPECT_EQ(records[1].density, (std::vector<double>{5.0, 6.0}));
+}
+
+TEST(NetcdfRecords, PlacesMayMoveAndStationsHaveNames) {
+    Content content = wavespectra();
+    find(content, "lat") = numbers("latitude", {0, 1}, {}, {1.0, 2.0, 3.0, 4.0});
+    find(content, "lon") = numbers("longitude", {0, 1}, {}, {5.0, 6.0, 7.0, kMissing});
+    content.variables.push_back(numbers("site", {1}, {}, {7.0, 9.0}));
+    find(content, "dpt").values[1] = -2.0;
+    EXPECT_EQ(records_from(content)[1].station, "9");
+    content.variables.push_back({"station_name", {1}, {}, true, {}, {"ab\xE9", "cd"}});
+    const std::vector<SpectrumRecord> records = records_from(content);
+    EXPECT_EQ(records[0].station, "ab?") << "latin-1 is no UTF-8";
+    EXPECT_EQ(records[1].station, "cd");
+    EXPECT_EQ(records[2].latitude, 3.0);
+    EXPECT_EQ(records[2].depth, 55.0);
+    EXPECT_TRUE(std::isnan(records[1].depth)) << "dry";
+    EXPECT_TRUE(std::isnan(records[3].longitude));
+}
+
+TEST(NetcdfRecords, BrokenContentsAreRefusedAndNamed) {
+    using Break = std::function<void(Content&)>;
+    const std::pair<Break, std::string> broken[] = {
+        {[](Content& c) { find(c, "efth").values[5] = -1.0; }, "efth: record 2020-02-28T22:00"},
+        {[](Content& c) { find(c, "efth").values[5] = 1e300; }, "a density of 1"},
+        {[](Content& c) { find(c, "efth").values[5] = HUGE_VAL; }, "a density of inf"},
+        {[](Content& c) { find(c, "efth").attributes["units"] = "m2"; }, "efth: units 'm2'"},
+        {[](Content& c) { find(c, "efth").attributes["units"] = "m2 s"; }, "over directions"},
+        {[](Content& c) { find(c, "efth").name = "hs"; }, "holds no wave spectrum"},
+        {[](Content& c) {
+             find(c, "efth").dimensions = {0, 0, 2, 3};
+         },
+         "a dimension twice"},
+        {[](Content& c) { find(c, "efth").values.assign(32, kMissing); }, "all values are missing"},
+        {[](Content& c) {
+             find(c, "freq").values = {0.0, 0.2};
+         },
+         "freq: a frequency of 0.0"},
+        {[](Content& c) {
+             find(c, "freq").values = {0.2, 0.2};
+         },
+         "freq: a frequency is there"},
+        {[](Content& c) {
+             find(c, "freq").values = {0.2, kMissing};
+         },
+         "freq: a frequency of"},
+        {[](Content& c) { find(c, "freq").attributes["units"] = "rad/s"; }, "freq: units 'rad/s'"},
+        {[](Content& c) { find(c, "freq").name = "f"; }, "no variable with its frequencies"},
+        {[](Content& c) { find(c, "dir").values[1] = 0.0; }, "dir: a direction is there twice"},
+        {[](Content& c) { find(c, "dir").values[1] = 1e9; }, "dir: a direction is not"},
+        {[](Content& c) { find(c, "dir").attributes["units"] = "m"; }, "dir: units 'm'"},
+        {[](Content& c) { find(c, "lat").values[1] = 95.0; }, "lat: 95.0"},
+        {[](Content& c) { find(c, "lon").values[1] = -181.0; }, "lon: -181.0"},
+        {[](Content& c) { find(c, "time").values[1] = 1e300; }, "is no time in 1800 .. 2999"},
+        {[](Content& c) { find(c, "time").values[1] = kMissing; }, "time: nan is no time"},
+        {[](Content& c) { find(c, "time").attributes["units"] = "hours"; }, "time: units 'hours'"},
+        {[](Content& c) { find(c, "time").attributes["calendar"] = "noleap"; }, "'noleap'"},
+        {[](Content& c) {
+             c.dimensions[1].name = "part", find(c, "lat").dimensions = {0},
+             find(c, "lon").dimensions = {0};
+         },
+         "the dimension part of 2 is neither time nor place"},
+    };
+    ASSERT_EQ(fault_of(wavespectra()), "");
+    for (const auto& [breaks, words] : broken) {
+        Content content = wavespectra();
+        breaks(content);
+        const std::string message = fault_of(content);
+        EXPECT_NE(message.find(words), std::string::npos) << words << " not in: " << message;
+    }
+}
+
+TEST(NetcdfRecords, CountsAreBounded) {
+    Content content = wavespectra();
+    const std::size_t frequencies = 4096;
+    content.dimensions = {{"time", 1}, {"site", 1}, {"freq", frequencies}, {"dir", 36}};
+    for (Variable& v : content.variables) v.values.assign(points(content, v), 0.0);
+    for (std::size_t i = 0; i < frequencies; ++i) {
+        find(content, "freq").values[i] = 0.01 * static_cast<double>(i + 1);
+    }
+    for (std::size_t j = 0; j < 36; ++j) {
+        find(content, "dir").values[j] = 10.0 * static_cast<double>(j);
+    }
+    EXPECT_NE(fault_of(content).find("131072"), std::string::npos);
+    content.dimensions[2].size = 4097;
+    for (Variable& v : content.variables) v.values.resize(points(content, v), 1.0);
+    EXPECT_NE(fault_of(content).find("more than 4096"), std::string::npos);
+}
+
+TEST(CfUnits, DensitiesAreRecognisedInManySpellings) {
+    using Angle = DensityUnits::Angle;
+    const std::pair<const char*, Angle> known[] = {
+        {"m^{2}.s.degree^{-1}", Angle::degree},
+        {"m2 s degree-1", Angle::degree},
+        {"m2/Hz/deg", Angle::degree},
+        {"m^2/(Hz deg)", Angle::degree},
+        {"m**2 s radian**-1", Angle::radian},
+        {"m2 s rad-1", Angle::radian},
+        {"m2 Hz-1 rad-1", Angle::radian},
+        {"m2 degree-1 s", Angle::degree},
+        {"m2 s", Angle::none},
+        {"m^2/Hz", Angle::none},
+        {"m2 Hz-1", Angle::none},
+        {"m**2 s", Angle::none},
+    };
+    for (const auto& [units, angle] : known) {
+        const auto parsed = parse_density_units(units);
+        ASSERT_TRUE(parsed) << units;
+        EXPECT_EQ(parsed->angle, angle) << units;
+        EXPECT_FALSE(parsed->log10) << units;
+    }
+    for (const char* other : {"", "m", "m2", "cm2 s", "m2 s deg", "m2 s-1", "J/m2", "m2/Hz/degx",
+                              "m2 s degree-1 rad-1", "log10(m2 s rad-1)", "m2 hz"}) {
+        EXPECT_FALSE(parse_density_units(other)) << other;
+    }
+}
+
+TEST(CfUnits, TimesAreReadInManySpellings) {
+    const auto text = [](const char* units, double value) {
+        const auto parsed = parse_time_units(units);
+        if (!parsed) return std::string("no units");
+        const auto time = time_at(*parsed, value);
+        return time ? time->text() : "no time";
+    };
+    EXPECT_EQ(text("days since 1990-01-01", 11016.125), "2020-02-29T03:00");
+    EXPECT_EQ(text("days since 1990-01-01T00:00:00Z", 1.0 / 3.0), "1990-01-01T08:00");
+    EXPECT_EQ(text("hours since 1900-01-01 00:00:00.0", 1051896.0), "2020-01-01T00:00");
+    EXPECT_EQ(text("seconds since 1970-01-01", 951782400.0), "2000-02-29T00:00");
+    EXPECT_EQ(text("minutes since 2020-1-1 0:30", -31.0), "2019-12-31T23:59");
+    EXPECT_EQ(text("nanoseconds since 1970-01-01 00:00:00 UTC", 6e13), "1970-01-01T16:40");
+    EXPECT_EQ(text("days since 1990-01-01", 1e6), "no time") << "beyond 2999";
+    EXPECT_EQ(text("days since 1990-01-01", kMissing), "no time");
+    for (const char* units : {"", "days", "days since", "years since 1990-01-01",
+                              "days since 1990-02-30", "days since 0001-01-01",
+                              "days since 1990-01-01 25:00", "days since 1990-01-01 00:00 +02:00",
+                              "days since 1990-01-01 00:00:99", "days since 1990/01/01"}) {
+        EXPECT_EQ(text(units, 0.0), "no units") << units;
+    }
+}
+
+/// What encode makes, and a source that ends after it.
+std::string wire(const Content& content) {
+    std::string bytes;
+    encode(content, [&](const void* from, std::size_t count) {
+        bytes.append(static_cast<const char*>(from), count);
+    });
+    return bytes;
+}
+Content decode_bytes(std::string_view bytes) {
+    return decode([&](void* to, std::size_t count) {
+        if (count > bytes.size()) return false;
+        std::memcpy(to, bytes.data(), count);
+        bytes.remove_prefix(count);
+        return true;
+    });
+}
+
+TEST(NetcdfWire, GivesBackWhatWasSentAndRefusesEveryCutAndEveryLie) {
+    Content content = wavespectra();
+    content.variables.push_back({"station_name", {1}, {}, true, {}, {"a", ""}});
+    const std::string bytes = wire(content);
+    EXPECT_EQ(wire(decode_bytes(bytes)), bytes);
+    EXPECT_EQ(records_from(decode_bytes(bytes)), records_from(content));
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        EXPECT_THROW(decode_bytes(std::string_view(bytes).substr(0, size)), WireError) << size;
+    }
+    using Lie = std::function<void(Content&)>;
+    for (const Lie& lie : {Lie([](Content& c) { c.variables[0].values.pop_back(); }),
+                           Lie([](Content& c) { c.variables[0].dimensions[0] = 4; }),
+                           Lie([](Content& c) { c.dimensions[0].size = SIZE_MAX / 2; }),
+                           Lie([](Content& c) { c.variables.back().texts.pop_back(); }),
+                           Lie([](Content& c) { c.dimensions.resize(1025); })}) {
+        Content lying = content;
+        lie(lying);
+        EXPECT_THROW(decode_bytes(wire(lying)), WireError);
+    }
+    EXPECT_THROW(decode_bytes("this is no content at all"), WireError);
+}
+
+/// How run_in_child failed.
+std::string failure_of(const std::function<void(const Sink&)>& produce, ChildLimits limits = {}) {
+    try {
+        run_in_child(limits, produce, [](const Source& source) { decode(source); });
+    } catch (const ChildFailure& failure) {
+        return failure.what();
+    }
+    return "";
+}
+
+TEST(NetcdfChild, ACrashALimitAndNonsenseAreFailuresOfTheChildAlone) {
+    EXPECT_EQ(failure_of([](const Sink& sink) { encode(wavespectra(), sink); }), "");
+    EXPECT_EQ(failure_of([](const Sink&) { std::raise(SIGSEGV); }), "it crashed (signal 11)");
+    EXPECT_EQ(failure_of([](const Sink&) { std::abort(); }), "it crashed (signal 6)");
+    EXPECT_EQ(failure_of([](const Sink&) {}), "it stopped early");
+    EXPECT_EQ(failure_of([](const Sink&) { throw 1; }), "it stopped early");
+    EXPECT_EQ(failure_of([](const Sink& sink) {
+                  const std::string junk(1000000, 'x');
+                  for (;;) sink(junk.data(), junk.size());
+              }),
+              "it gave nonsense");
+    EXPECT_EQ(failure_of([](const Sink& sink) {
+                  encode(wavespectra(), sink);
+                  const std::string more(100000, 'x');
+                  sink(more.data(), more.size());
+                  std::raise(SIGSEGV);
+              }),
+              "it crashed (signal 13)")
+        << "more than a content: nobody reads it";
+    const std::string slow = failure_of(
+        [](const Sink&) {
+            while (::getppid() > 0) {
+            }
+        },
+        {std::uint64_t{1} << 30, 1});
+    EXPECT_NE(slow.find("more than 1 seconds"), std::string::npos) << slow;
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "no child is left";
+}
+
+TEST(NetcdfChild, HasALimitOfMemoryNoFilesToWriteAndNoStreams) {
+    const TemporaryFolder folder;
+    const std::string target = folder.file("written");
+    EXPECT_EQ(failure_of(
+                  [&](const Sink& sink) {
+                      std::vector<std::string> held;
+                      try {
+                          for (int i = 0; i < 300; ++i) held.emplace_back(1 << 20, 'x');
+                      } catch (const std::bad_alloc&) {
+                          encode(wavespectra(), sink);
+                      }
+                  },
+                  {std::uint64_t{200} << 20, 20}),
+              "")
+        << "the memory ended, as it should";
+    EXPECT_EQ(failure_of([&](const Sink& sink) {
+                  std::ofstream(target) << "x";
+                  encode(wavespectra(), sink);
+              }),
+              "it crashed (signal " + std::to_string(SIGXFSZ) + ")");
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(failure_of([](const Sink& sink) {
+                  if (::write(1, "x", 1) != 1) throw 1;
+                  encode(wavespectra(), sink);
+              }),
+              "");
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(NetcdfChild, SignalsBlockedInTheProgramReachIt) {
+    sigset_t interrupt, before;
+    sigemptyset(&interrupt);
+    sigaddset(&interrupt, SIGINT);
+    ::pthread_sigmask(SIG_BLOCK, &interrupt, &before);
+    try {
+        failure_of([](const Sink&) {
+            ::raise(SIGINT);
+            std::abort();
+        });
+        ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+TEST(NetcdfSpectra, IsRecognisedByItsFirstBytes) {
+    using namespace std::string_view_literals;
+    for (const auto good : {"CDF\1\0\0\0\0"sv, "CDF\2"sv, "CDF\5"sv, "\x89HDF\r\n\x1a\n"sv}) {
+        EXPECT_TRUE(is_netcdf(good));
+    }
+    for (const auto other : {""sv, "CDF"sv, "CDF\3"sv, "cdf\1"sv, "\x89HDF\r\n"sv, "#YY MM"sv}) {
+        EXPECT_FALSE(is_netcdf(other));
+    }
+}
+
+std::string error_of(const std::string& path, ErrorKind kind = ErrorKind::bad_file) {
+    try {
+        read_netcdf_spectra(path);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), kind);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(NetcdfSpectra, WhatIsNoNetcdfFileIsSaid) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("text")) << "hello, this is text";
+    EXPECT_EQ(error_of(folder.file("none")), folder.file("none") + ": no such file");
+    EXPECT_NE(error_of("/tmp").find("is not a file"), std::string::npos);
+    EXPECT_NE(error_of(folder.file("text")).find("is not a NetCDF file"), std::string::npos);
+    EXPECT_NE(error_of("http://localhost/a.nc").find("no such file"), std::string::npos);
+}
+
+#ifdef OCEAN_TEST_NETCDF
+
+void check(int status) {
+    if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
+}
+
+/// A content as a file. Spectra are packed as ECMWF does: shorts, a scale, an offset, a fill value.
+void write_file(const std::string& path, const Content& content, int kind) {
+    int file = 0;
+    check(nc_create(path.c_str(), kind, &file));
+    std::vector<int> dimensions;
+    for (const Dimension& d : content.dimensions) {
+        check(nc_def_dim(file, d.name.c_str(), d.size, &dimensions.emplace_back()));
+    }
+    for (const Variable& v : content.variables) {
+        int id = 0;
+        std::vector<int> ids;
+        for (const std::size_t d : v.dimensions) ids.push_back(dimensions[d]);
+        const bool packed = v.name == "d2fd";
+        const nc_type type = v.is_text ? NC_CHAR : packed ? NC_SHORT : NC_DOUBLE;
+        check(
+            nc_def_var(file, v.name.c_str(), type, static_cast<int>(ids.size()), ids.data(), &id));
+        for (const auto& [key, value] : v.attributes) {
+            check(nc_put_att_text(file, id, key.c_str(), value.size(), value.data()));
+        }
+        const short fill = -32767;
+        const double scale = 0.001, offset = -2.0;
+        if (packed) {
+            check(nc_put_att_short(file, id, "_FillValue", NC_SHORT, 1, &fill));
+            check(nc_put_att_double(file, id, "scale_factor", NC_DOUBLE, 1, &scale));
+            check(nc_put_att_double(file, id, "add_offset", NC_DOUBLE, 1, &offset));
+        }
+        check(nc_enddef(file));
+        std::vector<double> values = v.values;
+        if (packed) {
+            for (double& x : values) x = std::isnan(x) ? fill : std::round((x - offset) / scale);
+        }
+        if (v.is_text) {
+            check(nc_put_var_text(file, id, v.texts[0].data()));
+        } else if (!values.empty()) {
+            check(nc_put_var_double(file, id, values.data()));
+        }
+        check(nc_redef(file));
+    }
+    check(nc_close(file));
+}
+
+TEST(NetcdfSpectra, FilesOfEveryKindGiveTheRecordsOfTheirContent) {
+    const TemporaryFolder folder;
+    for (const int kind : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
+        const std::string path = folder.file("sea" + std::to_string(kind));
+        write_file(path, wavespectra(), kind);
+        const std::vector<SpectrumRecord> records = read_netcdf_spectra(path);
+        const std::vector<SpectrumRecord> wanted = records_from(wavespectra());
+        ASSERT_EQ(records.size(), wanted.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            EXPECT_EQ(records[i].time, wanted[i].time);
+            EXPECT_EQ(records[i].latitude, wanted[i].latitude);
+            EXPECT_EQ(records[i].directional_density, wanted[i].directional_density);
+        }
+    }
+}
+
+TEST(NetcdfSpectra, PackedValuesAreUnpackedAndFillValuesMissing) {
+    const TemporaryFolder folder;
+    write_file(folder.file("era5"), ecmwf(), 0);
+    const std::vector<SpectrumRecord> records = read_netcdf_spectra(folder.file("era5"));
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_NEAR(value_from(records[0], 3, 277.5), std::pow(10.0, 0.5) * kDegree, 1e-12);
+}
+
+TEST(NetcdfSpectra, CharactersComeBeforeOrAfterTheirStations) {
+    const TemporaryFolder folder;
+    for (const bool first : {false, true}) {
+        Content content = wavespectra();
+        content.dimensions.push_back({"string4", 4});
+        content.variables.push_back(
+            {"station_name",
+             first ? std::vector<std::size_t>{4, 1} : std::vector<std::size_t>{1, 4},
+             {},
+             true,
+             {},
+             {first ? "ax  by  " : "ab  xy  "}});
+        if (first) content.variables.back().texts[0] = std::string("axby\0 \0 ", 8);
+        write_file(folder.file("names"), content, 0);
+        const std::vector<SpectrumRecord> records = read_netcdf_spectra(folder.file("names"));
+        EXPECT_EQ(records[0].station, "ab") << first;
+        EXPECT_EQ(records[1].station, "xy") << first;
+    }
+}
+
+TEST(NetcdfSpectra, HugeClaimsAndCutFilesAreRefusedAtOnce) {
+    const TemporaryFolder folder;
+    Content content = wavespectra();
+    content.dimensions[0].size = 10'000'000;
+    for (Variable& v : content.variables) {
+        if (v.name == "efth" || v.name == "time") v.values.clear();
+    }
+    const std::string huge = folder.file("huge");
+    const auto start = std::chrono::steady_clock::now();
+    // No values are written: the file is small, whatever it claims.
+    write_file(huge, content, NC_NETCDF4 | NC_NOFILL);
+    EXPECT_NE(error_of(huge).find("efth: has 10000000 x 2 x 2 x 4 values; at most 67108864"),
+              std::string::npos)
+        << error_of(huge);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    for (const int kind : {0, NC_64BIT_OFFSET, NC_64BIT_DATA, NC_NETCDF4}) {
+        const std::string whole = folder.file("whole");
+        write_file(whole, wavespectra(), kind);
+        std::string bytes = test::read_bytes(whole);
+        for (const std::size_t size :
+             {std::size_t{8}, bytes.size() / 4, bytes.size() / 2, bytes.size() - 8}) {
+            std::ofstream(folder.file("cut"), std::ios::binary) << bytes.substr(0, size);
+            const std::string message = error_of(folder.file("cut"));
+            EXPECT_NE(message, "") << kind << " cut at " << size;
+            // libnetcdf reads the lost end of a classic file as zeros.
+            if (kind == NC_NETCDF4 || size + 8 < bytes.size()) continue;
+            EXPECT_NE(message.find("the file is cut off"), std::string::npos) << message;
+        }
+    }
+}
+
+#else
+
+TEST(NetcdfSpectra, AProgramWithoutTheLibrarySaysSo) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("sea"), std::ios::binary) << std::string("CDF\1\0\0\0\0", 8);
+    const std::string message = error_of(folder.file("sea"), ErrorKind::unsupported);
+    EXPECT_NE(message.find("built without NetCDF"), std::string::npos) << message;
+}
+
+#endif
+
+}  // namespace
+}  // namespace ocean::netcdf

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The CSV reader against its grammar: columns, units, conventions, grids in any order, several
+// records in a file, and broken files.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <numbers>
+
+#include "helpers.hpp"
+#include "spectrum_format.hpp"
+
+namespace ocean::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::vector<SpectrumRecord> read(const std::string& text) {
+    return read_spectra_from({text, "s.csv", nullptr});
+}
+SpectrumRecord first(const std::string& text) {
+    return read(text).front();
+}
+
+/// A grid of two frequencies and four directions, `title` naming the directions.
+std::string grid(const std::string& title, const std::string& density = "density",
+                 double turn = 360.0) {
+    std::string text = "frequency," + title + "," + density + "\n";
+    for (const int f : {1, 2}) {
+        for (const int d : {0, 1, 2, 3}) {
+            text += "0." + std::to_string(f) + "," + std::to_string(0.25 * d * turn) + "," +
+                    std::to_string(f * (d + 1)) + "\n";
+        }
+    }
+    return text;
+}
+
+TEST(Csv, TheBuoyAsCsvHasTheFirstMomentsOfTheBuoy) {
+    const SpectrumRecord record = read_spectra(kData + "/spectra/ndbc_41010.csv").front();
+    const SpectrumRecord buoy = read_spectra(kBuoy).front();
+    EXPECT_EQ(record.station, buoy.station);
+    EXPECT_EQ(record.time, buoy.time);
+    EXPECT_EQ(record.frequency, buoy.frequency);
+    EXPECT_EQ(record.density, buoy.density);
+    ASSERT_TRUE(record.has_moments());
+    for (std::size_t i = 0; i < buoy.frequency.size(); ++i) {
+        ASSERT_EQ(std::isnan(record.a1[i]), std::isnan(buoy.a1[i])) << i;
+        if (std::isnan(buoy.a1[i])) continue;
+        EXPECT_NEAR(record.a1[i], buoy.a1[i], 2e-6) << i;
+        EXPECT_NEAR(record.b1[i], buoy.b1[i], 2e-6) << i;
+    }
+}
+
+TEST(Csv, ColumnsInAnyOrderSeparatorCaseAndQuotes) {
+    const SpectrumRecord plain = first("frequency,density,station\n0.1,1.5,A\n0.2,2.5,A\n");
+    EXPECT_EQ(plain.frequency, (std::vector<double>{0.1, 0.2}));
+    EXPECT_EQ(plain.density, (std::vector<double>{1.5, 2.5}));
+    EXPECT_EQ(plain.station, "A");
+    for (const char* text :
+         {"# a note\n\nDENSITY;Station;Frequency [Hz]\n1.5;A;0.1\n\n2.5;A;0.2\n",
+          "\xEF\xBB\xBF"
+          "density\tstation\tfrequency\r\n1.5\tA\t0.1\r\n2.5\tA\t0.2",
+          "\"density\",\"station\",\"frequency (Hz)\"\n1.5,\"A\",0.1\n# end\n \"2.5\" , A , 0.2\n",
+          "frequency,density,station\n0.2,2.5,A\n0.1,1.5,A\n"}) {
+        EXPECT_TRUE(same_record(first(text), plain)) << text;
+    }
+    EXPECT_EQ(first("station,frequency,density\n\"a \"\"b\"\", c\",1,1\n\"a \"\"b\"\", c\",2,2\n")
+                  .station,
+              "a \"b\", c");
+}
+
+TEST(Csv, EnergyIsTheSameInEveryUnitOverFrequency) {
+    const double s = 3.0;  // m^2/Hz
+    const auto read_unit = [&](const std::string& frequency, const std::string& density,
+                               double to_file, double f_to_file) {
+        std::string text = "frequency" + frequency + ",density" + density + "\n";
+        for (const double f : {0.1, 0.2}) {
+            char row[128];
+            std::snprintf(row, sizeof row, "%.17g,%.17g\n", f * f_to_file, s * to_file);
+            text += row;
+        }
+        return first(text);
+    };
+    for (const char* unit :
+         {"", " (m2/Hz)", " [m^2/Hz]", " (m\xC2\xB2 s)", " (m**2 s)", "(m2*s)", " (m\xB2/Hz)"}) {
+        EXPECT_NEAR(read_unit("", unit, 1.0, 1.0).density[1], s, 1e-12) << unit;
+    }
+    const SpectrumRecord angular = read_unit(" (rad/s)", " (m2 s/rad)", 0.5 / kPi, 2.0 * kPi);
+    EXPECT_NEAR(angular.frequency[0], 0.1, 1e-15);
+    EXPECT_NEAR(angular.density[0], s, 1e-12);
+    EXPECT_NEAR(read_unit(" (rad/s)", " (m2/Hz)", 1.0, 2.0 * kPi).density[0], s, 1e-12);
+}
+
+TEST(Csv, EnergyIsTheSameInEveryUnitOverBoth) {
+    const SpectrumRecord plain = first(grid("direction"));
+    EXPECT_NEAR(plain.density[0], 90.0 * (1 + 2 + 3 + 4), 1e-9);
+    for (const char* unit : {"density (m2/Hz/rad)", "density (m2 s/rad)"}) {
+        EXPECT_NEAR(first(grid("direction", unit)).density[0], plain.density[0] * kPi / 180.0,
+                    1e-9);
+    }
+    const SpectrumRecord radians = first(grid("direction (rad)", "density", 2.0 * kPi));
+    EXPECT_EQ(radians.direction.size(), 4u);
+    EXPECT_NEAR(radians.density[0], plain.density[0], 1e-3) << "six digits of pi";
+}
+
+TEST(Csv, TheThreeDirectionColumnsMeanWhatTheySay) {
+    // The value 2 stands at 90.
+    for (const auto& [title, travel] :
+         {std::pair{"direction", 180.0}, {"direction_to", 0.0}, {"direction_cartesian", 90.0}}) {
+        const SpectrumRecord record = first(grid(title));
+        ASSERT_EQ(record.direction.size(), 4u);
+        const auto j = static_cast<std::size_t>(travel / 90.0);
+        EXPECT_EQ(record.directional_density[j], 2.0) << title;
+        EXPECT_EQ(record.directional_density[4 + j], 4.0) << title;
+    }
+}
+
+TEST(Csv, TheThreeMeanDirectionColumnsMeanWhatTheySay) {
+    for (const auto& [title, x, y] : {std::tuple{"mean_direction", -1.0, 0.0},
+                                      {"mean_direction_to", 1.0, 0.0},
+                                      {"mean_direction_cartesian", 0.0, 1.0}}) {
+        const std::string head = std::string("frequency,density,") + title;
+        const SpectrumRecord record = first(head + ",spread\n.1,1,90,0\n.2,1,,20\n.3,1,nan,5\n");
+        EXPECT_NEAR(record.a1[0], x, 1e-12) << title;
+        EXPECT_NEAR(record.b1[0], y, 1e-12) << title;
+        EXPECT_TRUE(std::isnan(record.a1[1]) && std::isnan(record.b2[2])) << title;
+        const SpectrumRecord rad =
+            first(head + " (rad),spread (rad)\n.1,1,1.5707963267948966,0\n.2,1,0,0\n");
+        EXPECT_NEAR(rad.a1[0], x, 1e-12) << title;
+    }
+}
+
+TEST(Csv, MomentsAreTakenAsTheyAre) {
+    const SpectrumRecord record =
+        first("frequency,density,a1,b1,a2,b2\n.2,1,.5,-.5,.25,-.25\n.1,2,.1,.2,.3,\n");
+    EXPECT_EQ(record.a1[1], 0.5);
+    EXPECT_EQ(record.b1[1], -0.5);
+    EXPECT_EQ(record.a2[1], 0.25);
+    EXPECT_EQ(record.b2[1], -0.25);
+    EXPECT_TRUE(std::isnan(record.a1[0])) << "one of four is missing, all are";
+    EXPECT_FALSE(first("frequency,density,a1,b1,a2,b2\n1,1,,,,\n2,2,,,,\n").has_moments());
+}
+
+TEST(Csv, RowsOfAGridMayStandInAnyOrder) {
+    const std::string text = grid("direction");
+    std::vector<std::string> rows;
+    for (std::size_t at = text.find('\n') + 1; at < text.size(); at = text.find('\n', at) + 1) {
+        rows.push_back(text.substr(at, text.find('\n', at) + 1 - at));
+    }
+    std::string shuffled = text.substr(0, text.find('\n') + 1);
+    for (std::size_t i = 0; i < rows.size(); ++i) shuffled += rows[(3 * i + 5) % rows.size()];
+    const SpectrumRecord a = first(text);
+    const SpectrumRecord b = first(shuffled);
+    EXPECT_TRUE(same_record(a, b));
+    EXPECT_EQ(a.directional_density, b.directional_density);
+}
+
+TEST(Csv, AMissingDensityIsZeroInAGridAndNoBinWithout) {
+    const SpectrumRecord over_f = first("frequency,density\n.1,\n.2,1\n.3,nan\n.4,2\n");
+    EXPECT_EQ(over_f.frequency, (std::vector<double>{0.2, 0.4}));
+    std::string text = grid("direction_cartesian");
+    text.replace(text.find(",2\n"), 3, ",\n");
+    EXPECT_EQ(first(text).directional_density[1], 0.0);
+}
+
+TEST(Csv, RowsAreGroupedByTimeStationAndPlace) {
+    const std::vector<SpectrumRecord> records = read(
+        "time,station,latitude,longitude,depth,frequency,density\n"
+        "2020-06-08T03:50Z,B,10,20,50,.1,1\n"
+        "2020-06-08T03:50Z,A,10,20,,.1,2\n"
+        "2020-06-08 03:50:00,B,10.0,20,50,.2,3\n"
+        "2020-06-08T03:50,A,10,20,,.2,4\n"
+        "2020-06-09,A,10,20,,.1,5\n"
+        "2020-06-09,A,10,20,,.2,6\n"
+        "2020-06-09,A,11,20,,.2,8\n"
+        "2020-06-09,A,11,20,,.1,7\n"
+        "2020-06-10,A,11,20,,.1,\n"
+        "2020-06-10,A,11,20,,.2,nan\n");
+    ASSERT_EQ(records.size(), 4u) << "one time without any density";
+    EXPECT_EQ(records[0].station, "B");
+    EXPECT_EQ(records[0].time, "2020-06-08T03:50");
+    EXPECT_EQ(records[0].density, (std::vector<double>{1, 3}));
+    EXPECT_EQ(records[0].depth, 50.0);
+    EXPECT_EQ(records[1].density, (std::vector<double>{2, 4}));
+    EXPECT_TRUE(std::isnan(records[1].depth));
+    EXPECT_EQ(records[2].time, "2020-06-09T00:00");
+    EXPECT_EQ(records[3].latitude, 11.0);
+    EXPECT_EQ(records[3].density, (std::vector<double>{7, 8}));
+}
+
+TEST(Csv, IsRecognisedByItsHeader) {
+    EXPECT_TRUE(kCsv.recognises("# x\n\nFrequency (Hz);Density\n"));
+    EXPECT_TRUE(kCsv.recognises("freq,density\n")) << "a mistyped name is to be told";
+    EXPECT_FALSE(kCsv.recognises("the density, frequency and more\n"));
+    EXPECT_FALSE(kCsv.recognises("density\n"));
+    EXPECT_FALSE(kCsv.recognises("x,y\n"));
+    EXPECT_FALSE(kCsv.recognises(std::string("\xFF\xFE", 2) + std::string("f\0,\0", 4)));
+}
+
+TEST(Csv, BrokenHeadersAreRefused) {
+    const std::pair<std::string, std::string> broken[] = {
+        {"frequency,densty", "unknown column 'densty'; did you mean density?"},
+        {"frequency,density,zzzzzzzzzzzzzzzzzzz", "known: frequency density"},
+        {"frequency,station", "density is missing"},
+        {"density,station", "frequency is missing"},
+        {"frequency,density,density", "there twice"},
+        {"frequency (Hz),density (ft2/Hz)", "'ft2/Hz' of density is unknown; allowed: m2/Hz"},
+        {"frequency,density (m2/Hz/deg)", "allowed: m2/Hz, m2 s, m2 s/rad"},
+        {"frequency,direction,density (m2/Hz)", "allowed: m2/Hz/deg, m2/Hz/rad, m2 s/rad"},
+        {"frequency (kHz),density", "'kHz' of frequency"},
+        {"frequency (rad/s),density", "over rad/s the density needs a unit"},
+        {"frequency,density,direction,direction_to", "more than one of direction,"},
+        {"frequency,density,mean_direction", "need each other"},
+        {"frequency,density,spread", "need each other"},
+        {"frequency,density,a1,b1,a2", "a1, b1, a2 and b2"},
+        {"frequency,density,direction,a1,b1,a2,b2", "exclude each other"},
+        {"frequency,density,latitude", "latitude and longitude"},
+        {"frequency,density,\"time", "quote"},
+    };
+    for (const auto& [line, words] : broken) {
+        const std::string text = "# note\n" + line + "\n1,1\n";
+        const Refusal refusal = refusal_of([&] { read_format(kCsv, {text, "s.csv", nullptr}); });
+        EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << line;
+        EXPECT_TRUE(refusal.says("s.csv:2: ") && refusal.says(words)) << refusal.message;
+    }
+}
+
+TEST(Csv, BrokenRowsAreRefusedWithTheirLine) {
+    const std::string head = "time,station,latitude,longitude,depth,frequency,density\n";
+    const std::string good = "2020-06-08T03:50,A,1,2,3,.1,1\n";
+    const std::pair<std::string, std::string> broken[] = {
+        {"2020-06-08T03:50,A,1,2,3,.1,1\n", "frequency is there twice"},
+        {"2020-06-08T03:50,A,1,2,3,.2,-1\n", "the density '-1' is not within 0 .. 1e+06"},
+        {"2020-06-08T03:50,A,1,2,3,.2,inf\n", "'inf'"},
+        {"2020-06-08T03:50,A,1,2,3,.2,x\n", "'x' is not a number"},
+        {"2020-06-08T03:50,A,1,2,3,,1\n", "the frequency is missing"},
+        {"2020-06-08T03:50,A,1,2,3,0,1\n", "not within 1e-05 .. 100"},
+        {"2020-06-08T03:50,A,1,2,3,101,1\n", "within 1e-05 .. 100"},
+        {"2020-06-08T03:50,A,91,2,3,.2,1\n", "the latitude '91'"},
+        {"2020-06-08T03:50,A,1,361,3,.2,1\n", "the longitude '361'"},
+        {"2020-06-08T03:50,A,1,2,-3,.2,1\n", "the depth '-3'"},
+        {"2020-06-08T03:50,A,1,2,4,.2,1\n", "the depth differs"},
+        {"20201345,A,1,2,3,.2,1\n", "'20201345' is not UTC"},
+        {"2020-06-08T03:50,A,1,2,3,.2,1,\n", "more fields"},
+        {"2020-06-08T03:50,A,1,2,3,.2\n", "fewer fields"},
+        {"2020-06-08T03:50,A,1,2", "the file ends within this line"},
+        {"2020-06-08T03:50,\"A,1,2,3,.2,1\n", "quote"},
+        {"2020-06-08T03:50,\"A\"x,1,2,3,.2,1\n", "quote"},
+    };
+    for (const auto& [line, words] : broken) {
+        const Refusal refusal = refusal_of([&, text = line] { read(head + good + text); });
+        EXPECT_TRUE(refusal.says("s.csv:3: ") && refusal.says(words)) << line << refusal.message;
+    }
+}
+
+TEST(Csv, ARecordOfOneFrequencyIsRefusedWithItsLine) {
+    const Refusal refusal = refusal_of([] { read("frequency,density\n.1,1\n"); });
+    EXPECT_TRUE(refusal.says("s.csv:2: ") && refusal.says("at least 2 frequencies"))
+        << refusal.message;
+}
+
+TEST(Csv, AGridWithAHoleADoubleOrTooFewDirectionsIsRefused) {
+    const std::string text = grid("direction");
+    const std::string without =
+        text.substr(0, text.find("0.1,90.0")) + text.substr(text.find("0.1,180"));
+    const Refusal hole = refusal_of([&] { read(without); });
+    EXPECT_TRUE(hole.says("s.csv:8: ") && hole.says("no row for 0.1 Hz and 90 degrees"))
+        << hole.message;
+    const Refusal twice = refusal_of([&] { read(text + "0.1,90,1\n"); });
+    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("there twice")) << twice.message;
+    const Refusal last = refusal_of([&] { read(text + "0.2,270,1\n"); });
+    EXPECT_TRUE(last.says("s.csv:10: ") && last.says("there twice")) << last.message;
+    const Refusal few =
+        refusal_of([] { read("frequency,direction,density\n.1,0,1\n.1,9,1\n.2,0,1\n.2,9,1\n"); });
+    EXPECT_TRUE(few.says("s.csv:5: ") && few.says("at least 3 directions")) << few.message;
+    const Refusal cut = refusal_of([&] { read(text.substr(0, text.size() - 6)); });
+    EXPECT_TRUE(cut.refused) << "the last row is cut";
+}
+
+}  // namespace
+}  // namespace ocean::test
