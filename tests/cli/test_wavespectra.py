@@ -128,3 +128,16 @@ def test_every_place_of_a_file_can_be_chosen(ocean, fresh):
         state = json.loads(ocean.good("info", "place.toml", "--json"))
         heights.add((state["significant_wave_height"]["asked"], state["mean_direction"]["asked"]))
     assert len(heights) == 3
+
+
+def test_a_sea_saved_from_netcdf_needs_the_file_no_more(ocean, fresh):
+    (ocean.folder / "places.nc").write_bytes((fresh[0] / "places.nc").read_bytes())
+    ocean.write(
+        "model.toml",
+        'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "places.nc"\nplace = "3"\n',
+    )
+    before = ocean.good("info", "model.toml", "--json")
+    ocean.write("saved.toml", ocean.good("info", "model.toml", "--sea-file"))
+    (ocean.folder / "places.nc").unlink()
+    assert ocean.good("info", "saved.toml", "--json") == before
+    assert "no such file" in ocean.bad("info", "model.toml")

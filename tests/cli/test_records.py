@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean records`: what a file of measured spectra holds, for people and for programs."""
+
+import gzip
+import json
+import shutil
+
+import pytest
+from conftest import BUOY, DATA
+
+SPECTRA = DATA / "spectra"
+
+
+def rows(text):
+    return [line.split() for line in text.splitlines()]
+
+
+def test_a_line_for_each_record_under_a_header(ocean):
+    header, *lines = rows(ocean.good("records", SPECTRA / "ww3_station_44097.spec"))
+    assert header == ["time,", "UTC", "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",
+                      "from", "spread"]  # fmt: skip
+    assert [line[0] for line in lines] == [f"2022-09-12T0{hour}:00" for hour in (6, 7, 8, 9)]
+    assert lines[0][1:] == ["44097", "40.9800", "-71.1200", "46.6", "1.16", "13.6", "114", "26"]
+
+
+def test_what_is_not_known_is_a_dash_or_null(ocean):
+    ocean.write("one.csv", "frequency,density\n0.1,1\n0.2,3\n0.4,2\n")
+    _, line = rows(ocean.good("records", "one.csv"))
+    assert line == ["-", "-", "-", "-", "-", "3.35", "5.0", "-", "-"]
+    (record,) = json.loads(ocean.good("records", "one.csv", "--json"))
+    assert record == {
+        "time": "",
+        "station": "",
+        "latitude": None,
+        "longitude": None,
+        "depth": None,
+        "significant_wave_height": pytest.approx(4.0 * 0.7**0.5),
+        "peak_period": 5.0,
+        "mean_direction": None,
+        "coming_from": None,
+        "directional_spread": None,
+        "directions": "none",
+        "frequencies": 3,
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "count", "directions"),
+    [
+        ("ndbc_41010.data_spec", 48, "moments"),
+        ("ndbc_historical/41010w2020.txt.gz", 48, "moments"),
+        ("ndbc_41010.csv", 1, "moments"),
+        ("ww3_station_44097.spec", 4, "full"),
+        ("swan_nz_west_coast.spec", 5, "full"),
+        ("swan_1d.spec", 3, "moments"),
+    ],
+)
+def test_formats_are_recognised_by_content_packed_or_not(ocean, name, count, directions):
+    records = json.loads(ocean.good("records", SPECTRA / name, "--json"))
+    assert len(records) == count
+    assert {record["directions"] for record in records} == {directions}
+    if name.endswith(".gz") or name == BUOY.name:
+        return  # the companions of these are found by name
+    content = (SPECTRA / name).read_bytes()
+    ocean.write("anything.at.all", gzip.compress(content))
+    assert json.loads(ocean.good("records", "anything.at.all", "--json")) == records
+
+
+def test_a_buoy_whose_companions_are_packed_keeps_its_directions(ocean):
+    for part in "wdijk":
+        packed = SPECTRA / "ndbc_historical" / f"41010{part}2020.txt.gz"
+        if part in "wj":
+            ocean.write(packed.stem, gzip.decompress(packed.read_bytes()))
+        else:
+            shutil.copy(packed, ocean.folder)
+    here = json.loads(ocean.good("records", "41010w2020.txt", "--json"))
+    there = ocean.good("records", SPECTRA / "ndbc_historical" / "41010w2020.txt.gz", "--json")
+    assert here == json.loads(there)
+    (ocean.folder / "41010k2020.txt.gz").unlink()
+    without = json.loads(ocean.good("records", "41010w2020.txt", "--json"))
+    assert {record["directions"] for record in without} == {"none"}
+
+
+def test_wrong_use_says_what_is_wrong(ocean):
+    assert "FILE is required" in ocean.bad("records")
+    assert "no such file" in ocean.bad("records", "nowhere.spec")
+    assert "is a directory" in ocean.bad("records", ".")
+    message = ocean.bad("records", "sea.toml")
+    assert "not a spectrum file of a known format" in message
+    for known in ("NDBC", "WAVEWATCH", "SWAN", "CSV"):
+        assert known in message
+
+
+def test_a_place_or_time_that_is_not_there_names_the_nearest(ocean):
+    file = SPECTRA / "ww3_station_44097.spec"
+
+    def refused(line):
+        sea = f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{file}"\n{line}\n'
+        ocean.write("measured.toml", sea)
+        return ocean.bad("info", "measured.toml")
+
+    assert "did you mean 44097?" in refused('place = "44079"')
+    assert "the nearest is at 40.9800,-71.1200, 69 km away" in refused('place = "40.5,-70.6"')
+    assert "the nearest is 2022-09-12T09:00" in refused('record = "2022-09-12T12:00"')
+    assert "measured.toml:4: " in refused('place = "44079"')
