@@ -72,6 +72,20 @@ Backend find_backend(std::string_view name) {
                 "unknown backend '" + std::string(name) + "'; known: cpu, radix2, dft");
 }
 
+std::string_view backend_name(Backend backend) {
+    switch (backend) {
+        case Backend::gl:
+            return "gl";
+        case Backend::radix2:
+            return "radix2";
+        case Backend::dft:
+            return "dft";
+        case Backend::cpu:
+            break;
+    }
+    return "cpu";
+}
+
 Surface::Surface(Lattice lattice, double time, ChannelSet channels)
     : lattice_(lattice), time_(time), channels_(channels) {
     for (int c = 0; c < kChannelCount; ++c) {

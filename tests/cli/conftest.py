@@ -3,6 +3,7 @@
 """Runs the `ocean` program of the environment variable OCEAN in a folder of its own."""
 
 import hashlib
+import json
 import os
 import subprocess
 from pathlib import Path
@@ -75,10 +76,19 @@ class Program:
         return sorted(path.name for path in (self.folder / folder).iterdir())
 
     def hashes(self, folder: str) -> dict[str, str]:
+        """Of every file in a folder, the manifest and hidden files too."""
         return {
             path.name: hashlib.sha256(path.read_bytes()).hexdigest()
             for path in sorted((self.folder / folder).iterdir())
         }
+
+    def manifest(self, path: str) -> dict[str, dict]:
+        """The entries of a manifest by the names of the files."""
+        content = json.loads((self.folder / path).read_text())
+        assert content["libocean_manifest"] == 1
+        names = [entry["name"] for entry in content["files"]]
+        assert names == sorted(set(names))
+        return {entry["name"]: entry for entry in content["files"]}
 
 
 def check_failure(done: subprocess.CompletedProcess, code: int) -> str:

@@ -23,42 +23,60 @@ def image(ocean, name):
 
 
 @pytest.mark.parametrize(
-    ("output", "arguments", "names"),
+    ("output", "arguments", "names", "manifest"),
     [
-        ("o/s.####.exr", [], ["o/s.displacement.0001.exr", "o/s.normal.0001.exr"]),
-        ("o/s.####.exr", ["--products", "height"], ["o/s.height.0001.exr"]),
-        ("s.exr", [], ["s.displacement.0001.exr", "s.normal.0001.exr"]),
-        ("s.exr", ["--products", "height"], ["s.exr"]),
+        (
+            "o/s.####.exr",
+            [],
+            ["o/s.displacement.0001.exr", "o/s.normal.0001.exr"],
+            "o/s.manifest.json",
+        ),
+        ("o/s.####.exr", ["--products", "height"], ["o/s.height.0001.exr"], "o/s.manifest.json"),
+        ("s.exr", [], ["s.displacement.0001.exr", "s.normal.0001.exr"], "s.manifest.json"),
+        ("s.exr", ["--products", "height"], ["s.exr"], "s.manifest.json"),
         (
             "s.exr",
             ["--products", "height", "--frames", "1,2"],
             ["s.height.0001.exr", "s.height.0002.exr"],
+            "s.manifest.json",
         ),
-        ("s.exr", ["--layout", "layered"], ["s.exr"]),
-        ("s.#.exr", ["--layout", "layered"], ["s.0001.exr"]),
-        ("s.###.EXR", ["--layout", "layered"], ["s.001.EXR"]),
-        ("s_##.exr", ["--products", "slope"], ["s_slope_01.exr"]),
-        ("s%03d.exr", ["--products", "slope"], ["s.slope.001.exr"]),
-        ("s-$F6.exr", ["--products", "slope"], ["s-slope-000001.exr"]),
-        ("s.%d.exr", ["--products", "slope", "--frames", "12345"], ["s.slope.12345.exr"]),
-        ("s.##.exr", ["--products", "slope", "--frames", "12345"], ["s.slope.12345.exr"]),
-        ("####.exr", ["--products", "slope"], ["slope.0001.exr"]),
-        ("a.b/s.v2.exr", ["--products", "slope"], ["a.b/s.v2.exr"]),
-        ("s.png", [], ["s.png", "s.png.txt"]),
+        ("s.exr", ["--layout", "layered"], ["s.exr"], "s.manifest.json"),
+        ("s.#.exr", ["--layout", "layered"], ["s.0001.exr"], "s.manifest.json"),
+        ("s.###.EXR", ["--layout", "layered"], ["s.001.EXR"], "s.manifest.json"),
+        ("s_##.exr", ["--products", "slope"], ["s_slope_01.exr"], "s.manifest.json"),
+        ("s%03d.exr", ["--products", "slope"], ["s.slope.001.exr"], "s.manifest.json"),
+        ("s-$F6.exr", ["--products", "slope"], ["s-slope-000001.exr"], "s.manifest.json"),
+        (
+            "s.%d.exr",
+            ["--products", "slope", "--frames", "12345"],
+            ["s.slope.12345.exr"],
+            "s.manifest.json",
+        ),
+        (
+            "s.##.exr",
+            ["--products", "slope", "--frames", "12345"],
+            ["s.slope.12345.exr"],
+            "s.manifest.json",
+        ),
+        ("####.exr", ["--products", "slope"], ["slope.0001.exr"], "manifest.json"),
+        ("a.b/s.v2.exr", ["--products", "slope"], ["a.b/s.v2.exr"], "a.b/s.v2.manifest.json"),
+        ("s.png", [], ["s.png", "s.png.txt"], "s.manifest.json"),
         (
             "s.png",
             ["--frames", "1-2"],
             ["s.0001.png", "s.0001.png.txt", "s.0002.png", "s.0002.png.txt"],
+            "s.manifest.json",
         ),
-        ("s_####.inc", [], ["s_0001.inc"]),
+        ("s_####.inc", [], ["s_0001.inc"], "s.manifest.json"),
     ],
 )
-def test_names_of_files(ocean, output, arguments, names):
+def test_names_of_files(ocean, output, arguments, names, manifest):
     assert bake(ocean, "-o", output, *arguments) == names
     made = {
         str(path.relative_to(ocean.folder)) for path in ocean.folder.rglob("*") if path.is_file()
     }
-    assert made == {"sea.toml", "buoy.toml", *names}
+    assert made == {"sea.toml", "buoy.toml", manifest, *names}
+    assert sorted(ocean.manifest(manifest)) == sorted(name.split("/")[-1] for name in names)
 
 
 @pytest.mark.parametrize(
@@ -260,7 +278,7 @@ def test_bytes_do_not_depend_on_threads_order_or_split(ocean):
     for frame in frames:
         bake(ocean, "-o", "alone/s.####.exr", "--frames", frame)
     expected = ocean.hashes("one")
-    assert len(expected) == 8 and len(set(expected.values())) == 8
+    assert len(expected) == 9 and len(set(expected.values())) == 9
     for folder in ("two", "back", "alone"):
         assert ocean.hashes(folder) == expected
 
@@ -318,4 +336,4 @@ def test_an_existing_frame_is_replaced_whole(ocean):
     path = ocean.write("s.exr", "old")
     bake(ocean, "-o", "s.exr", "--products", "height")
     assert path.read_bytes()[:4] == b"\x76\x2f\x31\x01"
-    assert ocean.files(".") == ["buoy.toml", "s.exr", "sea.toml"]
+    assert ocean.files(".") == ["buoy.toml", "s.exr", "s.manifest.json", "sea.toml"]

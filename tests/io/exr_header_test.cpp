@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claim: read_exr_header answers any bytes with strings or with Error bad_file, and allocates no
-// more than the file has.
+// Claims: read_exr_header and read_exr_layout answer any bytes with what they say or with Error
+// bad_file, and allocate no more than the file has; the layout is what was written.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -28,6 +28,11 @@ std::string good_file(const TemporaryFolder& folder) {
 }
 
 std::string refusal(const std::string& path) {
+    try {
+        io::read_exr_layout(path);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_file);
+    }
     try {
         io::read_exr_header(path);
     } catch (const Error& error) {
@@ -60,6 +65,48 @@ TEST(ExrHeader, SaysWhatIsWrong) {
     greedy.replace(size_at, 4, "\xff\xff\xff\x7f");
     spit(path, greedy);
     EXPECT_NE(refusal(path).find("ends inside"), std::string::npos);
+}
+
+TEST(ExrHeader, LayoutIsWhatWasWritten) {
+    const TemporaryFolder folder;
+    const std::string sea = "libocean = 1\n", path = folder.file("a.exr");
+    const Surface surface = test::sample_surface(64);
+    const FieldInfo* const products[] = {&find_field("displacement"), &find_field("normal")};
+    for (const char* codec : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
+        io::ExrOptions options;
+        options.compression = io::find_exr_compression(codec);
+        EXPECT_EQ(io::exr_compression_name(options.compression), codec);
+        io::write_exr_layered({surface, sea, 1, 0.0}, products, path, options);
+        const io::ExrLayout layout = io::read_exr_layout(path);
+        EXPECT_EQ(layout.resolution, 64);
+        EXPECT_EQ(layout.compression, options.compression);
+        EXPECT_EQ(layout.channels, io::exr_channels(products, true, io::PixelType::automatic));
+        EXPECT_NE(layout.channels, io::exr_channels(products, true, io::PixelType::full_float));
+    }
+}
+
+// Of a codec that we lack nothing is said; a picture that is no square is refused.
+TEST(ExrHeader, LayoutOfOtherPeoplesFiles) {
+    const TemporaryFolder folder;
+    const std::string bytes = good_file(folder), path = folder.file("other.exr");
+    const auto value_of = [&bytes](std::string name, std::string type) {
+        const std::string key = name + '\0' + type + '\0';
+        return bytes.find(key) + key.size() + 4;
+    };
+    std::string other = bytes;
+    other[value_of("compression", "compression")] = 8;
+    spit(path, other);
+    EXPECT_EQ(io::read_exr_layout(path).compression, std::nullopt);
+    for (const std::size_t corner : {0, 4, 8, 12}) {
+        other = bytes;
+        other[value_of("dataWindow", "box2i") + corner] ^= 1;
+        spit(path, other);
+        EXPECT_THROW(io::read_exr_layout(path), Error) << corner;
+    }
+    other = bytes;
+    other[value_of("channels", "chlist") + 2] = 0;  // "Y\0", then the type: whole numbers
+    spit(path, other);
+    EXPECT_THROW(io::read_exr_layout(path), Error);
 }
 
 TEST(ExrHeader, SurvivesEveryTruncationAndManyMutations) {

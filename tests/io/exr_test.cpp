@@ -50,7 +50,8 @@ TEST(Exr, HeaderStringsComeBack) {
     for (const auto& [name, value] : io::read_exr_header(folder.file("a.exr"))) {
         header[name] = value;
     }
-    EXPECT_EQ(header.size(), 8u);
+    EXPECT_EQ(header.size(), 9u);
+    EXPECT_EQ(header["ocean:backend"], "cpu");
     EXPECT_EQ(header["ocean:sea"], kSea);
     EXPECT_EQ(header["ocean:frame"], "-3");
     EXPECT_EQ(header["ocean:time"], "0.1");
@@ -59,6 +60,90 @@ TEST(Exr, HeaderStringsComeBack) {
     EXPECT_EQ(header["ocean:field"], "velocity");
     EXPECT_EQ(header["ocean:unit"], "m/s");
     EXPECT_TRUE(header.contains("ocean:version"));
+}
+
+TEST(Exr, TheHeaderIsKnownWithoutASurface) {
+    const TemporaryFolder folder;
+    const Surface surface = test::sample_surface(64, 0.5);
+    const io::Frame frame{surface, kSea, 12, 0.5, Backend::radix2};
+    const FieldInfo* const products[] = {&find_field("displacement"), &find_field("slope")};
+    const Lattice map{surface.resolution(), surface.period()};
+    for (const bool layered : {false, true}) {
+        for (const auto type : {io::PixelType::automatic, io::PixelType::half_float}) {
+            io::ExrOptions options;
+            options.type = type;
+            options.compression = io::ExrCompression::piz;
+            const std::span fields(products, layered ? 2 : 1);
+            if (layered) {
+                io::write_exr_layered(frame, fields, folder.file("a.exr"), options);
+            } else {
+                io::write_exr(frame, *fields[0], folder.file("a.exr"), options);
+            }
+            const std::string header = io::exr_header_bytes(
+                {kSea, 12, 0.5, Backend::radix2, map, fields, layered}, options);
+            const std::string bytes = read_bytes(folder.file("a.exr"));
+            EXPECT_GT(header.size(), kSea.size());
+            EXPECT_TRUE(bytes.starts_with(header));
+        }
+    }
+}
+
+// Without compression the pixels lie in the file as they are decoded, eight bytes before each row.
+TEST(Exr, DecodesEveryPixelOfItsOwnFiles) {
+    const TemporaryFolder folder;
+    const Surface surface = test::sample_surface(512);
+    const FieldInfo* const products[] = {&find_field("normal")};
+    const Lattice map{surface.resolution(), surface.period()};
+    const io::Frame frame{surface, kSea, 1, 0.0};
+    std::string decoded[2], raw;
+    for (const auto codec : {io::ExrCompression::none, io::ExrCompression::zip}) {
+        io::ExrOptions options;
+        options.compression = codec;
+        io::write_exr(frame, *products[0], folder.file("a.exr"), options);
+        const std::string header =
+            io::exr_header_bytes({kSea, 1, 0.0, Backend::cpu, map, products, false}, options);
+        std::string& pixels = decoded[codec == io::ExrCompression::zip];
+        io::read_exr_pixels(folder.file("a.exr"), header, 2,
+                            [&](std::string_view bytes) { pixels += bytes; });
+        if (codec != io::ExrCompression::none) continue;
+        const std::string bytes = read_bytes(folder.file("a.exr"));
+        const std::size_t row = 512 * 3 * 2, table = header.size() + 512 * 8;
+        for (std::size_t y = 0; y < 512; ++y) raw += bytes.substr(table + y * (row + 8) + 8, row);
+    }
+    EXPECT_EQ(raw.size(), 512u * 512u * 6u);
+    EXPECT_TRUE(decoded[0] == raw);
+    EXPECT_TRUE(decoded[1] == raw);
+}
+
+TEST(Exr, DamageAndOtherHeadersAreNotRead) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.exr");
+    const Surface surface = test::sample_surface(64);
+    const FieldInfo* const products[] = {&find_field("displacement")};
+    const Lattice map{surface.resolution(), surface.period()};
+    io::write_exr({surface, kSea, 1, 0.0}, *products[0], path, {});
+    const std::string bytes = read_bytes(path);
+    const auto refused = [&](const std::string& content, int number) {
+        std::ofstream(path, std::ios::binary) << content;
+        const std::string header =
+            io::exr_header_bytes({kSea, number, 0.0, Backend::cpu, map, products, false}, {});
+        try {
+            io::read_exr_pixels(path, header, 1, [](std::string_view) {});
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::bad_file);
+            return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(refused(bytes, 1));
+    EXPECT_TRUE(refused(bytes, 2));
+    EXPECT_TRUE(refused("", 1));
+    for (std::size_t missing = 1; missing < bytes.size(); missing += 997) {
+        EXPECT_TRUE(refused(bytes.substr(0, bytes.size() - missing), 1)) << missing;
+    }
+    std::string flipped = bytes;
+    flipped[bytes.size() * 3 / 4] ^= 1;
+    EXPECT_TRUE(refused(flipped, 1));
 }
 
 TEST(Exr, RefusesChannelsThatWereNotEvaluated) {

@@ -73,6 +73,25 @@ TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
     EXPECT_GE(worst, 0.4 * quantum);  // or the quantum is stated too large
 }
 
+TEST(HeightField, CodesComeBackAndDamageDoesNot) {
+    const TemporaryFolder folder;
+    const std::string sea, path = folder.file("h.png");
+    io::write_height_field({test::sample_surface(64), sea, 1, 0.0}, path);
+    int width = 0;
+    const auto codes = read_grey16(path, width);
+    std::string decoded;
+    const io::ByteSink sink = [&decoded](std::string_view bytes) { decoded += bytes; };
+    io::read_height_field(path, sink);
+    const std::string_view truth(reinterpret_cast<const char*>(codes.data()),
+                                 codes.size() * sizeof codes[0]);
+    EXPECT_TRUE(decoded == truth);
+    const std::string bytes = test::read_bytes(path);
+    for (std::size_t size = 0; size < bytes.size() - 12; size += 499) {  // 12: the end mark
+        std::ofstream(path, std::ios::binary) << bytes.substr(0, size);
+        EXPECT_THROW(io::read_height_field(path, sink), Error) << size;
+    }
+}
+
 TEST(HeightField, FlatSeaAndErrors) {
     const TemporaryFolder folder;
     const std::string sea;

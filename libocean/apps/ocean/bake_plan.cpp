@@ -4,13 +4,14 @@
 // What `ocean bake` is asked to do; see bake_plan.hpp.
 #include "bake_plan.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 
+#include "bake_source.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_state.hpp"
+#include "ocean/seafile.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
@@ -86,9 +87,8 @@ Value choose(const char* option, const std::string& text,
     refuse(std::string(option) + " " + text + ": allowed are " + allowed);
 }
 
-io::ExrOptions exr_options(const BakeOptions& options, int threads) {
+io::ExrOptions exr_options(const BakeOptions& options) {
     io::ExrOptions exr;
-    exr.threads = threads;
     if (!options.axes.empty()) exr.axes = io::find_axes(options.axes);
     if (!options.compression.empty()) {
         exr.compression = io::find_exr_compression(options.compression);
@@ -169,19 +169,26 @@ std::vector<int> BakePlan::resolutions() const {
     return levels;
 }
 
-std::uint64_t BakePlan::memory_bytes() const {
-    std::uint64_t bytes = modes_bytes(sea.parameters.grid.resolution);
+std::uint64_t BakePlan::modes_memory() const {
+    return modes_bytes(sea.parameters.grid.resolution);
+}
+
+std::uint64_t BakePlan::frame_memory() const {
+    std::uint64_t bytes = 0;
     for (const int level : resolutions()) bytes += surface_bytes(level, channels.size());
     if (format != BakeFormat::mesh2) return bytes;
     // A vertex has six floats and two triangles of three numbers, and as much again as text.
-    const auto side = static_cast<std::uint64_t>(resolution) + 1;
-    const std::uint64_t vertices =
-        view ? static_cast<std::uint64_t>(view->columns) * static_cast<std::uint64_t>(view->rows)
-             : side * side;
-    return bytes + vertices * 2 * (6 * sizeof(float) + 6 * sizeof(int));
+    return bytes + mesh_vertices() * 2 * (6 * sizeof(float) + 6 * sizeof(int));
 }
 
-BakePlan make_bake_plan(const BakeOptions& options, int threads) {
+std::uint64_t BakePlan::mesh_vertices() const {
+    const auto side = static_cast<std::uint64_t>(resolution) + 1;
+    if (!view) return side * side;
+    return static_cast<std::uint64_t>(view->columns) * static_cast<std::uint64_t>(view->rows);
+}
+
+BakePlan make_bake_plan(const BakeOptions& typed) {
+    const BakeOptions options = with_source(typed);
     BakePlan plan;
     plan.pattern = OutputPattern(options.output);
     plan.format = find_format(plan.pattern, options.output);
@@ -191,7 +198,9 @@ BakePlan make_bake_plan(const BakeOptions& options, int threads) {
         plan.layered =
             choose<bool>("--layout", options.layout, {{"separate", false}, {"layered", true}});
     }
-    plan.exr = exr_options(options, threads);
+    plan.skip_existing = options.skip_existing;
+    plan.keep_going = options.keep_going;
+    plan.exr = exr_options(options);
     plan.view = find_view(options);
     plan.slope_variance_given = !options.slope_variance.empty();
     if (!options.backend.empty()) plan.backend = find_backend(options.backend);
@@ -203,54 +212,9 @@ BakePlan make_bake_plan(const BakeOptions& options, int threads) {
     plan.resolution = find_resolution(options.resolution, plan.sea.parameters.grid);
     plan.channels = find_channels(plan);
     settle_names(plan);
+    if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
+    plan.sea_text = write_sea(plan.sea);
     return plan;
-}
-
-void add_bake_options(CLI::App& command, BakeOptions& options) {
-    const auto add = [&](const char* name, std::string& value, const char* type, const char* group,
-                         const char* help) {
-        const auto not_empty = [](const std::string& text) {
-            return text.empty() ? "an empty value is not allowed" : std::string();
-        };
-        return command.add_option(name, value, help)
-            ->type_name(type)
-            ->check(not_empty)
-            ->group(group);
-    };
-    add_sea_argument(command, options.sea);
-    add("--fps", options.fps, "RATE", "Sea", "Frames per second, in place of the sea's time.fps");
-    add("-o,--output", options.output, "FILE", "Output",
-        "out/sea.####.exr; .exr, .png (height_field) or .inc (mesh2)")
-        ->required();
-    add("--frames", options.frames, "RANGES", "Output",
-        "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame");
-    add("--resolution", options.resolution, "R", "Output",
-        "Samples along a side, a power of two; default: the sea's grid");
-    add("--backend", options.backend, "NAME", "Output", "cpu, radix2 or dft; default cpu");
-    const char* exr = "EXR files";
-    add("--products", options.products, "LIST", exr,
-        "Of height, displacement, slope, normal, jacobian, velocity; default displacement,normal");
-    add("--type", options.type, "TYPE", exr,
-        "float or half; default: float for displacement and velocity, half for the rest");
-    add("--axes", options.axes, "AXES", exr,
-        "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb");
-    add("--layout", options.layout, "LAYOUT", exr,
-        "separate (a file for each product) or layered (one file); default separate");
-    add("--compression", options.compression, "CODEC", exr,
-        "none, rle, zips, zip, piz or pxr24; default zip");
-    const char* mesh = "Mesh files";
-    add("--eye", options.eye, "X,Y,HEIGHT", mesh,
-        "A mesh from this camera to the horizon, in metres; default: one period of the sea");
-    add("--heading", options.heading, "DEG", mesh,
-        "Where the camera looks, counter-clockwise from +x; default 0");
-    add("--field-of-view", options.field_of_view, "DEG", mesh, "Horizontal; default 60");
-    add("--horizon", options.horizon, "M", mesh,
-        "Distance of the farthest vertex; default: where the Earth hides the highest crest");
-    add("--mesh-columns", options.mesh_columns, "N", mesh, "Vertices across; default 720");
-    add("--mesh-rows", options.mesh_rows, "N", mesh, "Vertices away; default 1800");
-    add("--slope-variance", options.slope_variance, "V", mesh,
-        "Mean square slope of the waves that are too short for the map; default: what the "
-        "spectrum has of them");
 }
 
 }  // namespace ocean::app

@@ -23,7 +23,12 @@ namespace ocean::app {
 /// As typed; "" = not given.
 struct BakeOptions {
     SeaArgument sea;
-    std::string output, frames, products, type, axes, layout, compression, backend, resolution, fps;
+    std::string from;  // a baked file to take everything from that is not given
+    std::string output, frames, shard, products, type, axes, layout, compression, backend,
+        resolution, fps;
+    bool skip_existing = false;
+    bool keep_going = false;
+    bool dry_run = false;
     std::string eye, heading, field_of_view, horizon, mesh_columns, mesh_rows, slope_variance;
 };
 
@@ -31,10 +36,13 @@ enum class BakeFormat { exr, height_field, mesh2 };
 
 struct BakePlan {
     Sea sea;
+    std::string sea_text;
     BakeFormat format = BakeFormat::exr;
     OutputPattern pattern;
-    std::vector<int> frames;
+    std::vector<int> frames;                 // of this shard
     std::vector<const FieldInfo*> products;  // of an EXR
+    bool skip_existing = false;
+    bool keep_going = false;
     bool layered = false;
     bool product_in_name = false;
     io::ExrOptions exr;
@@ -46,13 +54,16 @@ struct BakePlan {
 
     /// The maps of one frame: one, or for a view R, R/2, ... 32 samples.
     std::vector<int> resolutions() const;
-    /// What the modes, one frame's maps and a mesh need.
-    std::uint64_t memory_bytes() const;
+    /// Bytes for what all frames share.
+    std::uint64_t modes_memory() const;
+    /// Bytes for one frame: its maps, and a mesh.
+    std::uint64_t frame_memory() const;
+    std::uint64_t mesh_vertices() const;
 };
 
 void add_bake_options(CLI::App& command, BakeOptions& options);
 
 /// Throws Error invalid_value, unsupported, or what opening the sea throws.
-BakePlan make_bake_plan(const BakeOptions& options, int threads);
+BakePlan make_bake_plan(const BakeOptions& options);
 
 }  // namespace ocean::app

@@ -51,35 +51,49 @@ void Console::say(std::string_view kind, std::string_view text, bool wanted) {
     }
 }
 
-void Console::begin(int total, std::string_view summary, std::string_view json) {
+void Console::report(std::string_view event, std::string_view text, std::string_view json) {
     const std::lock_guard lock(mutex_);
-    total_ = total;
-    done_ = 0;
-    started_ = now();
     if (options_.quiet) return;
     if (options_.json) {
-        std::string line = format_text("{\"event\": \"start\", \"total\": %d", total);
-        if (!json.empty()) line += ", " + std::string(json);
-        write_error_line(line + "}");
+        write_error_line("{\"event\": " + json_string(event) + ", " + std::string(json) + "}");
     } else {
-        write_error_line("ocean: " + std::string(summary));
+        write_error_line("ocean: " + std::string(text));
     }
+}
+
+void Console::begin(int total, std::string_view summary, std::string_view json) {
+    {
+        const std::lock_guard lock(mutex_);
+        total_ = total;
+        done_ = skipped_ = failed_ = 0;
+        started_ = now();
+    }
+    std::string members = format_text("\"total\": %d", total);
+    if (!json.empty()) members += ", " + std::string(json);
+    report("start", summary, members);
+}
+
+void Console::deliver(const std::vector<std::string>& files) {
+    if (options_.quiet) return;
+    {
+        const std::lock_guard lock(mutex_);
+        clear_bar();
+    }
+    for (const std::string& file : files) data(file + "\n");
 }
 
 void Console::step(int frame, double seconds, const std::vector<std::string>& files) {
     {
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (options_.quiet) return;
-        clear_bar();
     }
-    for (const std::string& file : files) data(file + "\n");
+    deliver(files);
     const std::lock_guard lock(mutex_);
+    if (options_.quiet) return;
     if (options_.json) {
-        write_error_line(format_text("{\"event\": \"frame\", \"frame\": %d, \"done\": %d, "
-                                     "\"total\": %d, \"seconds\": %.3f, \"eta_seconds\": %.1f, "
-                                     "\"files\": ",
-                                     frame, done_, total_, seconds, eta()) +
+        write_error_line(format_text("{\"event\": \"frame\", \"frame\": %d, %s, \"seconds\": %.3f, "
+                                     "\"eta_seconds\": %.1f, \"files\": ",
+                                     frame, counts_json().c_str(), seconds, eta()) +
                          json_list(files) + "}");
     } else if (standard_error_is_terminal()) {
         draw_bar(frame, seconds);
@@ -90,35 +104,58 @@ void Console::step(int frame, double seconds, const std::vector<std::string>& fi
     }
 }
 
-void Console::finish() {
-    const std::lock_guard lock(mutex_);
-    clear_bar();
-    if (options_.quiet) return;
-    const double seconds = now() - started_;
-    if (options_.json) {
-        write_error_line(
-            format_text("{\"event\": \"done\", \"done\": %d, \"total\": %d, "
-                        "\"seconds\": %.3f}",
-                        done_, total_, seconds));
-    } else {
-        write_error_line(format_text("ocean: %d of %d frames done in ", done_, total_) +
-                         duration_text(seconds));
+void Console::skip(int frame, const std::vector<std::string>& files) {
+    {
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        ++skipped_;
     }
+    deliver(files);
+    report("skipped",
+           format_text("frame %d skipped (%d of %d): it is complete", frame, done_, total_),
+           format_text("\"frame\": %d, %s, \"files\": ", frame, counts_json().c_str()) +
+               json_list(files));
+}
+
+void Console::fail(int frame, std::string_view message, bool goes_on) {
+    const std::lock_guard lock(mutex_);
+    ++failed_;
+    if (options_.json) {
+        write_error_line(format_text("{\"event\": \"failed\", \"frame\": %d, %s, \"message\": ",
+                                     frame, counts_json().c_str()) +
+                         json_string(message) + "}");
+    } else if (goes_on) {
+        write_error_line(format_text("ocean: frame %d failed: ", frame) + std::string(message));
+    }
+}
+
+void Console::finish() {
+    const double seconds = now() - started_;
+    std::string text = format_text("%d of %d frames done", done_, total_);
+    if (skipped_ > 0) text += format_text(", %d of them skipped", skipped_);
+    if (failed_ > 0) text += format_text(", %d failed", failed_);
+    report("done", text + " in " + duration_text(seconds),
+           counts_json() + format_text(", \"seconds\": %.3f", seconds));
 }
 
 void Console::interrupted() {
     const std::lock_guard lock(mutex_);
     const std::string progress = format_text("%d of %d frames are done", done_, total_);
     if (options_.json) {
-        write_error_line(format_text("{\"event\": \"interrupted\", \"done\": %d, \"total\": %d}",
-                                     done_, total_));
+        write_error_line("{\"event\": \"interrupted\", " + counts_json() + "}");
     } else {
         write_error_line("ocean: interrupted" + (total_ > 0 ? ": " + progress : std::string()));
     }
 }
 
+std::string Console::counts_json() const {
+    return format_text("\"done\": %d, \"skipped\": %d, \"failed\": %d, \"total\": %d", done_,
+                       skipped_, failed_, total_);
+}
+
 double Console::eta() const {
-    return done_ > 0 ? (now() - started_) / done_ * (total_ - done_) : 0.0;
+    const int made = done_ - skipped_;
+    return made > 0 ? (now() - started_) / made * (total_ - done_ - failed_) : 0.0;
 }
 
 void Console::draw_bar(int frame, double seconds) {

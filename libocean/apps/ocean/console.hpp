@@ -41,24 +41,34 @@ class Console {
     /// A run of `total` steps begins; `summary` says what is to be done, `json` are more members
     /// for its JSON line ("\"resolution\": 512"), or "".
     void begin(int total, std::string_view summary, std::string_view json);
-    /// One more step is done; its files were written. Prints their paths and the progress.
+    /// One more frame is there: its files were written, or kept as they were. Prints their paths
+    /// and the progress.
     void step(int frame, double seconds, const std::vector<std::string>& files);
-    /// The run ends well.
+    void skip(int frame, const std::vector<std::string>& files);
+    /// A frame could not be written. Silent as text if the run ends with it: its error says it.
+    void fail(int frame, std::string_view message, bool goes_on);
+    /// The run went to its end.
     void finish();
+    /// One line of facts: `text` for people or the members `json`.
+    void report(std::string_view event, std::string_view text, std::string_view json);
     /// The run is cut off by a signal. Says how far it came.
     void interrupted();
 
   private:
+    void deliver(const std::vector<std::string>& files);
     void say(std::string_view kind, std::string_view text, bool wanted);
     void draw_bar(int frame, double seconds);
     void clear_bar();
     void write_error_line(std::string_view line);
     double eta() const;
+    std::string counts_json() const;
 
     const RunOptions& options_;
     std::mutex mutex_;
     int total_ = 0;
-    int done_ = 0;
+    int done_ = 0;  // skipped ones too
+    int skipped_ = 0;
+    int failed_ = 0;
     double started_ = 0.0;  // s, of the steady clock
     bool bar_drawn_ = false;
 };

@@ -80,6 +80,25 @@ std::vector<int> parse_frames(std::string_view text) {
     return frames;
 }
 
+std::vector<int> Shard::of(const std::vector<int>& frames) const {
+    const auto first = [&](long long block) {
+        return frames.begin() + static_cast<long long>(frames.size()) * block / count;
+    };
+    return {first(number - 1), first(number)};
+}
+
+Shard parse_shard(std::string_view text) {
+    Shard shard;
+    std::string_view rest = text;
+    const bool numbers = take_int(rest, shard.number) && take_char(rest, '/') &&
+                         take_int(rest, shard.count) && rest.empty();
+    if (!numbers || shard.number < 1 || shard.number > shard.count) {
+        refuse("--shard " + std::string(text) +
+               ": allowed is I/N, the I-th of N parts, from 1/N to N/N");
+    }
+    return shard;
+}
+
 OutputPattern::OutputPattern(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
@@ -148,6 +167,14 @@ std::string OutputPattern::file(int frame, std::string_view product) const {
     }
     if (has_token()) name += format_text("%0*d", width_, frame);
     return folder_ + name + after_;
+}
+
+std::string OutputPattern::manifest() const {
+    std::string stem = before_ + after_.substr(0, std::min(after_.rfind('.'), after_.size()));
+    while (!stem.empty() && std::string_view("._-").find(stem.back()) != std::string_view::npos) {
+        stem.pop_back();
+    }
+    return folder_ + stem + (stem.empty() ? "" : ".") + "manifest.json";
 }
 
 std::string OutputPattern::folder() const {

@@ -14,6 +14,17 @@ namespace ocean::app {
 /// frame once. Throws Error invalid_value with the part that is wrong.
 std::vector<int> parse_frames(std::string_view text);
 
+/// A part of a list for one machine of a farm: the i-th of n blocks as even as can be, so that
+/// frames in sequence stay together.
+struct Shard {
+    int number = 1;  // 1 .. count
+    int count = 1;
+
+    std::vector<int> of(const std::vector<int>& frames) const;
+};
+/// "2/5". Throws Error invalid_value.
+Shard parse_shard(std::string_view text);
+
 /// The pattern of -o: "out/sea.####.exr". A run of # is as many digits (a single # is 4), %04d and
 /// $F4 are understood too.
 class OutputPattern {
@@ -29,6 +40,8 @@ class OutputPattern {
     std::string extension() const;
     /// The file of one frame; a product goes before the number: out/sea.normal.0001.exr.
     std::string file(int frame, std::string_view product = "") const;
+    /// The manifest of all files: out/sea.manifest.json.
+    std::string manifest() const;
     /// The folder of all files; "" for the current one.
     std::string folder() const;
 

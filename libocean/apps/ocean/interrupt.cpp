@@ -22,7 +22,7 @@ bool ignored(int signal_number) {
 
 }  // namespace
 
-InterruptWatch::InterruptWatch(std::function<void()> farewell) {
+InterruptWatch::InterruptWatch(std::function<void()> farewell) : farewell_(std::move(farewell)) {
     // A file over its limit is an error of the write, with a message.
     std::signal(SIGXFSZ, SIG_IGN);
     sigemptyset(&signals_);
@@ -31,18 +31,47 @@ InterruptWatch::InterruptWatch(std::function<void()> farewell) {
     }
     sigaddset(&signals_, kLeave);
     ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    thread_ = std::thread([this, farewell = std::move(farewell)] {
+    thread_ = std::thread([this] {
         int received = 0;
-        if (sigwait(&signals_, &received) != 0 || received == kLeave) return;
-        const std::lock_guard lock(mutex_);
-        farewell();
-        std::_Exit(kInterruptedExit);
+        if (sigwait(&signals_, &received) == 0 && received != kLeave) end_process();
     });
 }
 
 InterruptWatch::~InterruptWatch() {
     ::pthread_kill(thread_.native_handle(), kLeave);
     thread_.join();
+}
+
+// The lock is never given back: whoever would undo the last act waits for the end.
+void InterruptWatch::end_process() {
+    std::unique_lock lock(mutex_);
+    ending_ = true;
+    changed_.wait(lock, [this] { return holds_ == 0; });
+    if (last_act_) last_act_();
+    farewell_();
+    std::_Exit(kInterruptedExit);
+}
+
+InterruptWatch::Hold::Hold(InterruptWatch& watch) : watch_(watch) {
+    std::unique_lock lock(watch.mutex_);
+    watch.changed_.wait(lock, [&] { return !watch.ending_; });
+    ++watch.holds_;
+}
+
+InterruptWatch::Hold::~Hold() {
+    const std::lock_guard lock(watch_.mutex_);
+    --watch_.holds_;
+    watch_.changed_.notify_all();
+}
+
+InterruptWatch::LastAct::LastAct(InterruptWatch& watch, std::function<void()> act) : watch_(watch) {
+    const std::lock_guard lock(watch.mutex_);
+    watch.last_act_ = std::move(act);
+}
+
+InterruptWatch::LastAct::~LastAct() {
+    const std::lock_guard lock(watch_.mutex_);
+    watch_.last_act_ = nullptr;
 }
 
 }  // namespace ocean::app

@@ -5,6 +5,8 @@
 // Every file is written under a temporary name beside its own and renamed when it is whole.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,8 +22,12 @@ struct Frame {
     const Surface& surface;
     const std::string& sea_text;  // the resolved sea file: goes into headers
     int number;
-    double time;  // s
+    double time;                     // s
+    Backend backend = Backend::cpu;  // which computed the surface: the last bits differ
 };
+
+/// Receives the bytes of a file or of its pixels, piece by piece.
+using ByteSink = std::function<void(std::string_view)>;
 
 /// Order of vector components: zup (x, y, z), yup (x, z, -y), tnb (x, z, y).
 enum class Axes { zup, yup, tnb };
@@ -42,6 +48,7 @@ struct ExrOptions {
 /// "zip", "pxr24" ...; a codec that spoils vectors (b44, b44a, dwaa, dwab) is refused with the
 /// reason. Throws Error invalid_value.
 ExrCompression find_exr_compression(std::string_view name);
+std::string_view exr_compression_name(ExrCompression compression);
 
 /// One product in a flat, single-part file: R,G,B or Y. The bottom scanline is j = 0.
 /// Throws Error output.
@@ -51,9 +58,45 @@ void write_exr(const Frame& frame, const FieldInfo& product, const std::string& 
 void write_exr_layered(const Frame& frame, std::span<const FieldInfo* const> products,
                        const std::string& path, const ExrOptions& options);
 
+/// What the header of an image says, all of it known before its surface is computed.
+struct ExrLabel {
+    const std::string& sea_text;
+    int number;
+    double time;  // s
+    Backend backend;
+    Lattice map;
+    std::span<const FieldInfo* const> products;  // one, or those of a layered file
+    bool layered;
+};
+/// The bytes of the file before its pixels, as write_exr or write_exr_layered write them.
+std::string exr_header_bytes(const ExrLabel& label, const ExrOptions& options);
+/// Decodes every pixel of a file that begins with `header`: rows from the top; of a row the
+/// channels in the file's order; of a channel half or float values, little-endian. Throws Error
+/// bad_file for another header and for damage.
+void read_exr_pixels(const std::string& path, std::string_view header, int threads,
+                     const ByteSink& sink);
+
 /// The `ocean:` header strings of a baked file, in name order. Throws Error bad_file with the
 /// reason; safe on hostile files.
 std::vector<std::pair<std::string, std::string>> read_exr_header(const std::string& path);
+
+struct ExrChannel {
+    std::string name;
+    PixelType type;  // not automatic
+
+    bool operator==(const ExrChannel&) const = default;
+};
+/// How the first part of a file stores its pixels.
+struct ExrLayout {
+    int resolution;                             // samples along each side
+    std::optional<ExrCompression> compression;  // none: a codec that write_exr does not have
+    std::vector<ExrChannel> channels;           // in the file's order
+};
+/// Throws Error bad_file with the reason; safe on hostile files.
+ExrLayout read_exr_layout(const std::string& path);
+/// The channels that a file of these products has, in the file's order.
+std::vector<ExrChannel> exr_channels(std::span<const FieldInfo* const> products, bool layered,
+                                     PixelType type);
 
 /// Writes bytes so that `path` is either the old file or the whole new one, also when the disk is
 /// full or the process is killed. Throws Error output with the path and the system's reason.
@@ -70,6 +113,8 @@ int remove_abandoned_temporaries(const std::string& directory);
 /// height = base + scale * code / 65536. The heights fill a quarter of the codes, so each is right
 /// to (hi - lo) / 32768. Needs channel height. Throws Error output.
 void write_height_field(const Frame& frame, const std::string& path);
+/// The 16-bit codes of such a file, rows from the top, little-endian. Throws Error bad_file.
+void read_height_field(const std::string& path, const ByteSink& sink);
 
 /// Triangles with a normal at each vertex, z up, metres.
 struct Mesh {

@@ -83,6 +83,7 @@ const FieldInfo& find_field(std::string_view name);
 enum class Backend { cpu, gl, radix2, dft };
 /// "cpu", "gl", "radix2", "dft"; throws Error. gl is not in this version.
 Backend find_backend(std::string_view name);
+std::string_view backend_name(Backend backend);
 
 /// Planar maps, row-major [j][i], sample (i, j) at (i, j) * period / resolution.
 class Surface {

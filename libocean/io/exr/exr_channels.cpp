@@ -7,10 +7,8 @@
 // layered file has bare R,G,B,A for the displacement, and all other names end in one letter.
 #include "exr_channels.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cctype>
-
-#include "ocean/error.hpp"
 
 namespace ocean::io {
 namespace {
@@ -40,21 +38,14 @@ bool stored_as_half(const FieldInfo& product, PixelType type) {
 }
 
 // Components named X, Y, Z, or V for a scalar; a slope lies in the plane whatever the axes.
-std::vector<ImageChannel> components(const Surface& surface, const FieldInfo& product,
-                                     const ExrOptions& options) {
+std::vector<ImageChannel> components(const FieldInfo& product, const ExrOptions& options) {
     const auto order = component_order(product.count == 3 ? options.axes : Axes::zup);
     std::vector<ImageChannel> result;
     for (int c = 0; c < product.count; ++c) {
         const auto [source, sign] = order[static_cast<std::size_t>(c)];
-        const Channel channel = product.channels[static_cast<std::size_t>(source)];
-        if (!surface.has(channel)) {
-            throw Error(ErrorKind::invalid_value,
-                        "the surface was evaluated without the channels of '" +
-                            std::string(product.name) + "'");
-        }
         ImageChannel image;
         image.name = product.count == 1 ? "V" : std::string(1, "XYZ"[c]);
-        image.map = surface.channel(channel);
+        image.source = product.channels[static_cast<std::size_t>(source)];
         image.sign = sign;
         image.half = stored_as_half(product, options.type);
         result.push_back(image);
@@ -62,11 +53,8 @@ std::vector<ImageChannel> components(const Surface& surface, const FieldInfo& pr
     return result;
 }
 
-}  // namespace
-
-std::vector<ImageChannel> separate_channels(const Surface& surface, const FieldInfo& product,
-                                            const ExrOptions& options) {
-    auto channels = components(surface, product, options);
+std::vector<ImageChannel> separate_channels(const FieldInfo& product, const ExrOptions& options) {
+    auto channels = components(product, options);
     if (product.count == 1) {
         channels[0].name = "Y";
         return channels;
@@ -82,13 +70,12 @@ std::vector<ImageChannel> separate_channels(const Surface& surface, const FieldI
     return channels;
 }
 
-std::vector<ImageChannel> layered_channels(const Surface& surface,
-                                           std::span<const FieldInfo* const> products,
+std::vector<ImageChannel> layered_channels(std::span<const FieldInfo* const> products,
                                            const ExrOptions& options) {
     std::vector<ImageChannel> result;
     for (const FieldInfo* product : products) {
         if (product->name == "displacement") {
-            for (ImageChannel& image : separate_channels(surface, *product, options)) {
+            for (ImageChannel& image : separate_channels(*product, options)) {
                 result.push_back(image);
             }
             ImageChannel alpha;
@@ -98,12 +85,34 @@ std::vector<ImageChannel> layered_channels(const Surface& surface,
             result.push_back(alpha);
             continue;
         }
-        for (ImageChannel& image : components(surface, *product, options)) {
+        for (ImageChannel& image : components(*product, options)) {
             image.name = std::string(product->name) + "." + image.name;
             result.push_back(image);
         }
     }
     return result;
+}
+
+}  // namespace
+
+std::vector<ImageChannel> image_channels(std::span<const FieldInfo* const> products, bool layered,
+                                         const ExrOptions& options) {
+    return layered ? layered_channels(products, options)
+                   : separate_channels(*products.front(), options);
+}
+
+std::vector<ExrChannel> exr_channels(std::span<const FieldInfo* const> products, bool layered,
+                                     PixelType type) {
+    ExrOptions options;
+    options.type = type;
+    std::vector<ExrChannel> channels;
+    for (const ImageChannel& image : image_channels(products, layered, options)) {
+        channels.push_back(
+            {image.name, image.half ? PixelType::half_float : PixelType::full_float});
+    }
+    std::sort(channels.begin(), channels.end(),
+              [](const ExrChannel& a, const ExrChannel& b) { return a.name < b.name; });
+    return channels;
 }
 
 }  // namespace ocean::io

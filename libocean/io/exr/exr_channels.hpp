@@ -5,6 +5,7 @@
 // writer, apart from the library that stores the pixels.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,18 +17,14 @@ namespace ocean::io {
 /// One channel of the file: a map of the surface times a sign, or a constant.
 struct ImageChannel {
     std::string name;
-    std::span<const float> map;  // empty: `constant` everywhere
+    std::optional<Channel> source;  // none: `constant` everywhere
     float sign = 1.0f;
     float constant = 0.0f;
     bool half = false;
 };
 
-/// Channels of a product alone in its file: Y, or R,G,B.
-std::vector<ImageChannel> separate_channels(const Surface& surface, const FieldInfo& product,
-                                            const ExrOptions& options);
-/// Channels of several products in one file.
-std::vector<ImageChannel> layered_channels(const Surface& surface,
-                                           std::span<const FieldInfo* const> products,
-                                           const ExrOptions& options);
+/// A product alone in its file has Y, or R,G,B; several in one file have names of their own.
+std::vector<ImageChannel> image_channels(std::span<const FieldInfo* const> products, bool layered,
+                                         const ExrOptions& options);
 
 }  // namespace ocean::io

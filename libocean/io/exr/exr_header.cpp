@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads our own strings back out of an EXR header, without OpenEXR: its reader believes the sizes
-// that a file claims and would allocate gigabytes for a hostile one. Layout: magic, version, then
-// attributes (name\0 type\0 size value), then an empty name. Multi-part files: the first part.
+// Reads our own strings back out of an EXR header, and how the pixels are stored, without OpenEXR:
+// its reader believes the sizes that a file claims and would allocate gigabytes for a hostile one.
+// Layout: magic, version, then attributes (name\0 type\0 size value), then an empty name.
+// Multi-part files: the first part.
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 
 #include "ocean/error.hpp"
 #include "ocean/io.hpp"
@@ -81,27 +83,91 @@ std::string read_beginning(const std::string& path) {
     return bytes;
 }
 
-}  // namespace
+struct Attribute {
+    std::string name, type, value;
+};
 
-std::vector<std::pair<std::string, std::string>> read_exr_header(const std::string& path) {
+std::vector<Attribute> read_attributes(const std::string& path) {
     HeaderReader reader(path, read_beginning(path));
     if (reader.integer() != kMagic) reader.fail("it is not an OpenEXR file");
     if ((reader.integer() & 0xff) != 2) reader.fail("its OpenEXR version is not 2");
+    std::vector<Attribute> attributes;
+    for (;;) {
+        if (attributes.size() > kMostAttributes) reader.fail("it has more than 4096 attributes");
+        Attribute attribute;
+        attribute.name = reader.name();
+        if (attribute.name.empty()) return attributes;
+        attribute.type = reader.name();
+        attribute.value = reader.take(reader.integer());
+        attributes.push_back(std::move(attribute));
+    }
+}
 
-    std::vector<std::pair<std::string, std::string>> strings;
-    for (std::size_t count = 0;; ++count) {
-        if (count > kMostAttributes) reader.fail("it has more than 4096 attributes");
-        const std::string_view name = reader.name();
+/// A reader of the value of one attribute.
+HeaderReader value_reader(const std::string& path, const std::vector<Attribute>& attributes,
+                          std::string_view name, std::string_view type) {
+    for (const Attribute& attribute : attributes) {
+        if (attribute.name == name && attribute.type == type) return {path, attribute.value};
+    }
+    HeaderReader(path, "").fail("it has no " + std::string(name));
+}
+
+int read_resolution(HeaderReader window) {
+    std::int64_t corner[4];
+    for (std::int64_t& value : corner) value = static_cast<std::int32_t>(window.integer());
+    const std::int64_t width = corner[2] - corner[0] + 1, height = corner[3] - corner[1] + 1;
+    if (width != height || width < 1 || width > kMaxResolution) {
+        window.fail("its image is not a square of at most 8192 samples a side");
+    }
+    return static_cast<int>(width);
+}
+
+std::optional<ExrCompression> read_compression(HeaderReader code) {
+    // In the order of the format's codes, 0 .. 5.
+    constexpr ExrCompression kCodes[] = {ExrCompression::none, ExrCompression::rle,
+                                         ExrCompression::zips, ExrCompression::zip,
+                                         ExrCompression::piz,  ExrCompression::pxr24};
+    const auto index = static_cast<unsigned char>(code.take(1).front());
+    if (index >= std::size(kCodes)) return std::nullopt;
+    return kCodes[index];
+}
+
+std::vector<ExrChannel> read_channels(HeaderReader list) {
+    constexpr std::uint32_t kHalf = 1, kFloat = 2;
+    constexpr std::size_t kSampling = 12;  // linearity, and the sampling in x and y
+    std::vector<ExrChannel> channels;
+    for (;;) {
+        const std::string name(list.name());
         if (name.empty()) break;
-        const std::string_view type = reader.name();
-        const std::string_view value = reader.take(reader.integer());
-        if (type == "string" && name.starts_with("ocean:")) strings.emplace_back(name, value);
+        const std::uint32_t type = list.integer();
+        if (type != kHalf && type != kFloat) list.fail("its channels are neither half nor float");
+        list.take(kSampling);
+        channels.push_back({name, type == kHalf ? PixelType::half_float : PixelType::full_float});
+    }
+    return channels;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> read_exr_header(const std::string& path) {
+    std::vector<std::pair<std::string, std::string>> strings;
+    for (Attribute& attribute : read_attributes(path)) {
+        if (attribute.type != "string" || !attribute.name.starts_with("ocean:")) continue;
+        strings.emplace_back(std::move(attribute.name), std::move(attribute.value));
     }
     if (strings.empty()) {
-        reader.fail("it has no 'ocean:' strings, so it was not written by libocean");
+        HeaderReader(path, "").fail(
+            "it has no 'ocean:' strings, so it was not written by libocean");
     }
     std::sort(strings.begin(), strings.end());
     return strings;
+}
+
+ExrLayout read_exr_layout(const std::string& path) {
+    const std::vector<Attribute> attributes = read_attributes(path);
+    return {read_resolution(value_reader(path, attributes, "dataWindow", "box2i")),
+            read_compression(value_reader(path, attributes, "compression", "compression")),
+            read_channels(value_reader(path, attributes, "channels", "chlist"))};
 }
 
 }  // namespace ocean::io

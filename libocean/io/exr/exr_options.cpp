@@ -55,4 +55,11 @@ ExrCompression find_exr_compression(std::string_view name) {
                 "compression '" + std::string(name) + "' is unknown" + kAllowed);
 }
 
+std::string_view exr_compression_name(ExrCompression compression) {
+    for (const auto& [text, value] : kCompressions) {
+        if (value == compression) return text;
+    }
+    return "";
+}
+
 }  // namespace ocean::io

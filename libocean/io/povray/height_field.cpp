@@ -101,4 +101,21 @@ void write_height_field(const Frame& frame, const std::string& path) {
     write_file_atomically(path + ".txt", describe(frame, fit));
 }
 
+void read_height_field(const std::string& path, const ByteSink& sink) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const auto refuse = [&](const char* reason) {
+        png_image_free(&image);
+        throw Error(ErrorKind::bad_file, "cannot read '" + path + "': " + reason);
+    };
+    if (!png_image_begin_read_from_file(&image, path.c_str())) refuse(image.message);
+    if (image.format != PNG_FORMAT_LINEAR_Y || image.width != image.height ||
+        image.width > kMaxResolution + 1) {
+        refuse("it is not a square 16-bit height field");
+    }
+    std::vector<std::uint16_t> codes(std::size_t{image.width} * image.height);
+    if (!png_image_finish_read(&image, nullptr, codes.data(), 0, nullptr)) refuse(image.message);
+    sink({reinterpret_cast<const char*>(codes.data()), codes.size() * sizeof(std::uint16_t)});
+}
+
 }  // namespace ocean::io
