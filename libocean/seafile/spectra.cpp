@@ -163,8 +163,8 @@ std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
     }
     if (source.content.starts_with("CDF") || source.content.starts_with("\x89HDF")) {
         throw fail(
-            "is NetCDF, which the `ocean` command reads; a sea that it saves (`ocean info SEA "
-            "--sea-file`) holds the record and needs the file no more");
+            "is NetCDF, which the `ocean` command alone reads, and only unpacked; a sea that it "
+            "saves (`ocean info SEA --sea-file`) holds the record and needs the file no more");
     }
     throw fail("is not a spectrum file of a known format; known: " + known_formats());
 }

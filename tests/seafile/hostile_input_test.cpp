@@ -169,5 +169,15 @@ TEST(HostileSpectrum, GarbageInALineIsNotRepeated) {
     expect_one_printable_line(refusal);
 }
 
+TEST(HostileSpectrum, NetcdfIsRefusedWithTheWayOut) {
+    for (const std::string& magic : {std::string("CDF\x01"), std::string("\x89HDF\r\n\x1a\n")}) {
+        const Refusal refusal = refusal_of([&] {
+            read_spectra_from({magic + "rest", "era5.nc", {}});
+        });
+        EXPECT_TRUE(refusal.says("era5.nc: is NetCDF") && refusal.says("--sea-file"))
+            << refusal.message;
+    }
+}
+
 }  // namespace
 }  // namespace ocean::test
