@@ -24,11 +24,18 @@ struct ModeSums {
     double m0 = 0.0;
     double mean_square_slope = 0.0;
     std::complex<double> direction = 0.0;
+    double loop_error = 0.0;  // variance times the square of the speed's error
     double shortest = 0.0;
     double longest = 0.0;
     std::vector<double> ring;        // variance by whole |k| / dk
     std::vector<double> ring_omega;  // variance times omega
 };
+
+/// A wave keeps its length and makes whole turns: its speed changes as its frequency does.
+double speed_error(double omega, double loop_period) {
+    if (loop_period <= 0.0) return 0.0;
+    return turns_per_loop(omega, loop_period) / (omega * loop_period / kTwoPi) - 1.0;
+}
 
 ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& parameters, int m) {
     const int half = parameters.grid.resolution / 2;
@@ -42,8 +49,11 @@ ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& paramete
         if (variance <= 0.0) continue;
         const double length = std::hypot(n, m);
         const double k = step * length;
+        const double omega = dispersion.angular_frequency(k);
+        const double off = speed_error(omega, parameters.time.loop_period);
         sums.m0 += variance;
         sums.mean_square_slope += k * k * variance;
+        sums.loop_error += off * off * variance;
         sums.direction += std::complex<double>(n, m) * (variance / length);
         const double wavelength = parameters.grid.patch_size / length;
         sums.shortest = sums.shortest > 0.0 ? std::min(sums.shortest, wavelength) : wavelength;
@@ -51,7 +61,7 @@ ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& paramete
         const auto ring = static_cast<std::size_t>(std::lround(length));
         if (ring >= sums.ring.size()) continue;
         sums.ring[ring] += variance;
-        sums.ring_omega[ring] += variance * dispersion.angular_frequency(k);
+        sums.ring_omega[ring] += variance * omega;
     }
     return sums;
 }
@@ -60,6 +70,7 @@ void add(ModeSums& total, const ModeSums& row) {
     total.m0 += row.m0;
     total.mean_square_slope += row.mean_square_slope;
     total.direction += row.direction;
+    total.loop_error += row.loop_error;
     total.longest = std::max(total.longest, row.longest);
     if (row.shortest > 0.0) {
         total.shortest =
@@ -108,6 +119,17 @@ double peak_of_rings(const ModeSums& sums, const Parameters& parameters) {
     return peak;
 }
 
+std::vector<LoopError> loop_errors(const Parameters& parameters, double longest, double shortest) {
+    std::vector<LoopError> errors;
+    if (parameters.time.loop_period <= 0.0) return errors;
+    const Dispersion dispersion(parameters.water);
+    for (double length = longest; length >= shortest; length *= 0.5) {
+        const double omega = dispersion.angular_frequency(kTwoPi / length);
+        errors.push_back({length, speed_error(omega, parameters.time.loop_period)});
+    }
+    return errors;
+}
+
 double degrees(double radians) {
     return radians * 180.0 / kPi;
 }
@@ -136,6 +158,10 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
         warn("the spectrum is narrower than the grid's modes lie apart: heights are " +
              fixed(100.0 * state.energy_resolved, 1) +
              " % of the energy asked for; make grid.patch_size larger");
+    }
+    if (state.loop_error > 0.05) {
+        warn("time.loop_period = " + fixed(parameters.time.loop_period, 1) + " s moves the waves " +
+             fixed(100.0 * state.loop_error, 1) + " % off their speed; a longer loop does less");
     }
     if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
         warn("fewer than three of the dominant waves (" + fixed(state.peak_wavelength.asked, 1) +
@@ -175,6 +201,8 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     state.shortest_wave =
         sums.shortest > 0.0 ? sums.shortest : kTwoPi / (step * std::sqrt(2.0) * (half - 1));
     state.longest_wave = sums.longest > 0.0 ? sums.longest : parameters.grid.patch_size;
+    state.loop_errors = loop_errors(parameters, state.longest_wave, state.shortest_wave);
+    state.loop_error = sums.m0 > 0.0 ? std::sqrt(sums.loop_error / sums.m0) : 0.0;
     state.period = parameters.grid.patch_size;
     state.memory_bytes = modes_bytes(parameters.grid.resolution) +
                          surface_bytes(parameters.grid.resolution, 12) +
@@ -212,7 +240,14 @@ std::string sea_state_json(const SeaState& state) {
     single("period", number(state.period));
     single("memory_bytes", std::to_string(state.memory_bytes));
     single("foam_preroll_seconds", number(state.foam_preroll_seconds));
-    result += "  \"warnings\": [";
+    single("loop_error", number(state.loop_error));
+    result += "  \"loop_errors\": [";
+    for (const LoopError& error : state.loop_errors) {
+        result += (result.back() == '[' ? "" : ", ") +
+                  ("{\"wavelength\": " + number(error.wavelength)) +
+                  ", \"speed_error\": " + number(error.speed_error) + "}";
+    }
+    result += "],\n  \"warnings\": [";
     for (const std::string& warning : state.warnings) {
         result += (result.back() == '[' ? "\"" : ", \"") + warning + "\"";
     }

@@ -26,6 +26,7 @@ NUMBERS = [
     "period",
     "memory_bytes",
     "foam_preroll_seconds",
+    "loop_error",
 ]
 
 
@@ -47,6 +48,10 @@ def test_json_has_the_documented_keys(ocean):
     for name in NUMBERS:
         assert isinstance(state[name], (int, float))
     assert state["period"] == 200.0
+    assert state["loop_errors"] == []
+    looped = state_of(ocean, "sea.toml", "--set", "loop_period=8")
+    assert looped["loop_error"] > 0.0
+    assert set(looped["loop_errors"][0]) == {"wavelength", "speed_error"}
     assert state["mean_direction"]["asked"] == pytest.approx(30.0, abs=0.01)
 
 

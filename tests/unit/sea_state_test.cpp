@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ocean/error.hpp"
 #include "test_seas.hpp"
 
@@ -40,6 +43,36 @@ TEST(SeaState, DirectionalSpreadIsTheCircularDeviation) {
     const double spread = std::sqrt(2.0 * (1.0 - r1)) * 180.0 / kPi;
     EXPECT_NEAR(state.directional_spread.asked, spread, 0.01);
     EXPECT_NEAR(state.directional_spread.resolved, spread, 0.3);
+}
+
+TEST(SeaState, ReportsWhatALoopDoesToTheSpeedOfEachWavelength) {
+    Parameters parameters = test::wind_sea(256, 400.0);
+    EXPECT_TRUE(state_of(parameters).loop_errors.empty());
+    EXPECT_EQ(state_of(parameters).loop_error, 0.0);
+    parameters.time.loop_period = 10.0;
+    const SeaState state = state_of(parameters);
+    ASSERT_GT(state.loop_errors.size(), 5u);
+    EXPECT_EQ(state.loop_errors.front().wavelength, state.longest_wave);
+    for (const LoopError& error : state.loop_errors) {
+        // Deep water: c = sqrt(g lambda / 2 pi); in the loop a wave passes its own length a whole
+        // number of times.
+        const double c = std::sqrt(9.81 * error.wavelength / kTwoPi);
+        const double turns = std::max(1.0, std::round(10.0 * c / error.wavelength));
+        EXPECT_NEAR(error.speed_error, turns * error.wavelength / 10.0 / c - 1.0, 1e-4)
+            << error.wavelength;
+    }
+    EXPECT_GT(state.loop_error, 0.02);
+    parameters.time.loop_period = 1000.0;
+    EXPECT_LT(state_of(parameters).loop_error, state.loop_error / 30.0);
+    const auto warns = [](const SeaState& s) {
+        return std::any_of(s.warnings.begin(), s.warnings.end(), [](const std::string& text) {
+            return text.find("time.loop_period") != std::string::npos;
+        });
+    };
+    parameters.time.loop_period = 3.0;
+    EXPECT_TRUE(warns(state_of(parameters)));
+    parameters.time.loop_period = 1000.0;
+    EXPECT_FALSE(warns(state_of(parameters)));
 }
 
 TEST(SeaState, WarnsOfAGridThatIsTooSmallOrTooCoarse) {

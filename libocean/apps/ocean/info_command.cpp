@@ -80,6 +80,19 @@ std::string state_text(const SeaState& state) {
     return text + row("Energy resolved", format_text("%.2f %%", 100.0 * state.energy_resolved));
 }
 
+/// Waves whose speed a loop hardly changes need no line of their own.
+std::string loop_text(const SeaState& state, double period) {
+    constexpr double kNotWorthALine = 0.001;
+    std::string text = row("Loop", format_text("%g s; waves are %.2f %% off their speed, rms",
+                                               period, 100.0 * state.loop_error));
+    for (const LoopError& error : state.loop_errors) {
+        if (std::abs(error.speed_error) < kNotWorthALine) continue;
+        text += row(
+            "", format_text("%8.4g m long: %+.1f %%", error.wavelength, 100.0 * error.speed_error));
+    }
+    return text;
+}
+
 std::string grid_text(const SeaState& state, const Parameters& parameters) {
     const Grid& grid = parameters.grid;
     std::string text = "\n";
@@ -94,7 +107,7 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
     const Timing& time = parameters.time;
     text += row("Time", format_text("%g s at frame %d, %g frames per second", time.start,
                                     time.first_frame, time.fps));
-    if (time.loop_period > 0.0) text += row("Loop", format_text("%g s", time.loop_period));
+    if (time.loop_period > 0.0) text += loop_text(state, time.loop_period);
     text += row("Memory", bytes_text(state.memory_bytes));
     return text;
 }

@@ -17,6 +17,12 @@ struct AskedResolved {
     double resolved = 0.0;
 };
 
+/// What closing the loop does to the speed of the waves of one length.
+struct LoopError {
+    double wavelength = 0.0;   // m
+    double speed_error = 0.0;  // (speed in the loop - speed) / speed, 1 = twice as fast
+};
+
 struct SeaState {
     AskedResolved significant_wave_height;  // m
     AskedResolved peak_period;              // s; 0 = flat
@@ -30,6 +36,9 @@ struct SeaState {
     double period = 0.0;             // m
     std::uint64_t memory_bytes = 0;  // modes, spectrum table and one frame of all fields
     double foam_preroll_seconds = 0.0;
+    /// From the longest wave held in octaves to the shortest; empty for a sea without a loop.
+    std::vector<LoopError> loop_errors;
+    double loop_error = 0.0;            // of the modes, rms weighted by energy
     std::vector<std::string> warnings;  // full sentences, for people
 };
 
