@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "ocean/grid.hpp"
+#include "ocean/seafile.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {
@@ -48,8 +48,8 @@ double travel_direction(double degrees, DirectionConvention convention) {
     return wrapped(degrees);
 }
 
-double coming_from(double travel_direction) {
-    return wrapped(270.0 - travel_direction);
+double coming_from(double travelling_to) {
+    return wrapped(270.0 - travelling_to);
 }
 
 std::string DirectionAxis::fault(std::span<const double> degrees) {
@@ -141,15 +141,14 @@ void DirectionAxis::fill(SpectrumRecord& record, std::span<const double> values,
 }
 
 void append_mean_and_spread(SpectrumRecord& record, double mean, double spread) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     const double sigma = spread * kDegree;
     // A spread beyond 81 degrees belongs to no distribution around a mean.
     const double r1 = std::clamp(1.0 - 0.5 * sigma * sigma, 0.0, 1.0);
     const bool known = !std::isnan(mean) && !std::isnan(spread);
-    record.a1.push_back(known ? r1 * std::cos(mean * kDegree) : kUnknown);
-    record.b1.push_back(known ? r1 * std::sin(mean * kDegree) : kUnknown);
-    record.a2.push_back(kUnknown);
-    record.b2.push_back(kUnknown);
+    record.a1.push_back(known ? r1 * std::cos(mean * kDegree) : kMissing);
+    record.b1.push_back(known ? r1 * std::sin(mean * kDegree) : kMissing);
+    record.a2.push_back(kMissing);
+    record.b2.push_back(kMissing);
 }
 
 }  // namespace ocean

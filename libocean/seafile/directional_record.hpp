@@ -21,8 +21,6 @@ enum class DirectionConvention {
 };
 /// Within 0 <= d < 360.
 double travel_direction(double degrees, DirectionConvention convention);
-/// The inverse of from_nautical: what people who read buoys expect.
-double coming_from(double travel_direction);
 
 /// The direction bins of a file: in any order, wrapped anywhere, even or not, the first bin
 /// repeated after 360 degrees or not, the whole circle or a sector of it. Made once for all spectra

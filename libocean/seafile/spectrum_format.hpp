@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ namespace ocean {
 inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMaxFrequencies = 4096;
 inline constexpr std::size_t kMaxDirections = 720;
+/// A value that a file does not have.
+inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 /// Waves of a day to capillaries: periods stay finite.
 inline constexpr double kMinFrequency = 1e-5;  // Hz
 inline constexpr double kMaxFrequency = 100.0;

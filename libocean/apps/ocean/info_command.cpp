@@ -39,12 +39,6 @@ std::string asked_resolved(const char* label, const AskedResolved& value, const 
                        cell(value.resolved).c_str());
 }
 
-/// Sailors name the direction that waves come from, clockwise from north.
-double coming_from(double travelling_to) {
-    const double degrees = std::fmod(270.0 - travelling_to, 360.0);
-    return degrees < 0.0 ? degrees + 360.0 : degrees;
-}
-
 std::string waves_text(const Parameters& parameters) {
     std::string text;
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {

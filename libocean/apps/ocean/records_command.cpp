@@ -22,8 +22,8 @@ std::string cell(double value, const char* number) {
 
 std::string direction_cell(const RecordSummary& summary) {
     // To the degree, so that 359.7 is 0 and not 360.
-    const double from = std::round(270.0 - summary.mean_direction * 180.0 / kPi);
-    return cell(from - 360.0 * std::floor(from / 360.0), "%.0f");
+    return cell(std::fmod(std::round(coming_from(summary.mean_direction * 180.0 / kPi)), 360.0),
+                "%.0f");
 }
 
 std::string line(const SpectrumRecord& record) {

@@ -64,6 +64,10 @@ const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
 /// ("none", "moments" or "full"), frequencies [how many]; null where it is not known.
 std::string records_json(std::span<const SpectrumRecord> records);
 
+/// Where waves come from, as sailors name it: degrees clockwise from north, 0 <= d < 360, of the
+/// direction they travel to, degrees counter-clockwise from +x. NaN stays NaN.
+double coming_from(double travelling_to);
+
 /// Integrals of a record as it was measured, over its listed frequencies by the trapezoid.
 struct RecordSummary {
     double m0 = 0.0;                  // m^2

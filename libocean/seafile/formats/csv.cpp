@@ -29,7 +29,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -44,7 +43,6 @@ namespace {
 
 using namespace csv;
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 struct Row {
     double frequency;
     double direction;  // degrees, as the file has it; 0 without directions

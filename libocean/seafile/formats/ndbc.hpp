@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,7 +18,6 @@
 
 namespace ocean::ndbc {
 
-inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 /// Two digits may round an r1 or r2 up to here.
 inline constexpr double kMaxSpread = 1.05;
 

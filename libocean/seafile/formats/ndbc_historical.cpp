@@ -75,7 +75,7 @@ class TableReader {
         bins_.clear();
         std::string_view rest = header->frequencies;
         for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
-            bins_.push_back({ndbc::next_frequency(lines_, word, bins_), ndbc::kMissing});
+            bins_.push_back({ndbc::next_frequency(lines_, word, bins_), kMissing});
         }
         if (bins_.size() < 2) throw lines_.fail("fewer than 2 frequencies");
     }
@@ -117,7 +117,7 @@ void make_fractions(std::vector<Row>& rows) {
             if (hundredths) {
                 bin.value /= 100.0;
             } else {
-                bin.value = bin.value == 99.0 ? ndbc::kMissing : std::min(bin.value, 1.0);
+                bin.value = bin.value == 99.0 ? kMissing : std::min(bin.value, 1.0);
             }
         }
     }

@@ -13,16 +13,15 @@
 // A line that begins with $ is a comment, and so is what follows the values of the header.
 // A reader of spectra: turns such a file into records in libocean's conventions.
 #include <array>
-#include <limits>
 
 #include "directional_record.hpp"
 #include "free_form.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/spreading.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 /// What SWAN multiplies variance by to make energy, J/m^2: its default density and gravity.
 constexpr double kEnergyOfVariance = 1025.0 * 9.81;
 /// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
@@ -53,7 +52,7 @@ struct Place {
 double spread_of_power(double m) {
     const double r1 = std::exp(2.0 * std::lgamma(0.5 * m + 1.0) - std::lgamma(0.5 * m + 0.5) -
                                std::lgamma(0.5 * m + 1.5));
-    return std::sqrt(2.0 * std::max(0.0, 1.0 - r1)) * (180.0 / kPi);
+    return circular_spread(r1) * (180.0 / kPi);
 }
 
 class SwanReader {
@@ -365,11 +364,9 @@ class SwanReader {
 };
 
 bool recognises(std::string_view content) {
-    if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
-    content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
-    std::string_view line = content.substr(0, content.find_first_of("\r\n"));
-    const bool swan = take_word(line) == "SWAN";
-    return swan && take_word(line).find_first_of("0123456789") == 0;
+    FreeForm in(content, "");
+    if (!in.next_line() || in.word() != "SWAN") return false;
+    return in.word().find_first_of("0123456789") == 0;
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {

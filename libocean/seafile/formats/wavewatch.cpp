@@ -159,9 +159,8 @@ class WavewatchReader {
 };
 
 bool recognises(std::string_view content) {
-    if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
-    content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
-    return content.starts_with(kMagic);
+    FreeForm in(content, "");
+    return in.next_line() && in.rest().starts_with(kMagic);
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {

@@ -4,6 +4,8 @@
 
 import gzip
 
+from edits import replaced
+
 HEADER = b"#YY  MM DD hh mm   .1000   .2000   .3000\n"
 ROW = b"2019 01 02 03 40    0.06    1.21    0.50\n"
 NEXT = ROW.replace(b" 03 40 ", b" 04 40 ")
@@ -16,9 +18,7 @@ def alone(content):
 
 
 def changed(old, new, content=GOOD):
-    """The first `old` replaced; it must be there."""
-    assert old in content, old
-    return alone(content.replace(old, new, 1))
+    return alone(replaced(content, old, new))
 
 
 def companion(letter):
@@ -30,8 +30,7 @@ def beside(letter, old, new):
     """A good table and its companions, `old` replaced in one of them."""
     files = alone(GOOD) | {f"41010{name}2019.txt": companion(name) for name in VALUES}
     path = f"41010{letter}2019.txt"
-    assert old in files[path], old
-    files[path] = files[path].replace(old, new, 1)
+    files[path] = replaced(files[path], old, new)
     return files
 
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Broken NDBC real-time files: tables of densities, and companions beside good ones."""
 
+from edits import replaced
+
 HEADER = b"#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) spec_3 (freq_3) ... >\n"
 ROW = b"2020 06 08 03 50 0.225 0.060 (0.100) 1.210 (0.200) 0.500 (0.300) \n"
 NEXT = ROW.replace(b" 03 50 ", b" 02 50 ")
@@ -15,9 +17,7 @@ def alone(content):
 
 
 def changed(old, new, content=GOOD):
-    """The first `old` replaced; it must be there."""
-    assert old in content, old
-    return alone(content.replace(old, new, 1))
+    return alone(replaced(content, old, new))
 
 
 def companion(suffix):
@@ -30,8 +30,7 @@ def companion(suffix):
 def beside(suffix, old, new):
     """A good table and its companions, `old` replaced in one of them."""
     files = alone(GOOD) | {f"b.{name}": companion(name) for name in NAMES}
-    assert old in files[f"b.{suffix}"], old
-    files[f"b.{suffix}"] = files[f"b.{suffix}"].replace(old, new, 1)
+    files[f"b.{suffix}"] = replaced(files[f"b.{suffix}"], old, new)
     return files
 
 

@@ -5,6 +5,8 @@
 A case is (name, files, line of the message or None, fragment of the message).
 """
 
+from edits import first_lines, replaced, without_line
+
 GOOD = b"""SWAN   1                                Swan standard spectral file
 $ comment
 TIME                                    time-dependent data
@@ -73,9 +75,7 @@ LOCATION     1
 
 
 def changed(old, new, content=GOOD):
-    """The content with the first `old` replaced."""
-    assert old in content, old
-    return content.replace(old, new, 1)
+    return replaced(content, old, new)
 
 
 def changed_1d(old, new):
@@ -84,14 +84,11 @@ def changed_1d(old, new):
 
 
 def lines(count):
-    """The first lines."""
-    return b"".join(GOOD.splitlines(keepends=True)[:count])
+    return first_lines(GOOD, count)
 
 
 def without(number):
-    """All lines but one."""
-    every = GOOD.splitlines(keepends=True)
-    return b"".join(every[: number - 1] + every[number:])
+    return without_line(GOOD, number)
 
 
 TWO_DIRECTIONS = changed(b"     4    ", b"     2    ").replace(b"  225.0\n  315.0\n", b"")

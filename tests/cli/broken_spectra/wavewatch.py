@@ -5,6 +5,8 @@
 A case is (name, files, line of the message or None, fragment of the message).
 """
 
+from edits import first_lines, replaced, without_line
+
 HEADER = b"""'WAVEWATCH III SPECTRA'     3     4     2 'a grid'
  0.500E-01 0.100E+00 0.200E+00
   0.000E+00  0.157E+01  0.314E+01  0.471E+01
@@ -21,21 +23,15 @@ GOOD = HEADER + b"20220912 060000\n" + POINTS + b"20220912 070000\n" + POINTS
 
 
 def changed(old, new, content=GOOD):
-    """The content with the first `old` replaced."""
-    assert old in content, old
-    return content.replace(old, new, 1)
+    return replaced(content, old, new)
 
 
 def lines(count):
-    """The first lines."""
-    return b"".join(GOOD.splitlines(keepends=True)[:count])
+    return first_lines(GOOD, count)
 
 
 def without(number):
-    """All lines but one."""
-    return b"".join(GOOD.splitlines(keepends=True)[: number - 1]) + b"".join(
-        GOOD.splitlines(keepends=True)[number:]
-    )
+    return without_line(GOOD, number)
 
 
 BROKEN = [

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "cf_units.hpp"
@@ -19,7 +18,6 @@
 namespace ocean::netcdf {
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPerRadian = kPi / 180.0;  // m^2 s/rad in m^2/Hz/degree
 /// ECMWF's frequencies where the file has only their numbers: f_n = 0.03453 Hz * 1.1^(n - 1).
 constexpr double kFirstFrequency = 0.03453;
