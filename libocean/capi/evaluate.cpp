@@ -9,6 +9,7 @@
 #include <string>
 
 #include "guard.hpp"
+#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/version.hpp"
@@ -23,13 +24,6 @@ constexpr int kUntouched = -1;
 static_assert(OCEAN_DX == static_cast<int>(Channel::dx));
 static_assert(OCEAN_JACOBIAN == static_cast<int>(Channel::jacobian));
 static_assert(OCEAN_VZ == static_cast<int>(Channel::vz) && OCEAN_VZ + 1 == kChannelCount);
-
-/// A channel whose field is of a later version is refused in that field's own words.
-void require_available(Channel channel) {
-    for (const FieldInfo& field : field_table()) {
-        if (field.set().contains(channel) && !field.available) find_field(field.name);
-    }
-}
 
 ChannelSet check_output(const ocean_output& output, const std::string& name, int resolution) {
     if (output.channels < 1 || output.channels > kMaxComponents) {
@@ -56,7 +50,6 @@ ChannelSet check_output(const ocean_output& output, const std::string& name, int
                    "; allowed: OCEAN_DX .. OCEAN_VZ, or -1 to leave that component as it is");
         }
         const auto channel = static_cast<Channel>(output.channel[c]);
-        require_available(channel);
         channels = channels | ChannelSet{channel};
     }
     return channels;
@@ -120,16 +113,24 @@ namespace {
 
 int checked_resolution(const ocean_request& request, const Parameters& parameters) {
     const int resolution = request.resolution;
-    if (resolution == 0) return parameters.grid.resolution;
+    if (resolution == 0) return default_map_resolution(parameters.grid);
     if (resolution < kMinResolution || resolution > kMaxResolution ||
         !is_power_of_two(resolution)) {
         refuse("resolution = " + std::to_string(resolution) +
-               "; allowed: 0 (the sea's own) or a power of two, 32 .. 8192");
+               "; allowed: 0 (ocean_map_resolution) or a power of two, 32 .. 8192");
     }
     return resolution;
 }
 
 }  // namespace
+
+ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution) {
+    return guarded([&] {
+        require(sea, "sea");
+        require(resolution, "resolution");
+        *resolution = default_map_resolution(sea->ocean->parameters().grid);
+    });
+}
 
 ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
     return guarded([&] {

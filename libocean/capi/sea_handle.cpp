@@ -97,9 +97,9 @@ ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
         require(sea, "sea");
         require(name, "name");
         require(value, "value");
-        Parameters changed = sea->ocean->parameters();
-        set_parameter(changed, name, value);
-        resolve_records(changed, sea->base_dir);
+        Sea changed = sea->ocean->sea();
+        set_parameter(changed.parameters, name, value);
+        resolve_records(changed.parameters, sea->base_dir);
         sea->ocean->change(std::move(changed), find_parameter(name).info->dirties);
     });
 }
@@ -116,7 +116,7 @@ ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t
 ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size) {
     return guarded([&] {
         require(sea, "sea");
-        copy_text(write_sea(Sea{sea->ocean->parameters()}), out, size);
+        copy_text(write_sea(sea->ocean->sea()), out, size);
     });
 }
 

@@ -16,7 +16,7 @@ struct ocean_sea {
     ocean_sea(ocean::Sea sea, ocean::OceanOptions opened_with, std::string folder)
         : options(opened_with),
           base_dir(std::move(folder)),
-          ocean(std::make_unique<ocean::Ocean>(std::move(sea.parameters), options)) {}
+          ocean(std::make_unique<ocean::Ocean>(std::move(sea), options)) {}
 
     ocean::OceanOptions options;
     std::string base_dir;                 // where a relative `file` starts

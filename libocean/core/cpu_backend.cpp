@@ -18,9 +18,9 @@ namespace {
 // 1.5 * 2^52: adding and subtracting it rounds a double to an integer, without a library call.
 constexpr double kRound = 6755399441055744.0;
 
-/// h and dh/dt of kLanes columns kx at one ky.
+/// h, dh/dt and the excursion of kLanes columns kx at one ky.
 struct LaneState {
-    float re[kLanes], im[kLanes], rate_re[kLanes], rate_im[kLanes];
+    float re[kLanes], im[kLanes], rate_re[kLanes], rate_im[kLanes], excursion[kLanes];
 };
 
 /// Sine and cosine of turns, reduced in double: shaders/wave/turns.glsl, shortened to what float
@@ -54,11 +54,8 @@ class Synthesis {
     Synthesis(const SynthesisRequest& request, ThreadPool& pool)
         : request_(request),
           pool_(pool),
-          cascade_(request.modes.cascades.front()),
-          width_(cascade_.lattice.resolution),
           size_(request.resolution),
-          half_(half_band(request.modes, request.resolution)),
-          tau_(request.modes.tau(request.time)),
+          half_((request.half_band() + kLanes - 1) / kLanes * kLanes),
           fft_(request.resolution) {
         const std::size_t columns = at(half_, size_);
         for (std::size_t f = 0; f < request.fields.size(); ++f) {
@@ -89,35 +86,58 @@ class Synthesis {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(row_length);
     }
 
-    /// Modes (n0 .. n0 + kLanes - 1, m): shaders/wave/phase.glsl across lanes.
-    void fill_state(int n0, int m, LaneState& state) const {
-        const std::size_t row = at(fft_index(m, width_), width_);
-        const std::size_t mirror_row = at(fft_index(-m, width_), width_);
-        const double unit = kTwoPi * request_.modes.rate_unit();
-        double turns[kLanes];
-        double rate[kLanes];
+    /// Adds one cascade to the columns n0 .. n0 + kLanes - 1 of the map, all ky.
+    void add_cascade(const CascadeModes& cascade, int n0, std::vector<LaneState>& states) const {
+        const int stride = request_.stride(cascade);
+        const int half = request_.half(cascade);
+        int columns[kLanes];  // of the cascade; -1 where it has none: mode (0, 0) is zero
+        bool any = false;
+        for (int l = 0; l < kLanes; ++l) {
+            const bool there = (n0 + l) % stride == 0 && (n0 + l) / stride < half;
+            columns[l] = there ? (n0 + l) / stride : -1;
+            any = any || there;
+        }
+        if (!any) return;
+        for (int m = -half + 1; m < half; ++m) {
+            add_modes(cascade, columns, m,
+                      states[static_cast<std::size_t>(m * stride + half_ - 1)]);
+        }
+    }
+
+    /// Modes (columns[l], m) of a cascade: shaders/wave/phase.glsl across lanes.
+    void add_modes(const CascadeModes& cascade, const int* columns, int m, LaneState& state) const {
+        const int width = cascade.lattice.resolution;
+        const std::size_t row = at(fft_index(m, width), width);
+        const std::size_t mirror_row = at(fft_index(-m, width), width);
+        const double unit = kTwoPi * request_.rate_unit;
+        std::size_t index[kLanes], mirror_index[kLanes];
+        double turns[kLanes], rate[kLanes];
         float sine[kLanes], cosine[kLanes];
         for (int l = 0; l < kLanes; ++l) {
-            const std::size_t i = row + static_cast<std::size_t>(n0 + l);
-            rate[l] = static_cast<double>(cascade_.rate_high[i]) + cascade_.rate_low[i];
-            const double whole = rate[l] * tau_;
+            const bool there = columns[l] >= 0;
+            index[l] = there ? row + static_cast<std::size_t>(columns[l]) : 0;
+            mirror_index[l] =
+                there ? mirror_row + static_cast<std::size_t>(fft_index(-columns[l], width)) : 0;
+        }
+        for (int l = 0; l < kLanes; ++l) {
+            rate[l] = static_cast<double>(cascade.rate_high[index[l]]) + cascade.rate_low[index[l]];
+            const double whole = rate[l] * request_.tau;
             turns[l] = whole - ((whole + kRound) - kRound);
         }
         sin_cos_lanes(turns, sine, cosine);
         for (int l = 0; l < kLanes; ++l) {
-            const int n = n0 + l;
-            const std::complex<float> h = cascade_.h0[row + static_cast<std::size_t>(n)];
-            const std::complex<float> mirror =
-                cascade_.h0[mirror_row + static_cast<std::size_t>(fft_index(-n, width_))];
+            const std::complex<float> h = cascade.h0[index[l]];
+            const std::complex<float> mirror = cascade.h0[mirror_index[l]];
             const float forward_re = h.real() * cosine[l] + h.imag() * sine[l];
             const float forward_im = h.imag() * cosine[l] - h.real() * sine[l];
             const float mirror_re = mirror.real() * cosine[l] + mirror.imag() * sine[l];
             const float mirror_im = mirror.real() * sine[l] - mirror.imag() * cosine[l];
             const auto omega = static_cast<float>(rate[l] * unit);
-            state.re[l] = forward_re + mirror_re;
-            state.im[l] = forward_im + mirror_im;
-            state.rate_re[l] = omega * (forward_im - mirror_im);
-            state.rate_im[l] = omega * (mirror_re - forward_re);
+            state.re[l] += forward_re + mirror_re;
+            state.im[l] += forward_im + mirror_im;
+            state.rate_re[l] += omega * (forward_im - mirror_im);
+            state.rate_im[l] += omega * (mirror_re - forward_re);
+            if (columns[l] >= 0) state.excursion[l] = cascade.excursion[index[l]];
         }
     }
 
@@ -125,13 +145,11 @@ class Synthesis {
     void fill_block(Linear field, int n0, const std::vector<LaneState>& states,
                     LaneBlock& block) const {
         const LinearShape shape = linear_shape(field);
-        const auto step = static_cast<float>(request_.modes.lattice.wavenumber_step());
+        const auto step = static_cast<float>(request_.wavenumber_step());
         std::fill(block.re.begin(), block.re.end(), 0.0f);
         std::fill(block.im.begin(), block.im.end(), 0.0f);
         for (int m = -half_ + 1; m < half_; ++m) {
             const LaneState& state = states[static_cast<std::size_t>(m + half_ - 1)];
-            const float* excursion =
-                cascade_.excursion.data() + at(fft_index(m, width_), width_) + n0;
             const float* in_re = shape.rate ? state.rate_re : state.re;
             const float* in_im = shape.rate ? state.rate_im : state.im;
             float* out_re = block.re.data() + at(fft_index(m, size_), kLanes);
@@ -143,7 +161,7 @@ class Synthesis {
                 float factor = fixed;
                 if (shape.x_power > 0) factor *= kx;
                 if (shape.x_power > 1) factor *= kx;
-                if (shape.excursion) factor *= excursion[l];
+                if (shape.excursion) factor *= state.excursion[l];
                 out_re[l] = shape.odd ? -factor * in_im[l] : factor * in_re[l];
                 out_im[l] = shape.odd ? factor * in_re[l] : factor * in_im[l];
             }
@@ -153,9 +171,8 @@ class Synthesis {
     /// Columns kx = n0 .. n0 + kLanes - 1 of every field, along y; result as [kx][y].
     void transform_columns(int n0, std::vector<LaneState>& states, LaneBlock& block,
                            LaneBlock& work) {
-        for (int m = -half_ + 1; m < half_; ++m) {
-            fill_state(n0, m, states[static_cast<std::size_t>(m + half_ - 1)]);
-        }
+        std::fill(states.begin(), states.end(), LaneState{});
+        for (const CascadeModes& cascade : request_.cascades) add_cascade(cascade, n0, states);
         for (std::size_t f = 0; f < request_.fields.size(); ++f) {
             fill_block(request_.fields[f], n0, states, block);
             fft_.inverse(block, work);
@@ -213,11 +230,8 @@ class Synthesis {
 
     const SynthesisRequest& request_;
     ThreadPool& pool_;
-    const CascadeModes& cascade_;
-    int width_;  // of the mode arrays
-    int size_;   // of the map
-    int half_;
-    double tau_;
+    int size_;  // of the map
+    int half_;  // columns that may hold modes, in whole blocks
     LaneFft fft_;
     std::vector<std::vector<float>> column_re_;  // per field: [kx][y]
     std::vector<std::vector<float>> column_im_;

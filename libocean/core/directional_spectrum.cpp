@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
@@ -155,8 +156,8 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
 
 DirectionalSpectrum make_directional_spectrum(const Parameters& parameters) {
     const Dispersion dispersion(parameters.water);
-    const double corner =
-        std::sqrt(2.0) * kPi * parameters.grid.resolution / parameters.grid.patch_size;
+    const double corner = std::sqrt(2.0) * kPi * parameters.grid.resolution *
+                          cascade_divisors(parameters.grid).back() / parameters.grid.patch_size;
     const double highest =
         dispersion.angular_frequency(std::max(corner, kTwoPi / kShortestTabulated));
 

@@ -15,9 +15,8 @@ namespace ocean {
 
 /// h(k, t) and its rate for mode (n, m), in double from the stored floats: the definition that the
 /// fast backend is tested against.
-inline wave::double_precision::ModeState state_of_mode(const Modes& modes, double tau, int n,
-                                                       int m) {
-    const CascadeModes& cascade = modes.cascades.front();
+inline wave::double_precision::ModeState state_of_mode(const CascadeModes& cascade, double tau,
+                                                       double rate_unit, int n, int m) {
     const int size = cascade.lattice.resolution;
     const auto index = [size](int i, int j) {
         return static_cast<std::size_t>(fft_index(j, size)) * static_cast<std::size_t>(size) +
@@ -29,7 +28,7 @@ inline wave::double_precision::ModeState state_of_mode(const Modes& modes, doubl
     const double rate = static_cast<double>(cascade.rate_high[at]) + cascade.rate_low[at];
     const double turns = wave::double_precision::phase_turns(rate, 0.0, tau, 0.0);
     return wave::double_precision::mode_state(h0.real(), h0.imag(), mirror.real(), mirror.imag(),
-                                              turns, rate * kTwoPi * modes.rate_unit());
+                                              turns, rate * kTwoPi * rate_unit);
 }
 
 /// Coefficient of exp(i k x) of a field; kx, ky in rad/m, excursion in m.
@@ -47,28 +46,30 @@ inline std::complex<double> linear_coefficient(Linear field,
                      : std::complex<double>(factor * re, factor * im);
 }
 
-/// Row-major [ky][kx] in FFT order of a map of `resolution`, zero beyond the modes' band.
+/// Row-major [ky][kx] in FFT order of a map of `resolution`, zero where there are no modes.
 template <typename Real>
 std::vector<std::complex<Real>> coefficient_grid(const SynthesisRequest& request, Linear field) {
     const int size = request.resolution;
-    const int half = half_band(request.modes, size);
-    const double tau = request.modes.tau(request.time);
-    const double step = request.modes.lattice.wavenumber_step();
-    const CascadeModes& cascade = request.modes.cascades.front();
-    const auto width = static_cast<std::size_t>(cascade.lattice.resolution);
+    const auto at = [](int n, int m, int width) {
+        return static_cast<std::size_t>(fft_index(m, width)) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(fft_index(n, width));
+    };
     std::vector<std::complex<Real>> grid(static_cast<std::size_t>(size) *
                                          static_cast<std::size_t>(size));
-    for (int m = -half + 1; m < half; ++m) {
-        for (int n = -half + 1; n < half; ++n) {
-            const auto state = state_of_mode(request.modes, tau, n, m);
-            const std::size_t at =
-                static_cast<std::size_t>(fft_index(m, cascade.lattice.resolution)) * width +
-                static_cast<std::size_t>(fft_index(n, cascade.lattice.resolution));
-            const std::complex<double> value =
-                linear_coefficient(field, state, step * n, step * m, cascade.excursion[at]);
-            grid[static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +
-                 static_cast<std::size_t>(fft_index(n, size))] = {static_cast<Real>(value.real()),
-                                                                  static_cast<Real>(value.imag())};
+    for (const CascadeModes& cascade : request.cascades) {
+        const int half = request.half(cascade);
+        const int stride = request.stride(cascade);
+        const double step = cascade.lattice.wavenumber_step();
+        for (int m = -half + 1; m < half; ++m) {
+            for (int n = -half + 1; n < half; ++n) {
+                const auto state = state_of_mode(cascade, request.tau, request.rate_unit, n, m);
+                const std::complex<double> value =
+                    linear_coefficient(field, state, step * n, step * m,
+                                       cascade.excursion[at(n, m, cascade.lattice.resolution)]);
+                // The bands share no mode: all but one of the cascades add zero.
+                grid[at(n * stride, m * stride, size)] += std::complex<Real>(
+                    static_cast<Real>(value.real()), static_cast<Real>(value.imag()));
+            }
         }
     }
     return grid;

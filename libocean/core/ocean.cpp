@@ -1,61 +1,203 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade: parameters -> spectrum -> modes -> surface, each kept until something dirties it.
+// The facade: parameters -> spectrum -> modes -> surface -> foam, each kept until something dirties
+// it.
 #include "ocean/ocean.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
 
 namespace ocean {
 
-Ocean::Ocean(Parameters parameters, OceanOptions options)
-    : parameters_(std::move(parameters)), options_(options), pool_(options.threads) {
+Ocean::Ocean(Sea sea, OceanOptions options)
+    : sea_(std::move(sea)),
+      now_(sea_.parameters),
+      options_(std::move(options)),
+      pool_(options_.threads) {
     require_valid();
 }
 
+Ocean::Ocean(Parameters parameters, OceanOptions options)
+    : Ocean(Sea{std::move(parameters), {}}, std::move(options)) {}
+
+Ocean::Ocean(const Ocean& built, OceanOptions options)
+    : sea_(built.sea_),
+      now_(built.now_),
+      validated_(built.validated_),
+      options_(std::move(options)),
+      pool_(options_.threads),
+      spectrum_(built.spectrum_),
+      modes_(built.modes_) {}
+
 void Ocean::set(std::string_view name, std::string_view value) {
-    Parameters changed = parameters_;
-    set_parameter(changed, name, value);
+    Sea changed = sea_;
+    set_parameter(changed.parameters, name, value);
     change(std::move(changed), find_parameter(name).info->dirties);
 }
 
-void Ocean::change(Parameters parameters, Stage first_stage) {
-    parameters_ = std::move(parameters);
+void Ocean::change(Sea sea, Stage first_stage) {
+    sea_ = std::move(sea);
+    now_ = sea_.parameters;
     validated_ = false;
-    if (first_stage == Stage::spectrum) spectrum_.reset();
-    if (first_stage == Stage::spectrum || first_stage == Stage::modes) modes_.reset();
+    // A take's past may have changed anything.
+    dirty(sea_.take.empty() ? first_stage : Stage::spectrum);
+    if (first_stage != Stage::clock || !sea_.take.empty()) foam_.reset();
+}
+
+void Ocean::dirty(Stage first_stage) {
+    switch (first_stage) {
+        case Stage::spectrum:
+            spectrum_.reset();
+            [[fallthrough]];
+        case Stage::modes:
+            modes_.reset();
+            [[fallthrough]];
+        case Stage::surface:
+        case Stage::foam:
+            shown_.reset();
+            [[fallthrough]];
+        case Stage::clock:
+            break;
+    }
 }
 
 void Ocean::require_valid() {
-    if (!validated_) validate(parameters_);
+    if (!validated_) validate(sea_.parameters);
     validated_ = true;
 }
 
-const DirectionalSpectrum& Ocean::spectrum() {
+void Ocean::go_to(double time) {
     require_valid();
-    if (!spectrum_) spectrum_ = make_directional_spectrum(parameters_);
+    if (sea_.take.empty()) return;
+    Parameters then = sea_.at(time);
+    if (const auto stage = first_dirty_stage(now_, then)) dirty(*stage);
+    now_ = std::move(then);
+}
+
+const DirectionalSpectrum& Ocean::spectrum(double time) {
+    go_to(time);
+    return current_spectrum();
+}
+
+const Modes& Ocean::modes(double time) {
+    go_to(time);
+    return current_modes();
+}
+
+const DirectionalSpectrum& Ocean::current_spectrum() {
+    if (!spectrum_) {
+        ++runs_.spectrum;
+        spectrum_ = std::make_shared<const DirectionalSpectrum>(make_directional_spectrum(now_));
+    }
     return *spectrum_;
 }
 
-const Modes& Ocean::modes() {
-    require_valid();
+const Modes& Ocean::current_modes() {
     if (!modes_) {
-        const int n = parameters_.grid.resolution;
-        require_memory(modes_bytes(n), "grid.resolution = " + std::to_string(n));
-        modes_ = make_modes(spectrum(), parameters_, pool_);
+        require_memory(modes_bytes(now_.grid),
+                       "grid.resolution = " + std::to_string(now_.grid.resolution));
+        const DirectionalSpectrum& spectrum = current_spectrum();
+        ++runs_.modes;
+        modes_ = std::make_shared<const Modes>(make_modes(spectrum, now_, pool_));
     }
     return *modes_;
 }
 
 SeaState Ocean::state() {
-    return sea_state(spectrum(), parameters_, pool_);
+    const DirectionalSpectrum& spectrum = this->spectrum();
+    SeaState state = sea_state(spectrum, now_, pool_);
+    add_whitecaps(current_modes(), now_.surface, state);
+    return state;
+}
+
+FrameCost Ocean::measure_frame_cost() {
+    constexpr int kLargest = 512;
+    const double start = sea_.parameters.time.start;
+    const int map = default_map_resolution(sea_.parameters.grid);
+    const int measured = std::min(map, kLargest);
+    const auto seconds = [&](ChannelSet channels) {
+        const auto begin = std::chrono::steady_clock::now();
+        evaluate(start, channels, measured);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const ChannelSet tick_channels = {Channel::whitecap};
+    const ChannelSet frame_channels = {Channel::dx, Channel::dy, Channel::height,  Channel::nx,
+                                       Channel::ny, Channel::nz, Channel::whitecap};
+    seconds(tick_channels);  // builds what is not there yet
+    // An inverse transform of N x N samples is N^2 log N work.
+    const double scale = std::pow(static_cast<double>(map) / measured, 2.0) *
+                         std::log(static_cast<double>(map)) /
+                         std::log(static_cast<double>(measured));
+    const double tick = scale * seconds(tick_channels);
+    const double frame = scale * seconds(frame_channels);
+    const FoamClock clock = foam_clock(now_.surface, now_.time.loop_period);
+    const double lifetime = now_.surface.foam_lifetime;
+    const auto preroll =
+        static_cast<double>(preroll_ticks(clock, 0, [lifetime](double) { return lifetime; }));
+    // Without a lifetime there are no ticks to follow.
+    const double ticks = preroll > 0.0 ? 1.0 / (now_.time.fps * clock.step) : 0.0;
+    return {frame + preroll * tick, frame + std::min(ticks, preroll) * tick};
+}
+
+const SurfaceSettings& Ocean::shown_settings(int resolution) {
+    if (!shown_ || shown_resolution_ != resolution) {
+        ++runs_.threshold;
+        shown_ = with_threshold(now_.surface, current_modes(), resolution);
+        shown_resolution_ = resolution;
+    }
+    return *shown_;
+}
+
+Surface Ocean::current_surface(double time, ChannelSet channels, int resolution) {
+    const SurfaceSettings& settings =
+        channels.contains(Channel::whitecap) ? shown_settings(resolution) : now_.surface;
+    return make_surface(current_modes(), settings, time, channels, options_.backend, pool_,
+                        resolution);
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
-    const int n = resolution > 0 ? resolution : parameters_.grid.resolution;
-    const std::uint64_t modes_left = modes_ ? 0 : modes_bytes(parameters_.grid.resolution);
-    require_memory(modes_left + surface_bytes(n, channels.size()),
+    go_to(time);
+    const int n = resolution > 0 ? resolution : default_map_resolution(now_.grid);
+    const bool foam = channels.contains(Channel::foam);
+    constexpr int kFoamMaps = 5;  // three ticks, the whitecaps of one and of the frame
+    require_memory((modes_ ? 0 : modes_bytes(now_.grid)) +
+                       surface_bytes(n, channels.size() + (foam ? kFoamMaps : 0)),
                    "a map of " + std::to_string(n) + " x " + std::to_string(n) + " samples");
-    return make_surface(modes(), parameters_.surface, time, channels, options_.backend, pool_,
-                        resolution);
+    ChannelSet moment = channels.without(Channel::foam);
+    if (foam) moment = moment | ChannelSet{Channel::whitecap};
+    ++runs_.surface;
+    Surface surface = current_surface(time, moment, n);
+    if (foam) {
+        surface.add(Channel::foam);
+        add_foam(surface);
+        if (!channels.contains(Channel::whitecap)) surface.drop(Channel::whitecap);
+    }
+    return surface;
+}
+
+void Ocean::add_foam(Surface& surface) {
+    if (!foam_ || foam_resolution_ != surface.resolution()) {
+        foam_.emplace(foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
+                      options_.foam_start);
+        foam_resolution_ = surface.resolution();
+    }
+    const FoamSource source{[this](double time) {
+                                return sea_.take.empty() ? now_.surface.foam_lifetime
+                                                         : sea_.at(time).surface.foam_lifetime;
+                            },
+                            [this](double time) {
+                                go_to(time);
+                                ++runs_.foam_ticks;
+                                tick_ =
+                                    current_surface(time, {Channel::whitecap}, foam_resolution_);
+                                return std::as_const(tick_).channel(Channel::whitecap);
+                            },
+                            options_.foam_progress};
+    foam_->evaluate(surface.time(), std::as_const(surface).channel(Channel::whitecap), source,
+                    surface.channel(Channel::foam), pool_);
 }
 
 }  // namespace ocean

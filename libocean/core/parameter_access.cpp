@@ -155,11 +155,34 @@ ParameterValue value_of(const Parameters& parameters, const ParameterRef& ref) {
         ref.info->member);
 }
 
+namespace {
+
+bool same_systems(const Parameters& a, const Parameters& b) {
+    return std::equal(
+        a.waves.begin(), a.waves.end(), b.waves.begin(), b.waves.end(),
+        [](const WaveSystem& x, const WaveSystem& y) { return x.measured == y.measured; });
+}
+
+}  // namespace
+
+std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameters& after) {
+    if (!same_systems(before, after)) return Stage::spectrum;
+    std::optional<Stage> first;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (first && *first <= info.dirties) continue;
+        const std::size_t systems = info.per_wave_system() ? before.waves.size() : 1;
+        for (std::size_t wave = 0; wave < systems; ++wave) {
+            const ParameterRef ref{&info, wave};
+            if (value_of(before, ref) != value_of(after, ref)) first = info.dirties;
+        }
+    }
+    return first;
+}
+
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
     const ParameterRef ref = find_parameter(name);
     Parameters changed = parameters;
     assign(changed, ref, parse_value(*ref.info, text));
-    refuse_later_features(changed);
     const std::string_view key = ref.info->key;
     const bool names_record = key == "file" || key == "record" || key == "place";
     if (names_record && value_of(changed, ref) != value_of(parameters, ref)) {

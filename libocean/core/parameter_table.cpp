@@ -34,11 +34,11 @@ constexpr ParameterInfo kTable[] = {
      "Side of the square that repeats; a few of the longest waves should fit.", &Grid::patch_size,
      1.0, 100000.0, 10.0, 5000.0, kRebuild, Stage::spectrum},
     {"grid", "cascades", "", "Cascades",
-     "Bands of wavelengths with a lattice each; more than 1 comes with a later version.",
-     &Grid::cascades, 1, 5, 1, 5, kRebuild, Stage::modes},
+     "Bands of wavelengths with a lattice each: short waves on a large patch.", &Grid::cascades, 1,
+     5, 1, 5, kRebuild, Stage::modes},
     {"grid", "cascade_divisors", "", "Cascade divisors",
-     "Whole numbers that divide the patch, ascending from 1; empty chooses them. Comes with a "
-     "later version.",
+     "Whole numbers that divide the patch, one for each cascade, ascending from 1; empty chooses "
+     "them.",
      &Grid::cascade_divisors, 1, 100000, 1, 1000, kRebuild, Stage::modes},
 
     {"surface", "choppiness", "", "Choppiness",
@@ -52,22 +52,21 @@ constexpr ParameterInfo kTable[] = {
      "Waves longer than this are left out; 0 is no limit.", &SurfaceSettings::longest_wavelength,
      0.0, 100000.0, 0.0, 1000.0, kRebuild, Stage::modes},
     {"surface", "foam_lifetime", "s", "Foam lifetime",
-     "Time in which foam fades to 1/e. Foam comes with a later version.",
+     "Time in which foam fades to 1/e; 0 leaves the whitecaps alone.",
      &SurfaceSettings::foam_lifetime, 0.0, 600.0, 0.5, 30.0, kLive, Stage::foam},
     {"surface", "foam_step", "s", "Foam step",
-     "Tick of the foam's own clock. Foam comes with a later version.", &SurfaceSettings::foam_step,
-     0.01, 1.0, 0.02, 0.2, kLive, Stage::foam},
+     "Tick of the foam's own clock, whatever the frame rate.", &SurfaceSettings::foam_step, 0.01,
+     1.0, 0.02, 0.2, kLive, Stage::foam},
     {"surface", "foam_coverage", "", "Foam coverage",
-     "monahan: as much whitecap as the wind makes; threshold: where the Jacobian falls below "
-     "foam_threshold. Foam comes with a later version.",
+     "monahan: as much whitecap as the strongest wind makes; threshold: where the Jacobian falls "
+     "below foam_threshold.",
      &SurfaceSettings::foam_coverage, 0, 0, 0, 0, kLive, Stage::foam},
     {"surface", "foam_threshold", "", "Foam threshold",
-     "Jacobian where whitecaps begin, with foam_coverage = \"threshold\". Foam comes with a later "
-     "version.",
+     "Jacobian where whitecaps begin, with foam_coverage = \"threshold\".",
      &SurfaceSettings::foam_threshold, -2.0, 2.0, 0.0, 1.0, kLive, Stage::foam},
     {"surface", "foam_width", "", "Foam width",
-     "Fall of the Jacobian over which a whitecap becomes full. Foam comes with a later version.",
-     &SurfaceSettings::foam_width, 0.001, 2.0, 0.05, 0.5, kLive, Stage::foam},
+     "Fall of the Jacobian over which a whitecap becomes full.", &SurfaceSettings::foam_width,
+     0.001, 2.0, 0.05, 0.5, kLive, Stage::foam},
 
     {"time", "start", "s", "Start", "Time of the first frame.", &Timing::start, -1e9, 1e9, 0.0,
      3600.0, kRebuild, Stage::clock},

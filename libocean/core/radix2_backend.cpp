@@ -28,7 +28,8 @@ LinearPlanes<float> synthesize_radix2(const SynthesisRequest& request, ThreadPoo
 }
 
 double imaginary_residue(const Modes& modes, double time) {
-    const SynthesisRequest request{modes, time, modes.lattice.resolution, {Linear::height}};
+    const SynthesisRequest request =
+        synthesis_request(modes, time, modes.lattice.resolution, {Linear::height});
     auto grid = coefficient_grid<double>(request, Linear::height);
     Radix2Fft<double>(request.resolution).transform_2d(grid, FftDirection::inverse);
     double largest = 0.0;

@@ -8,9 +8,12 @@
 #include <charconv>
 #include <cmath>
 #include <complex>
+#include <span>
 
+#include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/spreading.hpp"
 #include "ocean/thread_pool.hpp"
@@ -19,15 +22,16 @@ namespace ocean {
 
 namespace {
 
-/// Sums over one row of modes, or over all of them.
+/// Sums over one row of modes, or over all of a cascade.
 struct ModeSums {
     double m0 = 0.0;
+    double measured = 0.0;  // of m0, what measures the band
     double mean_square_slope = 0.0;
     std::complex<double> direction = 0.0;
     double loop_error = 0.0;  // variance times the square of the speed's error
     double shortest = 0.0;
     double longest = 0.0;
-    std::vector<double> ring;        // variance by whole |k| / dk
+    std::vector<double> ring;        // variance by whole |k| / dk of the cascade's lattice
     std::vector<double> ring_omega;  // variance times omega
 };
 
@@ -37,25 +41,27 @@ double speed_error(double omega, double loop_period) {
     return turns_per_loop(omega, loop_period) / (omega * loop_period / kTwoPi) - 1.0;
 }
 
-ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& parameters, int m) {
+ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                 const CascadeBand& band, int m) {
     const int half = parameters.grid.resolution / 2;
-    const double step = kTwoPi / parameters.grid.patch_size;
+    const double period = parameters.grid.patch_size / band.divisor;
     const Dispersion dispersion(parameters.water);
     ModeSums sums;
     sums.ring.resize(static_cast<std::size_t>(half));
     sums.ring_omega.resize(sums.ring.size());
     for (int n = -half + 1; n < half; ++n) {
-        const double variance = modal_variance(spectrum, parameters, n, m);
+        const double variance = modal_variance(spectrum, parameters, n, m, band);
         if (variance <= 0.0) continue;
         const double length = std::hypot(n, m);
-        const double k = step * length;
+        const double k = kTwoPi / period * length;
         const double omega = dispersion.angular_frequency(k);
         const double off = speed_error(omega, parameters.time.loop_period);
         sums.m0 += variance;
+        if (measures_band(band, parameters.grid.resolution, n, m)) sums.measured += variance;
         sums.mean_square_slope += k * k * variance;
         sums.loop_error += off * off * variance;
         sums.direction += std::complex<double>(n, m) * (variance / length);
-        const double wavelength = parameters.grid.patch_size / length;
+        const double wavelength = period / length;
         sums.shortest = sums.shortest > 0.0 ? std::min(sums.shortest, wavelength) : wavelength;
         sums.longest = std::max(sums.longest, wavelength);
         const auto ring = static_cast<std::size_t>(std::lround(length));
@@ -68,6 +74,7 @@ ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& paramete
 
 void add(ModeSums& total, const ModeSums& row) {
     total.m0 += row.m0;
+    total.measured += row.measured;
     total.mean_square_slope += row.mean_square_slope;
     total.direction += row.direction;
     total.loop_error += row.loop_error;
@@ -87,7 +94,7 @@ void add(ModeSums& total, const ModeSums& row) {
 /// Rows in parallel, a batch at a time to bound the memory, added in order: the same bits for any
 /// number of threads.
 ModeSums sum_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
-                   ThreadPool& pool) {
+                   const CascadeBand& band, ThreadPool& pool) {
     constexpr int kBatch = 64;
     const int half = parameters.grid.resolution / 2;
     ModeSums sums;
@@ -95,28 +102,59 @@ ModeSums sum_modes(const DirectionalSpectrum& spectrum, const Parameters& parame
         std::vector<ModeSums> rows(static_cast<std::size_t>(std::min(kBatch, half - begin)));
         pool.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
             for (int row = first; row < last; ++row) {
-                rows[static_cast<std::size_t>(row)] = sum_row(spectrum, parameters, begin + row);
+                rows[static_cast<std::size_t>(row)] =
+                    sum_row(spectrum, parameters, band, begin + row);
             }
         });
         for (const ModeSums& row : rows) add(sums, row);
     }
+    const double gain = band_gain(spectrum, parameters, band, sums.measured);
+    for (double* sum : {&sums.m0, &sums.mean_square_slope, &sums.loop_error}) *sum *= gain;
+    sums.direction *= gain;
+    for (double& variance : sums.ring) variance *= gain;
+    for (double& moment : sums.ring_omega) moment *= gain;
     return sums;
 }
 
 /// Frequency of the ring with the largest density over omega; 0 for a flat sea.
-double peak_of_rings(const ModeSums& sums, const Parameters& parameters) {
+double peak_of_rings(std::span<const ModeSums> cascades, std::span<const CascadeBand> bands,
+                     const Parameters& parameters) {
     const Dispersion dispersion(parameters.water);
-    const double step = kTwoPi / parameters.grid.patch_size;
     double largest = 0.0;
     double peak = 0.0;
-    for (std::size_t i = 1; i < sums.ring.size(); ++i) {
-        const double density =
-            sums.ring[i] / dispersion.group_velocity(step * static_cast<double>(i));
-        if (density <= largest) continue;
-        largest = density;
-        peak = sums.ring_omega[i] / sums.ring[i];
+    for (std::size_t c = 0; c < bands.size(); ++c) {
+        const ModeSums& sums = cascades[c];
+        const double step = kTwoPi * bands[c].divisor / parameters.grid.patch_size;
+        for (std::size_t i = 1; i < sums.ring.size(); ++i) {
+            const double k = step * static_cast<double>(i);
+            const double density = sums.ring[i] / (dispersion.group_velocity(k) * step);
+            if (density <= largest) continue;
+            largest = density;
+            peak = sums.ring_omega[i] / sums.ring[i];
+        }
     }
     return peak;
+}
+
+/// The waves of a cascade repeat at its own period, and at that of another whose divisor divides
+/// its own.
+std::vector<CascadeShare> cascade_shares(std::span<const ModeSums> cascades,
+                                         std::span<const CascadeBand> bands, const ModeSums& total,
+                                         double patch_size) {
+    std::vector<CascadeShare> shares;
+    for (std::size_t c = 0; c < bands.size(); ++c) {
+        CascadeShare& share = shares.emplace_back();
+        share.period = patch_size / bands[c].divisor;
+        share.shortest_wave = cascades[c].shortest;
+        share.longest_wave = cascades[c].longest;
+        if (total.m0 <= 0.0) continue;
+        for (std::size_t other = c; other < bands.size(); ++other) {
+            if (bands[other].divisor % bands[c].divisor != 0) continue;
+            share.height += cascades[other].m0 / total.m0;
+            share.slope += cascades[other].mean_square_slope / total.mean_square_slope;
+        }
+    }
+    return shares;
 }
 
 std::vector<LoopError> loop_errors(const Parameters& parameters, double longest, double shortest) {
@@ -163,6 +201,15 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
         warn("time.loop_period = " + fixed(parameters.time.loop_period, 1) + " s moves the waves " +
              fixed(100.0 * state.loop_error, 1) + " % off their speed; a longer loop does less");
     }
+    for (std::size_t c = 1; c < state.cascades.size(); ++c) {
+        const CascadeShare& share = state.cascades[c];
+        if (std::max(share.height, share.slope) <= 0.5) continue;
+        warn(fixed(100.0 * share.height, 0) + " % of the variance of the height and " +
+             fixed(100.0 * share.slope, 0) + " % of that of the slope repeat every " +
+             fixed(share.period, 1) +
+             " m, not only at grid.patch_size: choose smaller grid.cascade_divisors, fewer "
+             "cascades or more grid.resolution");
+    }
     if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
         warn("fewer than three of the dominant waves (" + fixed(state.peak_wavelength.asked, 1) +
              " m) fit into grid.patch_size = " + fixed(parameters.grid.patch_size, 1) +
@@ -174,20 +221,25 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
 
 SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                    ThreadPool& pool) {
-    const SurfaceSettings& band = parameters.surface;
+    const SurfaceSettings& surface = parameters.surface;
     const Dispersion dispersion(parameters.water);
-    const int half = parameters.grid.resolution / 2;
-    const double step = kTwoPi / parameters.grid.patch_size;
+    const Grid& grid = parameters.grid;
+    const std::vector<CascadeBand> bands = cascade_bands(grid);
 
-    const ModeSums sums = sum_modes(spectrum, parameters, pool);
+    std::vector<ModeSums> cascades;
+    ModeSums sums;
+    for (const CascadeBand& band : bands) {
+        cascades.push_back(sum_modes(spectrum, parameters, band, pool));
+        add(sums, cascades.back());
+    }
     const SpectralMoments asked =
-        spectrum.moments(parameters.water, band.shortest_wavelength, band.longest_wavelength);
+        spectrum.moments(parameters.water, surface.shortest_wavelength, surface.longest_wavelength);
 
     const auto period = [](double omega) { return omega > 0.0 ? kTwoPi / omega : 0.0; };
     const auto wavelength = [&](double omega) {
         return omega > 0.0 ? kTwoPi / dispersion.wavenumber(omega) : 0.0;
     };
-    const double peak = peak_of_rings(sums, parameters);
+    const double peak = peak_of_rings(cascades, bands, parameters);
     SeaState state;
     state.significant_wave_height = {asked.significant_wave_height(), 4.0 * std::sqrt(sums.m0)};
     state.peak_period = {period(asked.peak_omega), period(peak)};
@@ -198,20 +250,36 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
         degrees(asked.directional_spread),
         sums.m0 > 0.0 ? degrees(circular_spread(std::abs(sums.direction) / sums.m0)) : 0.0};
     state.energy_resolved = asked.m0 > 0.0 ? sums.m0 / asked.m0 : 1.0;
-    state.shortest_wave =
-        sums.shortest > 0.0 ? sums.shortest : kTwoPi / (step * std::sqrt(2.0) * (half - 1));
-    state.longest_wave = sums.longest > 0.0 ? sums.longest : parameters.grid.patch_size;
+    const auto corner = [](const Lattice& lattice) {
+        return lattice.shortest_wavelength() / std::sqrt(2.0);
+    };
+    const Lattice finest{grid.resolution, grid.patch_size / bands.back().divisor};
+    state.shortest_wave = sums.shortest > 0.0 ? sums.shortest : corner(finest);
+    state.longest_wave = sums.longest > 0.0 ? sums.longest : grid.patch_size;
+    state.map_resolution = default_map_resolution(grid);
+    const Lattice map{state.map_resolution, grid.patch_size};
+    state.map_shortest_wave = std::max(state.shortest_wave, corner(map));
+    state.cascades = cascade_shares(cascades, bands, sums, grid.patch_size);
     state.loop_errors = loop_errors(parameters, state.longest_wave, state.shortest_wave);
     state.loop_error = sums.m0 > 0.0 ? std::sqrt(sums.loop_error / sums.m0) : 0.0;
-    state.period = parameters.grid.patch_size;
-    state.memory_bytes = modes_bytes(parameters.grid.resolution) +
-                         surface_bytes(parameters.grid.resolution, 12) +
-                         spectrum.table().size_bytes();
-    state.foam_preroll_seconds =
-        std::ceil(std::log(512.0) * band.foam_lifetime / band.foam_step) * band.foam_step;
+    state.period = grid.patch_size;
+    state.memory_bytes =
+        modes_bytes(grid) + surface_bytes(state.map_resolution, 12) + spectrum.table().size_bytes();
+    const FoamClock clock = foam_clock(surface, parameters.time.loop_period);
+    state.foam_preroll_seconds = static_cast<double>(preroll_ticks(
+                                     clock, 0, [&](double) { return surface.foam_lifetime; })) *
+                                 clock.step;
     add_warnings(parameters, asked.m0 <= 0.0, state);
     state.energy_resolved = std::min(state.energy_resolved, 1.0);  // midpoint sums may exceed it
     return state;
+}
+
+void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState& state) {
+    const GradientCovariance covariance = modes.gradient_covariance(state.map_resolution);
+    state.foam_threshold = whitecap_threshold(covariance, settings, modes.wind_speed);
+    state.whitecap_coverage = {
+        monahan_coverage(modes.wind_speed),
+        mean_whitecap(covariance, settings.choppiness, state.foam_threshold, settings.foam_width)};
 }
 
 std::string sea_state_json(const SeaState& state) {
@@ -238,8 +306,21 @@ std::string sea_state_json(const SeaState& state) {
     single("shortest_wave", number(state.shortest_wave));
     single("longest_wave", number(state.longest_wave));
     single("period", number(state.period));
+    single("map_resolution", std::to_string(state.map_resolution));
+    single("map_shortest_wave", number(state.map_shortest_wave));
+    result += "  \"cascades\": [";
+    for (const CascadeShare& share : state.cascades) {
+        result += (result.back() == '[' ? "" : ", ") + ("{\"period\": " + number(share.period)) +
+                  ", \"shortest_wave\": " + number(share.shortest_wave) +
+                  ", \"longest_wave\": " + number(share.longest_wave) +
+                  ", \"height_share\": " + number(share.height) +
+                  ", \"slope_share\": " + number(share.slope) + "}";
+    }
+    result += "],\n";
     single("memory_bytes", std::to_string(state.memory_bytes));
     single("foam_preroll_seconds", number(state.foam_preroll_seconds));
+    pair("whitecap_coverage", state.whitecap_coverage);
+    single("foam_threshold", number(state.foam_threshold));
     single("loop_error", number(state.loop_error));
     result += "  \"loop_errors\": [";
     for (const LoopError& error : state.loop_errors) {
@@ -254,9 +335,10 @@ std::string sea_state_json(const SeaState& state) {
     return result + "]\n}\n";
 }
 
-std::uint64_t modes_bytes(int resolution) {
-    const auto n = static_cast<std::uint64_t>(resolution);
-    return n * n * (sizeof(std::complex<float>) + 3 * sizeof(float));
+std::uint64_t modes_bytes(const Grid& grid) {
+    const auto n = static_cast<std::uint64_t>(grid.resolution);
+    return n * n * (sizeof(std::complex<float>) + 3 * sizeof(float)) *
+           static_cast<std::uint64_t>(grid.cascades);
 }
 
 std::uint64_t surface_bytes(int resolution, int channels) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/thread_pool.hpp"
 #include "synthesis.hpp"
 #include "wave.hpp"
@@ -26,48 +27,42 @@ ChannelSet FieldInfo::set() const {
 std::span<const FieldInfo> field_table() {
     using enum Channel;
     static constexpr FieldInfo kFields[] = {
-        {"height", {height}, 1, "m", true},
-        {"displacement", {dx, dy, height}, 3, "m", true},
-        {"slope", {slope_x, slope_y}, 2, "", true},
-        {"normal", {nx, ny, nz}, 3, "", true},
-        {"jacobian", {jacobian}, 1, "", true},
-        {"whitecap", {whitecap}, 1, "", false},
-        {"foam", {foam}, 1, "", false},
-        {"velocity", {vx, vy, vz}, 3, "m/s", true},
+        {"height", {height}, 1, "m"},
+        {"displacement", {dx, dy, height}, 3, "m"},
+        {"slope", {slope_x, slope_y}, 2, ""},
+        {"normal", {nx, ny, nz}, 3, ""},
+        {"jacobian", {jacobian}, 1, ""},
+        {"whitecap", {whitecap}, 1, ""},
+        {"foam", {foam}, 1, ""},
+        {"velocity", {vx, vy, vz}, 3, "m/s"},
     };
     return kFields;
 }
 
+const FieldInfo& find_field(std::string_view name) {
+    std::string known;
+    for (const FieldInfo& field : field_table()) {
+        if (field.name == name) return field;
+        known += (known.empty() ? "" : ", ") + std::string(field.name);
+    }
+    throw Error(ErrorKind::invalid_value,
+                "unknown product '" + std::string(name) + "'; known: " + known);
+}
+
 namespace {
 
-[[noreturn]] void refuse_field(std::string_view name) {
-    throw Error(ErrorKind::unsupported, std::string(name) +
-                                            ": foam comes with a later version of libocean; "
-                                            "this one has height, displacement, slope, normal, "
-                                            "jacobian, velocity");
+[[noreturn]] void refuse_gl() {
+    throw Error(ErrorKind::unsupported,
+                "backend gl comes with a later version of libocean; use cpu");
 }
 
 }  // namespace
-
-const FieldInfo& find_field(std::string_view name) {
-    for (const FieldInfo& field : field_table()) {
-        if (field.name != name) continue;
-        if (!field.available) refuse_field(name);
-        return field;
-    }
-    throw Error(ErrorKind::invalid_value,
-                "unknown product '" + std::string(name) +
-                    "'; known: height, displacement, slope, normal, jacobian, velocity");
-}
 
 Backend find_backend(std::string_view name) {
     if (name == "cpu") return Backend::cpu;
     if (name == "radix2") return Backend::radix2;
     if (name == "dft") return Backend::dft;
-    if (name == "gl") {
-        throw Error(ErrorKind::unsupported,
-                    "backend gl comes with a later version of libocean; use cpu");
-    }
+    if (name == "gl") refuse_gl();
     throw Error(ErrorKind::invalid_value,
                 "unknown backend '" + std::string(name) + "'; known: cpu, radix2, dft");
 }
@@ -101,13 +96,24 @@ std::span<float> Surface::channel(Channel channel) {
     return maps_[static_cast<std::size_t>(channel)];
 }
 
+void Surface::add(Channel channel) {
+    channels_ = channels_ | ChannelSet{channel};
+    maps_[static_cast<std::size_t>(channel)].assign(lattice_.size(), 0.0f);
+}
+
+void Surface::drop(Channel channel) {
+    channels_ = channels_.without(channel);
+    maps_[static_cast<std::size_t>(channel)] = {};
+}
+
 namespace {
 
 constexpr ChannelSet kNormal = {Channel::nx, Channel::ny, Channel::nz};
-constexpr ChannelSet kNeedsGradients = kNormal | ChannelSet{Channel::jacobian};
+constexpr ChannelSet kNeedsGradients = kNormal | ChannelSet{Channel::jacobian, Channel::whitecap};
 
-/// The linear fields that the channels are made of.
-std::vector<Linear> fields_needed(ChannelSet channels) {
+}  // namespace
+
+std::vector<Linear> linear_fields(ChannelSet channels) {
     std::vector<Linear> fields;
     const auto need = [&](Linear field, ChannelSet users) {
         if (channels.intersects(users)) fields.push_back(field);
@@ -126,6 +132,8 @@ std::vector<Linear> fields_needed(ChannelSet channels) {
     return fields;
 }
 
+namespace {
+
 inline wave::single_precision::SurfaceNormal normal_of(float c, float xx, float yy, float xy,
                                                        float hx, float hy) {
     return wave::single_precision::surface_normal(c, xx, yy, xy, hx, hy);
@@ -140,15 +148,23 @@ inline float jacobian_of(float c, float xx, float yy, float xy) {
 inline double jacobian_of(double c, double xx, double yy, double xy) {
     return wave::double_precision::surface_jacobian(c, xx, yy, xy);
 }
+inline float whitecap_of(float jacobian, float threshold, float width) {
+    return wave::single_precision::surface_whitecap(jacobian, threshold, width);
+}
+inline double whitecap_of(double jacobian, double threshold, double width) {
+    return wave::double_precision::surface_whitecap(jacobian, threshold, width);
+}
 
 /// Turns planes into channels, in the precision of the backend, rounding once at the end.
 template <typename Real>
 class Combination {
   public:
-    Combination(const LinearPlanes<Real>& planes, double choppiness, Surface& surface,
+    Combination(const LinearPlanes<Real>& planes, const SurfaceSettings& settings, Surface& surface,
                 ThreadPool& pool)
         : planes_(planes),
-          choppiness_(static_cast<Real>(choppiness)),
+          choppiness_(static_cast<Real>(settings.choppiness)),
+          threshold_(static_cast<Real>(settings.foam_threshold)),
+          width_(static_cast<Real>(settings.foam_width)),
           surface_(surface),
           pool_(pool) {}
 
@@ -161,7 +177,14 @@ class Combination {
         copy(Channel::vz, Linear::height_rate, 1);
         copy(Channel::vx, Linear::excursion_x_rate, -choppiness_);
         copy(Channel::vy, Linear::excursion_y_rate, -choppiness_);
-        if (surface_.has(Channel::jacobian)) jacobians();
+        if (surface_.has(Channel::jacobian)) {
+            from_jacobian(Channel::jacobian, [](Real jacobian) { return jacobian; });
+        }
+        if (surface_.has(Channel::whitecap)) {
+            from_jacobian(Channel::whitecap, [this](Real jacobian) {
+                return whitecap_of(jacobian, threshold_, width_);
+            });
+        }
         if (surface_.channels().intersects(kNormal)) normals();
     }
 
@@ -183,13 +206,14 @@ class Combination {
         });
     }
 
-    void jacobians() {
-        const std::span<float> to = surface_.channel(Channel::jacobian);
+    template <typename Function>
+    void from_jacobian(Channel channel, const Function& function) {
+        const std::span<float> to = surface_.channel(channel);
         each_row([&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
-                to[i] = static_cast<float>(jacobian_of(choppiness_, planes_[Linear::gradient_xx][i],
-                                                       planes_[Linear::gradient_yy][i],
-                                                       planes_[Linear::gradient_xy][i]));
+                to[i] = static_cast<float>(function(
+                    jacobian_of(choppiness_, planes_[Linear::gradient_xx][i],
+                                planes_[Linear::gradient_yy][i], planes_[Linear::gradient_xy][i])));
             }
         });
     }
@@ -213,47 +237,107 @@ class Combination {
 
     const LinearPlanes<Real>& planes_;
     Real choppiness_;
+    Real threshold_;
+    Real width_;
     Surface& surface_;
     ThreadPool& pool_;
 };
 
 template <typename Real>
-void combine(const LinearPlanes<Real>& planes, double choppiness, Surface& surface,
-             ThreadPool& pool) {
-    Combination<Real>(planes, choppiness, surface, pool).run();
+Surface combine(const LinearPlanes<Real>& planes, const Lattice& lattice, double time,
+                const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool) {
+    Surface surface(lattice, time, channels);
+    Combination<Real>(planes, settings, surface, pool).run();
+    return surface;
 }
 
-}  // namespace
-
-Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
-                     ChannelSet channels, Backend backend, ThreadPool& pool, int resolution) {
-    if (channels.contains(Channel::whitecap)) refuse_field("whitecap");
-    if (channels.contains(Channel::foam)) refuse_field("foam");
-    if (!std::isfinite(time)) {
-        throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
-    }
-    if (resolution == 0) resolution = modes.lattice.resolution;
+int checked_resolution(int resolution, int own) {
+    if (resolution == 0) return own;
     if (!is_power_of_two(resolution) || resolution < kMinResolution ||
         resolution > kMaxResolution) {
         throw Error(ErrorKind::invalid_value, "resolution = " + std::to_string(resolution) +
                                                   "; allowed: a power of two, 32 .. 8192");
     }
-    Surface surface({resolution, modes.lattice.period}, time, channels);
-    const SynthesisRequest request{modes, time, resolution, fields_needed(channels)};
+    return resolution;
+}
+
+void require_finite(double time) {
+    if (std::isfinite(time)) return;
+    throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
+}
+
+}  // namespace
+
+SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& modes,
+                               int resolution) {
+    SurfaceSettings result = settings;
+    result.foam_threshold =
+        whitecap_threshold(modes.gradient_covariance(resolution), settings, modes.wind_speed);
+    result.foam_coverage = FoamCoverage::threshold;
+    return result;
+}
+
+Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
+                     ChannelSet channels, Backend backend, ThreadPool& pool, int resolution) {
+    require_finite(time);
+    resolution = checked_resolution(resolution, modes.lattice.resolution);
+    if (channels.contains(Channel::foam)) {
+        throw Error(ErrorKind::invalid_value,
+                    "foam has a past: it is made by Ocean or a FoamState, not from one moment");
+    }
+    const SurfaceSettings found = channels.contains(Channel::whitecap)
+                                      ? with_threshold(settings, modes, resolution)
+                                      : settings;
+    const Lattice lattice{resolution, modes.lattice.period};
+    const SynthesisRequest request =
+        synthesis_request(modes, time, resolution, linear_fields(channels));
     switch (backend) {
         case Backend::cpu:
-            combine(synthesize_cpu(request, pool), settings.choppiness, surface, pool);
-            break;
+            return combine(synthesize_cpu(request, pool), lattice, time, found, channels, pool);
         case Backend::radix2:
-            combine(synthesize_radix2(request, pool), settings.choppiness, surface, pool);
-            break;
+            return combine(synthesize_radix2(request, pool), lattice, time, found, channels, pool);
         case Backend::dft:
-            combine(synthesize_dft(request, pool), settings.choppiness, surface, pool);
-            break;
+            return combine(synthesize_dft(request, pool), lattice, time, found, channels, pool);
         case Backend::gl:
-            find_backend("gl");
+            break;
     }
-    return surface;
+    refuse_gl();
+}
+
+LinearPlanes<float> make_cascade_planes(const Modes& modes, std::size_t cascade, double time,
+                                        std::span<const Linear> fields, Backend backend,
+                                        ThreadPool& pool, int resolution) {
+    require_finite(time);
+    const CascadeModes& own = modes.cascades[cascade];
+    const SynthesisRequest request{{&own, 1},
+                                   own.lattice.period,
+                                   own.divisor,
+                                   modes.tau(time),
+                                   modes.rate_unit(),
+                                   checked_resolution(resolution, own.lattice.resolution),
+                                   {fields.begin(), fields.end()}};
+    switch (backend) {
+        case Backend::cpu:
+            return synthesize_cpu(request, pool);
+        case Backend::radix2:
+            return synthesize_radix2(request, pool);
+        case Backend::dft: {
+            const LinearPlanes<double> exact = synthesize_dft(request, pool);
+            LinearPlanes<float> planes;
+            for (const Linear field : fields) {
+                planes[field].assign(exact[field].begin(), exact[field].end());
+            }
+            return planes;
+        }
+        case Backend::gl:
+            break;
+    }
+    refuse_gl();
+}
+
+Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
+                       const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool) {
+    return combine(planes, lattice, time, settings, channels, pool);
 }
 
 }  // namespace ocean

@@ -5,8 +5,9 @@
 // nonlinear fields (normal, Jacobian) are combined from these planes in surface.cpp.
 #pragma once
 
-#include <array>
-#include <complex>
+#include <algorithm>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "ocean/modes.hpp"
@@ -16,38 +17,40 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Linear fields. D is the horizontal excursion, rates are per second.
-enum class Linear : int {
-    height,
-    excursion_x,
-    excursion_y,
-    slope_x,
-    slope_y,
-    gradient_xx,  // dDx/dx
-    gradient_yy,
-    gradient_xy,
-    height_rate,
-    excursion_x_rate,
-    excursion_y_rate,
-};
-inline constexpr int kLinearCount = 11;
-
-/// Planes of resolution^2 values, row-major [j][i]; empty where not asked for.
-template <typename Real>
-struct LinearPlanes {
-    std::array<std::vector<Real>, kLinearCount> plane;
-    const std::vector<Real>& operator[](Linear field) const {
-        return plane[static_cast<std::size_t>(field)];
-    }
-    std::vector<Real>& operator[](Linear field) { return plane[static_cast<std::size_t>(field)]; }
-};
-
+/// The modes of a map: those of a whole sea, or of one of its cascades over its own period.
 struct SynthesisRequest {
-    const Modes& modes;
-    double time;
-    int resolution;  // of the map; may be more or less than that of the modes
+    std::span<const CascadeModes> cascades;
+    double period;     // of the map, m
+    int divisor;       // patch_size / period
+    double tau;        // of Modes
+    double rate_unit;  // of Modes
+    int resolution;    // of the map; may be more or less than that of the modes
     std::vector<Linear> fields;
+
+    double wavenumber_step() const { return kTwoPi / period; }
+    /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
+    int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
+    /// The map holds the modes -half + 1 .. half - 1 of a cascade along each axis.
+    int half(const CascadeModes& cascade) const {
+        const int below_nyquist = (resolution / 2 - 1) / stride(cascade) + 1;
+        return std::min(cascade.lattice.resolution / 2, below_nyquist);
+    }
+    /// Of the map itself: its modes beyond -half_band + 1 .. half_band - 1 are zero.
+    int half_band() const {
+        int half_band = 0;
+        for (const CascadeModes& cascade : cascades) {
+            half_band = std::max(half_band, (half(cascade) - 1) * stride(cascade) + 1);
+        }
+        return half_band;
+    }
 };
+
+/// All modes of a sea.
+inline SynthesisRequest synthesis_request(const Modes& modes, double time, int resolution,
+                                          std::vector<Linear> fields) {
+    return {modes.cascades, modes.lattice.period, 1, modes.tau(time), modes.rate_unit(),
+            resolution,     std::move(fields)};
+}
 
 /// How a field follows from a mode's h or dh/dt: it is multiplied by
 /// sign * i^odd * kx^x_power * ky^y_power * (coth(kd)/k)^excursion.
@@ -76,12 +79,6 @@ constexpr LinearShape linear_shape(Linear field) {
         {-1, true, 0, 1, true, true},    // excursion_y_rate
     };
     return kShapes[static_cast<int>(field)];
-}
-
-/// Half the number of modes a map of `resolution` holds on each axis: wavenumbers -half+1 ..
-/// half-1.
-inline int half_band(const Modes& modes, int resolution) {
-    return std::min(modes.lattice.resolution, resolution) / 2;
 }
 
 /// Direct sums along each axis in double: the judge. N^3 work.

@@ -1,31 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rules between parameters, and features that a later version brings. After this the stages of the
-// pipeline check nothing.
+// Rules between parameters. After this the stages of the pipeline check nothing.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 
 namespace ocean {
-
-void refuse_later_features(const Parameters& parameters) {
-    const auto later = [](const std::string& what) {
-        throw Error(ErrorKind::unsupported, what + " in a later version of libocean");
-    };
-    if (parameters.grid.cascades > 1) {
-        later("grid.cascades = " + std::to_string(parameters.grid.cascades) +
-              ": more than one cascade comes");
-    }
-    if (!parameters.grid.cascade_divisors.empty()) {
-        later("grid.cascade_divisors: cascades come");
-    }
-    if (!parameters.time.take.empty()) {
-        later("time.take = \"" + parameters.time.take + "\": takes come");
-    }
-}
 
 namespace {
 
@@ -72,11 +57,38 @@ void validate_band(const SurfaceSettings& band) {
                     to_text(band.shortest_wavelength) + " m, or 0 for no limit");
 }
 
+void validate_cascades(const Grid& grid) {
+    if (grid.cascade_divisors.empty()) return;
+    const auto refuse = [&](const std::string& reason) {
+        const std::vector<std::int64_t> given(grid.cascade_divisors.begin(),
+                                              grid.cascade_divisors.end());
+        throw Error(ErrorKind::invalid_value,
+                    "grid.cascade_divisors = " + to_text(given) + ": " + reason);
+    };
+    if (static_cast<int>(grid.cascade_divisors.size()) != grid.cascades) {
+        refuse("must be " + std::to_string(grid.cascades) +
+               " numbers, as many as grid.cascades says, or none to have them chosen");
+    }
+    if (grid.cascade_divisors.front() != 1) refuse("must begin with 1, the patch itself");
+    // A band must begin a few modes from its lattice's origin, or it has hardly any directions.
+    const int farthest = grid.resolution / 8;
+    for (std::size_t c = 1; c < grid.cascade_divisors.size(); ++c) {
+        const long long last = grid.cascade_divisors[c - 1];
+        const int next = grid.cascade_divisors[c];
+        if (next <= last) refuse("must ascend");
+        if (next > last * farthest) {
+            refuse(std::to_string(next) + " is too far above " + std::to_string(last) +
+                   "; allowed: at most grid.resolution / 8 = " + std::to_string(farthest) +
+                   " times the one before");
+        }
+    }
+}
+
 }  // namespace
 
 void validate(const Parameters& parameters) {
-    refuse_later_features(parameters);
     validate_band(parameters.surface);
+    validate_cascades(parameters.grid);
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];
         const std::string name = "waves." + std::to_string(i);

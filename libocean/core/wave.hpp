@@ -17,6 +17,7 @@ using std::cosh;
 using std::floor;
 using std::fma;
 using std::ldexp;
+using std::max;
 using std::min;
 using std::sqrt;
 using std::tanh;

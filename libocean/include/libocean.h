@@ -105,8 +105,8 @@ typedef struct {
     int32_t axes;
 } ocean_output;
 
-/* struct_size = sizeof(ocean_request). time in seconds. resolution: 0 = the sea's own, else a
- * power of two, 32 .. 8192. */
+/* struct_size = sizeof(ocean_request). time in seconds. resolution: 0 = what ocean_map_resolution
+ * says, else a power of two, 32 .. 8192. */
 typedef struct {
     size_t struct_size;
     double time;
@@ -155,8 +155,13 @@ OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* s
  * NOT_FOUND, BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
 
+/* Samples a side of a map where a request says 0: grid.resolution, and up to four times that for
+ * several cascades. */
+OCEAN_API ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution);
 /* Computes every output of the request in one go; the same bits for any number of threads and any
- * order of calls. Blocks. A request that fails a check writes nothing. UNSUPPORTED. */
+ * order of calls. Blocks. A request that fails a check writes nothing. OCEAN_FOAM is followed from
+ * where it begins, which takes a while for the first map, or from the last time asked for.
+ * UNSUPPORTED. */
 OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
 /* n world points (x, y) in metres; per point the ten floats of `ocean query`, `stride` floats
  * apart. Not in this version: always UNSUPPORTED. */

@@ -97,7 +97,7 @@ Sea SeaReader::read(std::string_view text) {
     } catch (const Error& error) {
         throw fail(line_named_by(error.what()), error.what(), error.kind());
     }
-    return Sea{std::move(parameters_)};
+    return Sea{std::move(parameters_), {}};
 }
 
 void SeaReader::read_version(const toml::table& root) const {

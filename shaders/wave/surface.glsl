@@ -20,6 +20,11 @@ formula real surface_jacobian(real choppiness, real dxx, real dyy, real dxy) {
     return xx * yy - xy * xy;
 }
 
+// W = clamp((threshold - J) / width, 0, 1): how white water is that the waves squeeze together.
+formula real surface_whitecap(real jacobian, real threshold, real width) {
+    return min(max((threshold - jacobian) / width, real(0.0)), real(1.0));
+}
+
 // Unit normal of the shown surface: cross product of its two tangents (1 - C dxx, -C dxy, hx) and
 // (-C dxy, 1 - C dyy, hy). With C = 0 it is (-hx, -hy, 1) made a unit vector.
 formula SurfaceNormal surface_normal(real choppiness, real dxx, real dyy, real dxy, real hx,

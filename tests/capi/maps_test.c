@@ -190,16 +190,22 @@ void bad_requests_are_refused_and_write_nothing(void) {
     ocean_free(sea);
 }
 
-void later_features_are_refused_in_a_sentence(void) {
+void foam_and_whitecaps_are_channels_like_others(void) {
     ocean_sea* sea = open_small_sea(NULL);
-    const double point[2] = {1.0, 2.0};
-    float samples[10] = {0.0f};
     ocean_request request = good_request();
-    output.channel[2] = OCEAN_FOAM;
-    refused(sea, OCEAN_UNSUPPORTED, request, "foam");
-    output.channel[2] = OCEAN_WHITECAP;
-    refused(sea, OCEAN_UNSUPPORTED, request, "whitecap");
-    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_query(sea, 0.0, point, 1, samples, 10));
-    CHECK(strstr(ocean_last_error(), "quer") != NULL);
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "15"));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "foam_lifetime", "1"));
+    output.channel[0] = OCEAN_WHITECAP;
+    output.channel[1] = OCEAN_FOAM;
+    output.channel[2] = -1;
+    CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+    float most = 0.0f;
+    for (size_t i = 0; i < kSmallCount; ++i) {
+        const float whitecap = buffer[3 * i];
+        const float foam = buffer[3 * i + 1];
+        CHECK(whitecap >= 0.0f && whitecap <= foam && foam <= 1.0f);
+        if (foam > most) most = foam;
+    }
+    CHECK(most > 0.0f);
     ocean_free(sea);
 }

@@ -29,7 +29,7 @@
     TEST(axes_turn_whole_vectors_only)                  \
     TEST(a_finer_map_passes_through_the_coarse_samples) \
     TEST(bad_requests_are_refused_and_write_nothing)    \
-    TEST(later_features_are_refused_in_a_sentence)      \
+    TEST(foam_and_whitecaps_are_channels_like_others)   \
     TEST(handles_in_two_threads_give_equal_bits)        \
     TEST(errors_are_kept_per_thread)
 

@@ -28,11 +28,16 @@ def image(ocean, name):
         (
             "o/s.####.exr",
             [],
-            ["o/s.displacement.0001.exr", "o/s.normal.0001.exr"],
+            ["o/s.displacement.0001.exr", "o/s.normal.0001.exr", "o/s.foam.0001.exr"],
             "o/s.manifest.json",
         ),
         ("o/s.####.exr", ["--products", "height"], ["o/s.height.0001.exr"], "o/s.manifest.json"),
-        ("s.exr", [], ["s.displacement.0001.exr", "s.normal.0001.exr"], "s.manifest.json"),
+        (
+            "s.exr",
+            [],
+            ["s.displacement.0001.exr", "s.normal.0001.exr", "s.foam.0001.exr"],
+            "s.manifest.json",
+        ),
         ("s.exr", ["--products", "height"], ["s.exr"], "s.manifest.json"),
         (
             "s.exr",
@@ -232,7 +237,8 @@ def test_the_bottom_scanline_is_the_first_row(ocean):
 def test_layered_files_have_all_products(ocean):
     bake(ocean, "-o", "s.exr", "--layout", "layered")
     spec, pixels = image(ocean, "s.exr")
-    assert {"R", "G", "B", "A", "normal.X", "normal.Y", "normal.Z"} == set(spec.channelnames)
+    normal = {"normal.X", "normal.Y", "normal.Z"}
+    assert {"R", "G", "B", "A", "foam.V"} | normal == set(spec.channelnames)
     assert (pixels[..., spec.channelnames.index("A")] == 1.0).all()
 
 
@@ -278,7 +284,7 @@ def test_bytes_do_not_depend_on_threads_order_or_split(ocean):
     for frame in frames:
         bake(ocean, "-o", "alone/s.####.exr", "--frames", frame)
     expected = ocean.hashes("one")
-    assert len(expected) == 9 and len(set(expected.values())) == 9
+    assert len(expected) == 13 and len(set(expected.values())) == 13
     for folder in ("two", "back", "alone"):
         assert ocean.hashes(folder) == expected
 

@@ -18,7 +18,10 @@ import pytest
 from conftest import OCEAN
 
 FRAMES = "1-10"
-BAKE = ["bake", "sea.toml", "--frames", FRAMES, "-o"]
+# Without foam frames are made side by side; with it one after another.
+PLAIN = ["--products", "displacement,normal"]
+BAKE_SOME = ["bake", "sea.toml", "--frames", FRAMES, "-o"]
+BAKE = ["bake", "sea.toml", *PLAIN, "--frames", FRAMES, "-o"]
 
 
 def pattern(folder):
@@ -34,12 +37,30 @@ def expected(ocean):
     return hashes
 
 
+def test_foam_has_the_same_bytes_however_a_bake_is_split_or_resumed(ocean):
+    bake = ["bake", "sea.toml", "--set", "wind_speed=15", "--set", "foam_lifetime=1", "-o"]
+    ocean.good(*bake, pattern("whole"), "--frames", "1-6")
+    expected = ocean.hashes("whole")
+    assert sum(".foam." in name for name in expected) == 6 and len(expected) == 19
+    ocean.good(*bake, pattern("back"), "--frames", "6,5,4,3,2,1", "--threads", "3")
+    for shard in ("2/3", "1/3", "3/3"):
+        ocean.good(*bake, pattern("parts"), "--frames", "1-6", "--shard", shard, "--threads", "1")
+    ocean.good(*bake, pattern("some"), "--frames", "2,5")
+    ocean.good(*bake, pattern("some"), "--frames", "1-6", "--skip-existing")
+    for folder in ("back", "parts", "some"):
+        assert ocean.hashes(folder) == expected, folder
+    image = OpenImageIO.ImageBuf(str(ocean.folder / "whole/s.foam.0003.exr"))
+    pixels = image.get_pixels(OpenImageIO.FLOAT)
+    assert str(image.spec().format) == "half" and pixels.shape == (64, 64, 1)
+    assert pixels.min() >= 0.0 and 0.1 < pixels.max() <= 1.0
+
+
 def events(done):
     return [json.loads(line) for line in done.stderr.splitlines()]
 
 
 def test_the_manifest_tells_what_others_compute(ocean):
-    ocean.good(*BAKE, pattern("out"), "--products", "displacement,height", "--type", "half")
+    ocean.good(*BAKE_SOME, pattern("out"), "--products", "displacement,height", "--type", "half")
     entries = ocean.manifest("out/s.manifest.json")
     assert len(entries) == 20
     for name, entry in entries.items():
@@ -89,7 +110,7 @@ def test_any_number_of_threads_gives_the_same_bytes(ocean, expected, threads):
 
 def test_any_order_and_any_repeated_shard_give_the_same_bytes(ocean, expected):
     order = ",".join(str(frame) for frame in range(10, 0, -1))
-    ocean.good("bake", "sea.toml", "--frames", order, "-o", pattern("back"))
+    ocean.good("bake", "sea.toml", *PLAIN, "--frames", order, "-o", pattern("back"))
     assert ocean.hashes("back") == expected
     for shard in ("3/4", "1/4", "3/4", "4/4", "2/4", "1/4"):
         ocean.good(*BAKE, pattern("parts"), "--shard", shard)
@@ -135,7 +156,7 @@ def test_impossible_shards_are_refused(ocean, shard):
 
 
 def test_fifty_kills_later_the_bytes_are_the_same(ocean):
-    bake = ["bake", "sea.toml", "--set", "resolution=256", "--frames", "1-40", "-o"]
+    bake = ["bake", "sea.toml", *PLAIN, "--set", "resolution=256", "--frames", "1-40", "-o"]
     ocean.good(*bake, pattern("whole"))
     chance = random.Random(4)
     cut_short = 0
@@ -233,7 +254,7 @@ def test_an_error_that_only_the_close_reports_is_an_error(ocean):
     source = ocean.write("shim.c", SHIM)
     shim = source.with_suffix(".so")
     subprocess.run(["cc", "-shared", "-fPIC", source, "-o", shim, "-ldl"], check=True)
-    arguments = [*BAKE, pattern("out"), "--products", "height"]
+    arguments = [*BAKE_SOME, pattern("out"), "--products", "height"]
     # A sanitizer wants to be loaded first; here it need not be.
     order = {"ASAN_OPTIONS": "verify_asan_link_order=0"}
     done = ocean(*arguments, env={**os.environ, **order, "LD_PRELOAD": str(shim)})
@@ -366,7 +387,7 @@ def test_a_hostile_manifest_is_replaced_with_a_warning(ocean, expected, text):
 
 
 def test_a_manifest_forgets_files_that_are_gone(ocean, expected):
-    ocean.good("bake", "sea.toml", "-o", pattern("out"), "--frames", "50-52")
+    ocean.good("bake", "sea.toml", *PLAIN, "-o", pattern("out"), "--frames", "50-52")
     for path in (ocean.folder / "out").glob("*.exr"):
         path.unlink()
     ocean.good(*BAKE, pattern("out"))
@@ -405,7 +426,7 @@ def test_a_buoy_sea_re_makes_itself_when_the_buoy_file_is_gone(ocean):
             shutil.copy(os.path.join(os.path.dirname(source), name), ocean.folder / name)
     copy = os.path.basename(source)
     ocean.write("sea.toml", text.replace(source, copy) + "[grid]\nresolution = 64\n")
-    ocean.good("bake", "sea.toml", "-o", "a/s.####.exr", "--frames", "5-7")
+    ocean.good("bake", "sea.toml", *PLAIN, "-o", "a/s.####.exr", "--frames", "5-7")
     for path in ocean.folder.glob(f"{stem}*"):
         path.unlink()
     (ocean.folder / "sea.toml").unlink()
@@ -494,7 +515,8 @@ def test_a_dry_run_warns_of_a_disk_that_is_too_small(ocean, request):
 def test_frames_side_by_side_stay_within_half_of_the_memory(ocean):
     def memory(frames, limit):
         script = f"ulimit -v {limit}; " if limit else ""
-        script += '"$OCEAN" bake sea.toml --set resolution=1024 --threads 64 -n --json -o s.#.exr'
+        script += '"$OCEAN" bake sea.toml --products displacement,normal --set resolution=1024 '
+        script += "--threads 64 -n --json -o s.#.exr"
         return events(ocean.shell(f"{script} --frames 1-{frames}"))[0]["memory_bytes"]
 
     one = memory(1, None)
@@ -506,7 +528,7 @@ def test_frames_side_by_side_stay_within_half_of_the_memory(ocean):
 def blocked(ocean):
     """A sea whose frame 4 has a folder where its file should go."""
     (ocean.folder / "out/s.height.0004.exr").mkdir(parents=True)
-    return [*BAKE, pattern("out"), "--products", "height"]
+    return [*BAKE_SOME, pattern("out"), "--products", "height"]
 
 
 def test_a_failure_ends_the_bake_and_says_how_far_it_came(ocean, blocked):

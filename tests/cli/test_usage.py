@@ -65,7 +65,10 @@ def test_formats_of_params_exclude_each_other(ocean):
 
 
 def test_run_options_may_stand_before_the_command(ocean):
-    assert ocean.good("--threads", "1", "info", "sea.toml") == ocean.good("info", "sea.toml")
+    one, all_cores = (
+        ocean.good(*threads, "info", "sea.toml", "--json") for threads in (["--threads", "1"], [])
+    )
+    assert one == all_cores
 
 
 def test_a_failed_standard_output_is_an_error(ocean):
@@ -85,7 +88,7 @@ def test_progress_is_not_on_standard_output(ocean):
     assert done.stdout.splitlines() == [
         f"out/s.{product}.000{frame}.exr"
         for frame in (1, 2)
-        for product in ("displacement", "normal")
+        for product in ("displacement", "normal", "foam")
     ]
     assert "frame 2 done (2 of 2)" in done.stderr and "ETA" in done.stderr
     assert "shortest wave" in done.stderr

@@ -173,12 +173,22 @@ def test_errors_carry_the_library_s_sentence_and_code(sea):
         libocean.parse(SMALL, backend="cuda")
 
 
-def test_features_of_later_versions_say_so(sea):
-    with pytest.raises(NotImplementedError, match="foam comes with a later version"):
-        _ = sea.surface(0.0).foam
-    with pytest.raises(libocean.UnsupportedError, match="later version") as refused:
-        sea.query([[1.0, 2.0], [3.0, 4.0]], 12.0)
-    assert refused.value.code == 5
+def test_foam_and_whitecaps_are_between_0_and_1():
+    with libocean.parse(SMALL) as sea:
+        sea.set("wind_speed", 15.0)
+        surface = sea.surface(3.0)
+        assert (surface.foam >= surface.whitecap).all()
+        assert surface.whitecap.min() == 0.0 < surface.foam.max() <= 1.0
+
+
+def test_a_map_of_a_sea_with_cascades_has_four_times_the_samples():
+    with libocean.parse(SMALL) as sea:
+        resolution = int(sea.get("grid.resolution"))
+        sea.set("cascades", 2)
+        surface = sea.surface(3.0)
+        assert surface.height.shape == (4 * resolution, 4 * resolution)
+        coarse = sea.surface(3.0, resolution=resolution)
+        assert coarse.height.std() == pytest.approx(surface.height.std(), rel=0.1)
 
 
 def test_a_closed_sea_keeps_its_arrays_and_refuses_the_rest():

@@ -158,20 +158,6 @@ TEST(ParameterTable, WhatIsWrongIsSaidWithTheAllowedRange) {
     EXPECT_EQ(message_of("significant_wave_height", ""), "accepted");
 }
 
-TEST(ParameterTable, LaterFeaturesSaySoWhenUsed) {
-    for (const auto& [name, value] : {std::pair("cascades", "3"), std::pair("take", "a.take"),
-                                      std::pair("cascade_divisors", "1, 7")}) {
-        Parameters p;
-        try {
-            set_parameter(p, name, value);
-            FAIL() << name;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::unsupported);
-            EXPECT_TRUE(contains(error.what(), "later version")) << error.what();
-        }
-    }
-}
-
 TEST(ParameterTable, BandLimitsMustBeInOrderOnceAllAreSet) {
     Parameters p;
     set_parameter(p, "shortest_wavelength", "5");

@@ -75,7 +75,8 @@ inline Modes single_wave(const Parameters& parameters, int n, int m) {
 }
 
 inline constexpr ChannelSet kAllChannels = {
-    Channel::dx,      Channel::dy,      Channel::height,   Channel::nx, Channel::ny, Channel::nz,
-    Channel::slope_x, Channel::slope_y, Channel::jacobian, Channel::vx, Channel::vy, Channel::vz};
+    Channel::dx, Channel::dy,      Channel::height,  Channel::nx,       Channel::ny,
+    Channel::nz, Channel::slope_x, Channel::slope_y, Channel::jacobian, Channel::whitecap,
+    Channel::vx, Channel::vy,      Channel::vz};
 
 }  // namespace ocean::test

@@ -36,18 +36,24 @@ struct Outcome {
 /// Light also meets the waves that are too short for the map.
 void settle_slope_variance(BakePlan& plan, const Context& context) {
     if (!plan.view || plan.slope_variance_given) return;
-    Parameters parameters = plan.sea.parameters;
-    parameters.grid.resolution = std::min(plan.resolution, parameters.grid.resolution);
-    const AskedResolved slope =
-        Ocean(parameters, {.threads = context.options.threads}).state().mean_square_slope;
-    plan.view->unresolved_slope_variance = std::max(0.0, slope.asked - slope.resolved);
+    const auto slope_of = [&](const Parameters& parameters) {
+        return Ocean(parameters, {.threads = context.options.threads}).state().mean_square_slope;
+    };
+    Parameters held = plan.sea.parameters;
+    if (held.grid.cascades == 1) {
+        held.grid.resolution = std::min(plan.resolution, held.grid.resolution);
+    } else {
+        held.surface.shortest_wavelength =
+            std::max(held.surface.shortest_wavelength, plan.shortest_wave());
+    }
+    plan.view->unresolved_slope_variance =
+        std::max(0.0, slope_of(plan.sea.parameters).asked - slope_of(held).resolved);
 }
 
 void announce(const BakePlan& plan, const Crew& crew, Console& console) {
     const int frames = static_cast<int>(plan.frames.size());
     const Grid& grid = plan.sea.parameters.grid;
-    const Lattice map{std::min(plan.resolution, grid.resolution), grid.patch_size};
-    const double shortest = map.shortest_wavelength();
+    const double shortest = plan.shortest_wave();
     const std::uint64_t memory = memory_bytes(plan, crew.workers);
     console.begin(frames,
                   format_text("%d frame%s of %d x %d samples, period %g m, shortest wave %.3g m, ",
@@ -201,8 +207,9 @@ void bake_all(const BakePlan& plan, const Crew& crew, const Context& context) {
         context.console.warning(manifest.distrust() + "; it will be replaced");
     }
     announce(plan, crew, context.console);
-    Ocean ocean(plan.sea.parameters, {.threads = context.options.threads});
-    const Bake bake{plan, ocean.modes(), manifest, context.interrupts};
+    Ocean ocean(plan.sea, {.threads = context.options.threads});
+    ocean.modes();  // once, for all workers
+    const Bake bake{plan, ocean, manifest, context.interrupts, context.console};
     ManifestKeeper keeper(bake);
     const InterruptWatch::LastAct last_act(context.interrupts, [&] {
         try {

@@ -64,7 +64,7 @@ Crew choose_crew(const BakePlan& plan, int threads) {
     const int all = threads > 0 ? threads : available_cores();
     const int frames = static_cast<int>(plan.frames.size());
     Crew crew;
-    crew.workers = std::clamp(frames, 1, all);
+    crew.workers = plan.has_foam() ? 1 : std::clamp(frames, 1, all);
     // Half of what is there: the disk's cache and the neighbours want some too.
     while (crew.workers > 1 && memory_bytes(plan, crew.workers) > available_memory() / 2) {
         --crew.workers;

@@ -5,9 +5,11 @@
 // hashes are those of what the disk holds, and a disk that lies is found out.
 #include "bake_frame.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
+#include "console.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/version.hpp"
@@ -132,8 +134,36 @@ std::optional<ManifestEntry> find_complete(const BakePlan& plan, const BakeFile&
     }
 }
 
+namespace {
+
+/// Says now and then how far foam has come that must be followed from its beginning.
+class FoamProgress {
+  public:
+    explicit FoamProgress(Console& console) : console_(&console) {}
+
+    void operator()(std::int64_t done, std::int64_t total) {
+        const Clock::time_point now = Clock::now();
+        if (done == 0) said_ = now;
+        if (now - said_ < std::chrono::seconds(10)) return;
+        said_ = now;
+        console_->foam(static_cast<long long>(done), static_cast<long long>(total));
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Console* console_;
+    Clock::time_point said_;
+};
+
+}  // namespace
+
 FrameBaker::FrameBaker(const Bake& bake, int threads)
-    : bake_(bake), threads_(threads), exr_(bake.plan.exr), pool_(threads) {
+    : bake_(bake),
+      threads_(threads),
+      exr_(bake.plan.exr),
+      ocean_(bake.ocean, {.threads = threads,
+                          .backend = bake.plan.backend,
+                          .foam_progress = FoamProgress(bake.console)}) {
     exr_.threads = threads;
 }
 
@@ -153,8 +183,7 @@ void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
     const double time = plan.sea.time_of(frame);
     std::vector<Surface> levels;
     for (const int resolution : plan.resolutions()) {
-        levels.push_back(make_surface(bake_.modes, plan.sea.parameters.surface, time, plan.channels,
-                                      plan.backend, pool_, resolution));
+        levels.push_back(ocean_.evaluate(time, plan.channels, resolution));
     }
     const io::Frame labelled{levels.front(), plan.sea_text, frame, time, plan.backend};
     if (plan.format == BakeFormat::mesh2) {

@@ -12,9 +12,11 @@
 #include "bake_plan.hpp"
 #include "interrupt.hpp"
 #include "manifest.hpp"
-#include "ocean/thread_pool.hpp"
+#include "ocean/ocean.hpp"
 
 namespace ocean::app {
+
+class Console;
 
 struct BakeFile {
     std::string path;
@@ -36,9 +38,10 @@ std::optional<ManifestEntry> find_complete(const BakePlan& plan, const BakeFile&
 /// What all frames of a bake share.
 struct Bake {
     const BakePlan& plan;
-    const Modes& modes;
+    const Ocean& ocean;  // with its modes
     Manifest& manifest;
     InterruptWatch& interrupts;
+    Console& console;
 };
 
 /// Bakes one frame after another; several of them run side by side.
@@ -59,7 +62,7 @@ class FrameBaker {
     const Bake& bake_;
     int threads_;
     io::ExrOptions exr_;
-    ThreadPool pool_;
+    Ocean ocean_;
 };
 
 }  // namespace ocean::app

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bake_source.hpp"
+#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_state.hpp"
@@ -63,8 +64,7 @@ void refuse_foreign(const BakeOptions& options, BakeFormat format) {
 }
 
 std::vector<const FieldInfo*> find_products(const std::string& names) {
-    // Foam joins the defaults when it exists.
-    const std::string list = names.empty() ? "displacement,normal" : names;
+    const std::string list = names.empty() ? "displacement,normal,foam" : names;
     std::vector<const FieldInfo*> products;
     for (const std::string& name : split(list, ',')) {
         const FieldInfo* product = &find_field(name);
@@ -133,7 +133,7 @@ std::optional<io::View> find_view(const BakeOptions& options) {
 }
 
 int find_resolution(const std::string& text, const Grid& grid) {
-    if (text.empty()) return grid.resolution;
+    if (text.empty()) return default_map_resolution(grid);
     const int resolution = whole_number(text, "--resolution", kMinResolution, kMaxResolution);
     if (!is_power_of_two(resolution)) {
         refuse(format_text("--resolution = %d: allowed is a power of two, %d .. %d", resolution,
@@ -170,12 +170,14 @@ std::vector<int> BakePlan::resolutions() const {
 }
 
 std::uint64_t BakePlan::modes_memory() const {
-    return modes_bytes(sea.parameters.grid.resolution);
+    return modes_bytes(sea.parameters.grid);
 }
 
 std::uint64_t BakePlan::frame_memory() const {
     std::uint64_t bytes = 0;
-    for (const int level : resolutions()) bytes += surface_bytes(level, channels.size());
+    constexpr int kFoamMaps = 5;  // three ticks, the whitecaps of one and of the frame
+    const int maps = channels.size() + (has_foam() ? kFoamMaps : 0);
+    for (const int level : resolutions()) bytes += surface_bytes(level, maps);
     if (format != BakeFormat::mesh2) return bytes;
     // A vertex has six floats and two triangles of three numbers, and as much again as text.
     return bytes + mesh_vertices() * 2 * (6 * sizeof(float) + 6 * sizeof(int));
@@ -185,6 +187,14 @@ std::uint64_t BakePlan::mesh_vertices() const {
     const auto side = static_cast<std::uint64_t>(resolution) + 1;
     if (!view) return side * side;
     return static_cast<std::uint64_t>(view->columns) * static_cast<std::uint64_t>(view->rows);
+}
+
+double BakePlan::shortest_wave() const {
+    const Grid& grid = sea.parameters.grid;
+    // On an axis the modes end with the last cascade's.
+    const Lattice finest{grid.resolution, grid.patch_size / cascade_divisors(grid).back()};
+    return std::max(finest.shortest_wavelength(),
+                    Lattice{resolution, grid.patch_size}.shortest_wavelength());
 }
 
 BakePlan make_bake_plan(const BakeOptions& typed) {

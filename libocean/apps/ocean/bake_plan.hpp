@@ -59,6 +59,10 @@ struct BakePlan {
     /// Bytes for one frame: its maps, and a mesh.
     std::uint64_t frame_memory() const;
     std::uint64_t mesh_vertices() const;
+    /// Foam has a past: frames are made one after another.
+    bool has_foam() const { return channels.contains(Channel::foam); }
+    /// The shortest wave of the finest map, along an axis.
+    double shortest_wave() const;
 };
 
 void add_bake_options(CLI::App& command, BakeOptions& options);

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <map>
 
+#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"
@@ -111,7 +112,7 @@ BakeOptions with_source(BakeOptions options) {
     check_time(sea, header, options.from);
     take(options.frames, std::to_string(header.number<int>("frame")));
     // Where the sea's own resolution was used, a changed sea may change it.
-    if (image.resolution != sea.parameters.grid.resolution) {
+    if (image.resolution != default_map_resolution(sea.parameters.grid)) {
         take(options.resolution, std::to_string(image.resolution));
     }
     if (header.has("backend")) take(options.backend, header.text("backend"));

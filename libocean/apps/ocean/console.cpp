@@ -117,6 +117,12 @@ void Console::skip(int frame, const std::vector<std::string>& files) {
                json_list(files));
 }
 
+void Console::foam(long long done, long long total) {
+    report("foam",
+           format_text("foam is followed from where it began: %lld of %lld ticks", done, total),
+           format_text("\"ticks_done\": %lld, \"ticks\": %lld", done, total));
+}
+
 void Console::fail(int frame, std::string_view message, bool goes_on) {
     const std::lock_guard lock(mutex_);
     ++failed_;

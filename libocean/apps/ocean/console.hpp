@@ -44,6 +44,8 @@ class Console {
     /// One more frame is there: its files were written, or kept as they were. Prints their paths
     /// and the progress.
     void step(int frame, double seconds, const std::vector<std::string>& files);
+    /// Foam is followed from its beginning, which takes a while.
+    void foam(long long done, long long total);
     void skip(int frame, const std::vector<std::string>& files);
     /// A frame could not be written. Silent as text if the run ends with it: its error says it.
     void fail(int frame, std::string_view message, bool goes_on);

@@ -87,6 +87,38 @@ std::string loop_text(const SeaState& state, double period) {
     return text;
 }
 
+std::string cascades_text(const SeaState& state) {
+    std::string text = format_text("%-24s%-16s%-24s%s\n", "Cascades repeat every", "",
+                                   "share of the height", "of the slope");
+    for (const CascadeShare& share : state.cascades) {
+        text += format_text("%-24s%-16s%-24s%s\n", "", format_text("%.4g m", share.period).c_str(),
+                            format_text("%.1f %%", 100.0 * share.height).c_str(),
+                            format_text("%.1f %%", 100.0 * share.slope).c_str());
+    }
+    return text;
+}
+
+std::string foam_text(const SeaState& state, const SurfaceSettings& surface,
+                      const FrameCost& cost) {
+    std::string text = "\n";
+    if (state.whitecap_coverage.resolved > 0.0) {
+        text += row("Whitecaps",
+                    format_text("%.2f %% of the sea, where its area shrinks below %.3f",
+                                100.0 * state.whitecap_coverage.resolved, state.foam_threshold));
+    } else {
+        text += row("Whitecaps", "none");
+    }
+    if (surface.foam_coverage == FoamCoverage::monahan) {
+        text += row("", format_text("this wind makes %.2f %% white",
+                                    100.0 * state.whitecap_coverage.asked));
+    }
+    text += row("Foam", format_text("lives %g s; is followed for %g s before a frame alone",
+                                    surface.foam_lifetime, state.foam_preroll_seconds));
+    return text + row("A frame with foam",
+                      format_text("takes about %.2g s alone, %.2g s after the one before it",
+                                  cost.alone, cost.in_sequence));
+}
+
 std::string grid_text(const SeaState& state, const Parameters& parameters) {
     const Grid& grid = parameters.grid;
     std::string text = "\n";
@@ -95,6 +127,9 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
                             grid.resolution, state.period / grid.resolution));
     text += row("Waves held",
                 format_text("%.4g .. %.4g m long", state.shortest_wave, state.longest_wave));
+    if (state.cascades.size() > 1) text += cascades_text(state);
+    text += row("Map", format_text("%d x %d samples hold waves of %.4g m", state.map_resolution,
+                                   state.map_resolution, state.map_shortest_wave));
     text += row("Depth", std::isinf(parameters.water.depth)
                              ? std::string("deep")
                              : format_text("%g m", parameters.water.depth));
@@ -109,13 +144,14 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
 void run(const InfoOptions& info, const Context& context) {
     const Sea sea = open_sea(info.sea);
     if (info.sea_file) return context.console.data(write_sea(sea));
-    Ocean ocean(sea.parameters, {.threads = context.options.threads});
+    Ocean ocean(sea, {.threads = context.options.threads});
     const SeaState state = ocean.state();
     if (context.options.json) {
         context.console.data(sea_state_json(state) + "\n");
     } else {
         context.console.data(row("Sea", info.sea.source) + waves_text(sea.parameters) +
-                             state_text(state) + grid_text(state, sea.parameters));
+                             state_text(state) + grid_text(state, sea.parameters) +
+                             foam_text(state, sea.parameters.surface, ocean.measure_frame_cost()));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }

@@ -78,7 +78,7 @@ std::string directional_csv(const DirectionalSpectrum& spectrum) {
 
 void run(const SpectrumOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
-    Ocean ocean(sea.parameters, {.threads = context.options.threads});
+    Ocean ocean(sea, {.threads = context.options.threads});
     const DirectionalSpectrum& spectrum = ocean.spectrum();
     const auto write = [&](const std::string& path, const std::string& bytes) {
         {

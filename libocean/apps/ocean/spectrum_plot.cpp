@@ -68,21 +68,27 @@ std::vector<double> resolved_steps(const DirectionalSpectrum& spectrum,
                                    const Parameters& parameters, double highest, int steps,
                                    ThreadPool& pool) {
     const int n = parameters.grid.resolution;
-    const double unit = kTwoPi / parameters.grid.patch_size;
+    const std::vector<CascadeBand> bands = cascade_bands(parameters.grid);
     const Dispersion dispersion(parameters.water);
     const auto columns = static_cast<std::size_t>(steps);
     // One histogram per row of modes: the sum does not depend on the number of threads.
     std::vector<double> rows(static_cast<std::size_t>(n) * columns, 0.0);
     pool.for_each_range(n, [&](int first, int last) {
         for (int row = first; row < last; ++row) {
+            const std::span histogram(rows.data() + static_cast<std::size_t>(row) * columns,
+                                      columns);
             const int m = signed_wavenumber(row, n);
-            for (int nx = -n / 2 + 1; nx < n / 2; ++nx) {
-                if ((nx == 0 && m == 0) || m == -n / 2) continue;
-                const double f = dispersion.angular_frequency(unit * std::hypot(nx, m)) / kTwoPi;
-                const auto step = static_cast<std::size_t>(f / highest * steps);
-                if (step >= columns) continue;
-                rows[static_cast<std::size_t>(row) * columns + step] +=
-                    modal_variance(spectrum, parameters, nx, m);
+            if (m == -n / 2) continue;
+            for (const CascadeBand& band : bands) {
+                const double unit = kTwoPi * band.divisor / parameters.grid.patch_size;
+                for (int nx = -n / 2 + 1; nx < n / 2; ++nx) {
+                    if (nx == 0 && m == 0) continue;
+                    const double f =
+                        dispersion.angular_frequency(unit * std::hypot(nx, m)) / kTwoPi;
+                    const auto step = static_cast<std::size_t>(f / highest * steps);
+                    if (step >= columns) continue;
+                    histogram[step] += modal_variance(spectrum, parameters, nx, m, band);
+                }
             }
         }
     });

@@ -9,12 +9,28 @@
 #include <cstdint>
 #include <vector>
 
+#include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/grid.hpp"
 
 namespace ocean {
 
 class ThreadPool;
+
+/// Covariance of the gradients a = dDx/dx, b = dDy/dy, c = dDx/dy of the horizontal excursion,
+/// which are jointly Gaussian: sums over modes of V f_i f_j with f = (kx^2, ky^2, kx ky) coth(kd) /
+/// k and V the variance of the mode.
+struct GradientCovariance {
+    double aa = 0.0;
+    double bb = 0.0;
+    double cc = 0.0;
+    double ab = 0.0;
+    double ac = 0.0;
+    double bc = 0.0;
+
+    GradientCovariance& operator+=(const GradientCovariance& other);
+    GradientCovariance& operator*=(double factor);
+};
 
 /// All modes of one wavenumber band. Arrays are row-major [index of ky][index of kx], FFT order,
 /// lattice.size() long. The Nyquist row and column and k = 0 are zero.
@@ -25,12 +41,18 @@ struct CascadeModes {
     std::vector<float> rate_high;         // omega / 2 pi, Hz; with a loop: whole turns per loop
     std::vector<float> rate_low;          // what float leaves of it
     std::vector<float> excursion;  // coth(k d) / k, m: horizontal excursion is -i kvec * this * h
+    /// [s]: of the modes with max(|n|, |m|) = s.
+    std::vector<GradientCovariance> shell_covariance;
 };
 
 struct Modes {
     Lattice lattice;
     double loop_period = 0.0;  // s, 0 = never
+    double wind_speed = 0.0;   // m/s, U10: how much whitecap there is
     std::vector<CascadeModes> cascades;
+
+    /// Of the modes that a map of `resolution` samples holds.
+    GradientCovariance gradient_covariance(int resolution) const;
 
     /// Turns of a mode at time t are rate * tau: t itself, or the fraction of the loop.
     double tau(double time) const;
@@ -38,13 +60,24 @@ struct Modes {
     double rate_unit() const { return loop_period > 0.0 ? 1.0 / loop_period : 1.0; }
 };
 
-/// The variance of one mode, S D c_g / k dkx dky [m^2], without any random draw; n, m signed.
-/// S D c_g / k is its mean over the mode's cell of the lattice, so that no energy falls between the
-/// modes, however narrow the swell.
-/// Zero outside the band limits (a wave of exactly that length is kept) of `parameters.surface` and
-/// at k = 0.
+/// The variance of one mode, S D c_g / k dkx dky [m^2], without any random draw; n, m signed, on
+/// the lattice of the band, whose share of the wavenumbers it belongs to. S D c_g / k is its mean
+/// over the mode's cell of the lattice, so that no energy falls between the modes, however narrow
+/// the swell. Zero outside the band, outside the limits (a wave of exactly that length is kept) of
+/// `parameters.surface` and at k = 0.
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
-                      int m);
+                      int m, const CascadeBand& band = {});
+
+/// The time as a fraction of the loop, 0 <= f < 1, rounded to 2^-44 of it: t and t + T give the
+/// same bits after their own rounding.
+double loop_fraction(double time, double loop_period);
+
+/// A lattice cuts a ring unevenly: `variance`, the sum over the modes that `measures` picks, times
+/// this is the integral over their band. 1 for a sea of one cascade, whose band is all its lattice.
+double band_gain(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                 const CascadeBand& band, double variance);
+/// Modes inside the circle of the lattice's Nyquist line: the last band has corners beyond it.
+bool measures_band(const CascadeBand& band, int resolution, int n, int m);
 
 /// h0(k) = 1/2 (xi_r + i xi_i) sqrt(S D c_g/k dkx dky). [Horvath 2015] eq. 62, [Tessendorf 2001]
 /// eq. 42. Needs validated parameters.

@@ -1,14 +1,20 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade: keeps the chain parameters -> spectrum -> modes -> surface and redoes only what a
-// changed parameter dirties. One thread at a time per object; several objects run in parallel.
+// The facade: keeps the chain parameters -> spectrum -> modes -> surface -> foam and redoes only
+// what a changed parameter, or the take at another time, dirties. One thread at a time per object;
+// several objects run in parallel.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 
+#include "ocean/foam.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
@@ -18,35 +24,91 @@ namespace ocean {
 struct OceanOptions {
     int threads = 0;  // 0 = the cores this process may use
     Backend backend = Backend::cpu;
+    /// settled: foam is what it always is at that time, whatever was asked before. empty: for live
+    /// tools, which do not wait: foam begins with the first frame and is right after a while.
+    FoamStart foam_start = FoamStart::settled;
+    /// Called while foam is followed from its beginning; may throw to stop that.
+    std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
+};
+
+/// Seconds that one frame of displacement, normal and foam takes on this machine, about.
+struct FrameCost {
+    double alone = 0.0;        // with all the past that its foam has
+    double in_sequence = 0.0;  // after the frame before it
+};
+
+/// How often each stage of the chain ran.
+struct StageRuns {
+    int spectrum = 0;
+    int modes = 0;
+    int threshold = 0;   // of the whitecaps
+    int surface = 0;     // maps that were asked for
+    int foam_ticks = 0;  // whitecap maps of the foam's clock
+
+    bool operator==(const StageRuns&) const = default;
 };
 
 class Ocean {
   public:
     /// Validates. Nothing is computed yet.
+    explicit Ocean(Sea sea, OceanOptions options = {});
     explicit Ocean(Parameters parameters, OceanOptions options = {});
+    /// The same sea for another thread: what `built` has is shared, not built again.
+    Ocean(const Ocean& built, OceanOptions options);
 
-    const Parameters& parameters() const { return parameters_; }
+    const Sea& sea() const { return sea_; }
+    const Parameters& parameters() const { return sea_.parameters; }
     /// Throws and changes nothing if the value is refused. Rules between parameters are checked
     /// when the sea is next asked for anything.
     void set(std::string_view name, std::string_view value);
-    /// All parameters at once, of which only those that dirty `first_stage` or later may differ.
-    void change(Parameters parameters, Stage first_stage);
+    /// All of the sea at once, of which only what dirties `first_stage` or later may differ.
+    void change(Sea sea, Stage first_stage);
 
-    const DirectionalSpectrum& spectrum();
-    const Modes& modes();
+    /// At a time, which matters for a sea with a take; the start where none is given.
+    const DirectionalSpectrum& spectrum(double time);
+    const DirectionalSpectrum& spectrum() { return spectrum(sea_.parameters.time.start); }
+    const Modes& modes(double time);
+    const Modes& modes() { return modes(sea_.parameters.time.start); }
     SeaState state();
+
+    /// A map of `resolution` samples; 0 = default_map_resolution of the grid. Foam is followed from
+    /// where it begins or, faster, from the last time that it was asked for: the same bits.
     /// Throws Error out_of_memory before it allocates more than there is.
     Surface evaluate(double time, ChannelSet channels, int resolution = 0);
+    /// Ticks of the foam's clock until foam that began empty is what it always is.
+    std::int64_t foam_settling_ticks() const { return foam_ ? foam_->settling_ticks() : 0; }
+
+    /// Measured on a map of at most 512 samples a side and scaled to the default map: takes a
+    /// moment.
+    FrameCost measure_frame_cost();
+
+    const StageRuns& stage_runs() const { return runs_; }
 
   private:
     void require_valid();
+    /// Makes the chain stand for that time.
+    void go_to(double time);
+    void dirty(Stage first_stage);
+    const DirectionalSpectrum& current_spectrum();
+    const Modes& current_modes();
+    /// The surface settings with the whitecaps' threshold found.
+    const SurfaceSettings& shown_settings(int resolution);
+    Surface current_surface(double time, ChannelSet channels, int resolution);
+    void add_foam(Surface& surface);
 
-    Parameters parameters_;
+    Sea sea_;
+    Parameters now_;  // what the stages below stand for
     bool validated_ = false;
     OceanOptions options_;
     ThreadPool pool_;
-    std::optional<DirectionalSpectrum> spectrum_;
-    std::optional<Modes> modes_;
+    StageRuns runs_;
+    std::shared_ptr<const DirectionalSpectrum> spectrum_;
+    std::shared_ptr<const Modes> modes_;
+    std::optional<SurfaceSettings> shown_;
+    int shown_resolution_ = 0;
+    std::optional<FoamState> foam_;
+    int foam_resolution_ = 0;
+    Surface tick_;  // the last whitecap map of the foam's clock
 };
 
 }  // namespace ocean

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -72,7 +73,7 @@ ParameterRef find_parameter(std::string_view name);
 using ParameterValue = std::variant<double, std::int64_t, std::string, std::vector<std::int64_t>>;
 
 /// Checks type, finiteness and hard range and stores. Throws Error invalid_value with name, value
-/// and allowed range; Error unsupported for a value whose feature this version does not have.
+/// and allowed range.
 /// A wave index equal to waves.size() is an error: systems are never made on the fly.
 void assign(Parameters& parameters, const ParameterRef& ref, const ParameterValue& value);
 /// The value as the type the table gives; an unset optional gives an empty text.
@@ -89,8 +90,9 @@ std::string to_text(const ParameterValue& value);
 /// "0.01 .. inf m", "one of: jonswap, tma", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterInfo& info);
 
-/// Throws Error unsupported for keys that are in the table before their feature is there.
-void refuse_later_features(const Parameters& parameters);
+/// The first stage to be redone when parameters change from `before` to `after`; nothing if none.
+std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameters& after);
+
 /// Rules between parameters (band limits in order, a measured system has its record ...).
 /// Throws Error. Every stage may rely on a validated value.
 void validate(const Parameters& parameters);

@@ -4,6 +4,7 @@
 // What a sea is, in the numbers wave people use: asked for by the spectrum, and resolved by a grid.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,15 @@ struct LoopError {
     double speed_error = 0.0;  // (speed in the loop - speed) / speed, 1 = twice as fast
 };
 
+/// What repeats more often than the sea does.
+struct CascadeShare {
+    double period = 0.0;         // m
+    double shortest_wave = 0.0;  // m, of the waves that this cascade holds; 0 = it holds none
+    double longest_wave = 0.0;
+    double height = 0.0;  // share of the variance that repeats at this period, 0 .. 1
+    double slope = 0.0;
+};
+
 struct SeaState {
     AskedResolved significant_wave_height;  // m
     AskedResolved peak_period;              // s; 0 = flat
@@ -34,22 +44,31 @@ struct SeaState {
     double shortest_wave = 0.0;        // m, of the grid within the band limits
     double longest_wave = 0.0;
     double period = 0.0;             // m
+    int map_resolution = 0;          // of a map when nobody says
+    double map_shortest_wave = 0.0;  // m, that such a map holds
+    /// One for each cascade, longest period first.
+    std::vector<CascadeShare> cascades;
     std::uint64_t memory_bytes = 0;  // modes, spectrum table and one frame of all fields
     double foam_preroll_seconds = 0.0;
+    /// Asked: what this wind makes white. Resolved: the mean whitecap of a map of map_resolution.
+    AskedResolved whitecap_coverage;
+    double foam_threshold = 0.0;  // Jacobian where whitecaps begin there; 1 is undisturbed
     /// From the longest wave held in octaves to the shortest; empty for a sea without a loop.
     std::vector<LoopError> loop_errors;
     double loop_error = 0.0;            // of the modes, rms weighted by energy
     std::vector<std::string> warnings;  // full sentences, for people
 };
 
-/// Needs validated parameters.
+/// Needs validated parameters. Leaves out the whitecaps, which are the modes': see add_whitecaps.
 SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                    ThreadPool& pool);
+/// whitecap_coverage and foam_threshold of a state of the same sea.
+void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState& state);
 /// The object of `ocean info --json`.
 std::string sea_state_json(const SeaState& state);
 
 /// Bytes for the modes, and for a surface of `channels` maps, work space included.
-std::uint64_t modes_bytes(int resolution);
+std::uint64_t modes_bytes(const Grid& grid);
 std::uint64_t surface_bytes(int resolution, int channels);
 /// Throws Error out_of_memory, before anything is allocated, when `bytes` is more than there is.
 void require_memory(std::uint64_t bytes, const std::string& what);

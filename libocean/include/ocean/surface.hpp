@@ -50,6 +50,11 @@ class ChannelSet {
         result.bits_ = bits_ | other.bits_;
         return result;
     }
+    constexpr ChannelSet without(Channel channel) const {
+        ChannelSet result;
+        result.bits_ = bits_ & ~bit(channel);
+        return result;
+    }
     constexpr bool intersects(ChannelSet other) const { return (bits_ & other.bits_) != 0; }
     constexpr bool empty() const { return bits_ == 0; }
     constexpr int size() const {
@@ -71,19 +76,44 @@ struct FieldInfo {
     std::array<Channel, 3> channels;  // the first `count` hold
     int count;
     std::string_view unit;
-    bool available;  // false: comes with a later version, refused by name
 
     ChannelSet set() const;
 };
 /// height, displacement, slope, normal, jacobian, whitecap, foam, velocity.
 std::span<const FieldInfo> field_table();
-/// Throws Error invalid_value for an unknown name, unsupported for one that is not there yet.
+/// Throws Error invalid_value for an unknown name.
 const FieldInfo& find_field(std::string_view name);
 
 enum class Backend { cpu, gl, radix2, dft };
 /// "cpu", "gl", "radix2", "dft"; throws Error. gl is not in this version.
 Backend find_backend(std::string_view name);
 std::string_view backend_name(Backend backend);
+
+/// Fields that are sums over the modes. D is the horizontal excursion, rates are per second.
+enum class Linear : int {
+    height,
+    excursion_x,
+    excursion_y,
+    slope_x,
+    slope_y,
+    gradient_xx,  // dDx/dx
+    gradient_yy,
+    gradient_xy,
+    height_rate,
+    excursion_x_rate,
+    excursion_y_rate,
+};
+inline constexpr int kLinearCount = 11;
+
+/// Planes of resolution^2 values, row-major [j][i]; empty where not asked for.
+template <typename Real>
+struct LinearPlanes {
+    std::array<std::vector<Real>, kLinearCount> plane;
+    const std::vector<Real>& operator[](Linear field) const {
+        return plane[static_cast<std::size_t>(field)];
+    }
+    std::vector<Real>& operator[](Linear field) { return plane[static_cast<std::size_t>(field)]; }
+};
 
 /// Planar maps, row-major [j][i], sample (i, j) at (i, j) * period / resolution.
 class Surface {
@@ -99,6 +129,9 @@ class Surface {
     /// resolution^2 values; empty for a channel that was not asked for.
     std::span<const float> channel(Channel channel) const;
     std::span<float> channel(Channel channel);
+    /// A channel more, of zeros, and one less.
+    void add(Channel channel);
+    void drop(Channel channel);
 
   private:
     Lattice lattice_;
@@ -107,11 +140,27 @@ class Surface {
     std::array<std::vector<float>, kChannelCount> maps_;
 };
 
+/// settings with foam_threshold put to the Jacobian where whitecaps begin on a map of `resolution`
+/// samples, and foam_coverage to FoamCoverage::threshold: found once for many surfaces.
+SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& modes, int resolution);
+
 /// One map of `resolution` samples (0 = the modes' own; else a power of two, 32 .. 8192): all modes
 /// below its Nyquist line, zero padded where the modes end. Any time, any order, any thread count:
-/// the same bits.
+/// the same bits. No foam: that has a past, see foam.hpp and Ocean.
 Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
                      ChannelSet channels, Backend backend, ThreadPool& pool, int resolution = 0);
+
+/// The small map of one cascade over its own period (modes.cascades[cascade].lattice), for hosts
+/// that add up cascades while they draw: at any point the sum over the cascades, each wrapped round
+/// its own period, is the sea's. `resolution` as for make_surface.
+LinearPlanes<float> make_cascade_planes(const Modes& modes, std::size_t cascade, double time,
+                                        std::span<const Linear> fields, Backend backend,
+                                        ThreadPool& pool, int resolution = 0);
+/// The linear fields that the channels are made of.
+std::vector<Linear> linear_fields(ChannelSet channels);
+/// The channels from those planes. `settings` as from with_threshold.
+Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
+                       const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool);
 
 /// Largest |imaginary part| of the height field over its rms, by a full complex transform: 0 to
 /// rounding when the modes are Hermitian. For tests and verification.

@@ -127,8 +127,9 @@ class Sea:
         axes: str = "zup",
     ) -> Surface:
         """The sea at `time` seconds, on resolution x resolution samples of one period (default:
-        the sea's own). `fields` are computed at once, in one go; without it each is computed when
-        it is first looked at. axes: "zup" (x, y, z), "yup" (x, z, -y) or "tnb" (x, z, y)."""
+        the sea's own, four times that for cascades). `fields` are computed at once, in one go;
+        without it each is computed when it is first looked at. axes: "zup" (x, y, z), "yup"
+        (x, z, -y) or "tnb" (x, z, y)."""
         return Surface(self, time, resolution, fields, axes)
 
     def query(self, points: npt.ArrayLike, time: float) -> Array:
@@ -137,6 +138,11 @@ class Sea:
         samples = np.empty((len(xy), 10), dtype=np.float32)
         self._call("ocean_query", time, xy.ctypes.data, len(xy), samples.ctypes.data, 10)
         return samples
+
+    def _map_resolution(self) -> int:
+        resolution = ctypes.c_int32()
+        self._call("ocean_map_resolution", ctypes.byref(resolution))
+        return resolution.value
 
     def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
         """One array for each field, filled by the library in place."""
@@ -180,7 +186,7 @@ class Surface:
 
     def _checked_resolution(self, resolution: int | None) -> int:
         if resolution is None:
-            return int(self._sea.get("grid.resolution"))
+            return self._sea._map_resolution()
         # Before an array of that size is made.
         if resolution not in [32 << n for n in range(9)]:
             raise _library.error(
@@ -234,12 +240,12 @@ class Surface:
 
     @property
     def whitecap(self) -> Array:
-        """Foam that is made now, 0 .. 1, (R, R): not in this version."""
+        """Foam that is made now, 0 .. 1, (R, R)."""
         return self._field("whitecap")
 
     @property
     def foam(self) -> Array:
-        """Foam that is there, 0 .. 1, (R, R): not in this version."""
+        """Foam that is there, 0 .. 1, (R, R)."""
         return self._field("foam")
 
     @property

@@ -6,6 +6,10 @@
 
 namespace ocean {
 
+Parameters Sea::at(double) const {
+    return parameters;
+}
+
 double Sea::time_of(double frame) const {
     const Timing& time = parameters.time;
     return time.start + (frame - time.first_frame) / time.fps;

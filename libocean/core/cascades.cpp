@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which cascades a grid has, and which wavenumbers belong to each.
+#include "ocean/cascades.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "ocean/grid.hpp"
+
+namespace ocean {
+
+namespace {
+
+bool is_prime(int n) {
+    for (int d = 2; d * d <= n; ++d) {
+        if (n % d == 0) return false;
+    }
+    return n > 1;
+}
+
+}  // namespace
+
+bool CascadeBand::contains(int n, int m) const {
+    const auto x = static_cast<double>(std::int64_t{n} * divisor);
+    const auto y = static_cast<double>(std::int64_t{m} * divisor);
+    const double square = x * x + y * y;  // whole numbers below 2^53
+    return square >= inner * inner && square < outer * outer;
+}
+
+std::vector<int> cascade_divisors(const Grid& grid) {
+    if (!grid.cascade_divisors.empty()) return grid.cascade_divisors;
+    constexpr int kFarthest = 7;
+    constexpr int kFirstModes = 8;  // a band begins that many modes from its lattice's origin
+    const int apart = std::clamp(grid.resolution / 2 / kFirstModes, 2, kFarthest);
+    std::vector<int> divisors = {1};
+    while (static_cast<int>(divisors.size()) < grid.cascades) {
+        int next = apart * divisors.back();
+        while (!is_prime(next)) ++next;
+        divisors.push_back(next);
+    }
+    return divisors;
+}
+
+std::vector<CascadeBand> cascade_bands(const Grid& grid) {
+    const double half = grid.resolution / 2;
+    std::vector<CascadeBand> bands;
+    for (const int divisor : cascade_divisors(grid)) {
+        const double inner = bands.empty() ? 0.0 : bands.back().divisor * half;
+        bands.push_back({divisor, inner, std::numeric_limits<double>::infinity()});
+    }
+    for (std::size_t c = 0; c + 1 < bands.size(); ++c) bands[c].outer = bands[c + 1].inner;
+    return bands;
+}
+
+long long complete_map_resolution(const Grid& grid) {
+    const long long extent =
+        static_cast<long long>(grid.resolution) * cascade_divisors(grid).back();
+    long long resolution = grid.resolution;
+    while (resolution < extent) resolution *= 2;
+    return resolution;
+}
+
+int default_map_resolution(const Grid& grid) {
+    constexpr int kLargest = 4096;
+    if (grid.cascades == 1) return grid.resolution;
+    const long long most = std::min<long long>(kLargest, complete_map_resolution(grid));
+    return static_cast<int>(
+        std::max<long long>(grid.resolution, std::min<long long>(4 * grid.resolution, most)));
+}
+
+}  // namespace ocean

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Foam over time: its clock, how far back it must be followed, and the state of a caller that
+// steps. Between the whitecap maps of the surface and the foam map that hosts show.
+#include "ocean/foam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+namespace {
+
+constexpr float kLeastFoam = 1.0f / 512.0f;
+/// Ticks that are kept: the newest and the two that sub-frames may step back to.
+constexpr std::size_t kKept = 3;
+
+float fade(double seconds, double lifetime) {
+    if (seconds <= 0.0) return 1.0f;
+    return lifetime > 0.0 ? static_cast<float>(std::exp(-seconds / lifetime)) : 0.0f;
+}
+
+/// out = max(whitecap, decay * before), 0 where that is below `least`. `out` may be `before` or
+/// `whitecap`.
+void blend(std::span<const float> whitecap, std::span<const float> before, float decay, float least,
+           std::span<float> out, ThreadPool& pool) {
+    pool.for_each_range(static_cast<int>(out.size()), [&](int first, int last) {
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+            const float value = std::max(whitecap[i], decay * before[i]);
+            out[i] = value < least ? 0.0f : value;
+        }
+    });
+}
+
+void require_size(std::span<const float> map, std::size_t size) {
+    if (map.size() == size) return;
+    throw Error(ErrorKind::invalid_value, "foam: a map of " + std::to_string(map.size()) +
+                                              " samples; allowed: " + std::to_string(size) +
+                                              ", like the maps before");
+}
+
+}  // namespace
+
+FoamClock foam_clock(const SurfaceSettings& settings, double loop_period) {
+    if (loop_period <= 0.0) return {settings.foam_step, 0.0, 0};
+    const double ticks = std::max(1.0, std::round(loop_period / settings.foam_step));
+    return {loop_period / ticks, loop_period, static_cast<std::int64_t>(ticks)};
+}
+
+double FoamClock::time_of(std::int64_t tick) const {
+    if (ticks_per_loop == 0) return static_cast<double>(tick) * step;
+    return static_cast<double>(tick) / static_cast<double>(ticks_per_loop) * loop_period;
+}
+
+FoamClock::Moment FoamClock::moment(double time) const {
+    // What is compared is what time_of gives after its own rounding: a tick's time is that tick.
+    const bool loops = ticks_per_loop > 0;
+    const auto place = [&](double t) { return loops ? loop_fraction(t, loop_period) : t; };
+    const double now = place(time);
+    const double ticks = loops ? now * static_cast<double>(ticks_per_loop) : now / step;
+    constexpr double kMostTicks = 9007199254740992.0;  // 2^53: beyond, not every tick has a number
+    if (!(std::abs(ticks) < kMostTicks)) {
+        throw Error(ErrorKind::invalid_value, "time = " + to_text(time) +
+                                                  " s: foam cannot be followed there; allowed: "
+                                                  "less than 2^53 foam steps from 0");
+    }
+    auto tick = static_cast<std::int64_t>(std::floor(ticks));
+    const auto is_tick = [&](std::int64_t n) { return !loops || n < ticks_per_loop; };
+    while (is_tick(tick + 1) && place(time_of(tick + 1)) <= now) ++tick;
+    while (place(time_of(tick)) > now) --tick;
+    return {tick, (now - place(time_of(tick))) * (loops ? loop_period : 1.0)};
+}
+
+std::int64_t FoamClock::before(std::int64_t tick, std::int64_t count) const {
+    if (ticks_per_loop == 0) return tick - count;
+    const std::int64_t remainder = (tick - count) % ticks_per_loop;
+    return remainder < 0 ? remainder + ticks_per_loop : remainder;
+}
+
+std::int64_t FoamClock::ticks_between(std::int64_t from, std::int64_t to) const {
+    return before(to, from);
+}
+
+std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
+                           const std::function<double(double time)>& lifetime) {
+    // Foam of at most 1 must fall below 1/512 by m products of floats. Each rounds twice, the decay
+    // to a float and the product, by a factor of at most 1 + 2^-24: m ticks fade by at least
+    // exp(-sum(step / lifetime - 2^-23)). Rounded up by 5 % for the sums in double.
+    constexpr double kRounding = 1.25e-7;
+    constexpr std::int64_t kMost = 1 << 20;  // 600 s by 0.01 s are 377106
+    const std::int64_t most = clock.ticks_per_loop > 0 ? clock.ticks_per_loop : kMost;
+    double left = std::log(512.0);
+    std::int64_t count = 0;
+    while (left > 0.0 && count < most) {
+        const double seconds = lifetime(clock.time_of(clock.before(tick, count)));
+        if (seconds <= 0.0) break;
+        left -= clock.step / seconds - kRounding;
+        ++count;
+    }
+    return count;
+}
+
+FoamState::FoamState(FoamClock clock, FoamStart start) : clock_(clock), start_(start) {}
+
+void FoamState::evaluate(double time, std::span<const float> whitecap, const FoamSource& source,
+                         std::span<float> out, ThreadPool& pool) {
+    require_size(out, whitecap.size());
+    const double lifetime = source.lifetime(time);
+    if (lifetime <= 0.0) {  // no past
+        std::copy(whitecap.begin(), whitecap.end(), out.begin());
+        return;
+    }
+    const FoamClock::Moment moment = clock_.moment(time);
+    const Tick& last = reach(moment.tick, source, pool);
+    require_size(whitecap, last.foam.size());
+    blend(whitecap, last.foam, fade(moment.since, lifetime), 0.0f, out, pool);
+}
+
+const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& source,
+                                        ThreadPool& pool) {
+    const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                    [tick](const Tick& kept) { return kept.number == tick; });
+    if (found != kept_.end()) return *found;
+
+    const std::int64_t ahead = kept_.empty() ? 0 : clock_.ticks_between(kept_.back().number, tick);
+    if (ahead == 1 && settling_ == 0) {
+        step(kept_, tick, source, pool);
+        return kept_.back();
+    }
+    const std::int64_t preroll = preroll_ticks(clock_, tick, source.lifetime);
+    if (ahead > 0 && ahead <= preroll) {
+        for (std::int64_t i = ahead - 1; i >= 0; --i) {
+            step(kept_, clock_.before(tick, i), source, pool);
+        }
+    } else {
+        kept_ = begin(tick, start_ == FoamStart::settled ? preroll : 0, source, pool);
+    }
+    const bool settled = start_ == FoamStart::settled || kept_.back().age >= preroll;
+    settling_ = settled ? 0 : preroll - kept_.back().age;
+    return kept_.back();
+}
+
+std::vector<FoamState::Tick> FoamState::begin(std::int64_t tick, std::int64_t preroll,
+                                              const FoamSource& source, ThreadPool& pool) const {
+    std::vector<Tick> kept;
+    for (std::int64_t i = preroll; i >= 0; --i) {
+        if (source.progress) source.progress(preroll - i, preroll + 1);
+        // Until the last ticks one map is enough, changed in place.
+        const bool passing = i >= static_cast<std::int64_t>(kKept);
+        step(kept, clock_.before(tick, i), source, pool, passing ? 1 : kKept);
+    }
+    return kept;
+}
+
+void FoamState::step(std::vector<Tick>& kept, std::int64_t tick, const FoamSource& source,
+                     ThreadPool& pool, std::size_t keep) const {
+    const double time = clock_.time_of(tick);
+    const float decay = fade(clock_.step, source.lifetime(time));
+    const std::span<const float> whitecap = source.whitecap(time);
+    const bool first = kept.empty();
+    if (!first) require_size(whitecap, kept.back().foam.size());
+    const std::int64_t age = first ? 0 : kept.back().age + 1;
+    if (kept.size() < keep) {
+        kept.push_back({tick, age, std::vector<float>(whitecap.size())});
+    } else {
+        std::rotate(kept.begin(), kept.begin() + 1, kept.end());
+    }
+    Tick& next = kept.back();
+    next.number = tick;
+    next.age = age;
+    const Tick& before = kept[std::max<std::size_t>(kept.size(), 2) - 2];
+    blend(whitecap, first ? whitecap : before.foam, first ? 0.0f : decay, kLeastFoam, next.foam,
+          pool);
+}
+
+}  // namespace ocean

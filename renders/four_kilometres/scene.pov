@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One whole period of 4 km from straight above: what repeats would show here. Beside this file lie
+// the heights and the whitecaps of one frame. Lengths are metres, x east, y up, z north; north is
+// up in the picture.
+//   povray scene.pov +Ofour_kilometres.jpg +FJ +W1200 +H1200 +AM2 +A0.1 +R2
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+
+#declare Period = 4000;
+#declare Samples = 2048;
+// What sea.png.txt says: height = base + scale * code / 65536.
+#declare Base = -21.94829297065735;
+#declare Scale = 44.79062843322754;
+
+camera {
+    orthographic
+    location <Period/2, 500, Period/2>
+    look_at <Period/2, 0, Period/2>
+    up Period*y
+    right Period*x
+}
+
+// A low sun behind the crests' lee side, and the sky's light from everywhere.
+light_source { <-3, 1.6, -2>*1e6 rgb <1.75, 1.55, 1.25> parallel point_at <0, 0, 0> }
+
+#declare Whitecaps = pigment {
+    image_map { exr "whitecap.exr" interpolate 2 }
+    rotate 90*x
+    scale <Period, 1, Period>
+}
+
+height_field {
+    png "sea.png" smooth
+    water_level 0
+    scale <Period, Scale, Period>
+    translate Base*y
+    texture {
+        pigment {
+            pigment_pattern { Whitecaps }
+            color_map {
+                [0.00 rgb <0.010, 0.050, 0.075>]
+                [1.00 rgb <0.85, 0.89, 0.90>]
+            }
+        }
+        finish { ambient rgb <0.7, 0.9, 1.1> diffuse 0.8 specular 0.7 roughness 0.04 }
+    }
+}

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cascades: the same energy however many there are, no wave twice and none left out, and small maps
+// that add up to the one surface.
+#include "ocean/cascades.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "ocean/error.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+/// A sea of `divisors.size()` cascades with waves down to patch / (resolution/2 * last divisor).
+Parameters cascade_sea(int resolution, double patch, std::vector<int> divisors) {
+    Parameters parameters = test::wind_sea(resolution, patch);
+    parameters.grid.cascades = static_cast<int>(divisors.size());
+    parameters.grid.cascade_divisors = std::move(divisors);
+    return parameters;
+}
+
+SeaState state_of(const Parameters& parameters) {
+    ThreadPool pool(2);
+    return sea_state(make_directional_spectrum(parameters), parameters, pool);
+}
+
+double squared(double x) {
+    return x * x;
+}
+
+TEST(Cascades, OneToFiveHoldTheSameEnergyOnTheSameWavenumbers) {
+    const std::vector<int> all = {1, 2, 4, 8, 16};
+    for (const double patch : {600.0, 2500.0}) {
+        double single = 0.0;
+        for (std::size_t c = 1; c <= all.size(); ++c) {
+            const std::vector<int> divisors(all.begin(), all.begin() + static_cast<long>(c));
+            Parameters parameters = cascade_sea(1024 / divisors.back(), patch, divisors);
+            parameters.surface.shortest_wavelength = patch / 512.0;
+            const double m0 = squared(state_of(parameters).significant_wave_height.resolved);
+            if (c == 1) single = m0;
+            EXPECT_NEAR(m0 / single, 1.0, 2e-3) << c << " cascades of " << patch << " m";
+        }
+    }
+}
+
+TEST(Cascades, ChosenOnesHoldWhatTheSpectrumHasOnEveryGrid) {
+    for (const int resolution : {32, 64, 128, 256}) {
+        for (int cascades = 2; cascades <= 5; ++cascades) {
+            Parameters parameters = test::wind_sea(resolution, 1500.0);
+            parameters.grid.cascades = cascades;
+            const double shortest =
+                1500.0 / (cascade_divisors(parameters.grid).back() * resolution / 2);
+            parameters.surface.shortest_wavelength = shortest;
+            const SpectralMoments asked =
+                make_directional_spectrum(parameters).moments(parameters.water, shortest);
+            const SeaState state = state_of(parameters);
+            EXPECT_NEAR(squared(state.significant_wave_height.resolved / 4.0) / asked.m0, 1.0, 2e-3)
+                << resolution << " samples, " << cascades << " cascades";
+            // The slope is that of rings cut out of a lattice: coarse ones on a small grid.
+            if (resolution < 128) continue;
+            EXPECT_NEAR(state.mean_square_slope.resolved / asked.mean_square_slope, 1.0, 1e-2);
+        }
+    }
+}
+
+TEST(Cascades, EveryWaveOfThePatchBelongsToOneBandAtMostAndToOneInAll) {
+    const Parameters parameters = cascade_sea(32, 500.0, {1, 2, 5});
+    const auto bands = cascade_bands(parameters.grid);
+    ASSERT_EQ(bands.size(), 3u);
+    for (int m = -79; m < 80; ++m) {
+        for (int n = -79; n < 80; ++n) {
+            int on_lattice = 0;
+            int rings = 0;
+            for (const CascadeBand& band : bands) {
+                const double length = std::hypot(n, m);
+                rings += length >= band.inner && length < band.outer ? 1 : 0;
+                if (n % band.divisor != 0 || m % band.divisor != 0) continue;
+                on_lattice += band.contains(n / band.divisor, m / band.divisor) ? 1 : 0;
+            }
+            EXPECT_EQ(rings, 1) << n << ", " << m;
+            EXPECT_LE(on_lattice, 1) << n << ", " << m;
+        }
+    }
+}
+
+TEST(Cascades, HaveNoiseOfTheirOwn) {
+    ThreadPool pool(1);
+    Parameters parameters = cascade_sea(128, 400.0, {1, 2});
+    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    // The same waves: mode (n, m) of the second lattice as (2n, 2m) of a lone finer one.
+    parameters.grid = {256, 400.0, 1, {}};
+    const Modes lone = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    std::complex<double> product = 0.0;
+    double a = 0.0, b = 0.0;
+    for (int m = -63; m < 64; ++m) {
+        for (int n = -63; n < 64; ++n) {
+            const auto at = [](int i, int j, int size) {
+                return static_cast<std::size_t>(fft_index(j, size) * size + fft_index(i, size));
+            };
+            const std::complex<double> x = modes.cascades[1].h0[at(n, m, 128)];
+            if (std::norm(x) == 0.0) continue;
+            for (const std::complex<double> y :
+                 {std::complex<double>(modes.cascades[0].h0[at(n, m, 128)]),
+                  std::complex<double>(lone.cascades[0].h0[at(2 * n, 2 * m, 256)])}) {
+                product += x * std::conj(y);
+                a += std::norm(x);
+                b += std::norm(y);
+            }
+        }
+    }
+    EXPECT_GT(a, 0.0);
+    EXPECT_LT(std::abs(product) / std::sqrt(a * b), 0.05);
+}
+
+TEST(Cascades, TheMapIsTheSumOfTheSmallMaps) {
+    // A map of 512 samples holds every mode of 3 cascades of 64 samples, 5 to the last.
+    const Parameters parameters = cascade_sea(64, 700.0, {1, 3, 7});
+    ASSERT_EQ(complete_map_resolution(parameters.grid), 512);
+    constexpr int kSize = 512;
+    constexpr double kTime = 77.7;
+    Ocean sea(parameters, {.threads = 2});
+    const Surface map = sea.evaluate(kTime, test::kAllChannels, kSize);
+
+    ThreadPool pool(2);
+    const std::vector<Linear> fields = linear_fields(test::kAllChannels);
+    LinearPlanes<float> sums;
+    for (const Linear field : fields) sums[field].resize(std::size_t{kSize} * kSize);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const LinearPlanes<float> small =
+            make_cascade_planes(sea.modes(), c, kTime, fields, Backend::cpu, pool, kSize);
+        const int divisor = sea.modes().cascades[c].divisor;
+        for (const Linear field : fields) {
+            for (int j = 0; j < kSize; ++j) {
+                for (int i = 0; i < kSize; ++i) {
+                    sums[field][static_cast<std::size_t>(j * kSize + i)] +=
+                        small[field][static_cast<std::size_t>(j * divisor % kSize * kSize +
+                                                              i * divisor % kSize)];
+                }
+            }
+        }
+    }
+    const SurfaceSettings settings = with_threshold(parameters.surface, sea.modes(), kSize);
+    const Surface sum =
+        combine_planes(sums, {kSize, 700.0}, kTime, settings, test::kAllChannels, pool);
+    const double hs = sea.state().significant_wave_height.resolved;
+    for (int c = 0; c < kChannelCount; ++c) {
+        const auto channel = static_cast<Channel>(c);
+        if (!map.has(channel)) continue;
+        double worst = 0.0;
+        for (std::size_t i = 0; i < map.channel(channel).size(); ++i) {
+            worst = std::max(worst, std::abs(static_cast<double>(map.channel(channel)[i]) -
+                                             sum.channel(channel)[i]));
+        }
+        EXPECT_LT(worst, 1e-5 * hs) << "channel " << c;
+    }
+}
+
+TEST(Cascades, BackendsAgreeOnAMapWithCascades) {
+    const Parameters parameters = cascade_sea(32, 300.0, {1, 3, 4});
+    Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
+    for (const int resolution : {64, 128, 256}) {  // the first two cut bands off
+        const Surface exact = judge.evaluate(12.0, test::kAllChannels, resolution);
+        for (const Backend backend : {Backend::cpu, Backend::radix2}) {
+            Ocean sea(parameters, {.threads = 2, .backend = backend});
+            const Surface surface = sea.evaluate(12.0, test::kAllChannels, resolution);
+            for (const Channel channel : {Channel::height, Channel::dx, Channel::slope_y,
+                                          Channel::jacobian, Channel::vy, Channel::vz}) {
+                EXPECT_LT(test::relative_error(surface.channel(channel), exact.channel(channel)),
+                          2e-6)
+                    << backend_name(backend) << " " << resolution;
+            }
+        }
+    }
+}
+
+TEST(Cascades, VarianceOfMapsIsTheSumOverTheModes) {
+    Parameters parameters = cascade_sea(32, 600.0, {1, 3});
+    const double expected = squared(state_of(parameters).significant_wave_height.resolved / 4.0);
+    constexpr int kSeeds = 64;
+    double sum = 0.0, squares = 0.0;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        parameters.seed = static_cast<std::uint32_t>(seed);
+        Ocean sea(parameters, {.threads = 1});
+        const Surface map = sea.evaluate(0.0, {Channel::height}, 128);
+        const double v = test::variance(map.channel(Channel::height));
+        sum += v;
+        squares += v * v;
+    }
+    const double mean = sum / kSeeds;
+    const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+    EXPECT_NEAR(mean, expected, 3.0 * error);
+    EXPECT_LT(error / mean, 0.03) << "the test would see nothing";
+}
+
+TEST(Cascades, SharesSayWhatRepeatsMoreOften) {
+    const SeaState coprime = state_of(cascade_sea(128, 4000.0, {1, 7, 53}));
+    ASSERT_EQ(coprime.cascades.size(), 3u);
+    EXPECT_NEAR(coprime.cascades[0].height, 1.0, 1e-12);
+    EXPECT_NEAR(coprime.cascades[0].slope, 1.0, 1e-12);
+    EXPECT_NEAR(coprime.cascades[1].period, 4000.0 / 7.0, 1e-9);
+    EXPECT_LT(coprime.cascades[2].height, coprime.cascades[1].height);
+    // With 1, 4, 16 the last cascade repeats at the second one's period too.
+    const SeaState nested = state_of(cascade_sea(128, 4000.0, {1, 4, 16}));
+    EXPECT_GT(nested.cascades[1].slope, nested.cascades[2].slope);
+    const double second_alone = nested.cascades[1].slope - nested.cascades[2].slope;
+    EXPECT_GT(second_alone, 0.0);
+    // A small first lattice leaves most of the slope to the others, and says so.
+    const auto warns = [](const SeaState& state) {
+        return std::any_of(
+            state.warnings.begin(), state.warnings.end(),
+            [](const std::string& text) { return text.find("repeat every") != std::string::npos; });
+    };
+    const SeaState poor = state_of(cascade_sea(32, 4000.0, {1, 4, 16}));
+    EXPECT_TRUE(warns(poor));
+    EXPECT_GT(poor.cascades[1].slope, 0.5);
+    EXPECT_FALSE(warns(state_of(cascade_sea(512, 4000.0, {1, 7, 53}))));
+}
+
+TEST(Cascades, ChosenDivisorsAreOneAndPrimesThatKeepTheirDistance) {
+    Grid grid{512, 4000.0, 3, {}};
+    EXPECT_EQ(cascade_divisors(grid), (std::vector<int>{1, 7, 53}));
+    for (const int resolution : {32, 64, 128, 512, 8192}) {
+        grid = {resolution, 4000.0, 5, {}};
+        Parameters parameters;
+        parameters.grid = grid;
+        parameters.grid.cascade_divisors = cascade_divisors(grid);
+        EXPECT_NO_THROW(validate(parameters)) << resolution;
+    }
+}
+
+TEST(Cascades, DefaultMapsHoldFourTimesTheSamplesAtMost4096) {
+    EXPECT_EQ(default_map_resolution({512, 500.0, 1, {}}), 512);
+    EXPECT_EQ(default_map_resolution({8192, 500.0, 1, {}}), 8192);
+    EXPECT_EQ(default_map_resolution({512, 500.0, 3, {}}), 2048);
+    EXPECT_EQ(default_map_resolution({2048, 500.0, 3, {}}), 4096);
+    EXPECT_EQ(default_map_resolution({8192, 500.0, 3, {}}), 8192);
+    EXPECT_EQ(default_map_resolution({64, 500.0, 2, {1, 2}}), 128);
+}
+
+TEST(Cascades, DivisorsThatMakeNoSenseAreRefused) {
+    const auto message = [](std::vector<int> divisors, int cascades) {
+        Parameters parameters;
+        parameters.grid.resolution = 64;
+        parameters.grid.cascades = cascades;
+        parameters.grid.cascade_divisors = std::move(divisors);
+        try {
+            validate(parameters);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message({1, 5}, 2), "");
+    EXPECT_NE(message({1, 5}, 3).find("must be 3 numbers"), std::string::npos);
+    EXPECT_NE(message({2, 5}, 2).find("must begin with 1"), std::string::npos);
+    EXPECT_NE(message({1, 1}, 2).find("must ascend"), std::string::npos);
+    EXPECT_NE(message({1, 9}, 2).find("too far above"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The foam of whole seas: the same bits however a frame is reached, as white as the wind makes it,
+// and closed in a loop. The clock and the coverage by themselves: foam_test.cpp.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr ChannelSet kFoam = {Channel::foam};
+
+Parameters foamy_sea(int resolution, double patch, double wind) {
+    Parameters parameters = test::wind_sea(resolution, patch);
+    parameters.waves.front().wind_speed = wind;
+    parameters.waves.front().fetch = 300000.0;
+    return parameters;
+}
+
+std::vector<float> foam_of(Ocean& sea, double frame) {
+    const Surface surface = sea.evaluate(sea.sea().time_of(frame), kFoam);
+    return {surface.channel(Channel::foam).begin(), surface.channel(Channel::foam).end()};
+}
+
+TEST(SeaFoam, FrameTwoHundredHasTheSameBitsHoweverItIsReached) {
+    const Parameters parameters = foamy_sea(32, 80.0, 14.0);
+    Ocean alone(parameters, {.threads = 1});
+    const std::vector<float> expected = foam_of(alone, 200);
+    EXPECT_GT(test::variance(expected), 1e-4) << "there is foam to compare";
+
+    const auto from = [&](int first, int threads) {
+        Ocean sea(parameters, {.threads = threads});
+        std::vector<float> foam;
+        for (int frame = first; frame <= 200; ++frame) foam = foam_of(sea, frame);
+        return foam;
+    };
+    EXPECT_EQ(from(1, 1), expected);
+    EXPECT_EQ(from(150, 2), expected);
+
+    Ocean backward(parameters, {.threads = 1});
+    foam_of(backward, 201);
+    const int ticks = backward.stage_runs().foam_ticks;
+    EXPECT_EQ(foam_of(backward, 200), expected);
+    EXPECT_EQ(backward.stage_runs().foam_ticks, ticks) << "a step back within two ticks is free";
+
+    for (const double fps : {48.0, 96.0}) {
+        Parameters faster = parameters;
+        faster.time.fps = fps;
+        Ocean sea(faster, {.threads = 1});
+        std::vector<float> foam;
+        const int same_moment = 1 + static_cast<int>(199 * fps / 24.0);
+        for (int frame = same_moment - 10; frame <= same_moment; ++frame) {
+            foam = foam_of(sea, frame);
+        }
+        EXPECT_EQ(foam, expected) << fps << " frames per second";
+    }
+}
+
+TEST(SeaFoam, IsNeverLessThanTheWhitecapsAndFadesWithItsLifetime) {
+    Parameters parameters = foamy_sea(64, 100.0, 14.0);
+    parameters.surface.foam_lifetime = 2.0;
+    Ocean sea(parameters, {.threads = 2});
+    const ChannelSet both = {Channel::foam, Channel::whitecap};
+    const Surface now = sea.evaluate(10.0, both);
+    const Surface later = sea.evaluate(10.02, both);
+    const float fading = std::exp(-0.02f / 2.0f);
+    for (std::size_t i = 0; i < now.channel(Channel::foam).size(); ++i) {
+        EXPECT_GE(now.channel(Channel::foam)[i], now.channel(Channel::whitecap)[i]);
+        EXPECT_LE(now.channel(Channel::foam)[i], 1.0f);
+        const float least = now.channel(Channel::foam)[i] * fading;
+        if (least > 0.01f) {
+            EXPECT_GT(later.channel(Channel::foam)[i], least * 0.97f);
+        }
+    }
+    parameters.surface.foam_lifetime = 0.0;
+    Ocean brief(parameters, {.threads = 2});
+    const Surface moment = brief.evaluate(10.0, both);
+    EXPECT_EQ(
+        std::memcmp(moment.channel(Channel::foam).data(), moment.channel(Channel::whitecap).data(),
+                    moment.channel(Channel::foam).size_bytes()),
+        0);
+    EXPECT_EQ(brief.stage_runs().foam_ticks, 0);
+}
+
+TEST(SeaFoam, HalvingItsStepChangesItByLessThanFourPercent) {
+    struct Case {
+        double wind, patch;
+        int resolution;
+    };
+    for (const Case& c : {Case{12.0, 150.0, 256}, Case{12.0, 75.0, 256}, Case{20.0, 300.0, 256}}) {
+        Parameters parameters = foamy_sea(c.resolution, c.patch, c.wind);
+        const auto foam_with_step = [&](double step) {
+            parameters.surface.foam_step = step;
+            Ocean sea(parameters, {.threads = 2});
+            return foam_of(sea, 1);
+        };
+        const std::vector<float> normal = foam_with_step(0.05);
+        const std::vector<float> fine = foam_with_step(0.025);
+        double error = 0.0, square = 0.0;
+        for (std::size_t i = 0; i < normal.size(); ++i) {
+            error += std::pow(static_cast<double>(normal[i]) - fine[i], 2.0);
+            square += std::pow(static_cast<double>(fine[i]), 2.0);
+        }
+        const double relative = std::sqrt(error / square);
+        EXPECT_LT(relative, 0.04) << c.wind << " m/s, " << c.patch << " m";
+        EXPECT_GT(relative, 1e-4) << "the steps differ";
+    }
+}
+
+TEST(SeaFoam, TheMeanWhitecapIsWhatTheWindMakesOnEveryGrid) {
+    constexpr int kSeeds = 24;
+    struct GridCase {
+        int resolution;
+        double patch;
+        int cascades;
+    };
+    for (const GridCase& grid : {GridCase{128, 150.0, 1}, {256, 500.0, 1}, {64, 300.0, 2}}) {
+        for (const double wind : {8.0, 12.0, 16.0, 20.0}) {
+            Parameters parameters = foamy_sea(grid.resolution, grid.patch, wind);
+            parameters.grid.cascades = grid.cascades;
+            Ocean sea(parameters, {.threads = 2});
+            double sum = 0.0, squares = 0.0;
+            for (int seed = 1; seed <= kSeeds; ++seed) {
+                sea.set("seed", std::to_string(seed));
+                const Surface map = sea.evaluate(3.0, {Channel::whitecap});
+                const double w = test::mean(map.channel(Channel::whitecap));
+                sum += w;
+                squares += w * w;
+            }
+            const double mean = sum / kSeeds;
+            const double error = std::sqrt((squares / kSeeds - mean * mean) / (kSeeds - 1));
+            const double asked = 3.84e-6 * std::pow(wind, 3.41);
+            EXPECT_NEAR(mean, asked, std::max(0.05 * asked, 3.0 * error))
+                << wind << " m/s on " << grid.resolution << " samples of " << grid.patch << " m";
+            EXPECT_LT(error / mean, 0.1) << "the test would see nothing";
+        }
+    }
+}
+
+TEST(SeaFoam, ACalmOrUprightSeaHasNone) {
+    Parameters calm = foamy_sea(32, 100.0, 0.0);
+    Parameters upright = foamy_sea(32, 100.0, 15.0);
+    upright.surface.choppiness = 0.0;
+    for (const Parameters& parameters : {calm, upright}) {
+        Ocean sea(parameters, {.threads = 1});
+        const Surface map = sea.evaluate(5.0, {Channel::foam, Channel::whitecap});
+        for (const float foam : map.channel(Channel::foam)) EXPECT_EQ(foam, 0.0f);
+        for (const float whitecap : map.channel(Channel::whitecap)) EXPECT_EQ(whitecap, 0.0f);
+    }
+}
+
+TEST(SeaFoam, AFixedThresholdIsTakenAsItIs) {
+    Parameters parameters = foamy_sea(64, 100.0, 14.0);
+    parameters.surface.foam_coverage = FoamCoverage::threshold;
+    parameters.surface.foam_threshold = 0.8;
+    parameters.surface.foam_width = 0.5;
+    Ocean sea(parameters, {.threads = 1});
+    const Surface map = sea.evaluate(5.0, {Channel::jacobian, Channel::whitecap});
+    for (std::size_t i = 0; i < map.channel(Channel::jacobian).size(); ++i) {
+        const double expected =
+            std::min(std::max((0.8 - map.channel(Channel::jacobian)[i]) / 0.5, 0.0), 1.0);
+        EXPECT_NEAR(map.channel(Channel::whitecap)[i], expected, 1e-6);
+    }
+}
+
+TEST(SeaFoam, ALoopClosesInEveryFieldAndNoWaveStandsStill) {
+    Parameters parameters = foamy_sea(32, 80.0, 14.0);
+    parameters.grid.cascades = 2;
+    parameters.time.loop_period = 3.1;  // shorter than foam lives, no whole number of ticks
+    const ChannelSet all = test::kAllChannels | kFoam;
+    for (const double time : {0.0, 0.1, 1.0 / 24.0, 2.9}) {
+        Ocean first(parameters, {.threads = 1});
+        Ocean second(parameters, {.threads = 2});
+        const Surface now = first.evaluate(time, all);
+        const Surface later = second.evaluate(time + 3.1, all);
+        const Surface much_later = first.evaluate(time + 3.1 * 1024.0, all);
+        for (int c = 0; c < kChannelCount; ++c) {
+            const auto a = now.channel(static_cast<Channel>(c));
+            const auto b = later.channel(static_cast<Channel>(c));
+            const auto d = much_later.channel(static_cast<Channel>(c));
+            EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << c << " at " << time;
+            EXPECT_EQ(std::memcmp(a.data(), d.data(), a.size_bytes()), 0) << c << " at " << time;
+        }
+        EXPECT_GT(test::variance(now.channel(Channel::foam)), 1e-5) << "there is foam to compare";
+    }
+    Ocean sea(parameters, {.threads = 1});
+    for (const CascadeModes& cascade : sea.modes().cascades) {
+        for (std::size_t i = 0; i < cascade.h0.size(); ++i) {
+            if (std::norm(cascade.h0[i]) > 0.0f) {
+                EXPECT_GE(cascade.rate_high[i], 1.0f);
+            }
+        }
+    }
+}
+
+TEST(SeaFoam, FoamThatBeganEmptySettles) {
+    const Parameters parameters = foamy_sea(32, 80.0, 14.0);
+    Ocean live(parameters, {.threads = 1, .foam_start = FoamStart::empty});
+    Ocean settled(parameters, {.threads = 1});
+    EXPECT_NE(foam_of(live, 1), foam_of(settled, 1));
+    EXPECT_GT(live.foam_settling_ticks(), 0);
+    int frame = 1;
+    while (live.foam_settling_ticks() > 0 && frame < 10000) foam_of(live, ++frame);
+    EXPECT_EQ(foam_of(live, frame), foam_of(settled, frame));
+}
+
+}  // namespace
+}  // namespace ocean
