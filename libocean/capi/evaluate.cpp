@@ -12,7 +12,6 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/version.hpp"
 #include "sea_handle.hpp"
 
 namespace ocean::capi {
@@ -150,14 +149,5 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
         // The buffers were measured for this resolution: any other would overrun them.
         if (surface.resolution() != resolution) throw std::logic_error("map of another resolution");
         for (const ocean_output& output : outputs) write_output(surface, output);
-    });
-}
-
-ocean_result ocean_query(ocean_sea* sea, double, const double*, size_t, float*, size_t) {
-    return guarded([&] {
-        require(sea, "sea");
-        throw Error(ErrorKind::unsupported,
-                    "queries at world points come with a later version of libocean than " +
-                        std::string(OCEAN_VERSION));
     });
 }

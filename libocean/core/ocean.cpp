@@ -45,6 +45,8 @@ void Ocean::change(Sea sea, Stage first_stage) {
     // A take's past may have changed anything.
     dirty(sea_.take.empty() ? first_stage : Stage::spectrum);
     if (first_stage != Stage::clock || !sea_.take.empty()) foam_.reset();
+    surface_query_.reset();
+    water_velocity_.reset();
 }
 
 void Ocean::dirty(Stage first_stage) {
@@ -198,6 +200,75 @@ void Ocean::add_foam(Surface& surface) {
                             options_.foam_progress};
     foam_->evaluate(surface.time(), std::as_const(surface).channel(Channel::whitecap), source,
                     surface.channel(Channel::foam), pool_);
+}
+
+namespace {
+
+void require_query_memory(std::uint64_t bytes) {
+    require_memory(bytes, "a query of this sea");
+}
+
+}  // namespace
+
+QueryOptions Ocean::shown(QueryOptions options) const {
+    if (options.resolution == 0) {
+        options.resolution = default_map_resolution(sea_.parameters.grid);
+    }
+    return options;
+}
+
+const SurfaceQuery& Ocean::surface_query(double time, const QueryOptions& asked) {
+    const QueryOptions options = shown(asked);
+    const auto& kept = surface_query_;
+    if (!kept || kept->time != time || kept->options != options) {
+        surface_query_.reset();
+        require_query_memory(SurfaceQuery::bytes(modes(time), options));
+        FoamMap foam;
+        if (options.foam) {
+            const Surface map = evaluate(time, {Channel::foam}, options.resolution);
+            const std::span<const float> values = map.channel(Channel::foam);
+            foam = {{values.begin(), values.end()}, map.resolution()};
+        }
+        const Modes& modes = this->modes(time);  // foam has been in the past
+        surface_query_ = {
+            time, 0.0, options,
+            SurfaceQuery(modes, now_.surface, now_.water, time, options, pool_, std::move(foam))};
+    }
+    return surface_query_->query;
+}
+
+const OrbitalVelocity& Ocean::water_velocity(double time, double z, const QueryOptions& asked) {
+    const QueryOptions options = shown(asked);
+    const auto& kept = water_velocity_;
+    if (!kept || kept->time != time || kept->z != z || kept->options != options) {
+        water_velocity_.reset();
+        const Modes& modes = this->modes(time);
+        require_query_memory(OrbitalVelocity::bytes(modes, options));
+        water_velocity_ = {time, z, options,
+                           OrbitalVelocity(modes, now_.water, time, z, options, pool_)};
+    }
+    return water_velocity_->query;
+}
+
+void Ocean::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
+                  const QueryOptions& options) {
+    surface_query(time, options).sample(points, samples, pool_);
+}
+
+void Ocean::orbital_velocity(double time, double z, std::span<const WorldPoint> points,
+                             std::span<std::array<double, 3>> velocities,
+                             const QueryOptions& options) {
+    water_velocity(time, z, options).sample(points, velocities, pool_);
+}
+
+void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
+                        std::span<FloatPose> poses) {
+    QueryOptions options;
+    options.foam = false;
+    const SurfaceQuery& query = surface_query(time, options);
+    std::vector<FloatPose> found;
+    for (const FloatBody& body : bodies) found.push_back(float_pose(query, body, pool_));
+    std::copy(found.begin(), found.end(), poses.begin());
 }
 
 }  // namespace ocean

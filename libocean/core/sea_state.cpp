@@ -350,13 +350,13 @@ std::uint64_t surface_bytes(int resolution, int channels) {
     return n * n * sizeof(float) * (maps + 2 * linear);
 }
 
-void require_memory(std::uint64_t bytes, const std::string& what) {
+void require_memory(std::uint64_t bytes, const std::string& what, const std::string& advice) {
     const std::uint64_t there = available_memory();
     if (bytes <= there) return;
     const auto mebibytes = [](std::uint64_t value) { return std::to_string(value >> 20) + " MiB"; };
     throw Error(ErrorKind::out_of_memory, what + " needs " + mebibytes(bytes) +
-                                              " of memory, there are " + mebibytes(there) +
-                                              "; choose a smaller resolution");
+                                              " of memory, there are " + mebibytes(there) + "; " +
+                                              advice);
 }
 
 }  // namespace ocean

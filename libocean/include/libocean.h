@@ -163,10 +163,30 @@ OCEAN_API ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resol
  * where it begins, which takes a while for the first map, or from the last time asked for.
  * UNSUPPORTED. */
 OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
-/* n world points (x, y) in metres; per point the ten floats of `ocean query`, `stride` floats
- * apart. Not in this version: always UNSUPPORTED. */
+/* The surface that is shown at n world points, xy = x0, y0, x1, y1 ... in metres, any distance from
+ * the origin. The displacement is inverted; where crests have folded over, the top sheet is taken.
+ * Point i receives ten floats from samples + i * stride on, those of `ocean query`:
+ *     x, y, height, normal x y z (unit, up), velocity x y z (of the shown point, m/s), foam (0 ..
+ * 1). stride counts floats, 10 or more. n = 0 is allowed. Points that are not finite are
+ * INVALID_ARGUMENT. Good to 2e-3 of the rms height or better. The same bits for any number of
+ * threads. Points of one time are cheapest in a row: what the first call computes is kept for the
+ * next of the same time. */
 OCEAN_API ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n,
                                    float* samples, size_t stride);
+/* The velocity of the water (x, y, z in m/s) by linear theory at n fixed world points z metres
+ * above still water: three floats from velocities + i * stride on, stride 3 or more. Above z = 0 it
+ * is that of z = 0, below the bottom there is none. Otherwise as ocean_query. */
+OCEAN_API ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z,
+                                              const double* xy, size_t n, float* velocities,
+                                              size_t stride);
+/* How n floating bodies lie on the sea: on the plane that fits the surface below them best.
+ * bodies: five doubles each, x, y [m], heading [degrees counter-clockwise from +x], length along
+ * the heading and width [m], 0 .. 100000. Body i receives eleven floats from poses + i * stride on,
+ * stride 11 or more:
+ *     position x y z, up x y z, forward x y z (units), pitch (bow up), roll (port side up)
+ * [degrees]. Otherwise as ocean_query. */
+OCEAN_API ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
+                                        float* poses, size_t stride);
 
 #ifdef __cplusplus
 }

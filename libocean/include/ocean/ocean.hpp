@@ -12,8 +12,10 @@
 #include <optional>
 #include <string_view>
 
+#include "ocean/float_pose.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/query.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
@@ -84,6 +86,16 @@ class Ocean {
 
     const StageRuns& stage_runs() const { return runs_; }
 
+    /// Queries of one time and options keep their maps for the next of the same. Samples are as
+    /// many as points; nothing is written if a point is refused. Errors as in query.hpp, and
+    /// out_of_memory.
+    void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
+               const QueryOptions& options = {});
+    void orbital_velocity(double time, double z, std::span<const WorldPoint> points,
+                          std::span<std::array<double, 3>> velocities,
+                          const QueryOptions& options = {});
+    void float_poses(double time, std::span<const FloatBody> bodies, std::span<FloatPose> poses);
+
   private:
     void require_valid();
     /// Makes the chain stand for that time.
@@ -95,6 +107,10 @@ class Ocean {
     const SurfaceSettings& shown_settings(int resolution);
     Surface current_surface(double time, ChannelSet channels, int resolution);
     void add_foam(Surface& surface);
+    /// On the map that is shown when nobody says.
+    QueryOptions shown(QueryOptions options) const;
+    const SurfaceQuery& surface_query(double time, const QueryOptions& options);
+    const OrbitalVelocity& water_velocity(double time, double z, const QueryOptions& options);
 
     Sea sea_;
     Parameters now_;  // what the stages below stand for
@@ -109,6 +125,17 @@ class Ocean {
     std::optional<FoamState> foam_;
     int foam_resolution_ = 0;
     Surface tick_;  // the last whitecap map of the foam's clock
+
+    /// What was asked last, and for what.
+    template <typename Query>
+    struct Kept {
+        double time;
+        double z;
+        QueryOptions options;
+        Query query;
+    };
+    std::optional<Kept<SurfaceQuery>> surface_query_;
+    std::optional<Kept<OrbitalVelocity>> water_velocity_;
 };
 
 }  // namespace ocean

@@ -11,7 +11,7 @@ namespace ocean {
 
 struct Sea {
     Parameters parameters;
-    Take take;
+    Take take = {};
 
     /// The parameters at a time: those of the file, and the take's changes up to then, each gliding
     /// to its value by a one-pole filter of time.glide seconds. A pure function: any frame alone.

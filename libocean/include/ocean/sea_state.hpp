@@ -71,6 +71,7 @@ std::string sea_state_json(const SeaState& state);
 std::uint64_t modes_bytes(const Grid& grid);
 std::uint64_t surface_bytes(int resolution, int channels);
 /// Throws Error out_of_memory, before anything is allocated, when `bytes` is more than there is.
-void require_memory(std::uint64_t bytes, const std::string& what);
+void require_memory(std::uint64_t bytes, const std::string& what,
+                    const std::string& advice = "choose a smaller resolution");
 
 }  // namespace ocean

@@ -26,10 +26,11 @@ from ._library import (
     library,
     text_of,
 )
-from ._sea import Sea, Surface
+from ._sea import FloatPose, Sea, Surface
 
 __all__ = [
     "Error",
+    "FloatPose",
     "InvalidValueError",
     "OutOfMemoryError",
     "Sea",

@@ -94,6 +94,7 @@ def _candidates() -> list[str]:
 
 
 _TEXT = [c_char_p, POINTER(c_size_t)]
+_LISTS = [c_void_p, c_size_t, c_void_p, c_size_t]
 _SIGNATURES: dict[str, list[Any]] = {
     "ocean_open": [c_char_p, POINTER(Options), POINTER(c_void_p)],
     "ocean_parse": [c_char_p, c_size_t, c_char_p, POINTER(Options), POINTER(c_void_p)],
@@ -106,7 +107,9 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_preset": [c_char_p, *_TEXT],
     "ocean_map_resolution": [c_void_p, POINTER(c_int32)],
     "ocean_evaluate": [c_void_p, POINTER(Request)],
-    "ocean_query": [c_void_p, c_double, c_void_p, c_size_t, c_void_p, c_size_t],
+    "ocean_query": [c_void_p, c_double, *_LISTS],
+    "ocean_orbital_velocity": [c_void_p, c_double, c_double, *_LISTS],
+    "ocean_float_pose": [c_void_p, c_double, *_LISTS],
 }
 
 

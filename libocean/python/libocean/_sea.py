@@ -9,7 +9,7 @@ import json
 import numbers
 import threading
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -51,6 +51,21 @@ def _value_text(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value_text(item) for item in value) + "]"
     return str(value)
+
+
+class FloatPose(NamedTuple):
+    """Of n floating bodies: the plane below each, as arrays of n rows."""
+
+    position: Array
+    """(n, 3), metres: x and y of the body, height of the plane there."""
+    up: Array
+    """(n, 3), unit vectors of the tilted bodies."""
+    forward: Array
+    """(n, 3)"""
+    pitch: Array
+    """(n,), degrees, bow up."""
+    roll: Array
+    """(n,), degrees, port side up."""
 
 
 class Sea:
@@ -133,11 +148,36 @@ class Sea:
         return Surface(self, time, resolution, fields, axes)
 
     def query(self, points: npt.ArrayLike, time: float) -> Array:
-        """Ten numbers for each world point (x, y), those of `ocean query`: not in this version."""
-        xy = np.ascontiguousarray(points, dtype=np.float64).reshape(-1, 2)
-        samples = np.empty((len(xy), 10), dtype=np.float32)
-        self._call("ocean_query", time, xy.ctypes.data, len(xy), samples.ctypes.data, 10)
-        return samples
+        """The surface that is shown at each of n world points (x, y): (n, 10), the columns of
+        `ocean query`: x, y, height, normal x y z, velocity x y z, foam."""
+        return self._answers("ocean_query", points, (time,), 2, 10)
+
+    def orbital_velocity(self, points: npt.ArrayLike, time: float, z: float = 0.0) -> Array:
+        """Velocity of the water by linear theory at fixed world points (x, y), z metres above still
+        water: (n, 3), m/s. Above 0 it is that of 0, below the bottom there is none."""
+        return self._answers("ocean_orbital_velocity", points, (time, z), 2, 3)
+
+    def float_pose(self, bodies: npt.ArrayLike, time: float) -> FloatPose:
+        """How floating bodies lie on the sea, each (x, y, heading, length, width): metres and
+        degrees counter-clockwise from +x, the length along the heading."""
+        poses = self._answers("ocean_float_pose", bodies, (time,), 5, 11)
+        return FloatPose(poses[:, 0:3], poses[:, 3:6], poses[:, 6:9], poses[:, 9], poses[:, 10])
+
+    def _answers(
+        self, name: str, rows: npt.ArrayLike, when: tuple[float, ...], width: int, columns: int
+    ) -> Array:
+        """One row of floats for each row of `width` numbers."""
+        asked = np.ascontiguousarray(rows, dtype=np.float64)
+        if asked.shape == (width,) or asked.size == 0:
+            asked = asked.reshape(-1, width)
+        if asked.ndim != 2 or asked.shape[1] != width:
+            raise _library.error(
+                f"an array of shape {asked.shape}; allowed: (n, {width})",
+                _library.INVALID_ARGUMENT,
+            )
+        answers = np.empty((len(asked), columns), dtype=np.float32)
+        self._call(name, *when, asked.ctypes.data, len(asked), answers.ctypes.data, columns)
+        return answers
 
     def _map_resolution(self) -> int:
         resolution = ctypes.c_int32()

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean gauge`: virtual wave gauges, fixed or moving, read over time by summing all modes, and
+// what a wave scientist makes of their records.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "gauge_output.hpp"
+#include "interrupt.hpp"
+#include "ocean/dispersion.hpp"
+#include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
+#include "sea_argument.hpp"
+#include "text.hpp"
+#include "write_output.hpp"
+
+namespace ocean::app {
+namespace {
+
+struct GaugeOptions {
+    SeaArgument sea;
+    std::string points;
+    std::string from;
+    std::string to;
+    std::string rate;
+    std::string degrees_of_freedom = "40";
+    std::string output;
+    std::string spectrum;
+};
+
+/// The request, every word of it checked.
+struct GaugePlan {
+    SampleTimes times;
+    double degrees_of_freedom;
+    std::vector<Gauge> gauges;
+};
+
+SampleTimes sample_times(const GaugeOptions& options) {
+    constexpr double kMostSamples = 1e9;
+    SampleTimes times{};
+    times.from = parse_number(options.from, "--from", -1e9, 1e9);
+    times.to = parse_number(options.to, "--to", -1e9, 1e9);
+    times.rate = parse_number(options.rate, "--rate", 1e-6, 1e6);
+    if (times.to < times.from) {
+        throw Error(ErrorKind::invalid_value,
+                    "--to = " + options.to + ": allowed is --from or later, " + options.from);
+    }
+    if ((times.to - times.from) * times.rate > kMostSamples) {
+        throw Error(ErrorKind::invalid_value,
+                    format_text("--rate = %s: %.3g samples from %s to %s s; allowed are 1e+09",
+                                options.rate.c_str(), (times.to - times.from) * times.rate,
+                                options.from.c_str(), options.to.c_str()));
+    }
+    return times;
+}
+
+GaugePlan plan_of(const GaugeOptions& options, const Sea& sea) {
+    if (!sea.take.empty()) {
+        throw Error(ErrorKind::unsupported,
+                    "time.take: gauges of a sea that changes come with a later version of "
+                    "libocean; this one reads them in seas without a take");
+    }
+    GaugePlan plan;
+    plan.times = sample_times(options);
+    plan.degrees_of_freedom =
+        parse_number(options.degrees_of_freedom, "--degrees-of-freedom", 2.0, 1e6);
+    const std::size_t samples = plan.times.count();
+    const bool too_short = gauge_segment(samples, plan.degrees_of_freedom) == 0;
+    if (!options.spectrum.empty() && too_short) {
+        throw Error(ErrorKind::invalid_value,
+                    "--spectrum: " + std::to_string(samples) + " samples are too few for " +
+                        options.degrees_of_freedom +
+                        " degrees of freedom; allowed are more samples or a smaller "
+                        "--degrees-of-freedom");
+    }
+    plan.gauges = read_gauges(options.points, plan.times.from, plan.times.at(samples - 1),
+                              sea.parameters.water.depth);
+    return plan;
+}
+
+/// Limits are those of an endless sea. An hour in a small patch tells its single modes apart, and
+/// what they add up to depends on the place.
+void warn_of_single_modes(Ocean& ocean, const SampleTimes& times, Console& console) {
+    constexpr double kEnoughModes = 50.0;
+    const double peak = ocean.spectrum().moments(ocean.parameters().water).peak_omega;
+    const double duration = times.to - times.from;
+    if (peak <= 0.0 || duration <= 0.0) return;
+    const double patch = ocean.parameters().grid.patch_size;
+    // n peak waves fit into the patch. The modes within 1/duration of the peak's frequency lie in a
+    // ring of radius n; deep water's 2 n / (f duration) is its width.
+    const double waves = patch * Dispersion(ocean.parameters().water).wavenumber(peak) / kTwoPi;
+    const double modes = 2.0 * kTwoPi * waves * waves / (peak / kTwoPi * duration);
+    if (modes >= kEnoughModes) return;
+    console.warning(
+        format_text("grid.patch_size = %g m holds few waves of each period: a record of %g s "
+                    "depends on its place "
+                    "more than the confidence limits say, unless the patch is %.0f m or more",
+                    patch, duration, patch * std::sqrt(kEnoughModes / modes)));
+}
+
+/// Says how far the run is, every few seconds.
+std::function<void(std::size_t)> progress_on(Console& console, std::size_t total) {
+    using Clock = std::chrono::steady_clock;
+    constexpr double kInterval = 5.0;  // s
+    return [&console, total, start = Clock::now(), last = Clock::now()](std::size_t done) mutable {
+        const auto now = Clock::now();
+        if (std::chrono::duration<double>(now - last).count() < kInterval) return;
+        last = now;
+        const double part = static_cast<double>(done) / static_cast<double>(total);
+        const double left = std::chrono::duration<double>(now - start).count() * (1.0 / part - 1.0);
+        console.report(
+            "progress", format_text("%zu of %zu times, ETA ", done, total) + duration_text(left),
+            format_text("\"done\": %zu, \"total\": %zu, \"eta_seconds\": %.1f", done, total, left));
+    };
+}
+
+void require_room(const GaugePlan& plan, const Modes& modes, int threads) {
+    constexpr std::uint64_t kTextBytes = 400;  // of one reading, in a string that grows
+    const std::size_t samples = plan.times.count();
+    const std::uint64_t text = std::uint64_t{samples} * plan.gauges.size() * kTextBytes;
+    require_memory(record_bytes(modes, plan.gauges, samples, threads) + text,
+                   format_text("a record of %zu times at %zu gauges", samples, plan.gauges.size()),
+                   "choose fewer times or gauges");
+}
+
+std::vector<GaugeSummary> summaries_of(const GaugePlan& plan, const GaugeRecord& record) {
+    std::vector<GaugeSummary> summaries;
+    for (std::size_t g = 0; g < plan.gauges.size(); ++g) {
+        const std::vector<double> elevation = record.elevation(g);
+        const double rate = plan.times.rate;
+        GaugeSpectrum spectrum = estimate_spectrum(elevation, rate, plan.degrees_of_freedom);
+        const SeaEstimate sea = estimate_sea(elevation, rate, spectrum);
+        summaries.push_back(
+            {plan.gauges[g].name, count_waves(elevation, rate), sea, std::move(spectrum)});
+    }
+    return summaries;
+}
+
+void run(const GaugeOptions& options, const Context& context) {
+    const Sea sea = open_sea(options.sea);
+    const GaugePlan plan = plan_of(options, sea);
+    Ocean ocean(sea.parameters, {.threads = context.options.threads});
+    ThreadPool pool(context.options.threads);
+    require_room(plan, ocean.modes(), pool.size());
+    warn_of_single_modes(ocean, plan.times, context.console);
+    const GaugeRecord record =
+        record_gauges(ocean.modes(), sea.parameters, plan.gauges, plan.times, pool,
+                      progress_on(context.console, plan.times.count()));
+
+    const std::vector<GaugeSummary> summaries = summaries_of(plan, record);
+    const auto write = [&](const std::string& path, const std::string& bytes) {
+        const auto whole = context.interrupts.hold();
+        write_output(path, bytes);
+    };
+    if (!options.output.empty()) {
+        const bool npy = options.output.ends_with(".npy");
+        write(options.output, npy ? record_npy(record) : record_csv(record, plan.gauges));
+    }
+    if (!options.spectrum.empty()) write(options.spectrum, spectrum_csv(summaries));
+    context.console.data(context.options.json ? summary_json(summaries, plan.times)
+                                              : summary_table(summaries));
+    if (gauge_segment(plan.times.count(), plan.degrees_of_freedom) == 0) {
+        context.console.warning("the record is too short for confidence limits with " +
+                                options.degrees_of_freedom + " degrees of freedom");
+    }
+}
+
+}  // namespace
+
+void add_gauge_command(CLI::App& app, Context& context) {
+    CLI::App* command =
+        app.add_subcommand("gauge", "Read virtual wave gauges over time, and estimate the sea");
+    auto options = std::make_shared<GaugeOptions>();
+    add_sea_argument(*command, options->sea);
+    const std::string group = "Record";
+    const auto needed = [&](const char* name, std::string& value, const char* help,
+                            const char* type) {
+        command->add_option(name, value, help)->required()->type_name(type)->group(group);
+    };
+    needed("--points", options->points, "CSV of the gauges, see below; - = standard input", "FILE");
+    needed("--from", options->from, "First time, s", "SECONDS");
+    needed("--to", options->to, "Last time, s", "SECONDS");
+    needed("--rate", options->rate, "Samples a second", "HZ");
+    const std::string output = "Output";
+    command
+        ->add_option("-o,--output", options->output,
+                     "Write the readings here: .npy for NumPy, else CSV")
+        ->type_name("FILE")
+        ->group(output);
+    command->add_option("--spectrum", options->spectrum, "Write the estimated spectra here, as CSV")
+        ->type_name("FILE")
+        ->group(output);
+    command
+        ->add_option("--degrees-of-freedom", options->degrees_of_freedom,
+                     "Of each density of the spectrum, at least: more are surer and less fine; 40")
+        ->type_name("N")
+        ->group(output);
+    add_run_options(*command, context.options, "Print one JSON object; progress as JSON lines");
+    command->footer(
+        "FILE has a header line and the columns x, y (m); name; z (m, 0 = still water, the "
+        "default,\n"
+        "and negative below); velocity_x, velocity_y (m/s) of a gauge that moves on from x, y; or\n"
+        "time (s): the rows of one name are then its track, straight in between.\n"
+        "Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the surface shown at\n"
+        "x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, "
+        "without\n"
+        "the hydrostatic part) at z by linear theory, above still water as at z = 0.\n"
+        ".npy: float64 of the shape (times, gauges, 10), the columns as in the CSV without gauge.\n"
+        "Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4 sqrt(m0) and\n"
+        "Tm02 = sqrt(m0/m2) with 95 % confidence limits. --json has more.");
+    command->callback([options, &context] { run(*options, context); });
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The readings of all gauges over time; see gauge_record.hpp. Threads share blocks of times, each
+// with its own copy of the modes.
+#include "gauge_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "ocean/gauge.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean::app {
+
+std::size_t SampleTimes::count() const {
+    // A last time that rounding puts just beyond `to` still counts.
+    return static_cast<std::size_t>(std::floor((to - from) * rate * (1.0 + 1e-12) + 1e-9)) + 1;
+}
+
+std::vector<double> GaugeRecord::elevation(std::size_t gauge) const {
+    std::vector<double> result(times);
+    for (std::size_t i = 0; i < times; ++i) result[i] = reading(i, gauge)[kElevation];
+    return result;
+}
+
+namespace {
+
+bool stays_at_its_depth(const Gauge& gauge) {
+    return std::ranges::all_of(gauge.track, [&](const Gauge::Fix& fix) {
+        return fix.place.z == gauge.track.front().place.z;
+    });
+}
+
+/// Depths at which gauges stay, whose exponentials are worth keeping.
+std::set<double> lasting_depths(const std::vector<Gauge>& gauges) {
+    std::set<double> depths;
+    for (const Gauge& gauge : gauges) {
+        if (stays_at_its_depth(gauge)) depths.insert(gauge.track.front().place.z);
+    }
+    return depths;
+}
+
+/// Times that follow each other by steps, from one that is set. The same ones whichever thread
+/// reads them.
+constexpr std::size_t kBlock = 32;
+
+using Levels = std::map<double, WaterLevel>;
+
+void read_time(const WaveSum& sea, double choppiness, const std::vector<Gauge>& gauges,
+               const Levels& levels, double time, std::span<double> values) {
+    for (const Gauge& gauge : gauges) {
+        const GaugePlace place = gauge.at(time);
+        const auto lasting = levels.find(place.z);
+        const bool changes = lasting == levels.end();
+        const WaterLevel now = changes ? sea.water_level(place.z) : WaterLevel();
+        const GaugeReading reading =
+            read_gauge(sea, choppiness, place.x, place.y, changes ? now : lasting->second);
+        const double row[] = {time,
+                              place.x,
+                              place.y,
+                              reading.elevation,
+                              reading.slope_x,
+                              reading.slope_y,
+                              reading.water.velocity_x,
+                              reading.water.velocity_y,
+                              reading.water.velocity_z,
+                              reading.water.pressure};
+        std::ranges::copy(row, values.begin());
+        values = values.subspan(std::size(row));
+    }
+}
+
+}  // namespace
+
+std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges, std::size_t times,
+                           int threads) {
+    const std::uint64_t values =
+        std::uint64_t{times} * gauges.size() * GaugeRecord::kColumns.size() * sizeof(double);
+    const std::size_t copies = static_cast<std::size_t>(threads) + 1;
+    return values + WaveSum::bytes(modes, copies, lasting_depths(gauges).size() + copies, 1);
+}
+
+GaugeRecord record_gauges(const Modes& modes, const Parameters& parameters,
+                          const std::vector<Gauge>& gauges, const SampleTimes& times,
+                          ThreadPool& pool, const std::function<void(std::size_t)>& progress) {
+    GaugeRecord record{times.count(), gauges.size(), {}};
+    const std::size_t row = record.gauges * GaugeRecord::kColumns.size();
+    record.values.resize(record.times * row);
+    const WaveSum start(modes, parameters.water);
+    Levels levels;
+    for (const double z : lasting_depths(gauges)) levels.emplace(z, start.water_level(z));
+
+    const WaveStep step = start.wave_step(1.0 / times.rate);
+    const std::size_t batch = 2 * kBlock * static_cast<std::size_t>(pool.size());
+    for (std::size_t done = 0; done < record.times; done += batch) {
+        const std::size_t end = std::min(done + batch, record.times);
+        const std::size_t blocks = (end - done + kBlock - 1) / kBlock;
+        pool.for_each_range(static_cast<int>(blocks), [&](int first, int last) {
+            WaveSum sea = start;
+            const std::size_t from = done + static_cast<std::size_t>(first) * kBlock;
+            const std::size_t to = std::min(done + static_cast<std::size_t>(last) * kBlock, end);
+            for (std::size_t i = from; i < to; ++i) {
+                i % kBlock == 0 ? sea.set_time(times.at(i)) : sea.advance(step);
+                read_time(sea, parameters.surface.choppiness, gauges, levels, times.at(i),
+                          std::span(record.values).subspan(i * row, row));
+            }
+        });
+        progress(end);
+    }
+    return record;
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What all gauges read over time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gauge_points.hpp"
+#include "ocean/parameters.hpp"
+#include "ocean/wave_sum.hpp"
+
+namespace ocean {
+class ThreadPool;
+}
+
+namespace ocean::app {
+
+/// The times from + i / rate up to `to`.
+struct SampleTimes {
+    double from;  // s
+    double to;
+    double rate;  // Hz
+
+    std::size_t count() const;
+    double at(std::size_t i) const { return from + static_cast<double>(i) / rate; }
+};
+
+/// A number for each time, gauge and column, in this order, columns side by side.
+struct GaugeRecord {
+    static constexpr std::array<std::string_view, 10> kColumns = {
+        "time",    "x",          "y",          "elevation",  "slope_x",
+        "slope_y", "velocity_x", "velocity_y", "velocity_z", "pressure"};
+
+    static constexpr std::size_t kElevation = 3;
+
+    std::size_t times = 0;
+    std::size_t gauges = 0;
+    std::vector<double> values;
+
+    std::span<const double> reading(std::size_t time, std::size_t gauge) const {
+        return std::span(values).subspan((time * gauges + gauge) * kColumns.size(),
+                                         kColumns.size());
+    }
+    /// Of one gauge over all times.
+    std::vector<double> elevation(std::size_t gauge) const;
+};
+
+/// Bytes that record_gauges needs.
+std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges, std::size_t times,
+                           int threads);
+
+/// Exact: all modes summed at each place and time. The same bits for any number of threads.
+/// `progress` is told the times done, some times in between.
+GaugeRecord record_gauges(const Modes& modes, const Parameters& parameters,
+                          const std::vector<Gauge>& gauges, const SampleTimes& times,
+                          ThreadPool& pool, const std::function<void(std::size_t)>& progress);
+
+}  // namespace ocean::app

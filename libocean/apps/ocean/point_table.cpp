@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables of points that nobody has checked; see point_table.hpp.
+#include "point_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "formats/csv_header.hpp"
+#include "line_reader.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+constexpr std::size_t kShownBytes = 30;  // of a cell in a message
+
+using Kind = PointColumn::Kind;
+
+std::string quoted(std::string_view cell) {
+    return "'" + text::printable(cell, kShownBytes) + "'";
+}
+
+std::string names_of(std::span<const PointColumn> columns) {
+    std::string names;
+    for (const PointColumn& column : columns) names += (names.empty() ? "" : ", ") + column.name;
+    return names;
+}
+
+std::vector<std::string_view> cells_of(const LineReader& lines, std::size_t limit) {
+    auto cells = csv::split(lines.line(), ',', limit);
+    if (!cells) throw lines.fail("a quote is not closed");
+    return std::move(*cells);
+}
+
+std::vector<PointColumn> read_header(LineReader& lines, std::span<const PointColumn> known) {
+    if (!csv::next_row(lines)) {
+        throw lines.fail("there is no header line; known columns: " + names_of(known));
+    }
+    std::vector<PointColumn> columns;
+    for (const std::string_view cell : cells_of(lines, known.size())) {
+        const auto named = [&](const PointColumn& column) { return column.name == cell; };
+        const auto found = std::find_if(known.begin(), known.end(), named);
+        if (found == known.end()) {
+            throw lines.fail("the header line names an unknown column " + quoted(cell) +
+                             "; known: " + names_of(known));
+        }
+        if (std::any_of(columns.begin(), columns.end(), named)) {
+            throw lines.fail("the column " + found->name + " is there twice");
+        }
+        columns.push_back(*found);
+    }
+    for (const PointColumn& column : known) {
+        const auto same = [&](const PointColumn& other) { return other.name == column.name; };
+        if (column.kind == Kind::needed && std::none_of(columns.begin(), columns.end(), same)) {
+            throw lines.fail("the header line lacks the column " + column.name);
+        }
+    }
+    return columns;
+}
+
+double number_of(const LineReader& lines, const PointColumn& column, std::string_view cell) {
+    if (cell.empty()) throw lines.fail(column.name + " is missing");
+    const std::optional<double> number = text::parse_number(cell);
+    // The comparison is written so that NaN fails it.
+    if (!number || !(std::abs(*number) <= kMaxPointNumber)) {
+        throw lines.fail(column.name + " = " + quoted(cell) + "; allowed is a number, -1e9 .. 1e9");
+    }
+    return *number;
+}
+
+std::string text_of(const LineReader& lines, const PointColumn& column, std::string_view cell) {
+    if (cell.size() <= kMaxPointTextBytes && text::printable(cell, cell.size() + 1) == cell) {
+        std::string content(cell);
+        for (std::size_t at = 0; (at = content.find("\"\"", at)) < content.size(); ++at) {
+            content.erase(at, 1);  // a quote within quotes stands twice
+        }
+        return content;
+    }
+    throw lines.fail(column.name + " = " + quoted(cell) +
+                     "; allowed are at most 80 bytes of UTF-8 without control characters");
+}
+
+}  // namespace
+
+const PointTable::Column* PointTable::find(std::string_view column) const {
+    for (const Column& candidate : columns_) {
+        if (candidate.known.name == column) return &candidate;
+    }
+    return nullptr;
+}
+
+std::span<const double> PointTable::numbers(std::string_view column) const {
+    const Column* found = find(column);
+    if (found == nullptr) return {};
+    return found->numbers;
+}
+
+std::span<const std::string> PointTable::texts(std::string_view column) const {
+    const Column* found = find(column);
+    if (found == nullptr) return {};
+    return found->texts;
+}
+
+PointTable parse_points(std::string_view text, const std::string& name,
+                        std::span<const PointColumn> known) {
+    LineReader lines(text, name);
+    PointTable table;
+    for (PointColumn& column : read_header(lines, known)) {
+        table.columns_.push_back({std::move(column), {}, {}});
+    }
+    const std::size_t width = table.columns_.size();
+    while (csv::next_row(lines)) {
+        const std::vector<std::string_view> cells = cells_of(lines, width);
+        if (cells.size() != width) {
+            throw lines.fail((cells.size() > width ? "more" : "fewer") +
+                             std::string(" cells than the ") + std::to_string(width) +
+                             " columns of the header line");
+        }
+        if (++table.rows_ > kMaxPoints) throw lines.fail("more than the 10000000 points allowed");
+        for (std::size_t i = 0; i < width; ++i) {
+            PointTable::Column& column = table.columns_[i];
+            if (column.known.kind == Kind::text) {
+                column.texts.push_back(text_of(lines, column.known, cells[i]));
+            } else {
+                column.numbers.push_back(number_of(lines, column.known, cells[i]));
+            }
+        }
+    }
+    return table;
+}
+
+namespace {
+
+std::string read_standard_input() {
+    std::string content;
+    std::array<char, 1 << 16> block;
+    while (const std::size_t got = std::fread(block.data(), 1, block.size(), stdin)) {
+        content.append(block.data(), got);
+        if (content.size() > kMaxFileBytes) {
+            throw Error(ErrorKind::bad_file, "standard input: more than the 1 GiB allowed");
+        }
+    }
+    if (std::ferror(stdin) != 0) {
+        throw Error(ErrorKind::bad_file, "standard input: cannot be read to its end");
+    }
+    return content;
+}
+
+}  // namespace
+
+PointTable read_points(const std::string& path, std::span<const PointColumn> known) {
+    if (path == "-") return parse_points(read_standard_input(), "standard input", known);
+    return parse_points(text::read_file(path, kMaxFileBytes), path, known);
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean query`: the shown surface at points of the world, as CSV in, CSV out.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "command.hpp"
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
+#include "point_table.hpp"
+#include "sea_argument.hpp"
+#include "text.hpp"
+#include "write_output.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr std::size_t kBatch = 1 << 16;  // points at a time, so that a long list needs no memory
+constexpr char kHeader[] =
+    "x,y,height,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,foam";
+constexpr char kOrbitalHeader[] = ",orbital_velocity_x,orbital_velocity_y,orbital_velocity_z";
+
+struct QueryCommandOptions {
+    SeaArgument sea;
+    std::string points;
+    std::string output;
+    std::optional<double> time;
+    std::optional<int> frame;
+    std::optional<double> orbital_z;
+    QueryOptions query;
+};
+
+/// Shortest text that reads back as the same number.
+template <typename Number>
+void append_number(std::string& text, Number value) {
+    char buffer[32];
+    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+}
+
+class QueryRun {
+  public:
+    QueryRun(const QueryCommandOptions& options, const Context& context)
+        : options_(options), context_(context), sea_(open_sea(options.sea)) {
+        if (options.time.has_value() == options.frame.has_value()) {
+            throw Error(ErrorKind::invalid_value, "needed is either --time or --frame");
+        }
+        time_ = options.time ? *options.time : sea_.time_of(*options.frame);
+        require_finite("--time", time_);
+        if (options.orbital_z) require_finite("--orbital", *options.orbital_z);
+    }
+
+    void run() {
+        static const std::array<PointColumn, 2> kColumns = {{{"x"}, {"y"}}};
+        const PointTable table = read_points(options_.points, kColumns);
+        Ocean ocean(sea_, {.threads = context_.options.threads});
+        write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") + "\n");
+        for (std::size_t first = 0; first < table.size(); first += kBatch) {
+            const std::size_t count = std::min(kBatch, table.size() - first);
+            write(rows(ocean, table.numbers("x").subspan(first, count),
+                       table.numbers("y").subspan(first, count)));
+        }
+        if (!options_.output.empty()) {
+            const auto whole = context_.interrupts.hold();
+            write_output(options_.output, text_);
+        }
+        if (folded_ > 0) {
+            context_.console.warning(format_text(
+                "%zu of %zu points lie where the crests have folded over: they take the top sheet",
+                folded_, table.size()));
+        }
+    }
+
+  private:
+    static void require_finite(const char* name, double value) {
+        if (std::isfinite(value)) return;
+        throw Error(ErrorKind::invalid_value,
+                    std::string(name) + format_text(" = %g: allowed is a finite number", value));
+    }
+
+    void write(const std::string& text) {
+        if (options_.output.empty()) return context_.console.data(text);
+        text_ += text;
+    }
+
+    std::string rows(Ocean& ocean, std::span<const double> x, std::span<const double> y) {
+        std::vector<WorldPoint> points;
+        for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
+        std::vector<QuerySample> samples(points.size());
+        ocean.query(time_, points, samples, options_.query);
+        std::vector<std::array<double, 3>> orbital;
+        if (options_.orbital_z) {
+            orbital.resize(points.size());
+            ocean.orbital_velocity(time_, *options_.orbital_z, points, orbital, options_.query);
+        }
+        std::string text;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const QuerySample& sample = samples[i];
+            folded_ += sample.folded ? 1 : 0;
+            append_number(text, points[i].x);
+            text += ',';
+            append_number(text, points[i].y);
+            append_values(text, {&sample.height, 1});
+            append_values(text, sample.normal);
+            append_values(text, sample.velocity);
+            append_values(text, {&sample.foam, 1});
+            if (!orbital.empty()) append_values(text, orbital[i]);
+            text += '\n';
+        }
+        return text;
+    }
+
+    /// Maps hold single precision: more digits would say nothing.
+    void append_values(std::string& text, std::span<const double> values) const {
+        for (const double value : values) {
+            text += ',';
+            if (options_.query.exact) {
+                append_number(text, value);
+            } else {
+                append_number(text, static_cast<float>(value));
+            }
+        }
+    }
+
+    const QueryCommandOptions& options_;
+    const Context& context_;
+    Sea sea_;
+    double time_ = 0.0;
+    std::size_t folded_ = 0;
+    std::string text_;  // for a file
+};
+
+}  // namespace
+
+void add_query_command(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand(
+        "query", "Height, normal, velocity and foam at points of the world, as CSV");
+    auto options = std::make_shared<QueryCommandOptions>();
+    add_sea_argument(*command, options->sea);
+    std::string group = "Where and when";
+    command
+        ->add_option("--points", options->points,
+                     "CSV with a header line and the columns x,y in metres; - = standard input")
+        ->required()
+        ->type_name("FILE")
+        ->group(group);
+    command->add_option("--time", options->time, "Seconds")->type_name("T")->group(group);
+    command->add_option("--frame", options->frame, "A frame of the sea instead of a time")
+        ->type_name("N")
+        ->group(group);
+    group = "Accuracy";
+    command->add_flag("--exact", options->query.exact, "Add up all modes in double: slow")
+        ->group(group);
+    command
+        ->add_option("--refine", options->query.refine,
+                     "1, 2, 4 ...: interpolate between finer maps (default 1: 2e-3 of the rms "
+                     "height or better)")
+        ->type_name("K")
+        ->group(group);
+    group = "Output";
+    command
+        ->add_option("--orbital", options->orbital_z,
+                     "Also the velocity of the water at this height, 0 = still water: columns "
+                     "orbital_velocity_x,y,z")
+        ->type_name("Z")
+        ->group(group);
+    command->add_option("-o,--output", options->output, "Write the CSV here")
+        ->type_name("FILE")
+        ->group(group);
+    add_run_options(*command, context.options, "");
+    command->footer(
+        "Columns: x,y,height (m), normal_x,y,z (unit, up), velocity_x,y,z (m/s, of the shown\n"
+        "point), foam (0 .. 1). The displacement is inverted: the row says what is seen at x,y.\n"
+        "Where crests have folded over, a point takes the top sheet.");
+    command->callback([options, &context] { QueryRun(*options, context).run(); });
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which label is shown at a place: solves a - C D(a) = x for the label a, where C is the choppiness
+// and D the horizontal excursion. One solution where the surface is not folded. Where it is, three
+// or more: by the sign of their Jacobians they add up to one, so that one of them has J < 0.
+//
+// A source is anything that gives, at a label (x, y), an ExcursionSample or more.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ocean/wave_sum.hpp"
+
+namespace ocean {
+
+struct InversionTarget {
+    double x, y;  // m, the place
+    double choppiness;
+    double reach;      // m, no label is shown much farther than this from where it is
+    double tolerance;  // m, residual of a solution
+
+    /// `reach` must not be 0 in a sea that moves.
+    static InversionTarget at(double x, double y, double choppiness, double reach) {
+        return {x, y, choppiness, reach, kTolerance * reach};
+    }
+    /// Of the reach: what single precision holds of a displacement, with some room.
+    static constexpr double kTolerance = 2e-6;
+};
+
+struct ShownLabel {
+    double x, y;      // m
+    double jacobian;  // of the shown surface
+    bool converged;
+};
+
+/// From one start to a solution near it. Newton's method; where that wanders or meets a fold, the
+/// damped fixed point a <- a - (a - C D(a) - x) / 2, then Newton again. At most 40 looks at the
+/// source; the last label, finite, where none was good enough.
+template <typename Source>
+ShownLabel find_label(const Source& source, const InversionTarget& target, double start_x,
+                      double start_y) {
+    constexpr int kSteps = 40;
+    constexpr int kPatience = 12;   // steps of Newton, before and after the fixed point
+    constexpr double kFlat = 0.01;  // |J| below which Newton's step is not trusted
+    const double longest_step = 0.5 * target.reach;
+    const double c = target.choppiness;
+    ShownLabel label{start_x, start_y, 1.0, false};
+    for (int step = 1;; ++step) {
+        const auto excursion = source(label.x, label.y);
+        const double fx = label.x - c * excursion.excursion_x - target.x;
+        const double fy = label.y - c * excursion.excursion_y - target.y;
+        const double xx = 1.0 - c * excursion.gradient_xx;
+        const double yy = 1.0 - c * excursion.gradient_yy;
+        const double xy = c * excursion.gradient_xy;
+        label.jacobian = xx * yy - xy * xy;
+        label.converged = fx * fx + fy * fy <= target.tolerance * target.tolerance;
+        if (label.converged || step == kSteps) return label;
+
+        const bool wandering = step > kPatience && step <= kSteps - kPatience;
+        double dx = 0.5 * fx;
+        double dy = 0.5 * fy;
+        if (!wandering && std::abs(label.jacobian) > kFlat) {
+            dx = (yy * fx + xy * fy) / label.jacobian;
+            dy = (xy * fx + xx * fy) / label.jacobian;
+        }
+        const double limit = std::min(1.0, longest_step / std::hypot(dx, dy));
+        label.x -= limit * dx;
+        label.y -= limit * dy;
+    }
+}
+
+struct TopLabel {
+    ShownLabel label;
+    bool folded;  // others are shown there too, below
+};
+
+/// The highest of the solutions that starts around the target lead to; `height` is that of a label.
+/// Looks around only if the first solution is squeezed to J < 1/2: where a crest folds over itself
+/// with a smallest Jacobian -e, the labels shown beside the fold have J <= 3 e (a cubic), so folds
+/// of e < 1/6 are always seen. For sources that are too dear for a map of their folds.
+template <typename Source, typename Height>
+TopLabel find_top_label(const Source& source, const Height& height, const InversionTarget& target) {
+    constexpr double kSqueezed = 0.5;
+    constexpr int kDirections = 8;
+    const ShownLabel first = find_label(source, target, target.x, target.y);
+    TopLabel top{first, first.jacobian <= 0.0};
+    if (first.converged && first.jacobian > kSqueezed) return top;
+    double highest = height(first.x, first.y);
+    for (const double distance : {0.25 * target.reach, 0.75 * target.reach}) {
+        for (int i = 0; i < kDirections; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / kDirections;
+            const ShownLabel other =
+                find_label(source, target, target.x + distance * std::cos(angle),
+                           target.y + distance * std::sin(angle));
+            if (!other.converged) continue;
+            top.folded = top.folded || other.jacobian <= 0.0;
+            const double its_height = height(other.x, other.y);
+            if (top.label.converged && its_height <= highest) continue;
+            top.label = other;
+            highest = its_height;
+        }
+    }
+    return top;
+}
+
+}  // namespace ocean

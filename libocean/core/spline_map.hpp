@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Linear fields of the sea between the samples of a map: a cubic B-spline whose coefficients come
+// straight from the transform.
+//
+// A spline s(u) = sum_j c_j B(u - j), u in samples, shows a mode e^(i theta u) of coefficients
+// c_j = e^(i theta j) as sum_p B^(theta + 2 pi p) e^(i (theta + 2 pi p) u), with the transform
+// B^(theta) = (sin(theta/2) / (theta/2))^4 of the kernel. Dividing the mode by B^(theta) first
+// makes the wanted term (p = 0) exact and leaves the aliases alone. The largest, p = -1, has the
+// amplitude
+//     e = (n / (R - n))^4        of a mode of n waves on R samples, e^(3/4) in its derivative.
+// Interpolation, c = the samples filtered by 1 / sum_p B^(theta + 2 pi p), is wrong by e in the
+// wanted term too: its rms error is sqrt(2) times as large. The least squares choice gains another
+// part of e^2 / 2: nothing. [Unser 1999] for the splines and B^.
+// Along each axis: with R at least twice that of the modes, e is at most 1/81, with four times
+// 1/2401, and that for the shortest waves alone. Proved in query_test.cpp.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ocean/grid.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+/// What three channels are at one point, in their order.
+struct SplineValue {
+    std::array<float, 3> value;
+};
+struct SplineJet {
+    std::array<float, 3> value;
+    std::array<float, 3> by_x;  // per metre
+    std::array<float, 3> by_y;
+};
+
+/// Copy of the modes that a map of `band` samples holds, made ready for a spline of `resolution`
+/// samples: h0 / (B^(kx) B^(ky)).
+Modes spline_modes(const Modes& modes, int band, int resolution);
+
+class ThreadPool;
+
+/// Three fields of one time. Immutable; periodic.
+class SplineMap {
+  public:
+    /// From three planes of coefficients.
+    SplineMap(Lattice lattice, const std::array<std::span<const float>, 3>& planes,
+              ThreadPool& pool);
+
+    const Lattice& lattice() const { return lattice_; }
+    static constexpr std::size_t bytes_per_sample() { return sizeof(Texel); }
+    /// Finite coordinates in metres, not many periods from 0.
+    SplineValue value(double x, double y) const;
+    SplineJet jet(double x, double y) const;
+
+  private:
+    /// Three fields side by side, so that one point touches few cache lines.
+    struct alignas(16) Texel {
+        float field[4];
+    };
+    struct Place {
+        std::array<const Texel*, 4> row;
+        std::array<std::size_t, 4> column;
+        float x, y;  // within the cell, 0 .. 1
+    };
+    Place place(double x, double y) const;
+
+    Lattice lattice_;
+    double per_metre_;
+    std::vector<Texel> texels_;
+};
+
+inline std::array<float, 4> spline_weights(float t) {
+    const float s = 1.0f - t;
+    constexpr float kSixth = 1.0f / 6.0f;
+    return {kSixth * s * s * s, kSixth * (t * t * (3.0f * t - 6.0f) + 4.0f),
+            kSixth * (s * s * (3.0f * s - 6.0f) + 4.0f), kSixth * t * t * t};
+}
+inline std::array<float, 4> spline_slopes(float t) {
+    const float s = 1.0f - t;
+    return {-0.5f * s * s, t * (1.5f * t - 2.0f), -s * (1.5f * s - 2.0f), 0.5f * t * t};
+}
+
+inline SplineMap::Place SplineMap::place(double x, double y) const {
+    const double u = x * per_metre_;
+    const double v = y * per_metre_;
+    const double cell_x = std::floor(u);
+    const double cell_y = std::floor(v);
+    const auto i = static_cast<long long>(cell_x);
+    const auto j = static_cast<long long>(cell_y);
+    const long long mask = lattice_.resolution - 1;
+    Place place;
+    for (int a = 0; a < 4; ++a) {
+        const auto at = static_cast<std::size_t>(a);
+        place.column[at] = static_cast<std::size_t>((i + a - 1) & mask);
+        place.row[at] = texels_.data() + static_cast<std::size_t>((j + a - 1) & mask) *
+                                             static_cast<std::size_t>(lattice_.resolution);
+    }
+    place.x = static_cast<float>(u - cell_x);
+    place.y = static_cast<float>(v - cell_y);
+    return place;
+}
+
+inline SplineValue SplineMap::value(double x, double y) const {
+    const Place at = place(x, y);
+    const std::array<float, 4> wx = spline_weights(at.x);
+    const std::array<float, 4> wy = spline_weights(at.y);
+    float sum[4] = {};
+    for (std::size_t j = 0; j < 4; ++j) {
+        float along[4] = {};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Texel& texel = at.row[j][at.column[i]];
+            for (int c = 0; c < 4; ++c) along[c] += wx[i] * texel.field[c];
+        }
+        for (int c = 0; c < 4; ++c) sum[c] += wy[j] * along[c];
+    }
+    return {{sum[0], sum[1], sum[2]}};
+}
+
+inline SplineJet SplineMap::jet(double x, double y) const {
+    const Place at = place(x, y);
+    const std::array<float, 4> wx = spline_weights(at.x);
+    const std::array<float, 4> wy = spline_weights(at.y);
+    const std::array<float, 4> sx = spline_slopes(at.x);
+    const std::array<float, 4> sy = spline_slopes(at.y);
+    float sum[4] = {};
+    float by_x[4] = {};
+    float by_y[4] = {};
+    for (std::size_t j = 0; j < 4; ++j) {
+        float along[4] = {};
+        float slope[4] = {};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Texel& texel = at.row[j][at.column[i]];
+            for (int c = 0; c < 4; ++c) {
+                along[c] += wx[i] * texel.field[c];
+                slope[c] += sx[i] * texel.field[c];
+            }
+        }
+        for (int c = 0; c < 4; ++c) {
+            sum[c] += wy[j] * along[c];
+            by_x[c] += wy[j] * slope[c];
+            by_y[c] += sy[j] * along[c];
+        }
+    }
+    const auto scale = static_cast<float>(per_metre_);
+    return {{sum[0], sum[1], sum[2]},
+            {scale * by_x[0], scale * by_x[1], scale * by_x[2]},
+            {scale * by_y[0], scale * by_y[1], scale * by_y[2]}};
+}
+
+/// Three channels of make_surface with choppiness 1; `modes` are from spline_modes.
+SplineMap make_spline_map(const Modes& modes, double time, const std::array<Channel, 3>& channels,
+                          int resolution, ThreadPool& pool);
+
+}  // namespace ocean

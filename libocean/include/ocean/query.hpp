@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The shown surface at points of the world: its height, normal, velocity and foam where a buoy, a
+// ship or a camera is. The displacement is inverted: found is the label that is shown there.
+//
+// Between the samples of maps twice as fine as those that are shown, fields are cubic splines,
+// exact but for the aliases of the shortest waves: a wave of l metres is off by (s / (l - s))^4 of
+// itself, s = spacing of the samples, at most 1/81. Over the rms height of a sea that its grid
+// resolves this is less than 2e-3, and less than 1e-4 with refine = 2; slopes are off by at most
+// 1/27 and 1/343 of the shortest waves. Proved in query_test.cpp, for the presets in
+// preset_query_test.cpp.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ocean/modes.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+struct WorldPoint {
+    double x;  // m
+    double y;
+};
+
+struct QuerySample {
+    double height;       // m
+    double normal[3];    // unit, of the shown surface, on the side seen from above
+    double velocity[3];  // m/s, d/dt of the shown point at its label
+    double label[2];     // m, the label shown there
+    double foam;         // 0 .. 1
+    bool folded;         // several labels are shown there: this is the top one
+};
+
+struct QueryOptions {
+    bool exact = false;  // add up all modes in double
+    int refine = 1;      // 1, 2, 4 ...: finer maps between which less is interpolated
+    bool foam = true;    // false: foam is 0 and costs nothing
+    int resolution = 0;  // of the map that is shown: waves it does not hold are not there; 0 = the
+                         // modes' own
+
+    bool operator==(const QueryOptions&) const = default;
+};
+
+/// Foam by label, over one period.
+struct FoamMap {
+    std::vector<float> values;  // resolution^2, row-major [j][i]
+    int resolution = 0;         // 0 = no foam
+};
+
+/// The surface of one time. Immutable: several threads may ask at once. Keeps no reference.
+class SurfaceQuery {
+  public:
+    /// Throws Error invalid_value for a refine that is no power of two or needs maps of more than
+    /// 8192 samples. (refine = 1 is allowed for every sea: on 8192 samples maps are no finer than
+    /// that.)
+    SurfaceQuery(const Modes& modes, const SurfaceSettings& settings, const Water& water,
+                 double time, const QueryOptions& options, ThreadPool& pool, FoamMap foam = {});
+    ~SurfaceQuery();
+    SurfaceQuery(SurfaceQuery&&) noexcept;
+    SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
+
+    /// As many samples as points; the same bits for any number of threads. Throws Error
+    /// invalid_value for a point that is not finite, before any sample is written.
+    void sample(std::span<const WorldPoint> points, std::span<QuerySample> samples,
+                ThreadPool& pool) const;
+    QuerySample sample(WorldPoint point) const;
+
+    double time() const;
+    /// Distance of the samples of the shown map, m.
+    double spacing() const;
+    /// Largest horizontal displacement, m; a tenth more, since it may lie between samples.
+    double reach() const;
+    /// Where the interpolated surface shows a label. sample() finds its inverse to 2e-6 of reach().
+    WorldPoint shown(WorldPoint label) const;
+
+    /// Bytes that the constructor needs for such modes, at most.
+    static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
+
+  private:
+    struct State;
+    std::unique_ptr<const State> state_;
+};
+
+/// Velocity of the water at points fixed in the world, by linear theory: no displacement. The
+/// motion at a depth decays as cosh k(z + d) / sinh kd; above z = 0 it is that of z = 0, below the
+/// bottom there is none. [Dean and Dalrymple 1991] section 4.2. Immutable; keeps no reference.
+class OrbitalVelocity {
+  public:
+    /// z in metres up from still water.
+    OrbitalVelocity(const Modes& modes, const Water& water, double time, double z,
+                    const QueryOptions& options, ThreadPool& pool);
+    ~OrbitalVelocity();
+    OrbitalVelocity(OrbitalVelocity&&) noexcept;
+    OrbitalVelocity& operator=(OrbitalVelocity&&) noexcept;
+
+    /// m/s. Throws like SurfaceQuery::sample.
+    void sample(std::span<const WorldPoint> points, std::span<std::array<double, 3>> velocities,
+                ThreadPool& pool) const;
+    std::array<double, 3> sample(WorldPoint point) const;
+
+    /// Bytes that the constructor needs for such modes, at most.
+    static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
+
+  private:
+    struct State;
+    std::unique_ptr<const State> state_;
+};
+
+}  // namespace ocean

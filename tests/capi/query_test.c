@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Questions at world points: what lands in a host's buffers, and what is refused.
+#include <math.h>
+#include <stdint.h>
+
+#include "tests.h"
+
+enum { kUntouched = 77 };
+static const double kTime = 12.0;
+static const double kSpacing = 200.0 / 64.0;
+
+/* World points at which samples of the small sea's maps are shown, and what they show: height,
+ * normal, velocity. To be freed by the caller. */
+static double* shown_points(ocean_sea* sea, float* expected, int count) {
+    const int32_t channels[9] = {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, OCEAN_NX, OCEAN_NY,
+                                 OCEAN_NZ, OCEAN_VX, OCEAN_VY,     OCEAN_VZ};
+    double* xy = malloc(2 * (size_t)count * sizeof(double));
+    for (int c = 0; c < 9; ++c) {
+        float* map = planar_map(sea, kTime, 0, channels[c]);
+        for (int p = 0; p < count; ++p) {
+            const int i = (p * 37) % 64;
+            const int j = (p * 11) % 64;
+            const float value = map[j * 64 + i];
+            if (c == 0) xy[2 * p] = i * kSpacing + value;
+            if (c == 1) xy[2 * p + 1] = j * kSpacing + value - 2000.0;
+            if (c > 1) expected[7 * p + c - 2] = value;
+        }
+        free(map);
+    }
+    return xy;
+}
+
+void queries_find_the_surface_that_the_maps_show(void) {
+    enum { kPoints = 200, kStride = 12 };
+    static float expected[7 * kPoints];
+    static float samples[kStride * kPoints];
+    ocean_sea* sea = open_small_sea(NULL);
+    double* xy = shown_points(sea, expected, kPoints);
+    double errors = 0.0;
+    double squares = 0.0;
+    for (int i = 0; i < kStride * kPoints; ++i) samples[i] = kUntouched;
+    CHECK_RESULT(OCEAN_OK, ocean_query(sea, kTime, xy, kPoints, samples, kStride));
+    for (int p = 0; p < kPoints; ++p) {
+        const float* sample = samples + kStride * p;
+        CHECK(sample[0] == (float)xy[2 * p] && sample[1] == (float)xy[2 * p + 1]);
+        for (int c = 0; c < 7; ++c) {
+            CHECK(fabs(sample[2 + c] - expected[7 * p + c]) < 0.03);
+        }
+        errors += pow(sample[2] - expected[7 * p], 2.0);
+        squares += pow(expected[7 * p], 2.0);
+        CHECK(sample[9] >= 0.0f && sample[9] <= 1.0f);
+        CHECK(sample[10] == kUntouched && sample[11] == kUntouched);
+    }
+    CHECK(sqrt(errors / squares) < 2e-3);
+    free(xy);
+    ocean_free(sea);
+}
+
+void long_lists_of_points_are_answered_as_short_ones(void) {
+    enum { kPoints = 40000 };
+    ocean_sea* sea = open_small_sea(NULL);
+    double* xy = malloc(2 * kPoints * sizeof(double));
+    float* samples = malloc(10 * kPoints * sizeof(float));
+    float one[10];
+    for (int p = 0; p < kPoints; ++p) {
+        xy[2 * p] = 0.37 * p;
+        xy[2 * p + 1] = -0.11 * p;
+    }
+    CHECK_RESULT(OCEAN_OK, ocean_query(sea, kTime, xy, kPoints, samples, 10));
+    for (int p = 0; p < kPoints; p += 1237) {
+        CHECK_RESULT(OCEAN_OK, ocean_query(sea, kTime, xy + 2 * p, 1, one, 10));
+        CHECK(memcmp(one, samples + 10 * p, sizeof(one)) == 0);
+    }
+    free(samples);
+    free(xy);
+    ocean_free(sea);
+}
+
+void water_moves_as_the_surface_and_less_below(void) {
+    enum { kPoints = 100 };
+    ocean_sea* sea = open_small_sea(NULL);
+    double xy[2 * kPoints];
+    float surface[10 * kPoints];
+    float velocity[4 * kPoints];
+    double sums[3] = {0.0, 0.0, 0.0};
+    const double depths[3] = {1.0, 0.0, -20.0};
+    for (int i = 0; i < 2 * kPoints; ++i) xy[i] = 7.3 * i;
+    /* With no displacement the shown point is the label, and moves up and down as the water. */
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "choppiness", "0"));
+    CHECK_RESULT(OCEAN_OK, ocean_query(sea, kTime, xy, kPoints, surface, 10));
+    for (int d = 0; d < 3; ++d) {
+        for (int i = 0; i < 4 * kPoints; ++i) velocity[i] = kUntouched;
+        CHECK_RESULT(OCEAN_OK,
+                     ocean_orbital_velocity(sea, kTime, depths[d], xy, kPoints, velocity, 4));
+        for (int p = 0; p < kPoints; ++p) {
+            for (int c = 0; c < 3; ++c) sums[d] += pow(velocity[4 * p + c], 2.0);
+            CHECK(velocity[4 * p + 3] == kUntouched);
+            if (d < 2) CHECK(fabs(velocity[4 * p + 2] - surface[10 * p + 8]) < 1e-5);
+        }
+    }
+    CHECK(sums[0] == sums[1]);
+    CHECK(sums[2] > 0.0 && sums[2] < 0.2 * sums[1]);
+    ocean_free(sea);
+}
+
+void small_bodies_lie_as_the_surface(void) {
+    const double bodies[10] = {30.0, 40.0, 90.0, 0.5, 0.2, -7.0, 1e6, 0.0, 1e4, 50.0};
+    float poses[24];
+    float sample[10];
+    ocean_sea* sea = open_small_sea(NULL);
+    for (int i = 0; i < 24; ++i) poses[i] = kUntouched;
+    CHECK_RESULT(OCEAN_OK, ocean_float_pose(sea, kTime, bodies, 2, poses, 12));
+    CHECK_RESULT(OCEAN_OK, ocean_query(sea, kTime, bodies, 1, sample, 10));
+    for (int c = 0; c < 3; ++c) {
+        CHECK(fabs(poses[c] - sample[c]) < 1e-6);
+        CHECK(fabs(poses[3 + c] - sample[3 + c]) < 1e-6);
+    }
+    CHECK(fabs(poses[6]) < 1e-6 && poses[7] > 0.5f); /* the bow to the north */
+    CHECK(fabs(poses[9] - asin(poses[8]) * 57.29578) < 1e-4);
+    CHECK(poses[11] == kUntouched && poses[23] == kUntouched);
+    CHECK(poses[12 + 5] > 0.999f); /* 10 km long: level */
+    ocean_free(sea);
+}
+
+void bad_queries_are_refused_and_write_nothing(void) {
+    double xy[4] = {1.0, 2.0, 3.0, 4.0};
+    double body[5] = {1.0, 2.0, 0.0, 4.0, 2.0};
+    float out[24];
+    ocean_sea* sea = open_small_sea(NULL);
+    for (int i = 0; i < 24; ++i) out[i] = kUntouched;
+    CHECK_RESULT(OCEAN_OK, ocean_query(sea, kTime, NULL, 0, NULL, 10));
+    CHECK_RESULT(OCEAN_OK, ocean_orbital_velocity(sea, kTime, 0.0, NULL, 0, NULL, 3));
+    CHECK_RESULT(OCEAN_OK, ocean_float_pose(sea, kTime, NULL, 0, NULL, 11));
+
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(NULL, kTime, xy, 2, out, 10));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, NAN, xy, 2, out, 10));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, kTime, NULL, 2, out, 10));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, kTime, xy, 2, NULL, 10));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, kTime, xy, 2, out, 9));
+    CHECK(strstr(ocean_last_error(), "stride = 9; allowed: 10") != NULL);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, kTime, xy, SIZE_MAX / 8, out, 10));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, kTime, xy, 2, out, SIZE_MAX / 2));
+    xy[3] = INFINITY;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query(sea, kTime, xy, 2, out, 10));
+    CHECK(strstr(ocean_last_error(), "y of point 1 = inf") != NULL);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_orbital_velocity(sea, kTime, 0.0, xy, 2, out, 3));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_orbital_velocity(sea, kTime, NAN, xy, 1, out, 3));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_orbital_velocity(sea, kTime, 0.0, xy, 1, out, 2));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_orbital_velocity(NULL, kTime, 0.0, xy, 1, out, 3));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_float_pose(NULL, kTime, body, 1, out, 11));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_float_pose(sea, kTime, body, 1, out, 10));
+    body[4] = -2.0;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_float_pose(sea, kTime, body, 1, out, 11));
+    CHECK(strstr(ocean_last_error(), "body 0: width = -2") != NULL);
+    for (int i = 0; i < 24; ++i) CHECK(out[i] == kUntouched);
+    ocean_free(sea);
+}

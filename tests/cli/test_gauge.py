@@ -1,0 +1,274 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean gauge`: records of virtual wave gauges, their files, statistics and refusals."""
+
+import csv
+import io
+import json
+
+import numpy as np
+import pytest
+
+COLUMNS = [
+    "time",
+    "gauge",
+    "x",
+    "y",
+    "elevation",
+    "slope_x",
+    "slope_y",
+    "velocity_x",
+    "velocity_y",
+    "velocity_z",
+    "pressure",
+]
+RECORD = ["--from", "0", "--to", "10", "--rate", "4"]
+
+
+@pytest.fixture
+def gauge(ocean):
+    """Runs `ocean gauge sea.toml` with the points given as text; rows of the CSV by gauge."""
+
+    def run(points, *arguments, record=RECORD, sea="sea.toml"):
+        ocean.write("points.csv", points)
+        ocean.good("gauge", sea, "--points", "points.csv", *record, "-o", "g.csv", "-q", *arguments)
+        rows = list(csv.DictReader(io.StringIO((ocean.folder / "g.csv").read_text())))
+        assert list(rows[0]) == COLUMNS
+        gauges = {}
+        for row in rows:
+            numbers = {name: float(row[name]) for name in COLUMNS if name != "gauge"}
+            gauges.setdefault(row["gauge"], []).append(numbers)
+        return gauges
+
+    return run
+
+
+def column(rows, name):
+    return np.array([row[name] for row in rows])
+
+
+def test_a_line_for_each_time_and_gauge_both_ends_included(gauge):
+    gauges = gauge('name,x,y\n"west, deep",0,0\nmast,50,20\n')
+    assert list(gauges) == ["west, deep", "mast"]
+    for rows in gauges.values():
+        assert column(rows, "time") == pytest.approx(np.arange(41) / 4)
+    assert set(column(gauges["mast"], "x")) == {50.0}
+    assert list(gauge("x,y\n1,2\n3,4\n")) == ["1", "2"]
+
+
+def test_npy_holds_the_numbers_of_the_csv(ocean, gauge):
+    gauges = gauge("x,y,z\n0,0,0\n50,20,-3\n")
+    ocean.good("gauge", "sea.toml", "--points", "points.csv", *RECORD, "-o", "g.npy", "-q")
+    array = np.load(ocean.folder / "g.npy")
+    assert array.shape == (41, 2, 10) and array.dtype == np.float64
+    names = [name for name in COLUMNS if name != "gauge"]
+    for g, rows in enumerate(gauges.values()):
+        for c, name in enumerate(names):
+            assert array[:, g, c] == pytest.approx(column(rows, name), rel=1e-8, abs=1e-12), name
+
+
+def test_the_record_is_the_same_for_any_number_of_threads(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n33,44\n")
+    for threads in ("1", "2", "3"):
+        ocean.good("gauge", "sea.toml", "--points", "points.csv", "--from", "0", "--to", "40",
+                   "--rate", "5", "-o", f"{threads}.npy", "-q", "--threads", threads)  # fmt: skip
+    one, two, three = ((ocean.folder / f"{n}.npy").read_bytes() for n in "123")
+    assert one == two == three
+
+
+def test_without_choppiness_slope_and_velocity_are_derivatives_of_the_elevation(ocean, gauge):
+    flat = ["--set", "choppiness=0"]
+    rate = ["--from", "5", "--to", "6", "--rate", "200"]
+    gauges = gauge("name,x,y\na,30,40\nb,30.02,40\nc,30,40.02\n", *flat, record=rate)
+    a = {name: column(gauges["a"], name) for name in COLUMNS if name != "gauge"}
+    by_x = (column(gauges["b"], "elevation") - a["elevation"]) / 0.02
+    by_y = (column(gauges["c"], "elevation") - a["elevation"]) / 0.02
+    assert a["slope_x"] == pytest.approx(by_x, abs=2e-3)
+    assert a["slope_y"] == pytest.approx(by_y, abs=2e-3)
+    rise = np.gradient(a["elevation"], a["time"])[1:-1]
+    assert a["velocity_z"][1:-1] == pytest.approx(rise, abs=2e-3)
+    assert a["pressure"] == pytest.approx(9810.0 * a["elevation"], abs=30.0)
+
+
+def test_motion_decays_with_depth(gauge):
+    gauges = gauge("name,x,y,z\ntop,0,0,0\nmiddle,0,0,-5\ndeep,0,0,-500\n")
+    rms = {name: np.std(column(rows, "pressure")) for name, rows in gauges.items()}
+    assert rms["top"] > 1.5 * rms["middle"] > 0.0
+    assert rms["deep"] < 1e-6 * rms["top"]
+    assert (column(gauges["deep"], "elevation") == column(gauges["top"], "elevation")).all()
+
+
+def test_a_moving_gauge_reads_what_fixed_ones_read_where_it_is(gauge):
+    moving = gauge("name,x,y,velocity_x,velocity_y\nship,10,20,3,-1\n")["ship"]
+    assert moving[40]["x"] == 40.0 and moving[40]["y"] == 10.0
+    fixed = gauge("name,x,y\nship,40,10\n")["ship"]
+    assert moving[40] == fixed[40]
+    assert moving[0] != fixed[0]
+
+
+def test_a_track_is_straight_between_its_times(gauge):
+    rows = gauge("name,time,x,y,z\nauv,-1,0,0,0\nauv,4,50,0,-5\nauv,20,50,160,-5\n")["auv"]
+    at = {row["time"]: row for row in rows}
+    assert (at[0.0]["x"], at[0.0]["y"]) == (10.0, 0.0)
+    assert (at[4.0]["x"], at[4.0]["y"]) == (50.0, 0.0)
+    assert (at[10.0]["x"], at[10.0]["y"]) == (50.0, 60.0)
+    still = gauge("name,x,y,z\nauv,10,0,-1\n")["auv"]
+    assert at[0.0] == still[0]
+
+
+def test_json_and_table_agree_with_the_record(ocean, gauge):
+    long = ["--from", "0", "--to", "300", "--rate", "2"]
+    rows = gauge("name,x,y\nbuoy,0,0\n", record=long)["buoy"]
+    run = ["gauge", "sea.toml", "--points", "points.csv", *long]
+    report = json.loads(ocean.good(*run, "--json", "-q"))
+    assert (report["from"], report["to"], report["samples"]) == (0, 300, 601)
+    (buoy,) = report["gauges"]
+    elevation = column(rows, "elevation")
+    height = buoy["significant_wave_height"]
+    assert height["value"] == pytest.approx(4.0 * np.std(elevation), rel=1e-6)
+    assert height["lower"] < height["value"] < height["upper"]
+    level = elevation - elevation.mean()
+    crossings = int(np.sum((level[:-1] < 0) & (level[1:] >= 0)))
+    assert buoy["waves"] == crossings - 1
+    assert buoy["degrees_of_freedom"] >= 40
+    header, line = ocean.good(*run, "-q").splitlines()
+    assert header.split()[:4] == ["gauge", "waves", "Hs", "[m]"]
+    assert line.split()[:3] == ["buoy", str(crossings - 1), f"{height['value']:.3g}"]
+
+
+def test_the_spectrum_holds_the_variance(ocean, gauge):
+    rows = gauge("x,y\n0,0\n", "--spectrum", "s.csv", "--degrees-of-freedom", "10",
+                 record=["--from", "0", "--to", "300", "--rate", "2"])["1"]  # fmt: skip
+    header, *lines = (ocean.folder / "s.csv").read_text().splitlines()
+    assert header == "gauge,frequency,density,lower,upper"
+    f, density, lower, upper = np.array([line.split(",")[1:] for line in lines], float).T
+    assert np.sum(density) * f[1] == pytest.approx(np.var(column(rows, "elevation")), rel=1e-6)
+    assert f[-1] == 1.0
+    assert (lower <= density).all() and (density <= upper).all()
+
+
+def test_a_short_record_has_no_limits_and_says_so(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    run = ["gauge", "sea.toml", "--points", "points.csv", *RECORD]
+    done = ocean(*run, "--json")
+    assert done.returncode == 0
+    assert "too short" in done.stderr
+    (gauge,) = json.loads(done.stdout)["gauges"]
+    assert gauge["significant_wave_height"]["lower"] is None
+    assert "41 samples" in ocean.bad(*run, "--spectrum", "s.csv")
+
+
+def test_a_flat_sea_has_no_waves(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    report = json.loads(
+        ocean.good("gauge", "sea.toml", "--set", "wind_speed=0", "--points", "points.csv",
+                   "--from", "0", "--to", "100", "--rate", "4", "--json", "-q")
+    )  # fmt: skip
+    (gauge,) = report["gauges"]
+    assert gauge["waves"] == 0
+    assert gauge["significant_wave_height"] == {"value": 0, "lower": 0, "upper": 0}
+
+
+def test_a_small_patch_is_warned_of(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    run = ["gauge", "sea.toml", "--points", "points.csv", "--from", "0", "--to", "900",
+           "--rate", "0.5", "--set", "resolution=32"]  # fmt: skip
+    assert "grid.patch_size = 200 m" in ocean(*run).stderr
+    assert ocean(*run, "--set", "patch_size=20000").stderr == ""
+
+
+@pytest.mark.parametrize(
+    "points, expected",
+    [
+        ("x,y\n", "there are no points"),
+        ("", "no header line"),
+        ("x\n1\n", "lacks the column y"),
+        ("x,y,depth\n1,2,3\n", "unknown column 'depth'"),
+        ("x,y\n1,nan\n", "points.csv:2: y = 'nan'"),
+        ("x,y,name\n1,2,a\n3,4,a\n", "'a' is there twice"),
+        ("x,y,z\n1,2,5\n", "z = 5"),
+        ("x,y,z\n1,2,-30\n", "z = -30"),
+        ("x,y,time,velocity_x\n1,2,0,1\n", "not both"),
+        ("x,y,time\n1,2,0\n1,2,5\n", "covers the times 0 .. 5 s"),
+        ("x,y,time\n1,2,0\n1,2,20\n1,2,15\n", "must grow: 15 comes after 20"),
+    ],
+)
+def test_bad_points_are_refused_in_a_line(ocean, points, expected):
+    ocean.write("points.csv", points)
+    run = ["gauge", "sea.toml", "--set", "depth=25", "--points", "points.csv", *RECORD]
+    message = ocean.bad(*run, "-o", "g.csv")
+    assert expected in message and "points.csv" in message
+    assert not (ocean.folder / "g.csv").exists()
+
+
+@pytest.mark.parametrize(
+    "record, expected",
+    [
+        (["--from", "0", "--to", "1", "--rate", "0"], "--rate = 0"),
+        (["--from", "0", "--to", "1", "--rate", "-4"], "--rate = -4"),
+        (["--from", "0", "--to", "nan", "--rate", "4"], "--to = nan"),
+        (["--from", "x", "--to", "1", "--rate", "4"], "--from = x"),
+        (["--from", "2", "--to", "1", "--rate", "4"], "--to = 1"),
+        (["--from", "0", "--to", "1e8", "--rate", "1000"], "1e+11 samples"),
+        (["--from", "0", "--to", "9", "--rate", "4", "--degrees-of-freedom", "1"], "= 1:"),
+        (["--from", "0", "--to", "9"], "--rate"),
+    ],
+)
+def test_bad_times_are_refused_in_a_line(ocean, record, expected):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    assert expected in ocean.bad("gauge", "sea.toml", "--points", "points.csv", *record)
+
+
+def test_a_record_too_large_for_the_memory_says_its_size(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    message = ocean.bad("gauge", "sea.toml", "--points", "points.csv", "--from", "0",
+                        "--to", "9e8", "--rate", "1", code=1)  # fmt: skip
+    assert "900000001 times at 1 gauges needs" in message and "MiB" in message
+
+
+def test_an_unwritable_output_fails_and_leaves_nothing(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    ocean.write("file", "")
+    run = ["gauge", "sea.toml", "--points", "points.csv", *RECORD, "-q"]
+    assert "file" in ocean.bad(*run, "-o", "file/g.csv", code=1)
+    assert ocean.files(".") == ["buoy.toml", "file", "points.csv", "sea.toml"]
+    assert "points.txt" in ocean.bad(*run[:3], "points.txt", *RECORD)
+
+
+def test_an_interrupted_run_leaves_nothing(ocean):
+    ocean.write("points.csv", "x,y\n0,0\n")
+    done = ocean.shell(
+        "timeout --preserve-status -s INT 2 $OCEAN gauge sea.toml --set resolution=512 -q "
+        "--points points.csv --from 0 --to 1e5 --rate 4 -o g.csv --spectrum s.csv"
+    )
+    assert done.returncode == 130
+    assert done.stderr == "ocean: interrupted\n"
+    assert ocean.files(".") == ["buoy.toml", "points.csv", "sea.toml"]
+
+
+def test_points_come_from_standard_input_too(ocean):
+    done = ocean("gauge", "sea.toml", "--points", "-", *RECORD, "--json", "-q", input="x,y\n1,2\n")
+    assert done.returncode == 0
+    assert [gauge["name"] for gauge in json.loads(done.stdout)["gauges"]] == ["1"]
+
+
+def test_an_hour_of_a_wide_sea_is_within_its_limits(ocean):
+    """The command's own chain; how often limits hold is counted in gauge_test.cpp."""
+    sea = ["sea.toml", "--set", "resolution=128", "--set", "patch_size=16000",
+           "--set", "peak_period=14", "--set", "choppiness=0"]  # fmt: skip
+    ocean.write("points.csv", "x,y\n" + "".join(f"{500 * i},{300 * i}\n" for i in range(8)))
+    report = json.loads(
+        ocean.good("gauge", *sea, "--points", "points.csv", "--from", "0", "--to", "3600",
+                   "--rate", "1", "--json", "-q")
+    )  # fmt: skip
+    truth = json.loads(ocean.good("info", *sea, "--json"))["significant_wave_height"]["resolved"]
+    inside = 0
+    ratios = []
+    for gauge in report["gauges"]:
+        height = gauge["significant_wave_height"]
+        inside += height["lower"] <= truth <= height["upper"]
+        assert height["upper"] < 1.25 * height["lower"]
+        ratios.append(gauge["significant_height"] / height["value"])
+    assert inside >= 6  # of 8; fewer in one case of 170
+    # The grid cuts the sea to a narrow band, where heights have Rayleigh's distribution.
+    assert np.mean(ratios) == pytest.approx(1.0, rel=0.05)

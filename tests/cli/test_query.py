@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean query`: the shown surface at points of the world."""
+
+import numpy as np
+import pytest
+
+HEADER = "x,y,height,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,foam"
+ORBITAL = ",orbital_velocity_x,orbital_velocity_y,orbital_velocity_z"
+
+
+def table(text, header=HEADER):
+    first, *lines = text.splitlines()
+    assert first == header
+    rows = np.array([[float(cell) for cell in line.split(",")] for line in lines])
+    return dict(zip(header.split(","), rows.reshape(-1, header.count(",") + 1).T, strict=True))
+
+
+@pytest.fixture
+def points(ocean):
+    """200 random points, some of them far away."""
+    xy = np.random.default_rng(5).uniform(-300.0, 300.0, (200, 2))
+    xy[::10] += 1e6
+    ocean.write("points.csv", "x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in xy.tolist()))
+    return xy
+
+
+def test_every_point_has_its_row_in_order(ocean, points):
+    rows = table(ocean.good("query", "sea.toml", "--time", 12, "--points", "points.csv"))
+    np.testing.assert_array_equal(rows["x"], points[:, 0])
+    np.testing.assert_array_equal(rows["y"], points[:, 1])
+    assert 0.2 < rows["height"].std() < 1.0
+    normal = np.stack([rows["normal_x"], rows["normal_y"], rows["normal_z"]])
+    np.testing.assert_allclose((normal**2).sum(axis=0), 1.0, atol=1e-6)
+    assert set(rows["foam"]) <= set(np.clip(rows["foam"], 0.0, 1.0))
+
+
+def test_exact_and_refined_agree_with_the_default_to_the_stated_bounds(ocean, points):
+    def query(*options):
+        header = HEADER + (ORBITAL if "--orbital" in options else "")
+        words = ("query", "sea.toml", "--time", 3.5, "--points", "points.csv", *options)
+        return table(ocean.good(*words), header)
+
+    exact = query("--exact", "--orbital", -2)
+    for rows, bound in [
+        (query("--orbital", -2), 2e-3),
+        (query("--refine", 2, "--orbital", -2), 1e-4),
+    ]:
+        for name in ["height", "velocity_x", "velocity_z", ORBITAL.split(",")[1]]:
+            assert np.std(rows[name] - exact[name]) < bound * np.std(exact[name]), name
+    assert not np.array_equal(query()["height"], exact["height"])
+
+
+def test_points_come_from_standard_input_and_go_to_a_file(ocean, points):
+    expected = ocean.good("query", "sea.toml", "--time", 12, "--points", "points.csv")
+    arguments = ("query", "sea.toml", "--time", "12", "--points", "-", "-o", "out/heights.csv")
+    done = ocean(*arguments, input=(ocean.folder / "points.csv").read_text())
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert (ocean.folder / "out/heights.csv").read_text() == expected
+    assert ocean.files("out") == ["heights.csv"]
+
+
+def test_a_frame_is_a_time(ocean, points):
+    # Frame 25 at 24 frames per second, the first being 1.
+    by_frame = ocean.good("query", "sea.toml", "--frame", 25, "--points", "points.csv")
+    assert by_frame == ocean.good("query", "sea.toml", "--time", 1, "--points", "points.csv")
+    assert by_frame != ocean.good("query", "sea.toml", "--time", 0, "--points", "points.csv")
+
+
+def test_threads_change_nothing(ocean, points):
+    words = ("query", "sea.toml", "--time", 12, "--points", "points.csv", "--threads")
+    assert ocean.good(*words, 1) == ocean.good(*words, 3)
+
+
+def test_tables_as_people_write_them_are_read(ocean):
+    plain = ocean.good(
+        "query", "sea.toml", "--time", 0, "--points", ocean.write("a.csv", "x,y\n1,2\n-30,4e1\n")
+    )
+    dressed = b"\xef\xbb\xbf# two masts\r\n\r\n y , x \r\n 2.0,+1\r\n# the other\r\n40, -30.\r\n"
+    text = ocean.good("query", "sea.toml", "--time", 0, "--points", ocean.write("b.csv", dressed))
+    assert text == plain
+    empty = ocean.write("empty.csv", "x,y\n")
+    assert ocean.good("query", "sea.toml", "--time", 0, "--points", empty) == HEADER + "\n"
+
+
+def test_folded_points_are_counted(ocean):
+    words = ("query", "sea.toml", "--time", 12, "--points", "line.csv", "--set")
+    ocean.write("line.csv", "x,y\n" + "".join(f"{0.1 * i},50\n" for i in range(2000)))
+    done = ocean(*words, "choppiness=4", "--set", "wind_speed=20", "--set", "patch_size=100")
+    assert done.returncode == 0
+    rows = table(done.stdout)
+    assert np.isfinite(list(rows.values())).all()
+    line = done.stderr.strip()
+    assert line.startswith("ocean: warning: ") and "of 2000 points" in line
+    assert 0 < int(line.split()[2]) < 2000
+    assert ocean(*words, "choppiness=0.5").stderr == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "points.csv: there is no header line; known columns: x, y"),
+        ("\n# x,y\n", "there is no header line"),
+        ("x\n1\n", "points.csv:1: the header line lacks the column y"),
+        ("x,y,z\n1,2,3\n", "points.csv:1: the header line names an unknown column 'z'; known: x,"),
+        ("1.0,2.0\n", "unknown column '1.0'"),
+        ("#\nx,y,x\n", "points.csv:2: the column x is there twice"),
+        ("x,y\n1,2\n\n1\n", "points.csv:4: fewer cells than the 2 columns"),
+        ("x,y\n1,2,\n", "points.csv:2: more cells than the 2 columns"),
+        ("x,y\n1,\n", "points.csv:2: y is missing"),
+        ("x,y\n1,two\n", "points.csv:2: y = 'two'; allowed is a number, -1e9 .. 1e9"),
+        ("x,y\nnan,0\n", "points.csv:2: x = 'nan'; allowed"),
+        ("x,y\n0,-inf\n", "points.csv:2: y = '-inf'; allowed"),
+        ("x,y\n0,1.1e9\n", "points.csv:2: y = '1.1e9'; allowed"),
+        ("x,y\n0,1e999\n", "points.csv:2: y = '1e999'; allowed"),
+        ('x,y\n"0,1\n', "points.csv:2: a quote is not closed"),
+        ("x;y\n0;1\n", "unknown column 'x;y'"),
+        (b"x,y\n\x00\xff,1\n", "points.csv:2: x = '??'; allowed"),
+    ],
+)
+def test_a_bad_table_is_named_with_its_line(ocean, text, message):
+    ocean.write("points.csv", text)
+    assert message in ocean.bad("query", "sea.toml", "--time", 0, "--points", "points.csv")
+    assert not (ocean.folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--points", "points.csv"], "needed is either --time or --frame"),
+        (["--points", "points.csv", "--time", 1, "--frame", 2], "either --time or --frame"),
+        (["--time", 1], "--points is required"),
+        (["--points", "nowhere.csv", "--time", 1], "nowhere.csv: no such file"),
+        (["--points", ".", "--time", 1], "is a directory"),
+        (["--points", "points.csv", "--time", "nan"], "--time = nan"),
+        (["--points", "points.csv", "--time", "soon"], "--time"),
+        (["--points", "points.csv", "--time", 1, "--orbital", "inf"], "--orbital = inf"),
+        (["--points", "points.csv", "--time", 1, "--refine", 3], "refine = 3; allowed"),
+        (["--points", "points.csv", "--time", 1, "--refine", 128], "a power of two, 1 .. 64"),
+    ],
+)
+def test_wrong_use_is_named(ocean, points, words, message):
+    assert message in ocean.bad("query", "sea.toml", *words)
+
+
+def test_an_output_that_cannot_be_written_fails_at_run_time(ocean, points):
+    ocean.write("file", "")
+    words = ("query", "sea.toml", "--time", 0, "--points", "points.csv", "-o", "file/out.csv")
+    assert "file" in ocean.bad(*words, code=1)

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Questions at world points through the Python wrapper."""
+
+import numpy as np
+import pytest
+
+import libocean
+
+TIME = 12.0
+SMALL = """
+libocean = 1
+[grid]
+resolution = 64
+patch_size = 200.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 12.0
+wind_direction = 30.0
+"""
+
+
+@pytest.fixture
+def sea():
+    with libocean.parse(SMALL) as small:
+        yield small
+
+
+def test_a_query_finds_the_surface_that_the_maps_show(sea):
+    surface = sea.surface(TIME)
+    label = 200.0 / 64 * np.arange(64)
+    x = (label[None, :] + surface.displacement[..., 0]).ravel()
+    y = (label[:, None] + surface.displacement[..., 1]).ravel()
+    samples = sea.query(np.column_stack([x + 600.0, y - 200.0]), TIME)
+    assert samples.shape == (4096, 10) and samples.dtype == np.float32
+    rms = surface.height.std()
+    assert np.std(samples[:, 2] - surface.height.ravel()) < 2e-3 * rms
+    assert np.abs(samples[:, 3:6] - surface.normal.reshape(-1, 3)).max() < 0.03
+    assert np.abs(samples[:, 6:9] - surface.velocity.reshape(-1, 3)).max() < 0.03
+    np.testing.assert_allclose(samples[:, 0], x + 600.0, rtol=1e-6)
+
+
+def test_orbital_velocity_fades_with_depth(sea):
+    points = np.random.default_rng(1).uniform(-500, 500, (400, 2))
+    speeds = [sea.orbital_velocity(points, TIME, z).std() for z in (0.0, -5.0, -20.0)]
+    assert speeds[0] > 1.5 * speeds[1] > 1.5 * speeds[2] > 0.0
+    np.testing.assert_array_equal(
+        sea.orbital_velocity(points, TIME), sea.orbital_velocity(points, TIME, 3.0)
+    )
+
+
+def test_float_poses_are_tilted_frames_on_the_surface(sea):
+    bodies = [[10.0 * i, 5.0 * i, 20.0 * i, 4.0, 2.0] for i in range(20)]
+    pose = sea.float_pose(bodies, TIME)
+    assert pose.position.shape == pose.up.shape == pose.forward.shape == (20, 3)
+    np.testing.assert_allclose(np.linalg.norm(pose.up, axis=1), 1.0, atol=1e-6)
+    np.testing.assert_allclose(np.sum(pose.up * pose.forward, axis=1), 0.0, atol=1e-6)
+    np.testing.assert_allclose(np.sin(np.radians(pose.pitch)), pose.forward[:, 2], atol=1e-6)
+    port = np.cross(pose.up, pose.forward)
+    np.testing.assert_allclose(np.sin(np.radians(pose.roll)), port[:, 2], atol=1e-6)
+    heights = sea.query([body[:2] for body in bodies], TIME)[:, 2]
+    assert np.std(pose.position[:, 2] - heights) < 0.1 * heights.std()
+
+
+def test_shapes_that_are_no_points_are_refused(sea):
+    assert sea.query([1.0, 2.0], TIME).shape == (1, 10)
+    assert sea.query([], TIME).shape == (0, 10)
+    assert sea.query(np.empty((0, 2)), TIME).shape == (0, 10)
+    for points in (np.zeros((4, 3)), np.zeros((2, 2, 2)), [1.0, 2.0, 3.0, 4.0], 5.0):
+        with pytest.raises(libocean.InvalidValueError, match=r"allowed: \(n, 2\)"):
+            sea.query(points, TIME)
+    with pytest.raises(libocean.InvalidValueError, match="y of point 1 = nan"):
+        sea.query([[1.0, 2.0], [3.0, np.nan]], TIME)
+    with pytest.raises(libocean.InvalidValueError, match="time"):
+        sea.query([[1.0, 2.0]], np.inf)
+    with pytest.raises(libocean.InvalidValueError, match="length"):
+        sea.float_pose([[1.0, 2.0, 0.0, -4.0, 2.0]], TIME)

@@ -1,0 +1,462 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Gauges: what one reads is the shown surface; what is estimated from a record lies within its own
+// limits of what the sea's modes say, as often as the limits promise.
+#include "ocean/gauge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <limits>
+#include <random>
+
+#include "chi_squared.hpp"
+#include "ocean/dispersion.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How often the sea's own value lies within the limits.
+struct Coverage {
+    int inside = 0;
+    int all = 0;
+    void add(const Estimate& estimate, double truth) {
+        inside += estimate.lower <= truth && truth <= estimate.upper ? 1 : 0;
+        ++all;
+    }
+    double share() const { return static_cast<double>(inside) / all; }
+    /// Of a share of 0.95.
+    double standard_error() const { return std::sqrt(0.95 * 0.05 / all); }
+};
+
+Estimate density_of(const GaugeSpectrum& spectrum, std::size_t i) {
+    const Estimate limits = spectrum.limits();
+    const double density = spectrum.density[i];
+    return {density, density * limits.lower, density * limits.upper};
+}
+
+TEST(ChiSquared, QuantilesAreThoseOfTheTables) {
+    // R's qchisq(), 10 digits. For two degrees of freedom -2 ln(1 - p).
+    struct Row {
+        double freedom, low, high;
+    };
+    for (const Row& row :
+         {Row{1.0, 0.0009820691171, 5.023886187}, Row{2.0, 0.05063561596, 7.377758908},
+          Row{5.0, 0.8312116134, 12.83250199}, Row{10.0, 3.246972781, 20.48317735},
+          Row{30.0, 16.79077227, 46.97924224}, Row{100.0, 74.22192747, 129.5611972}}) {
+        EXPECT_NEAR(chi_squared_quantile(0.025, row.freedom) / row.low, 1.0, 1e-8) << row.freedom;
+        EXPECT_NEAR(chi_squared_quantile(0.975, row.freedom) / row.high, 1.0, 1e-8) << row.freedom;
+    }
+    // Many: a normal variable, with the first terms of [Abramowitz and Stegun 1964] eq. 26.4.17.
+    const double many = 1e6;
+    const double normal =
+        many *
+        std::pow(1.0 - 2.0 / (9.0 * many) + 1.959963985 * std::sqrt(2.0 / (9.0 * many)), 3.0);
+    EXPECT_NEAR(chi_squared_quantile(0.975, many) / normal, 1.0, 1e-8);
+}
+
+std::vector<double> sampled(double rate, double duration, const auto& function) {
+    std::vector<double> record;
+    for (int i = 0; i < rate * duration; ++i) record.push_back(function(i / rate));
+    return record;
+}
+
+TEST(WaveCount, ASineHasItsOwnHeightAndPeriodWhateverItsMean) {
+    for (const double mean : {0.0, -3.0}) {
+        const auto record = sampled(
+            8.0, 100.3, [mean](double t) { return mean + 1.5 * std::sin(kTwoPi * t / 7.1 + 0.3); });
+        const WaveCount count = count_waves(record, 8.0);
+        EXPECT_EQ(count.waves, 13);  // whole ones between the up-crossings
+        EXPECT_NEAR(count.mean_period, 7.1, 1e-3);
+        EXPECT_NEAR(count.significant_period, 7.1, 2e-2);
+        EXPECT_NEAR(count.mean_height, 3.0, 0.02);
+        EXPECT_NEAR(count.significant_height, 3.0, 0.02);
+        EXPECT_NEAR(count.highest_wave, 3.0, 0.02);
+        EXPECT_NEAR(count.highest_crest, 1.5, 0.06);  // the mean over 14.1 waves is not quite 0
+    }
+}
+
+TEST(WaveCount, ThirdsAndTenthsAreOfTheHighestWaves) {
+    // 30 waves of 4 s with the heights 2, 4 .. 60, in a shuffled order.
+    std::vector<double> record;
+    for (int i = 0; i < 30; ++i) {
+        const int height = 2 * ((i * 11) % 30 + 1);
+        for (const double part : {0.0, 1.0, 0.0, -1.0}) record.push_back(0.5 * part * height);
+    }
+    record.insert(record.begin(), -1.0);
+    record.insert(record.end(), {0.0, 1.0});
+    const WaveCount count = count_waves(record, 1.0);
+    EXPECT_EQ(count.waves, 30);
+    EXPECT_DOUBLE_EQ(count.highest_wave, 60.0);
+    EXPECT_DOUBLE_EQ(count.tenth_height, 58.0);
+    EXPECT_DOUBLE_EQ(count.significant_height, 51.0);
+    EXPECT_DOUBLE_EQ(count.mean_height, 31.0);
+    EXPECT_DOUBLE_EQ(count.highest_crest, 30.0);
+    EXPECT_NEAR(count.mean_period, 4.0, 1e-12);
+}
+
+TEST(WaveCount, CrossingsLieBetweenTheSamples) {
+    const std::vector<double> record = {-1.0, 3.0, 1.0, -3.0, 1.0, 1.0, -2.0};
+    const WaveCount count = count_waves(record, 2.0);  // from 0.25 to 3.75 samples
+    EXPECT_EQ(count.waves, 1);
+    EXPECT_DOUBLE_EQ(count.mean_period, 1.75);
+    EXPECT_DOUBLE_EQ(count.mean_height, 6.0);
+}
+
+TEST(WaveCount, RecordsWithoutAWaveHaveNone) {
+    for (const std::vector<double>& record :
+         {std::vector<double>{}, {1.0}, {2.0, 2.0, 2.0}, {0.0, 1.0, 2.0, 3.0}}) {
+        const WaveCount count = count_waves(record, 4.0);
+        EXPECT_EQ(count.waves, 0);
+        EXPECT_EQ(count.mean_period, 0.0);
+        EXPECT_EQ(count.significant_height, 0.0);
+    }
+}
+
+TEST(GaugeSpectrum, ItsSumIsTheVarianceAndItsPeakIsWhereTheWaveIs) {
+    const auto record =
+        sampled(4.0, 900.0, [](double t) { return 5.0 + 2.0 * std::cos(kTwoPi * 0.125 * t); });
+    const GaugeSpectrum spectrum = estimate_spectrum(record, 4.0, 40.0);
+    double sum = 0.0;
+    for (const double density : spectrum.density) sum += density * spectrum.frequency_step;
+    EXPECT_NEAR(sum, 2.0, 1e-3);
+    const auto peak = std::ranges::max_element(spectrum.density) - spectrum.density.begin();
+    EXPECT_NEAR(spectrum.frequency(static_cast<std::size_t>(peak)), 0.125,
+                0.5 * spectrum.frequency_step);
+    EXPECT_EQ(spectrum.frequency(spectrum.density.size() - 1), 2.0);
+}
+
+TEST(GaugeSpectrum, SegmentsAreTheLongestWithTheFreedomAskedFor) {
+    // 36 n^2 / (19 n - 1): 2 for one segment, 3.89 for two, 1.895 n for many.
+    EXPECT_EQ(gauge_segment(1024, 2.0), 1024u);
+    EXPECT_EQ(gauge_segment(1535, 2.1), 512u);
+    EXPECT_EQ(gauge_segment(1536, 3.8), 1024u);
+    EXPECT_EQ(gauge_segment(14400, 40.0), 1024u);
+    EXPECT_EQ(gauge_segment(100, 40.0), 0u) << "too short";
+    EXPECT_EQ(gauge_segment(0, 2.0), 0u);
+    EXPECT_TRUE(estimate_spectrum(std::vector<double>(100), 4.0, 40.0).density.empty());
+    EXPECT_NEAR(estimate_spectrum(std::vector<double>(14400), 4.0, 40.0).degrees_of_freedom,
+                36.0 * 27 * 27 / (19.0 * 27 - 1), 1e-9);
+}
+
+TEST(GaugeSpectrum, ScattersAsItsDegreesOfFreedomSay) {
+    // White noise of variance 1 at 2 Hz: density 1 m^2/Hz, relative variance 2 / freedom.
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    std::vector<double> record(1 << 18);
+    for (double& value : record) value = normal(random);
+    const std::size_t piece = 2048;
+    Coverage coverage;
+    double squares = 0.0;
+    double last = 0.0;
+    double freedom = 0.0;
+    for (std::size_t at = 0; at < record.size(); at += piece) {
+        const GaugeSpectrum spectrum =
+            estimate_spectrum(std::span(record).subspan(at, piece), 2.0, 14.0);
+        freedom = spectrum.degrees_of_freedom;
+        last += spectrum.density.back() / static_cast<double>(record.size() / piece);
+        for (std::size_t i = 2; i + 2 < spectrum.density.size(); i += 3) {  // apart: independent
+            coverage.add(density_of(spectrum, i), 1.0);
+            squares += std::pow(spectrum.density[i] - 1.0, 2.0);
+        }
+    }
+    EXPECT_NEAR(last, 0.5, 0.1) << "half the sampling rate has no negative frequency to add";
+    EXPECT_GT(coverage.all, 5000);
+    EXPECT_NEAR(squares / coverage.all, 2.0 / freedom, 0.06 * 2.0 / freedom);
+    EXPECT_NEAR(coverage.share(), 0.95, 3.0 * coverage.standard_error());
+}
+
+TEST(SeaEstimate, StillWaterIsKnownExactlyAndShortRecordsHaveNoLimits) {
+    const std::vector<double> still(1000, 2.5);
+    const SeaEstimate flat = estimate_sea(still, 4.0, estimate_spectrum(still, 4.0, 20.0));
+    EXPECT_EQ(flat.significant_wave_height.upper, 0.0);
+    EXPECT_EQ(flat.zero_crossing_period.value, 0.0);
+    const std::vector<double> few = {1.0, -1.0, 1.0, -1.0};
+    const SeaEstimate sea = estimate_sea(few, 4.0, estimate_spectrum(few, 4.0, 20.0));
+    EXPECT_DOUBLE_EQ(sea.significant_wave_height.value, 4.0);
+    EXPECT_TRUE(std::isnan(sea.significant_wave_height.lower));
+}
+
+/// A Gaussian record of a JONSWAP spectrum with its peak at 0.1 Hz, from lines so dense that no
+/// record of an hour tells them apart.
+class GaussianProcess {
+  public:
+    static constexpr int kSamples = 1 << 17;
+    explicit GaussianProcess(double rate) : step_(rate / kSamples), fft_(kSamples) {}
+
+    double moment(int order) const {
+        double sum = 0.0;
+        for (int i = 1; i < kSamples / 2; ++i) {
+            sum += std::pow(i * step_, order) * density(i * step_) * step_;
+        }
+        return sum;
+    }
+    std::vector<double> record(unsigned seed) const {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal;
+        std::vector<std::complex<double>> data(kSamples);
+        for (int i = 1; i < kSamples / 2; ++i) {
+            const double re = normal(random);
+            const double im = normal(random);
+            const double amplitude = std::sqrt(density(i * step_) * step_);
+            data[static_cast<std::size_t>(i)] = {amplitude * re, amplitude * im};
+        }
+        fft_.transform(data.data(), 1, FftDirection::inverse);
+        std::vector<double> record;
+        for (const std::complex<double>& value : data) record.push_back(value.real());
+        return record;
+    }
+
+  private:
+    static double density(double f) {
+        constexpr double kPeak = 0.1;
+        if (f < 0.3 * kPeak || f > 4.0 * kPeak) return 0.0;
+        const double width = (f < kPeak ? 0.07 : 0.09) * kPeak;
+        return std::pow(f / kPeak, -5.0) * std::exp(-1.25 * std::pow(f / kPeak, -4.0)) *
+               std::pow(3.3, std::exp(-0.5 * std::pow((f - kPeak) / width, 2.0)));
+    }
+
+    double step_;
+    Radix2Fft<double> fft_;
+};
+
+TEST(SeaEstimate, LimitsHoldTheTruthNineteenTimesInTwenty) {
+    constexpr double kRate = 2.0;
+    constexpr std::size_t kHour = 7200;
+    const GaussianProcess process(kRate);
+    const double m0 = process.moment(0);
+    const double tz = std::sqrt(m0 / process.moment(2));
+    Coverage height, period, rough_height;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        const std::vector<double> all = process.record(seed);
+        for (std::size_t at = 0; at + kHour <= all.size(); at += kHour) {
+            const std::span<const double> record = std::span(all).subspan(at, kHour);
+            const SeaEstimate sea =
+                estimate_sea(record, kRate, estimate_spectrum(record, kRate, 40.0));
+            height.add(sea.significant_wave_height, 4.0 * std::sqrt(m0));
+            period.add(sea.zero_crossing_period, tz);
+            // However rough the spectrum is that they are made from.
+            const SeaEstimate rough =
+                estimate_sea(record, kRate, estimate_spectrum(record, kRate, 3.0));
+            rough_height.add(rough.significant_wave_height, 4.0 * std::sqrt(m0));
+        }
+    }
+    EXPECT_EQ(height.all, 720);
+    EXPECT_NEAR(height.share(), 0.95, 3.0 * height.standard_error());
+    EXPECT_NEAR(rough_height.share(), 0.95, 3.0 * height.standard_error());
+    EXPECT_NEAR(period.share(), 0.95, 3.0 * period.standard_error());
+}
+
+/// The frequency moments of all modes, and their density in the bins of a spectrum as a Hann window
+/// of its segments sees it.
+struct ModeStatistics {
+    double m0 = 0.0;
+    double m2 = 0.0;
+    std::vector<double> density;
+};
+
+ModeStatistics mode_statistics(const Parameters& parameters, double step, std::size_t bins) {
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    const Dispersion dispersion(parameters.water);
+    ModeStatistics result;
+    result.density.resize(bins);
+    const int half = parameters.grid.resolution / 2;
+    for (int m = -half + 1; m < half; ++m) {
+        for (int n = -half + 1; n < half; ++n) {
+            const double variance = modal_variance(spectrum, parameters, n, m);
+            if (variance == 0.0) continue;
+            const double f = dispersion.angular_frequency(kTwoPi / parameters.grid.patch_size *
+                                                          std::hypot(n, m)) /
+                             kTwoPi;
+            result.m0 += variance;
+            result.m2 += f * f * variance;
+            // |transform of the Hann window|^2 over its sum, at u bins from a line.
+            const auto centre = static_cast<int>(std::lround(f / step));
+            for (int i = std::max(0, centre - 6); i <= centre + 6; ++i) {
+                const double u = f / step - i;
+                const double sinc = std::abs(u) < 1e-9 ? 1.0 : std::sin(kPi * u) / (kPi * u);
+                const double pole = 1.0 - u * u;
+                const double window = std::abs(pole) < 1e-9 ? 0.5 : sinc / pole;
+                const auto bin = static_cast<std::size_t>(i);
+                if (bin < bins) result.density[bin] += variance * window * window / 1.5 / step;
+            }
+        }
+    }
+    return result;
+}
+
+/// A sea of 14 s waves on a patch so wide that an hour does not tell its modes apart, which the
+/// limits suppose. Not choppy: the gauges' world is the labels'.
+Parameters wide_sea() {
+    Parameters parameters = test::wind_sea(128, 16000.0);
+    parameters.surface.choppiness = 0.0;
+    parameters.waves.front().peak_period = 14.0;
+    parameters.waves.front().significant_wave_height = 3.0;
+    return parameters;
+}
+
+/// Of gauges far apart and on no line of the lattice.
+std::vector<std::vector<double>> gauge_records(const Parameters& parameters, std::size_t gauges,
+                                               int samples, double rate) {
+    Ocean ocean(parameters, {.threads = 2});
+    const WaveSum start(ocean.modes(), parameters.water);
+    const WaterLevel level = start.water_level(0.0);
+    const WaveStep step = start.wave_step(1.0 / rate);
+    std::vector<std::vector<double>> records(
+        gauges, std::vector<double>(static_cast<std::size_t>(samples)));
+    ThreadPool pool(2);
+    pool.for_each_range(samples, [&](int first, int last) {
+        WaveSum sea = start;
+        for (int i = first; i < last; ++i) {
+            if (i % 32 == 0 || i == first) {
+                sea.set_time(i / rate);
+            } else {
+                sea.advance(step);
+            }
+            for (std::size_t g = 0; g < gauges; ++g) {
+                const auto [column, row] = std::div(static_cast<int>(g), 3);
+                records[g][static_cast<std::size_t>(i)] =
+                    read_gauge(sea, 0.0, 4000.0 * column + 370.0 * row,
+                               4000.0 * row + 710.0 * column, level)
+                        .elevation;
+            }
+        }
+    });
+    return records;
+}
+
+TEST(SeaEstimate, AnHourAtAGaugeLiesWithinItsLimitsOfTheSea) {
+    constexpr double kRate = 0.25;  // the shortest waves have 10 s
+    constexpr std::size_t kGauges = 8;
+    Coverage height, period, density;
+    Parameters parameters = wide_sea();
+    ModeStatistics modes;
+    for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+        parameters.seed = seed;
+        for (const std::vector<double>& record : gauge_records(parameters, kGauges, 900, kRate)) {
+            const GaugeSpectrum spectrum = estimate_spectrum(record, kRate, 25.0);
+            if (modes.density.empty()) {
+                modes =
+                    mode_statistics(parameters, spectrum.frequency_step, spectrum.density.size());
+            }
+            const SeaEstimate sea = estimate_sea(record, kRate, spectrum);
+            height.add(sea.significant_wave_height, 4.0 * std::sqrt(modes.m0));
+            period.add(sea.zero_crossing_period, std::sqrt(modes.m0 / modes.m2));
+            const double largest = *std::max_element(modes.density.begin(), modes.density.end());
+            for (std::size_t i = 1; i < spectrum.density.size(); ++i) {
+                if (modes.density[i] < 0.05 * largest) continue;
+                density.add(density_of(spectrum, i), modes.density[i]);
+            }
+        }
+    }
+    EXPECT_NEAR(height.share(), 0.95, 2.0 * height.standard_error());
+    EXPECT_NEAR(period.share(), 0.95, 2.0 * period.standard_error());
+    EXPECT_GT(density.all, 300);
+    EXPECT_NEAR(density.share(), 0.95, 0.02);
+}
+
+/// A sea of waves of 8 s, all of them towards +x.
+Modes long_crested(const Parameters& parameters) {
+    ThreadPool pool(2);
+    Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    CascadeModes& cascade = modes.cascades.front();
+    const int size = cascade.lattice.resolution;
+    for (std::size_t at = static_cast<std::size_t>(size / 2); at < cascade.h0.size(); ++at) {
+        cascade.h0[at] = 0.0f;  // all but ky = 0, kx > 0
+    }
+    return modes;
+}
+
+/// Phase by which the second record lags behind the first in each bin, rad.
+std::vector<double> lags(std::span<const double> first, std::span<const double> second,
+                         std::size_t segment) {
+    const Radix2Fft<double> fft(static_cast<int>(segment));
+    std::vector<std::complex<double>> cross(segment / 2);
+    for (std::size_t at = 0; at + segment <= first.size(); at += segment / 2) {
+        std::vector<std::complex<double>> a(segment), b(segment);
+        for (std::size_t i = 0; i < segment; ++i) {
+            const double window =
+                1.0 - std::cos(kTwoPi * static_cast<double>(i) / static_cast<double>(segment));
+            a[i] = window * first[at + i];
+            b[i] = window * second[at + i];
+        }
+        fft.transform(a.data(), 1, FftDirection::forward);
+        fft.transform(b.data(), 1, FftDirection::forward);
+        for (std::size_t i = 0; i < cross.size(); ++i) cross[i] += a[i] * std::conj(b[i]);
+    }
+    std::vector<double> result;
+    for (const std::complex<double>& value : cross) result.push_back(std::arg(value));
+    return result;
+}
+
+TEST(Gauges, TwoOfThemMeasureTheDispersionOfTheWaves) {
+    for (const double depth : {kInfinity, 8.0}) {
+        Parameters parameters = test::wind_sea(512, 8000.0);
+        parameters.waves.front().wind_direction = 0.0;
+        parameters.waves.front().peak_period = 8.0;
+        parameters.water.depth = depth;
+        WaveSum sea(long_crested(parameters), parameters.water);
+        const WaterLevel level = sea.water_level(0.0);
+        constexpr double kApart = 12.0;  // m, less than half of the shortest wave
+        constexpr double kRate = 1.0;
+        constexpr double kFreedom = 8.0;  // fine bins: a mean over a wide one is not its middle
+        std::vector<double> near, far;
+        for (int i = 0; i < 3600; ++i) {
+            sea.set_time(i / kRate);
+            near.push_back(read_gauge(sea, 0.0, 100.0, 50.0, level).elevation);
+            far.push_back(read_gauge(sea, 0.0, 100.0 + kApart, 50.0, level).elevation);
+        }
+        const GaugeSpectrum spectrum = estimate_spectrum(near, kRate, kFreedom);
+        const std::size_t segment = gauge_segment(near.size(), kFreedom);
+        const std::vector<double> lag = lags(near, far, segment);
+        const double largest = *std::max_element(spectrum.density.begin(), spectrum.density.end());
+        int bins = 0;
+        for (std::size_t i = 1; i < lag.size(); ++i) {
+            if (spectrum.density[i] < 0.1 * largest) continue;
+            const double k =
+                Dispersion(parameters.water).wavenumber(kTwoPi * spectrum.frequency(i));
+            EXPECT_NEAR(lag[i] / kApart, k, 0.01 * k) << depth << " " << spectrum.frequency(i);
+            ++bins;
+        }
+        EXPECT_GT(bins, 20);
+    }
+}
+
+TEST(Gauges, ReadTheShownSurface) {
+    Parameters parameters = test::wind_sea(64, 300.0);
+    parameters.surface.choppiness = 0.7;
+    ThreadPool pool(2);
+    WaveSum sea(make_modes(make_directional_spectrum(parameters), parameters, pool),
+                parameters.water);
+    sea.set_time(4.0);
+    const WaterLevel level = sea.water_level(-2.0);
+    const auto read = [&](double x, double y) { return read_gauge(sea, 0.7, x, y, level); };
+    for (int i = 0; i < 40; ++i) {
+        const double u = 7.3 * i;
+        const double v = 300.0 - 11.9 * i;
+        const LinearSample label = sea.at_label(u, v);
+        const double x = u - 0.7 * label.excursion_x;
+        const double y = v - 0.7 * label.excursion_y;
+        const GaugeReading reading = read(x, y);
+        EXPECT_NEAR(reading.elevation, label.height, 1e-7);
+        constexpr double kStep = 1e-3;
+        EXPECT_NEAR(reading.slope_x,
+                    (read(x + kStep, y).elevation - read(x - kStep, y).elevation) / (2.0 * kStep),
+                    1e-5);
+        EXPECT_NEAR(reading.slope_y,
+                    (read(x, y + kStep).elevation - read(x, y - kStep).elevation) / (2.0 * kStep),
+                    1e-5);
+        EXPECT_EQ(reading.water.pressure, sea.water_motion(x, y, -2.0).pressure)
+            << "at the place itself, displaced or not";
+    }
+}
+
+}  // namespace
+}  // namespace ocean

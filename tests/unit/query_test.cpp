@@ -1,0 +1,518 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Queries at world points against the sum over all modes, and on folded seas.
+#include "ocean/query.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "ocean/dispersion.hpp"
+#include "ocean/error.hpp"
+#include "ocean/wave_sum.hpp"
+#include "query_folds.hpp"
+#include "spline_map.hpp"
+#include "test_seas.hpp"
+#include "wave.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kTime = 12.0;
+
+std::vector<WorldPoint> random_points(std::size_t count, double from, double to) {
+    std::mt19937 random(7);
+    const auto coordinate = [&] {
+        return from + (to - from) * std::uniform_real_distribution<double>(0.0, 1.0)(random);
+    };
+    std::vector<WorldPoint> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = coordinate();
+        points.push_back({x, coordinate()});
+    }
+    return points;
+}
+
+/// A sea, its modes and threads to ask with.
+struct TestSea {
+    Parameters parameters;
+    ThreadPool pool{2};
+    Modes modes;
+
+    explicit TestSea(const Parameters& p)
+        : parameters(p), modes(make_modes(make_directional_spectrum(p), p, pool)) {}
+    TestSea(const Parameters& p, Modes m) : parameters(p), modes(std::move(m)) {}
+
+    SurfaceQuery query(const QueryOptions& options = {}, double time = kTime, FoamMap foam = {}) {
+        return SurfaceQuery(modes, parameters.surface, parameters.water, time, options, pool,
+                            std::move(foam));
+    }
+    OrbitalVelocity water(double z, const QueryOptions& options = {}) {
+        return OrbitalVelocity(modes, parameters.water, kTime, z, options, pool);
+    }
+    std::vector<QuerySample> samples(const SurfaceQuery& query,
+                                     const std::vector<WorldPoint>& points) {
+        std::vector<QuerySample> result(points.size());
+        query.sample(points, result, pool);
+        return result;
+    }
+};
+
+/// What the double-precision sum shows at a place: Newton from the place itself, nothing shared
+/// with the query but the equation.
+struct ExactSample {
+    double height;
+    wave::double_precision::SurfaceNormal normal;
+    double velocity[3];
+};
+ExactSample exact_sample(const WaveSum& sum, double choppiness, WorldPoint place) {
+    double x = place.x;
+    double y = place.y;
+    for (int step = 0; step < 30; ++step) {
+        const LinearSample at = sum.at_label(x, y);
+        const double fx = x - choppiness * at.excursion_x - place.x;
+        const double fy = y - choppiness * at.excursion_y - place.y;
+        const double xx = 1.0 - choppiness * at.gradient_xx;
+        const double yy = 1.0 - choppiness * at.gradient_yy;
+        const double xy = choppiness * at.gradient_xy;
+        const double j = xx * yy - xy * xy;
+        x -= (yy * fx + xy * fy) / j;
+        y -= (xy * fx + xx * fy) / j;
+    }
+    const LinearSample at = sum.at_label(x, y);
+    EXPECT_NEAR(x - choppiness * at.excursion_x, place.x, 1e-9);
+    EXPECT_NEAR(y - choppiness * at.excursion_y, place.y, 1e-9);
+    return {at.height,
+            wave::double_precision::surface_normal(choppiness, at.gradient_xx, at.gradient_yy,
+                                                   at.gradient_xy, at.slope_x, at.slope_y),
+            {-choppiness * at.excursion_x_rate, -choppiness * at.excursion_y_rate, at.height_rate}};
+}
+
+/// rms errors over the rms of what is measured: of the height, of the velocity vector, and of the
+/// normal over the rms of its tilt.
+struct Errors {
+    double height, velocity, normal;
+};
+Errors errors_of(const std::vector<QuerySample>& samples, const std::vector<ExactSample>& exact) {
+    double height[2] = {};
+    double velocity[2] = {};
+    double normal[2] = {};
+    const auto add = [](double(&sum)[2], double is, double should, double still) {
+        sum[0] += (is - should) * (is - should);
+        sum[1] += (should - still) * (should - still);
+    };
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        add(height, samples[i].height, exact[i].height, 0.0);
+        for (int c = 0; c < 3; ++c)
+            add(velocity, samples[i].velocity[c], exact[i].velocity[c], 0.0);
+        add(normal, samples[i].normal[0], exact[i].normal.x, 0.0);
+        add(normal, samples[i].normal[1], exact[i].normal.y, 0.0);
+        add(normal, samples[i].normal[2], exact[i].normal.z, 1.0);
+    }
+    const auto relative = [](const double(&sum)[2]) { return std::sqrt(sum[0] / sum[1]); };
+    return {relative(height), relative(velocity), relative(normal)};
+}
+
+Parameters shallow_sea() {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    parameters.water.depth = 6.0;
+    parameters.waves.front().spectrum = SpectrumKind::tma;
+    parameters.surface.choppiness = 0.8;
+    return parameters;
+}
+Parameters looping_sea() {
+    Parameters parameters = test::wind_sea(64, 300.0);
+    parameters.time.loop_period = 10.0;
+    parameters.surface.choppiness = 0.5;
+    return parameters;
+}
+
+class QueryAccuracy : public testing::TestWithParam<Parameters> {};
+
+TEST_P(QueryAccuracy, IsThatOfTheSumOverAllModesToTheStatedBounds) {
+    TestSea sea(GetParam());
+    WaveSum sum(sea.modes, sea.parameters.water);
+    sum.set_time(kTime);
+    const auto points = random_points(400, -50.0, 500.0);
+    std::vector<ExactSample> exact;
+    for (const WorldPoint& point : points) {
+        exact.push_back(exact_sample(sum, sea.parameters.surface.choppiness, point));
+    }
+    const Errors plain = errors_of(sea.samples(sea.query(), points), exact);
+    EXPECT_LT(plain.height, 2e-3);
+    EXPECT_LT(plain.velocity, 2e-3);
+    EXPECT_LT(plain.normal, 2e-2);
+    const Errors refined = errors_of(sea.samples(sea.query({.refine = 2}), points), exact);
+    EXPECT_LT(refined.height, 1e-4);
+    EXPECT_LT(refined.velocity, 1e-4);
+    EXPECT_LT(refined.normal, 2e-3);
+    const Errors summed = errors_of(sea.samples(sea.query({.exact = true}), points), exact);
+    EXPECT_LT(summed.height, 1e-9);
+    EXPECT_LT(summed.velocity, 1e-9);
+    EXPECT_LT(summed.normal, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seas, QueryAccuracy,
+                         testing::Values(test::wind_sea(128, 400.0), shallow_sea(), looping_sea()));
+
+TEST(Query, AWaveIsOffByItsAliasesAloneInHeightAndSlope) {
+    constexpr int kWaves = 13;  // on 64 samples of the spline
+    TestSea sea(test::wind_sea(32, 64.0), test::single_wave(test::wind_sea(32, 64.0), kWaves, 0));
+    sea.parameters.surface.choppiness = 0.0;
+    const SurfaceQuery query = sea.query({}, 0.0);
+    const double k = kTwoPi * kWaves / 64.0;
+    double height_error = 0.0;
+    double slope_error = 0.0;
+    constexpr int kPoints = 6400;
+    for (int i = 0; i < kPoints; ++i) {
+        const double x = 64.0 * i / kPoints;
+        const QuerySample sample = query.sample({x, 20.0});
+        height_error += std::pow(sample.height - std::cos(k * x), 2);
+        slope_error += std::pow(-sample.normal[0] / sample.normal[2] + k * std::sin(k * x), 2);
+    }
+    const double near = 13.0 / (64.0 - 13.0);
+    const double far = 13.0 / (64.0 + 13.0);
+    const double height = std::hypot(std::pow(near, 4), std::pow(far, 4));
+    const double slope = std::hypot(std::pow(near, 3), std::pow(far, 3));
+    EXPECT_NEAR(std::sqrt(height_error / kPoints * 2.0), height, 0.02 * height);
+    EXPECT_NEAR(std::sqrt(slope_error / kPoints * 2.0) / k, slope, 0.02 * slope);
+}
+
+TEST(Query, RepeatsWithThePeriodHoweverFarAway) {
+    TestSea sea(test::wind_sea(64, 200.0));
+    const SurfaceQuery query = sea.query();
+    for (const WorldPoint& near : random_points(50, 0.0, 200.0)) {
+        const QuerySample here = query.sample(near);
+        for (const WorldPoint shift : {WorldPoint{-200.0, 400.0}, WorldPoint{1e7, -1e7}}) {
+            const WorldPoint far{near.x + shift.x, near.y + shift.y};
+            const QuerySample there = query.sample(far);
+            EXPECT_NEAR(there.height, here.height, 1e-6);
+            EXPECT_NEAR(there.normal[0], here.normal[0], 1e-6);
+            EXPECT_NEAR(there.velocity[1], here.velocity[1], 1e-6);
+            EXPECT_NEAR(there.label[0] - far.x, here.label[0] - near.x, 1e-5);
+            EXPECT_NEAR(there.label[1] - far.y, here.label[1] - near.y, 1e-5);
+        }
+    }
+    const QuerySample edge = query.sample({-1e-300, std::nextafter(200.0, 0.0)});
+    EXPECT_NEAR(edge.height, query.sample({0.0, 0.0}).height, 1e-5);
+    EXPECT_TRUE(std::isfinite(query.sample({1e300, -1e300}).height));
+}
+
+TEST(Query, HasTheSameBitsForAnyNumberOfThreadsAndOnePointAlone) {
+    Parameters parameters = test::wind_sea(64, 60.0);
+    parameters.surface.choppiness = 3.0;
+    TestSea sea(parameters);
+    const auto points = random_points(3000, -100.0, 100.0);
+    const auto expected = sea.samples(sea.query(), points);
+    for (const int threads : {1, 3, 5}) {
+        ThreadPool pool(threads);
+        const SurfaceQuery query(sea.modes, parameters.surface, parameters.water, kTime, {}, pool);
+        std::vector<QuerySample> samples(points.size());
+        query.sample(points, samples, pool);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            ASSERT_EQ(samples[i].height, expected[i].height);
+            ASSERT_EQ(0, std::memcmp(samples[i].normal, expected[i].normal, sizeof(double[3])));
+            ASSERT_EQ(0, std::memcmp(samples[i].velocity, expected[i].velocity, sizeof(double[3])));
+            ASSERT_EQ(0, std::memcmp(samples[i].label, expected[i].label, sizeof(double[2])));
+            ASSERT_EQ(samples[i].folded, expected[i].folded);
+            if (i % 100 == 0) {
+                ASSERT_EQ(query.sample(points[i]).height, expected[i].height);
+            }
+        }
+    }
+}
+
+TEST(Query, OfOneFoldedWaveTakesTheTopOfItsLoop) {
+    // h = cos(k a) is shown at a - C D with D = sin(k a): folded where C k cos(k a) > 1.
+    constexpr double kPeriod = 64.0;
+    const double k = kTwoPi * 2.0 / kPeriod;
+    TestSea sea(test::wind_sea(64, kPeriod), test::single_wave(test::wind_sea(64, kPeriod), 2, 0));
+    sea.parameters.surface.choppiness = 3.0 / k;
+    const double c = sea.parameters.surface.choppiness;
+    const SurfaceQuery query = sea.query({}, 0.0);
+    int folded = 0;
+    for (int i = 0; i < 500; ++i) {
+        const double x = kPeriod * (i + 0.5) / 500;
+        // All labels: where a - C sin(k a) - x changes its sign between neighbours of a fine list.
+        double top = -2.0;
+        int labels = 0;
+        const auto off = [&](double a) { return a - c * std::sin(k * a) - x; };
+        constexpr double kStep = 0.02;
+        for (double a = -kPeriod; a < 2.0 * kPeriod; a += kStep) {
+            const double left = off(a);
+            const double right = off(a + kStep);
+            if ((left < 0.0) == (right < 0.0)) continue;
+            ++labels;
+            top = std::max(top, std::cos(k * (a + kStep * left / (left - right))));
+        }
+        const QuerySample sample = query.sample({x, 11.0});
+        EXPECT_NEAR(sample.height, top, 2e-3) << "at x = " << x;
+        EXPECT_EQ(sample.folded, labels > 1) << "at x = " << x;
+        EXPECT_GE(sample.normal[2], 0.0);
+        folded += labels > 1 ? 1 : 0;
+    }
+    EXPECT_GT(folded, 100);
+    EXPECT_LT(folded, 500);
+}
+
+/// A sea so choppy that it folds in many places.
+Parameters folded_sea() {
+    Parameters parameters = test::wind_sea(128, 100.0);
+    parameters.surface.choppiness = 4.0;
+    return parameters;
+}
+
+/// Of the shown surface, by differences.
+double jacobian_at(const SurfaceQuery& query, WorldPoint label) {
+    constexpr double kStep = 0.01;
+    const WorldPoint a = query.shown(label);
+    const WorldPoint b = query.shown({label.x + kStep, label.y});
+    const WorldPoint c = query.shown({label.x, label.y + kStep});
+    return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / (kStep * kStep);
+}
+
+TEST(Query, OfAFoldedSeaHasNothingShownAboveIt) {
+    TestSea sea(folded_sea());
+    const SurfaceQuery query = sea.query();
+    Parameters calm = sea.parameters;
+    calm.surface.choppiness = 0.0;
+    TestSea by_label(calm, sea.modes);
+    const SurfaceQuery heights = by_label.query();
+    int hidden = 0;
+    int inside_out = 0;
+    for (const WorldPoint& label : random_points(50000, 0.0, 100.0)) {
+        const double jacobian = jacobian_at(query, label);
+        // The very edge of a fold is left out: its labels are shown within a millimetre of places
+        // where they are not.
+        if (std::abs(jacobian) < 0.1) continue;
+        const double height = heights.sample(label).height;
+        const QuerySample top = query.sample(query.shown(label));
+        EXPECT_GT(top.height, height - 1e-3);
+        hidden += top.height > height + 0.01 ? 1 : 0;
+        inside_out += jacobian < 0.0 ? 1 : 0;
+        EXPECT_TRUE(top.folded || jacobian > 0.0);
+    }
+    EXPECT_GT(hidden, 50);
+    EXPECT_GT(inside_out, 50);
+}
+
+class FoldedQuery : public testing::TestWithParam<double> {};
+
+TEST_P(FoldedQuery, FindsALabelThatIsShownAtThePointEverywhere) {
+    Parameters parameters = folded_sea();
+    parameters.waves.front().significant_wave_height = GetParam();
+    TestSea sea(parameters);
+    const SurfaceQuery query = sea.query();
+    for (const WorldPoint& point : random_points(20000, -1000.0, 1000.0)) {
+        const QuerySample sample = query.sample(point);
+        const WorldPoint shown = query.shown({sample.label[0], sample.label[1]});
+        EXPECT_LT(std::hypot(shown.x - point.x, shown.y - point.y), 2.1e-6 * query.reach());
+        const double* n = sample.normal;
+        EXPECT_NEAR(std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]), 1.0, 1e-9);
+        EXPECT_TRUE(std::isfinite(sample.velocity[0] + sample.velocity[1] + sample.velocity[2]));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Heights, FoldedQuery, testing::Values(2.0, 15.0));
+
+TEST(Query, OfASeaBeyondAllSenseEndsAndIsFinite) {
+    Parameters parameters = test::wind_sea(64, 10.0);
+    parameters.surface.choppiness = 4.0;
+    parameters.waves.front().significant_wave_height = 100.0;
+    TestSea sea(parameters);
+    const SplineMap map =
+        make_spline_map(spline_modes(sea.modes, 64, 128), kTime,
+                        {Channel::dx, Channel::dy, Channel::height}, 128, sea.pool);
+    std::vector<WorldPoint> labels;
+    FoldIndex(map, 4.0, 128, sea.pool).labels_near(5.0, 5.0, labels);
+    EXPECT_TRUE(labels.empty());  // given up: the lists would be longer than the maps
+    FoldIndex(map, 0.2, 128, sea.pool).labels_near(5.0, 5.0, labels);
+    EXPECT_FALSE(labels.empty());
+    for (const QuerySample& sample : sea.samples(sea.query(), random_points(300, 0.0, 10.0))) {
+        EXPECT_TRUE(std::isfinite(sample.height + sample.label[0] + sample.velocity[0]));
+        EXPECT_TRUE(std::isfinite(sample.normal[0] + sample.normal[1] + sample.normal[2]));
+    }
+}
+
+TEST(Query, OfAFlatSeaIsFlat) {
+    Parameters parameters = test::wind_sea(32, 64.0);
+    parameters.waves.front().wind_speed = 0.0;
+    TestSea sea(parameters);
+    const QuerySample sample = sea.query().sample({3.0, -7.0});
+    EXPECT_EQ(sample.height, 0.0);
+    EXPECT_EQ(sample.normal[2], 1.0);
+    EXPECT_EQ(sample.label[0], 3.0);
+    EXPECT_EQ(sample.label[1], -7.0);
+    EXPECT_FALSE(sample.folded);
+}
+
+TEST(Query, ShowsOnlyTheWavesOfTheMapThatIsShown) {
+    TestSea sea(test::wind_sea(128, 200.0));
+    sea.parameters.surface.choppiness = 0.0;
+    WaveSum coarse(sea.modes, sea.parameters.water, 32);
+    WaveSum fine(sea.modes, sea.parameters.water);
+    coarse.set_time(kTime);
+    fine.set_time(kTime);
+    const SurfaceQuery query = sea.query({.refine = 4, .resolution = 32});
+    const SurfaceQuery exact = sea.query({.exact = true, .resolution = 32});
+    EXPECT_EQ(query.spacing(), 200.0 / 32);
+    double difference = 0.0;
+    for (const WorldPoint& point : random_points(50, 0.0, 200.0)) {
+        const double height = coarse.at_label(point.x, point.y).height;
+        EXPECT_NEAR(query.sample(point).height, height, 1e-4);
+        EXPECT_NEAR(exact.sample(point).height, height, 1e-12);
+        difference =
+            std::max(difference, std::abs(height - fine.at_label(point.x, point.y).height));
+    }
+    EXPECT_GT(difference, 0.05);
+}
+
+TEST(Query, FoamIsInterpolatedAtTheLabelAndRepeats) {
+    Parameters parameters = test::wind_sea(32, 64.0);
+    parameters.surface.choppiness = 0.0;
+    TestSea sea(parameters);
+    FoamMap foam{std::vector<float>(32 * 32, 0.0f), 32};
+    foam.values[5 * 32 + 31] = 1.0f;  // at (62, 10); its neighbour to the east is at x = 0
+    const SurfaceQuery query = sea.query({}, kTime, foam);
+    EXPECT_EQ(query.sample({62.0, 10.0}).foam, 1.0);
+    EXPECT_EQ(query.sample({63.0, 10.0}).foam, 0.5);
+    EXPECT_EQ(query.sample({-1.0, 11.0 + 640.0}).foam, 0.25);
+    EXPECT_EQ(query.sample({0.0, 10.0}).foam, 0.0);
+    EXPECT_EQ(sea.query().sample({62.0, 10.0}).foam, 0.0);
+    EXPECT_EQ(sea.query({.foam = false}, kTime, foam).sample({62.0, 10.0}).foam, 0.0);
+
+    sea.parameters.surface.choppiness = 1.0;
+    for (float& value : foam.values) value = 0.0f;
+    for (std::size_t j = 0; j < 32; ++j) {
+        for (std::size_t i = 0; i < 32; ++i) {
+            foam.values[j * 32 + i] =
+                static_cast<float>(0.5 + 0.5 * std::cos(kTwoPi * static_cast<double>(i) / 32.0));
+        }
+    }
+    const SurfaceQuery choppy = sea.query({}, kTime, foam);
+    for (const WorldPoint& point : random_points(50, 0.0, 64.0)) {
+        const QuerySample sample = choppy.sample(point);
+        EXPECT_NEAR(sample.foam, 0.5 + 0.5 * std::cos(kTwoPi * sample.label[0] / 64.0), 3e-3);
+    }
+}
+
+TEST(Query, RefusesWhatItCannotAnswerAndWritesNothing) {
+    TestSea sea(test::wind_sea(32, 64.0));
+    const auto message = [&](const QueryOptions& options) -> std::string {
+        try {
+            sea.query(options);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::invalid_value);
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(message({.refine = 3}),
+              "refine = 3; allowed for a map of 32 x 32 samples: a power of two, 1 .. 128");
+    EXPECT_NE(message({.refine = 0}), "");
+    EXPECT_NE(message({.refine = -2}), "");
+    EXPECT_NE(message({.refine = 256}), "");
+    EXPECT_NE(message({.refine = 2, .resolution = 4096}), "");
+    EXPECT_EQ(message({.resolution = 33}), "resolution = 33; allowed: a power of two, 32 .. 8192");
+    EXPECT_THROW(sea.query({}, std::nan("")), Error);
+    EXPECT_THROW(sea.query({.exact = true}, std::nan("")), Error);
+    EXPECT_THROW(sea.water(std::numeric_limits<double>::infinity()), Error);
+    EXPECT_THROW(OrbitalVelocity(sea.modes, sea.parameters.water, std::nan(""), 0.0,
+                                 {.exact = true}, sea.pool),
+                 Error);
+
+    const SurfaceQuery query = sea.query();
+    std::vector<WorldPoint> points = {{1.0, 2.0}, {3.0, std::nan("")}};
+    std::vector<QuerySample> samples(2);
+    samples[0].height = 77.0;
+    try {
+        query.sample(points, samples, sea.pool);
+        ADD_FAILURE() << "a point that is not finite was taken";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "point 1 = (3.000000, nan); allowed are finite coordinates in metres");
+    }
+    EXPECT_EQ(samples[0].height, 77.0);
+    query.sample({}, {}, sea.pool);
+}
+
+TEST(OrbitalVelocity, OfOneWaveIsThatOfLinearTheoryFromTheSurfaceToTheBottom) {
+    Parameters parameters = test::wind_sea(32, 64.0);
+    parameters.water.depth = 8.0;
+    TestSea sea(parameters, test::single_wave(parameters, 2, 1));
+    const double kx = kTwoPi * 2.0 / 64.0;
+    const double ky = kTwoPi / 64.0;
+    const double k = std::hypot(kx, ky);
+    const double omega = Dispersion(parameters.water).angular_frequency(k);
+    for (const double z : {-8.0, -5.0, -1.0, 0.0, 4.0}) {
+        const OrbitalVelocity water = sea.water(z, {.refine = 2});
+        const double level = std::min(z, 0.0) + 8.0;
+        const double along = omega * std::cosh(k * level) / std::sinh(k * 8.0);
+        const double up = omega * std::sinh(k * level) / std::sinh(k * 8.0);
+        for (const WorldPoint& point : random_points(20, -64.0, 64.0)) {
+            const double phase = kx * point.x + ky * point.y - omega * kTime;
+            const auto velocity = water.sample(point);
+            EXPECT_NEAR(velocity[0], along * kx / k * std::cos(phase), 2e-5);
+            EXPECT_NEAR(velocity[1], along * ky / k * std::cos(phase), 2e-5);
+            EXPECT_NEAR(velocity[2], up * std::sin(phase), 2e-5);
+        }
+    }
+    EXPECT_EQ(sea.water(-8.01).sample({1.0, 2.0}), (std::array<double, 3>{}));
+    EXPECT_EQ(sea.water(-8.01, {.exact = true}).sample({1.0, 2.0}), (std::array<double, 3>{}));
+}
+
+TEST(OrbitalVelocity, OfASeaIsThatOfTheSumOverAllModes) {
+    for (const double depth : {12.0, std::numeric_limits<double>::infinity()}) {
+        Parameters parameters = test::wind_sea(128, 400.0);
+        parameters.water.depth = depth;
+        TestSea sea(parameters);
+        WaveSum sum(sea.modes, parameters.water);
+        sum.set_time(kTime);
+        for (const double z : {-10.0, -2.0, 0.0, 1.5}) {
+            const auto points = random_points(100, 0.0, 400.0);
+            std::vector<std::array<double, 3>> velocities(points.size());
+            std::vector<std::array<double, 3>> summed(points.size());
+            sea.water(z).sample(points, velocities, sea.pool);
+            sea.water(z, {.exact = true}).sample(points, summed, sea.pool);
+            double error = 0.0;
+            double size = 0.0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const WaterMotion motion = sum.water_motion(points[i].x, points[i].y, z);
+                const double exact[] = {motion.velocity_x, motion.velocity_y, motion.velocity_z};
+                for (std::size_t c = 0; c < 3; ++c) {
+                    error += std::pow(velocities[i][c] - exact[c], 2);
+                    size += exact[c] * exact[c];
+                    EXPECT_NEAR(summed[i][c], exact[c], 1e-9);
+                }
+            }
+            EXPECT_LT(std::sqrt(error / size), 2e-3) << "at z = " << z;
+        }
+    }
+}
+
+TEST(OceanQuery, FollowsTheParametersAndTheTime) {
+    Ocean ocean(test::wind_sea(64, 200.0), {.threads = 1});
+    const std::vector<WorldPoint> points = random_points(20, 0.0, 200.0);
+    const auto heights = [&](double time) {
+        std::vector<QuerySample> samples(points.size());
+        ocean.query(time, points, samples);
+        std::vector<double> result;
+        for (const QuerySample& sample : samples) result.push_back(sample.height);
+        return result;
+    };
+    const auto first = heights(kTime);
+    EXPECT_EQ(heights(kTime), first);
+    EXPECT_NE(heights(kTime + 0.5), first);
+    EXPECT_EQ(heights(kTime), first);
+    ocean.set("choppiness", "0.5");
+    EXPECT_NE(heights(kTime), first);
+    ocean.set("choppiness", "1");
+    EXPECT_EQ(heights(kTime), first);
+}
+
+}  // namespace
+}  // namespace ocean

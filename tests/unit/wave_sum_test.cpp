@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sum over all modes at a point: against the reference transform, against differences in time,
+// and against Airy's theory of one wave at every depth.
+#include "ocean/wave_sum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "ocean/dispersion.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr double kLoop = 60.0;
+
+Modes sea_modes(const Parameters& parameters) {
+    ThreadPool pool(2);
+    return make_modes(make_directional_spectrum(parameters), parameters, pool);
+}
+
+/// rms of sum - map over rms of the map, at samples on a coarse grid.
+double error_at_samples(const WaveSum& sum, const Surface& map, Channel channel,
+                        const std::function<double(const LinearSample&)>& value) {
+    const int n = map.resolution();
+    double error = 0.0;
+    double scale = 0.0;
+    for (int j = 1; j < n; j += 5) {
+        for (int i = 0; i < n; i += 7) {
+            const double expected =
+                map.channel(channel)[static_cast<std::size_t>(j) * static_cast<std::size_t>(n) +
+                                     static_cast<std::size_t>(i)];
+            const double found = value(sum.at_label(map.period() * i / n, map.period() * j / n));
+            error += (found - expected) * (found - expected);
+            scale += expected * expected;
+        }
+    }
+    return std::sqrt(error / scale);
+}
+
+/// Maps are floats: their own rounding is 3e-8 of a value.
+void expect_the_map(const WaveSum& sum, const Surface& map, double choppiness) {
+    using enum Channel;
+    const auto check = [&](Channel channel, const std::function<double(const LinearSample&)>& f) {
+        EXPECT_LT(error_at_samples(sum, map, channel, f), 1e-6) << static_cast<int>(channel);
+    };
+    const double c = choppiness;
+    check(height, [](const LinearSample& s) { return s.height; });
+    check(dx, [c](const LinearSample& s) { return -c * s.excursion_x; });
+    check(dy, [c](const LinearSample& s) { return -c * s.excursion_y; });
+    check(slope_x, [](const LinearSample& s) { return s.slope_x; });
+    check(slope_y, [](const LinearSample& s) { return s.slope_y; });
+    check(vx, [c](const LinearSample& s) { return -c * s.excursion_x_rate; });
+    check(vy, [c](const LinearSample& s) { return -c * s.excursion_y_rate; });
+    check(vz, [](const LinearSample& s) { return s.height_rate; });
+    check(jacobian, [c](const LinearSample& s) {
+        return (1.0 - c * s.gradient_xx) * (1.0 - c * s.gradient_yy) -
+               c * c * s.gradient_xy * s.gradient_xy;
+    });
+}
+
+TEST(WaveSum, IsTheMapAtItsSamples) {
+    for (const double depth : {std::numeric_limits<double>::infinity(), 12.0}) {
+        for (const double loop : {0.0, kLoop}) {
+            Parameters parameters = test::wind_sea(64, 300.0);
+            parameters.water.depth = depth;
+            parameters.time.loop_period = loop;
+            parameters.surface.choppiness = 0.8;
+            const Modes modes = sea_modes(parameters);
+            ThreadPool pool(2);
+            for (const double time : {12.0, 1e6}) {
+                const Surface map = make_surface(modes, parameters.surface, time,
+                                                 test::kAllChannels, Backend::dft, pool);
+                WaveSum sum(modes, parameters.water);
+                sum.set_time(time);
+                expect_the_map(sum, map, 0.8);
+            }
+        }
+    }
+}
+
+TEST(WaveSum, ResolutionLeavesOutWhatASmallerMapDoesNotHold) {
+    const Parameters parameters = test::wind_sea(128, 300.0);
+    const Modes modes = sea_modes(parameters);
+    ThreadPool pool(2);
+    const Surface map =
+        make_surface(modes, parameters.surface, 5.0, test::kAllChannels, Backend::dft, pool, 32);
+    WaveSum sum(modes, parameters.water, 32);
+    sum.set_time(5.0);
+    expect_the_map(sum, map, 1.0);
+}
+
+TEST(WaveSum, CascadesAddUpEachOnItsOwnLattice) {
+    // The modes of a 128 lattice, those above n = 8 moved to a second cascade of a quarter period.
+    const Parameters parameters = test::wind_sea(128, 300.0);
+    const Modes whole = sea_modes(parameters);
+    Modes parts = whole;
+    CascadeModes& coarse = parts.cascades.front();
+    CascadeModes fine = coarse;
+    fine.divisor = 4;
+    fine.lattice.period = 75.0;
+    std::fill(fine.h0.begin(), fine.h0.end(), 0.0f);
+    const auto index = [](int n, int m) {
+        return static_cast<std::size_t>(fft_index(m, 128)) * 128 +
+               static_cast<std::size_t>(fft_index(n, 128));
+    };
+    for (int m = -15; m <= 15; ++m) {
+        for (int n = -15; n <= 15; ++n) {
+            if (std::abs(n) <= 2 && std::abs(m) <= 2) continue;
+            std::swap(fine.h0[index(n, m)], coarse.h0[index(4 * n, 4 * m)]);
+            fine.rate_high[index(n, m)] = coarse.rate_high[index(4 * n, 4 * m)];
+            fine.rate_low[index(n, m)] = coarse.rate_low[index(4 * n, 4 * m)];
+            fine.excursion[index(n, m)] = coarse.excursion[index(4 * n, 4 * m)];
+        }
+    }
+    parts.cascades.push_back(fine);
+    for (const int resolution : {0, 64}) {
+        const WaveSum expected(whole, parameters.water, resolution);
+        const WaveSum found(parts, parameters.water, resolution);
+        const LinearSample a = expected.at_label(-17.3, 1234.5);
+        const LinearSample b = found.at_label(-17.3, 1234.5);
+        EXPECT_NEAR(b.height, a.height, 1e-12);
+        EXPECT_NEAR(b.gradient_xy, a.gradient_xy, 1e-12);
+        EXPECT_NEAR(b.excursion_y_rate, a.excursion_y_rate, 1e-12);
+        EXPECT_NEAR(found.water_motion(3.0, 4.0, -1.0).pressure,
+                    expected.water_motion(3.0, 4.0, -1.0).pressure, 1e-8);
+    }
+}
+
+TEST(WaveSum, RatesAreDifferencesInTime) {
+    Parameters parameters = test::wind_sea(64, 300.0);
+    parameters.water.depth = 20.0;
+    const Modes modes = sea_modes(parameters);
+    const auto at = [&](double time) {
+        WaveSum sum(modes, parameters.water);
+        sum.set_time(time);
+        return sum.at_label(40.0, -70.0);
+    };
+    constexpr double kStep = 1e-4;
+    const LinearSample before = at(7.0 - kStep);
+    const LinearSample after = at(7.0 + kStep);
+    const LinearSample now = at(7.0);
+    EXPECT_NEAR(now.height_rate, (after.height - before.height) / (2.0 * kStep), 1e-6);
+    EXPECT_NEAR(now.excursion_x_rate, (after.excursion_x - before.excursion_x) / (2.0 * kStep),
+                1e-6);
+    EXPECT_NEAR(now.excursion_y_rate, (after.excursion_y - before.excursion_y) / (2.0 * kStep),
+                1e-6);
+}
+
+TEST(WaveSum, StepsLeadToTheTimeThatCanBeSet) {
+    for (const double loop : {0.0, kLoop}) {
+        Parameters parameters = test::wind_sea(64, 300.0);
+        parameters.time.loop_period = loop;
+        WaveSum stepped(sea_modes(parameters), parameters.water);
+        WaveSum set = stepped;
+        stepped.set_time(1e5);
+        const WaveStep step = stepped.wave_step(0.25);
+        for (int i = 0; i < 200; ++i) stepped.advance(step);
+        set.set_time(1e5 + 50.0);
+        const LinearSample a = set.at_label(5.0, 6.0);
+        const LinearSample b = stepped.at_label(5.0, 6.0);
+        // A turn at 1e5 s is known to 1e-11.
+        EXPECT_NEAR(b.height, a.height, 1e-9);
+        EXPECT_NEAR(b.gradient_xx, a.gradient_xx, 1e-9);
+        EXPECT_NEAR(b.height_rate, a.height_rate, 1e-9);
+        EXPECT_NEAR(b.excursion_y_rate, a.excursion_y_rate, 1e-9);
+    }
+}
+
+TEST(WaveSum, ExcursionAloneIsThatOfTheWholeSample) {
+    const Parameters parameters = test::wind_sea(64, 300.0);
+    WaveSum sum(sea_modes(parameters), parameters.water);
+    sum.set_time(3.0);
+    const LinearSample whole = sum.at_label(11.0, 22.0);
+    const ExcursionSample part = sum.excursion_at(11.0, 22.0);
+    EXPECT_EQ(part.excursion_x, whole.excursion_x);
+    EXPECT_EQ(part.excursion_y, whole.excursion_y);
+    EXPECT_EQ(part.gradient_xx, whole.gradient_xx);
+    EXPECT_EQ(part.gradient_yy, whole.gradient_yy);
+    EXPECT_EQ(part.gradient_xy, whole.gradient_xy);
+}
+
+TEST(WaveSum, ExcursionRmsIsThatOfAMapInTheMeanOverTimes) {
+    Parameters parameters = test::wind_sea(32, 300.0);
+    parameters.water.depth = 10.0;
+    const Modes modes = sea_modes(parameters);
+    ThreadPool pool(2);
+    double sum = 0.0;
+    constexpr int kTimes = 200;
+    for (int i = 0; i < kTimes; ++i) {
+        const Surface map = make_surface(modes, parameters.surface, 37.0 * i,
+                                         {Channel::dx, Channel::dy}, Backend::cpu, pool);
+        sum += test::variance(map.channel(Channel::dx)) + test::variance(map.channel(Channel::dy));
+    }
+    const double expected = std::sqrt(sum / kTimes);
+    EXPECT_NEAR(WaveSum(modes, parameters.water).excursion_rms(), expected, 0.02 * expected);
+}
+
+TEST(WaveSum, ALoopClosesInBits) {
+    Parameters parameters = test::wind_sea(32, 300.0);
+    parameters.time.loop_period = kLoop;
+    WaveSum sum(sea_modes(parameters), parameters.water);
+    sum.set_time(7.5);
+    const LinearSample first = sum.at_label(1.0, 2.0);
+    sum.set_time(7.5 + 3.0 * kLoop);
+    const LinearSample again = sum.at_label(1.0, 2.0);
+    EXPECT_EQ(first.height, again.height);
+    EXPECT_EQ(first.excursion_y_rate, again.excursion_y_rate);
+}
+
+/// Airy's wave h = cos(kx x - omega t) under which all is written with plain cosh and sinh.
+/// [Dean and Dalrymple 1991] eq. 3.30, 3.31 and 4.24.
+void expect_airy(double depth, double patch_size, int n) {
+    Parameters parameters = test::wind_sea(64, patch_size);
+    parameters.water.depth = depth;
+    const double k = kTwoPi * n / patch_size;
+    const double omega = Dispersion(parameters.water).angular_frequency(k);
+    WaveSum sum(test::single_wave(parameters, n, 0), parameters.water);
+    const double time = 2.3;
+    sum.set_time(time);
+    for (const double z : {0.0, -0.1 * depth, -0.5 * depth, -depth}) {
+        for (const double x : {0.0, 0.3 * patch_size / n, 10.0 * patch_size}) {
+            const double phase = k * x - omega * time;
+            const WaterMotion motion = sum.water_motion(x, 5.0, z);
+            const double along = std::cosh(k * (z + depth)) / std::sinh(k * depth);
+            const double up = std::sinh(k * (z + depth)) / std::sinh(k * depth);
+            const double tension = parameters.water.surface_tension * k * k;
+            const double pressure =
+                (1000.0 * 9.81 + tension) * std::cosh(k * (z + depth)) / std::cosh(k * depth);
+            // The frequency is stored in two floats, the excursion of the sum in one.
+            EXPECT_NEAR(motion.velocity_x, omega * along * std::cos(phase), 1e-6 * omega * along);
+            EXPECT_NEAR(motion.velocity_z, omega * up * std::sin(phase), 1e-6 * omega * along);
+            EXPECT_NEAR(motion.velocity_y, 0.0, 1e-12);
+            EXPECT_NEAR(motion.pressure, pressure * std::cos(phase), 1e-6 * pressure);
+        }
+    }
+}
+
+TEST(WaveSum, WaterMovesAsInAirysWave) {
+    expect_airy(200.0, 400.0, 4);  // deep: kd = 12.6
+    expect_airy(10.0, 400.0, 4);
+    expect_airy(0.5, 400.0, 4);   // shallow: kd = 0.03
+    expect_airy(0.05, 0.32, 16);  // capillary waves of 2 cm
+}
+
+TEST(WaveSum, InDeepWaterMotionDecaysWithTheExponentialOfDepth) {
+    const Parameters parameters = test::wind_sea(64, 400.0);
+    WaveSum sum(test::single_wave(parameters, 3, 4), parameters.water);
+    sum.set_time(1.0);
+    const double k = kTwoPi * 5.0 / 400.0;
+    const WaterMotion top = sum.water_motion(10.0, 20.0, 0.0);
+    for (const double z : {-1.0, -10.0, -100.0}) {
+        const WaterMotion below = sum.water_motion(10.0, 20.0, z);
+        EXPECT_NEAR(below.velocity_x, top.velocity_x * std::exp(k * z), 1e-12);
+        EXPECT_NEAR(below.velocity_z, top.velocity_z * std::exp(k * z), 1e-12);
+        EXPECT_NEAR(below.pressure, top.pressure * std::exp(k * z), 1e-8);
+    }
+}
+
+TEST(WaveSum, WaterAtTheSurfaceMovesAsTheSurfaceDoes) {
+    Parameters parameters = test::wind_sea(64, 300.0);
+    parameters.water.depth = 15.0;
+    WaveSum sum(sea_modes(parameters), parameters.water);
+    sum.set_time(9.0);
+    const LinearSample label = sum.at_label(31.0, 77.0);
+    const WaterMotion water = sum.water_motion(31.0, 77.0, 0.0);
+    EXPECT_NEAR(water.velocity_x, -label.excursion_x_rate, 1e-6);
+    EXPECT_NEAR(water.velocity_y, -label.excursion_y_rate, 1e-6);
+    EXPECT_NEAR(water.velocity_z, label.height_rate, 1e-12);
+    EXPECT_NEAR(water.pressure, 9810.0 * label.height, 1.0);  // and a little tension
+}
+
+TEST(WaveSum, NoDepthAndNoLevelOverflows) {
+    for (const double depth : {0.01, 1.0, 1e4, std::numeric_limits<double>::infinity()}) {
+        Parameters parameters = test::wind_sea(64, 100.0);
+        parameters.water.depth = depth;
+        const WaveSum sum(sea_modes(parameters), parameters.water);
+        const WaterMotion still = sum.water_motion(1.0, 2.0, 0.0);
+        const WaterMotion above = sum.water_motion(1.0, 2.0, 1e300);
+        EXPECT_EQ(above.velocity_x, still.velocity_x) << "above z = 0 as at z = 0";
+        EXPECT_EQ(above.pressure, still.pressure);
+        for (const double z : {0.0, -0.005, -0.5, -100.0, -1e5, -1e300}) {
+            const WaterMotion motion = sum.water_motion(1.0, 2.0, z);
+            for (const double value :
+                 {motion.velocity_x, motion.velocity_y, motion.velocity_z, motion.pressure}) {
+                EXPECT_TRUE(std::isfinite(value)) << depth << " " << z;
+                EXPECT_TRUE(z >= -depth || value == 0.0) << depth << " " << z;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ocean
