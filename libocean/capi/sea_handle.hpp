@@ -19,6 +19,6 @@ struct ocean_sea {
           ocean(std::make_unique<ocean::Ocean>(std::move(sea), options)) {}
 
     ocean::OceanOptions options;
-    std::string base_dir;                 // where a relative `file` starts
+    std::string base_dir;                 // where a relative `file` or `take` starts
     std::unique_ptr<ocean::Ocean> ocean;  // readers may make it build what they ask for
 };

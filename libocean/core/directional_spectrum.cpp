@@ -154,13 +154,15 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
     return result;
 }
 
-DirectionalSpectrum make_directional_spectrum(const Parameters& parameters) {
-    const Dispersion dispersion(parameters.water);
+double highest_frequency(const Parameters& parameters) {
     const double corner = std::sqrt(2.0) * kPi * parameters.grid.resolution *
                           cascade_divisors(parameters.grid).back() / parameters.grid.patch_size;
-    const double highest =
-        dispersion.angular_frequency(std::max(corner, kTwoPi / kShortestTabulated));
+    return Dispersion(parameters.water)
+        .angular_frequency(std::max(corner, kTwoPi / kShortestTabulated));
+}
 
+DirectionalSpectrum make_directional_spectrum(const Parameters& parameters) {
+    const double highest = highest_frequency(parameters);
     std::vector<WaveSystemTable> systems;
     int directions = 0;
     for (const WaveSystem& system : parameters.waves) {

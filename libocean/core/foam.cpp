@@ -18,11 +18,8 @@ namespace ocean {
 namespace {
 
 constexpr float kLeastFoam = 1.0f / 512.0f;
-/// Ticks that are kept: the newest and the two that sub-frames may step back to.
-constexpr std::size_t kKept = 3;
 
 float fade(double seconds, double lifetime) {
-    if (seconds <= 0.0) return 1.0f;
     return lifetime > 0.0 ? static_cast<float>(std::exp(-seconds / lifetime)) : 0.0f;
 }
 
@@ -111,15 +108,10 @@ FoamState::FoamState(FoamClock clock, FoamStart start) : clock_(clock), start_(s
 void FoamState::evaluate(double time, std::span<const float> whitecap, const FoamSource& source,
                          std::span<float> out, ThreadPool& pool) {
     require_size(out, whitecap.size());
-    const double lifetime = source.lifetime(time);
-    if (lifetime <= 0.0) {  // no past
-        std::copy(whitecap.begin(), whitecap.end(), out.begin());
-        return;
-    }
     const FoamClock::Moment moment = clock_.moment(time);
     const Tick& last = reach(moment.tick, source, pool);
     require_size(whitecap, last.foam.size());
-    blend(whitecap, last.foam, fade(moment.since, lifetime), 0.0f, out, pool);
+    blend(whitecap, last.foam, fade(moment.since, source.lifetime(time)), 0.0f, out, pool);
 }
 
 const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& source,

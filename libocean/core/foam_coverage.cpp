@@ -69,20 +69,24 @@ double positive_part(double z) {
 /// E[W] as a function of the threshold. With b and c given, J = (1 - C a)(1 - C b) - C^2 c^2 is
 /// linear in `a` and so Gaussian: E[W | b, c] = (sd/w) (G((th - m)/sd) - G((th - w - m)/sd)), m and
 /// sd the mean and deviation of J. It is smooth in b and c: the trapezoid rule over two standard
-/// normals converges faster than any power of its spacing.
+/// normals converges faster than any power of its spacing, as long as sd spans a few of them. Where
+/// `a` hardly varies by itself (two swells that cross) it is closer, and its terms are cheap.
 /// Proved by Foam.TheMeanWhitecapIsThatOfRandomGradients.
 class MeanWhitecap {
   public:
     MeanWhitecap(const GradientCovariance& covariance, double choppiness) {
-        constexpr int kReach = 26;
-        constexpr double kSpacing = 0.25;
+        constexpr double kReach = 6.5;
         const Factors f(along_the_waves(covariance));
+        const double size = std::sqrt(covariance.aa + covariance.bb + covariance.cc);
+        const double own = size > 0.0 ? f.a3 / size : 1.0;
+        const double spacing = std::clamp(own, 0.05, 0.5);
+        const int reach = static_cast<int>(std::ceil(kReach / spacing));
         double total = 0.0;
-        for (int i = -kReach; i <= kReach; ++i) {
-            for (int j = -kReach; j <= kReach; ++j) {
-                if (i * i + j * j > kReach * kReach) continue;
-                const double x = kSpacing * i;
-                const double y = kSpacing * j;
+        for (int i = -reach; i <= reach; ++i) {
+            for (int j = -reach; j <= reach; ++j) {
+                if (i * i + j * j > reach * reach) continue;
+                const double x = spacing * i;
+                const double y = spacing * j;
                 const double across = 1.0 - choppiness * f.b1 * x;
                 const double shear = choppiness * (f.c1 * x + f.c2 * y);
                 const double along = 1.0 - choppiness * (f.a1 * x + f.a2 * y);
@@ -122,7 +126,7 @@ class MeanWhitecap {
 }  // namespace
 
 double monahan_coverage(double wind_speed) {
-    // [Monahan and O'Muircheartaigh 1980] eq. 5
+    // [Monahan and O'Muircheartaigh 1980]
     return std::min(1.0, 3.84e-6 * std::pow(std::max(0.0, wind_speed), 3.41));
 }
 
@@ -139,8 +143,7 @@ double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSet
     if (wanted <= 0.0 || !squeezed) return kNoWhitecap;
 
     const MeanWhitecap mean(covariance, settings.choppiness);
-    constexpr double kHighest = 1.0;
-    if (mean(kHighest, settings.foam_width) <= wanted) return kHighest;
+    constexpr double kHighest = 1.0;  // and the answer where even that gives too little
     double below = kHighest;
     double above = kHighest;
     for (double fall = 0.25; mean(below, settings.foam_width) > wanted; fall *= 2.0) {

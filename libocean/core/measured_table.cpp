@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "ocean/grid.hpp"
@@ -196,7 +197,24 @@ class MeasuredSpreading {
     std::vector<std::vector<double>> rows_;  // of the listed frequencies
 };
 
+/// The first moments of a record, however it says its directions; empty if it does not.
+std::vector<Complex> directions_of(const SpectrumRecord& record) {
+    if (record.is_directional()) return first_moments(record);
+    return fill_gaps(record).first;
+}
+
 }  // namespace
+
+NaturalScale natural_measured_scale(const WaveSystem& system) {
+    WaveSystem as_measured = system;
+    as_measured.significant_wave_height.reset();
+    as_measured.peak_period.reset();
+    const MeasuredDensity sea = rescaled_density(as_measured);
+    if (sea.m0 <= 0.0) return {0.0, std::numeric_limits<double>::quiet_NaN(), 0.0};
+    const std::vector<Complex> first = directions_of(*system.measured);
+    const double direction = first.empty() ? 0.0 : mean_direction(first, sea) * 180.0 / kPi;
+    return {4.0 * std::sqrt(sea.m0), kTwoPi / sea.peak, direction};
+}
 
 WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water) {
     const MeasuredDensity sea = rescaled_density(system);
@@ -219,9 +237,8 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
     }
     double turn = 0.0;
     if (system.wind_direction) {  // replaces the record's own mean: everything is turned
-        const std::vector<Complex> first =
-            moments.first.empty() ? first_moments(*system.measured) : moments.first;
-        turn = *system.wind_direction * kPi / 180.0 - mean_direction(first, sea);
+        turn = *system.wind_direction * kPi / 180.0 -
+               mean_direction(directions_of(*system.measured), sea);
     }
     table.directions = 1024;
     table.spreading = MeasuredSpreading(

@@ -67,7 +67,7 @@ void Ocean::dirty(Stage first_stage) {
 }
 
 void Ocean::require_valid() {
-    if (!validated_) validate(sea_.parameters);
+    if (!validated_) validate(sea_);
     validated_ = true;
 }
 
@@ -186,10 +186,7 @@ void Ocean::add_foam(Surface& surface) {
                       options_.foam_start);
         foam_resolution_ = surface.resolution();
     }
-    const FoamSource source{[this](double time) {
-                                return sea_.take.empty() ? now_.surface.foam_lifetime
-                                                         : sea_.at(time).surface.foam_lifetime;
-                            },
+    const FoamSource source{[this](double time) { return sea_.foam_lifetime(time); },
                             [this](double time) {
                                 go_to(time);
                                 ++runs_.foam_ticks;

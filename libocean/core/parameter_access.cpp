@@ -158,9 +158,10 @@ ParameterValue value_of(const Parameters& parameters, const ParameterRef& ref) {
 namespace {
 
 bool same_systems(const Parameters& a, const Parameters& b) {
-    return std::equal(
-        a.waves.begin(), a.waves.end(), b.waves.begin(), b.waves.end(),
-        [](const WaveSystem& x, const WaveSystem& y) { return x.measured == y.measured; });
+    return std::equal(a.waves.begin(), a.waves.end(), b.waves.begin(), b.waves.end(),
+                      [](const WaveSystem& x, const WaveSystem& y) {
+                          return x.measured == y.measured && x.energy_share == y.energy_share;
+                      });
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameter
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
     const ParameterRef ref = find_parameter(name);
     Parameters changed = parameters;
-    assign(changed, ref, parse_value(*ref.info, text));
+    assign(changed, ref, parse_value(ref, text));
     const std::string_view key = ref.info->key;
     const bool names_record = key == "file" || key == "record" || key == "place";
     if (names_record && value_of(changed, ref) != value_of(parameters, ref)) {

@@ -16,6 +16,8 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr ParameterClass kLive = ParameterClass::live;
 constexpr ParameterClass kRebuild = ParameterClass::rebuild;
 
+// Soft ranges of live parameters begin where a tenth of the range still moves the sea by less than
+// 2 % of its height in a frame while it glides: TakeMotion.AStepOfATenth...
 // section, key, unit, label, help, member, hard range, soft range, class, dirties
 constexpr ParameterInfo kTable[] = {
     {"water", "depth", "m", "Depth", "Water depth; inf is deep water.", &Water::depth, 0.01, kInf,
@@ -56,7 +58,7 @@ constexpr ParameterInfo kTable[] = {
      &SurfaceSettings::foam_lifetime, 0.0, 600.0, 0.5, 30.0, kLive, Stage::foam},
     {"surface", "foam_step", "s", "Foam step",
      "Tick of the foam's own clock, whatever the frame rate.", &SurfaceSettings::foam_step, 0.01,
-     1.0, 0.02, 0.2, kLive, Stage::foam},
+     1.0, 0.02, 0.2, kRebuild, Stage::foam},
     {"surface", "foam_coverage", "", "Foam coverage",
      "monahan: as much whitecap as the strongest wind makes; threshold: where the Jacobian falls "
      "below foam_threshold.",
@@ -78,9 +80,11 @@ constexpr ParameterInfo kTable[] = {
      "The sea repeats after this time: every wave's frequency is rounded to it; 0 is never.",
      &Timing::loop_period, 0.0, 1e6, 0.0, 120.0, kRebuild, Stage::modes},
     {"time", "glide", "s", "Glide",
-     "How fast live parameters follow a take. Takes come with a later version.", &Timing::glide,
-     0.0, 60.0, 0.0, 5.0, kRebuild, Stage::clock},
-    {"time", "take", "", "Take", "A recorded performance to play. Takes come with a later version.",
+     "Time in which a live parameter goes 63 % of the way to the value that a take gives it; 0 "
+     "jumps.",
+     &Timing::glide, 0.0, 60.0, 0.0, 5.0, kRebuild, Stage::clock},
+    {"time", "take", "", "Take",
+     "A recorded performance, a file of lines SECONDS NAME VALUE, relative to the sea file.",
      &Timing::take, 0, 0, 0, 0, kRebuild, Stage::spectrum},
 
     {"random", "seed", "", "Seed", "Another sea of the same statistics.", &Parameters::seed, 0,
@@ -89,13 +93,13 @@ constexpr ParameterInfo kTable[] = {
     {"waves", "spectrum", "", "Spectrum", "How the energy is spread over the frequencies.",
      &WaveSystem::spectrum, 0, 0, 0, 0, kRebuild, Stage::spectrum},
     {"waves", "wind_speed", "m/s", "Wind speed", "Mean wind 10 m above the water; 0 is flat.",
-     &WaveSystem::wind_speed, 0.0, 75.0, 0.0, 35.0, kLive, Stage::spectrum},
+     &WaveSystem::wind_speed, 0.0, 75.0, 2.0, 35.0, kLive, Stage::spectrum},
     {"waves", "wind_direction", "deg", "Wind direction",
      "Where the waves travel to, counter-clockwise from +x. Given for a measured spectrum, it "
      "replaces the measured mean.",
      &WaveSystem::wind_direction, -360.0, 360.0, -180.0, 180.0, kLive, Stage::spectrum},
     {"waves", "fetch", "m", "Fetch", "Distance over which the wind has blown (jonswap, tma).",
-     &WaveSystem::fetch, 1000.0, 1e7, 1e4, 1e6, kLive, Stage::spectrum},
+     &WaveSystem::fetch, 1000.0, 1e7, 5e4, 1e6, kLive, Stage::spectrum},
     {"waves", "peak_enhancement", "", "Peak enhancement",
      "Height of the spectral peak over a fully developed sea's (jonswap, tma).",
      &WaveSystem::peak_enhancement, 1.0, 10.0, 1.0, 7.0, kLive, Stage::spectrum},
@@ -112,7 +116,7 @@ constexpr ParameterInfo kTable[] = {
      &WaveSystem::significant_wave_height, 0.0, 100.0, 0.1, 20.0, kLive, Stage::spectrum},
     {"waves", "peak_period", "s", "Peak period",
      "Stretches this system's periods to it at constant energy; unset keeps the spectrum's own.",
-     &WaveSystem::peak_period, 0.05, 1000.0, 1.0, 25.0, kLive, Stage::spectrum},
+     &WaveSystem::peak_period, 0.05, 1000.0, 4.0, 18.0, kLive, Stage::spectrum},
     {"waves", "amplitude", "", "Amplitude", "Energy in units of Phillips' constant (phillips).",
      &WaveSystem::amplitude, 0.0, 1000.0, 0.0, 4.0, kRebuild, Stage::spectrum},
     {"waves", "alignment", "", "Alignment", "Even power of the cosine to the wind (phillips).",

@@ -107,14 +107,15 @@ ParameterRef find_parameter(std::string_view name) {
     unknown_name(name);
 }
 
-ParameterValue parse_value(const ParameterInfo& info, std::string_view text) {
+ParameterValue parse_value(const ParameterRef& ref, std::string_view text) {
+    const ParameterInfo& info = *ref.info;
     const std::string_view type = info.type();
     const bool optional = std::holds_alternative<std::optional<double> WaveSystem::*>(info.member);
     if (type == "enum" || type == "text" || (optional && text.empty())) return std::string(text);
     const auto fail = [&](const char* reason) {
         throw Error(ErrorKind::invalid_value,
-                    info.path() + " = \"" + std::string(text.substr(0, 80)) + "\": " + reason +
-                        "; allowed: " + allowed_values(info));
+                    info.path(ref.wave) + " = \"" + std::string(text.substr(0, 80)) +
+                        "\": " + reason + "; allowed: " + allowed_values(info));
     };
     if (type == "list") {
         std::vector<std::int64_t> numbers;

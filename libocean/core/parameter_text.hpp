@@ -12,7 +12,7 @@
 namespace ocean {
 
 /// Text to the type that the table gives, without range checks (assign makes them).
-ParameterValue parse_value(const ParameterInfo& info, std::string_view text);
+ParameterValue parse_value(const ParameterRef& ref, std::string_view text);
 /// As to_text, but texts in quotes: for messages.
 std::string quoted_text(const ParameterValue& value);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
@@ -108,8 +109,24 @@ Rescaling make_rescaling(const WaveSystem& system, double peak, double m0) {
 
 WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& water,
                                        double highest) {
-    return system.spectrum == SpectrumKind::measured ? make_measured_table(system, water)
-                                                     : parametric_table(system, water, highest);
+    WaveSystemTable table = system.spectrum == SpectrumKind::measured
+                                ? make_measured_table(system, water)
+                                : parametric_table(system, water, highest);
+    const double share = system.energy_share;
+    if (share == 1.0 || table.rows.empty()) return table;
+    table.m0 *= share;
+    table.density = [density = std::move(table.density), share](double omega) {
+        return share * density(omega);
+    };
+    return table;
+}
+
+NaturalScale natural_scale(const WaveSystem& system, const Water& water, double highest) {
+    if (system.spectrum == SpectrumKind::measured) return natural_measured_scale(system);
+    const FrequencySpectrum spectrum = make_frequency_spectrum(system, water, highest);
+    const double period =
+        spectrum.flat() ? std::numeric_limits<double>::quiet_NaN() : kTwoPi / spectrum.peak;
+    return {4.0 * std::sqrt(spectrum.m0), period, 0.0};
 }
 
 }  // namespace ocean

@@ -30,6 +30,18 @@ struct WaveSystemTable {
 WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& water,
                                        double highest);
 
+/// What a wave system's optional parameters stand for while they are unset.
+struct NaturalScale {
+    double height = 0.0;     // m, significant
+    double period = 0.0;     // s, of the peak; NaN for a flat system
+    double direction = 0.0;  // degrees
+};
+NaturalScale natural_scale(const WaveSystem& system, const Water& water, double highest);
+NaturalScale natural_measured_scale(const WaveSystem& system);
+
+/// The bound of parametric systems on a grid.
+double highest_frequency(const Parameters& parameters);
+
 /// Rescaling of [[waves]]: the period stretches the spectrum at constant energy,
 /// S'(omega) = S(omega / r) / r with r = new peak / old peak; the height scales it.
 struct Rescaling {

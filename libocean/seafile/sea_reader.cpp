@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads sea files, strictly: a key that does nothing is an error, never a silence. From text to
-// validated Parameters through the parameter table; a measured sea leaves with its record inside.
+// a validated Sea through the parameter table, its records and its take inside.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -13,6 +13,7 @@
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
+#include "take.hpp"
 #include "text.hpp"
 #include "toml_input.hpp"
 
@@ -75,6 +76,8 @@ class SeaReader {
     void read_value(const ParameterRef& ref, const TomlEntry& entry);
     ParameterValue value_for(const ParameterRef& ref, const toml::node& node) const;
     void resolve_record(std::size_t wave);
+    void read_take(Sea& sea) const;
+    void read_take_lines(Sea& sea) const;
     std::size_t line_named_by(std::string_view message) const;
     [[noreturn]] void refuse_key(std::string_view section, std::size_t wave,
                                  const TomlEntry& entry) const;
@@ -85,6 +88,7 @@ class SeaReader {
     const SpectrumReader& spectra_;
     Parameters parameters_;
     std::map<std::string, std::size_t, std::less<>> lines_;  // of the paths that were given
+    const toml::node* take_ = nullptr;                       // inlined
 };
 
 Sea SeaReader::read(std::string_view text) {
@@ -92,12 +96,14 @@ Sea SeaReader::read(std::string_view text) {
     read_version(root);
     for (const TomlEntry& entry : in_file_order(root)) read_root_entry(entry);
     for (std::size_t wave = 0; wave < parameters_.waves.size(); ++wave) resolve_record(wave);
+    Sea sea{std::move(parameters_), {}};
+    read_take(sea);
     try {
-        validate(parameters_);
+        validate(sea);
     } catch (const Error& error) {
         throw fail(line_named_by(error.what()), error.what(), error.kind());
     }
-    return Sea{std::move(parameters_), {}};
+    return sea;
 }
 
 void SeaReader::read_version(const toml::table& root) const {
@@ -119,6 +125,10 @@ void SeaReader::read_version(const toml::table& root) const {
 void SeaReader::read_root_entry(const TomlEntry& entry) {
     if (entry.key == kVersionKey) return;
     if (entry.key == kWaves) return read_waves(entry);
+    if (entry.key == kTakeSection) {
+        take_ = entry.node;  // names parameters that may stand below it
+        return;
+    }
     const std::vector<std::string_view> names = section_names();
     if (std::find(names.begin(), names.end(), entry.key) == names.end()) refuse_root_key(entry);
     const toml::table* table = entry.node->as_table();
@@ -225,6 +235,39 @@ void SeaReader::resolve_record(std::size_t wave) {
     }
 }
 
+/// Its lines give errors of their own; that of an unreadable file belongs to the line that names
+/// it.
+void SeaReader::read_take(Sea& sea) const {
+    if (take_ != nullptr) return read_take_lines(sea);
+    const std::size_t line = line_named_by("time.take");
+    try {
+        resolve_take(sea, base_dir_);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_file) throw;
+        const std::string file = text::printable(sea.parameters.time.take);
+        throw fail(line, "time.take = \"" + file + "\": " + error.what(), error.kind());
+    }
+}
+
+void SeaReader::read_take_lines(Sea& sea) const {
+    const toml::table* table = take_->as_table();
+    const toml::array* lines = table != nullptr ? (*table)[kTakeLines].as_array() : nullptr;
+    if (lines == nullptr || table->size() != 1) {
+        throw fail(line_of(*take_), "take = " + shown(*take_) +
+                                        ": is not a take; allowed: [take] with the one key lines, "
+                                        "an array of texts SECONDS NAME VALUE");
+    }
+    TakeReader reader(sea.parameters, name_);
+    for (const toml::node& line : *lines) {
+        if (!line.is_string()) {
+            throw fail(line_of(line),
+                       "take.lines: holds " + shown(line) + ", not a text in quotes");
+        }
+        reader.add(line.as_string()->get(), line_of(line));
+    }
+    sea.take = {reader.finish(), sea.parameters.time.take};
+}
+
 /// A message of core begins with the path it is about; 0 if that path was not given in the file.
 std::size_t SeaReader::line_named_by(std::string_view message) const {
     std::string_view path = message.substr(0, message.find_first_of(" =:"));
@@ -258,8 +301,9 @@ void SeaReader::refuse_root_key(const TomlEntry& entry) const {
     const std::vector<std::string_view> names = section_names();
     std::string allowed;
     for (std::string_view name : names) {
-        allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+        allowed += std::string(name) + ", ";
     }
+    allowed += kTakeSection;
     const std::string_view nearest = nearest_name(entry.key, names);
     std::string message = key + ": no such section";
     if (!nearest.empty()) message += "; did you mean " + std::string(nearest) + "?";
@@ -283,13 +327,13 @@ void load_record(WaveSystem& system, const std::string& base_dir, const Spectrum
 
 }  // namespace
 
-void resolve_records(Parameters& parameters, const std::string& base_dir,
-                     const SpectrumReader& reader) {
-    for (WaveSystem& system : parameters.waves) {
+void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& reader) {
+    for (WaveSystem& system : sea.parameters.waves) {
         const bool needed = system.spectrum == SpectrumKind::measured &&
                             system.measured == nullptr && !system.file.empty();
         if (needed) load_record(system, base_dir, reader);
     }
+    resolve_take(sea, base_dir);
 }
 
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,

@@ -5,13 +5,14 @@
 // image headers and sent to farms, so it depends on no other file: the record of a measured system
 // stands inside, as [waves.measured_record]. `file` and `record` are kept beside it to say where it
 // came from: a reader that finds the table opens no file, and refuses the sea if `record` was
-// edited to ask for another time. To choose anew, delete the table.
+// edited to ask for another time. To choose anew, delete the table. So does a take, as [take].
 #include "sea_writer.hpp"
 
 #include <array>
 
 #include "measured_record.hpp"
 #include "ocean/seafile.hpp"
+#include "take.hpp"
 #include "toml_text.hpp"
 
 namespace ocean {
@@ -49,6 +50,15 @@ std::string measured_record_text(const WaveSystem& system) {
         if (!value.empty()) out += std::string(key.key) + " = " + value + "\n";
     }
     return out;
+}
+
+/// Of a sea that names a take, even one without events.
+std::string take_text(const Sea& sea) {
+    if (sea.take.empty() && sea.parameters.time.take.empty()) return "";
+    std::string out =
+        "\n[" + std::string(kTakeSection) + "]\n" + std::string(kTakeLines) + " = [\n";
+    for (const TakeEvent& event : sea.take.events) out += "    \"" + take_line(event) + "\",\n";
+    return out + "]\n";
 }
 
 /// The lines of one section of the table, or of one wave system.
@@ -90,7 +100,8 @@ std::string sea_file_text(const Parameters& parameters, const LineOfParameter& l
 
 std::string write_sea(const Sea& sea) {
     const auto line = [&](const ParameterRef& ref) { return parameter_line(sea.parameters, ref); };
-    return std::string(kOpening) + sea_file_text(sea.parameters, line, measured_record_text);
+    return std::string(kOpening) + sea_file_text(sea.parameters, line, measured_record_text) +
+           take_text(sea);
 }
 
 }  // namespace ocean

@@ -86,6 +86,16 @@ inline std::string difference(const Sea& a, const Sea& b) {
         if ((x == nullptr) != (y == nullptr)) return "measured_record";
         if (x != nullptr && !same_record(*x, *y)) return "measured_record";
     }
+    if (a.take.file != b.take.file) return "take.file";
+    if (a.take.events.size() != b.take.events.size()) return "take";
+    for (std::size_t i = 0; i < a.take.events.size(); ++i) {
+        const TakeEvent& x = a.take.events[i];
+        const TakeEvent& y = b.take.events[i];
+        if (!same_bits(x.seconds, y.seconds) || x.parameter.info != y.parameter.info ||
+            x.parameter.wave != y.parameter.wave || !same_value(x.value, y.value)) {
+            return "take.events." + std::to_string(i);
+        }
+    }
     return "";
 }
 

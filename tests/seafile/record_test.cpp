@@ -172,15 +172,15 @@ TEST(RecordChoice, TextThatIsNoTimeIsRefused) {
 }
 
 TEST(RecordChoice, IsMadeAnewForASystemWhoseRecordWasReset) {
-    Parameters parameters =
-        parse("[[waves]]\n[[waves]]\nspectrum = \"measured\"\nfile = \"ndbc_41010.data_spec\"\n")
-            .parameters;
+    Sea sea =
+        parse("[[waves]]\n[[waves]]\nspectrum = \"measured\"\nfile = \"ndbc_41010.data_spec\"\n");
+    Parameters& parameters = sea.parameters;
     EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-08T03:50");
     parameters.waves[1].record = "2020-06-05T18:50";
-    resolve_records(parameters, kData + "/spectra");
+    resolve_files(sea, kData + "/spectra");
     EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-08T03:50") << "one that is there stays";
     parameters.waves[1].measured.reset();
-    resolve_records(parameters, kData + "/spectra");
+    resolve_files(sea, kData + "/spectra");
     EXPECT_EQ(parameters.waves[1].measured->time, "2020-06-05T18:50");
     EXPECT_EQ(parameters.waves[0].measured, nullptr);
     set_parameter(parameters, "waves.1.place", "41010");

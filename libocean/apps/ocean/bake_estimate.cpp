@@ -55,7 +55,10 @@ std::uint64_t free_bytes(const std::string& folder) {
 }  // namespace
 
 std::uint64_t memory_bytes(const BakePlan& plan, int workers) {
-    return plan.modes_memory() + static_cast<std::uint64_t>(workers) * plan.frame_memory();
+    const auto each = static_cast<std::uint64_t>(workers);
+    // With a take each worker is at a time of its own, and the sea at another.
+    const std::uint64_t seas = plan.sea.take.empty() ? 1 : 1 + each;
+    return seas * plan.modes_memory() + each * plan.frame_memory();
 }
 
 Crew choose_crew(const BakePlan& plan, int threads) {

@@ -60,11 +60,6 @@ SampleTimes sample_times(const GaugeOptions& options) {
 }
 
 GaugePlan plan_of(const GaugeOptions& options, const Sea& sea) {
-    if (!sea.take.empty()) {
-        throw Error(ErrorKind::unsupported,
-                    "time.take: gauges of a sea that changes come with a later version of "
-                    "libocean; this one reads them in seas without a take");
-    }
     GaugePlan plan;
     plan.times = sample_times(options);
     plan.degrees_of_freedom =
@@ -144,13 +139,12 @@ std::vector<GaugeSummary> summaries_of(const GaugePlan& plan, const GaugeRecord&
 void run(const GaugeOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
     const GaugePlan plan = plan_of(options, sea);
-    Ocean ocean(sea.parameters, {.threads = context.options.threads});
+    Ocean ocean(sea, {.threads = context.options.threads});
     ThreadPool pool(context.options.threads);
     require_room(plan, ocean.modes(), pool.size());
     warn_of_single_modes(ocean, plan.times, context.console);
-    const GaugeRecord record =
-        record_gauges(ocean.modes(), sea.parameters, plan.gauges, plan.times, pool,
-                      progress_on(context.console, plan.times.count()));
+    const GaugeRecord record = record_gauges(ocean, plan.gauges, plan.times, pool,
+                                             progress_on(context.console, plan.times.count()));
 
     const std::vector<GaugeSummary> summaries = summaries_of(plan, record);
     const auto write = [&](const std::string& path, const std::string& bytes) {

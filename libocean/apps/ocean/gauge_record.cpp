@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "ocean/gauge.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean::app {
@@ -83,13 +85,21 @@ std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
     return values + WaveSum::bytes(modes, copies, lasting_depths(gauges).size() + copies, 1);
 }
 
-GaugeRecord record_gauges(const Modes& modes, const Parameters& parameters,
-                          const std::vector<Gauge>& gauges, const SampleTimes& times,
-                          ThreadPool& pool, const std::function<void(std::size_t)>& progress) {
-    GaugeRecord record{times.count(), gauges.size(), {}};
-    const std::size_t row = record.gauges * GaugeRecord::kColumns.size();
-    record.values.resize(record.times * row);
-    const WaveSum start(modes, parameters.water);
+namespace {
+
+/// All gauges at one time, side by side.
+std::size_t row_length(const GaugeRecord& record) {
+    return record.gauges * GaugeRecord::kColumns.size();
+}
+std::span<double> row_of(GaugeRecord& record, std::size_t time) {
+    return std::span(record.values).subspan(time * row_length(record), row_length(record));
+}
+
+void record_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                      ThreadPool& pool, const std::function<void(std::size_t)>& progress,
+                      GaugeRecord& record) {
+    const Parameters& parameters = ocean.parameters();
+    const WaveSum start(ocean.modes(), parameters.water);
     Levels levels;
     for (const double z : lasting_depths(gauges)) levels.emplace(z, start.water_level(z));
 
@@ -105,10 +115,41 @@ GaugeRecord record_gauges(const Modes& modes, const Parameters& parameters,
             for (std::size_t i = from; i < to; ++i) {
                 i % kBlock == 0 ? sea.set_time(times.at(i)) : sea.advance(step);
                 read_time(sea, parameters.surface.choppiness, gauges, levels, times.at(i),
-                          std::span(record.values).subspan(i * row, row));
+                          row_of(record, i));
             }
         });
         progress(end);
+    }
+}
+
+void record_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                        const std::function<void(std::size_t)>& progress, GaugeRecord& record) {
+    std::optional<WaveSum> sum;
+    int made = 0;
+    for (std::size_t i = 0; i < record.times; ++i) {
+        const double time = times.at(i);
+        const Modes& modes = ocean.modes(time);
+        if (!sum || ocean.stage_runs().modes != made) {
+            sum.emplace(modes, ocean.parameters().water);
+            made = ocean.stage_runs().modes;
+        }
+        sum->set_time(time);
+        read_time(*sum, ocean.sea().at(time).surface.choppiness, gauges, {}, time,
+                  row_of(record, i));
+        progress(i + 1);
+    }
+}
+
+}  // namespace
+
+GaugeRecord record_gauges(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                          ThreadPool& pool, const std::function<void(std::size_t)>& progress) {
+    GaugeRecord record{times.count(), gauges.size(), {}};
+    record.values.resize(record.times * row_length(record));
+    if (ocean.sea().take.empty()) {
+        record_still_sea(ocean, gauges, times, pool, progress, record);
+    } else {
+        record_performance(ocean, gauges, times, progress, record);
     }
     return record;
 }

@@ -16,8 +16,9 @@
 #include "ocean/wave_sum.hpp"
 
 namespace ocean {
+class Ocean;
 class ThreadPool;
-}
+}  // namespace ocean
 
 namespace ocean::app {
 
@@ -56,9 +57,9 @@ std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
                            int threads);
 
 /// Exact: all modes summed at each place and time. The same bits for any number of threads.
-/// `progress` is told the times done, some times in between.
-GaugeRecord record_gauges(const Modes& modes, const Parameters& parameters,
-                          const std::vector<Gauge>& gauges, const SampleTimes& times,
+/// `progress` is told the times done, some times in between. A sea with a take is made anew for
+/// each time at which it changes.
+GaugeRecord record_gauges(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
                           ThreadPool& pool, const std::function<void(std::size_t)>& progress);
 
 }  // namespace ocean::app

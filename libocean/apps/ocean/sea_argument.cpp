@@ -51,7 +51,8 @@ void assign_text(Parameters& parameters, const std::string& assignment) {
     }
     const std::string name = assignment.substr(0, equals);
     std::string value = assignment.substr(equals + 1);
-    if (find_parameter(name).info->key == "file" && !value.empty()) {
+    const std::string_view key = find_parameter(name).info->key;
+    if ((key == "file" || key == "take") && !value.empty()) {
         value = std::filesystem::absolute(utf8_path(value)).string();  // where the user stands
     }
     set_parameter(parameters, name, value);
@@ -79,9 +80,8 @@ Sea open_sea(const SeaArgument& argument) {
     for (const std::string& assignment : argument.assignments) {
         assign_text(sea.parameters, assignment);
     }
-    resolve_records(sea.parameters, utf8_path(argument.source).parent_path().string(),
-                    read_any_spectra);
-    validate(sea.parameters);
+    resolve_files(sea, utf8_path(argument.source).parent_path().string(), read_any_spectra);
+    validate(sea);
     return sea;
 }
 

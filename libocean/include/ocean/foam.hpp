@@ -91,6 +91,7 @@ class FoamState {
     const FoamClock& clock() const { return clock_; }
 
   private:
+    static constexpr std::size_t kKept = 3;  // the newest, and two that sub-frames step back to
     struct Tick {
         std::int64_t number;
         std::int64_t age;  // ticks since the state began
@@ -100,7 +101,7 @@ class FoamState {
     std::vector<Tick> begin(std::int64_t tick, std::int64_t preroll, const FoamSource& source,
                             ThreadPool& pool) const;
     void step(std::vector<Tick>& kept, std::int64_t tick, const FoamSource& source,
-              ThreadPool& pool, std::size_t keep = 3) const;
+              ThreadPool& pool, std::size_t keep = kKept) const;
 
     FoamClock clock_;
     FoamStart start_;

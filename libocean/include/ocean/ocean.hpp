@@ -61,7 +61,8 @@ class Ocean {
     const Sea& sea() const { return sea_; }
     const Parameters& parameters() const { return sea_.parameters; }
     /// Throws and changes nothing if the value is refused. Rules between parameters are checked
-    /// when the sea is next asked for anything.
+    /// when the sea is next asked for anything. Files that are named are for seafile's
+    /// resolve_files to read: give it the changed sea, and this the result.
     void set(std::string_view name, std::string_view value);
     /// All of the sea at once, of which only what dirties `first_stage` or later may differ.
     void change(Sea sea, Stage first_stage);

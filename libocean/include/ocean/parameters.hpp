@@ -84,6 +84,10 @@ struct WaveSystem {
     std::string place;
     Estimator estimator = Estimator::maximum_entropy;
 
+    /// Of the energy that all of the above give this system. 1 but in the copies that Sea::at makes
+    /// while a take glides between spreadings; not in the table.
+    double energy_share = 1.0;
+
     /// The chosen record of `file`, resolved by ocean::seafile. Shared, never changed.
     std::shared_ptr<const SpectrumRecord> measured;
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea file, resolved: what a host opens. Self-contained: the chosen buoy record is inside.
+// A sea file, resolved: what a host opens. Self-contained: the chosen buoy record and the take are
+// inside.
 #pragma once
 
 #include "ocean/parameters.hpp"
@@ -15,10 +16,21 @@ struct Sea {
 
     /// The parameters at a time: those of the file, and the take's changes up to then, each gliding
     /// to its value by a one-pole filter of time.glide seconds. A pure function: any frame alone.
+    ///   y(t) = v + (y(s) - v) exp(-(t - s) / glide) from the time s of an event with the value v.
+    /// Of peak_period the logarithm glides, of fetch the root, and directions the short way round.
+    /// Of two spreadings the wave system carries both while it glides: copies of it with an
+    /// energy_share follow behind the systems of the file. foam_coverage switches at once. After
+    /// about 20 glides a parameter is its value in every bit.
     Parameters at(double time) const;
+    /// at(time).surface.foam_lifetime, for those who follow foam over many ticks.
+    double foam_lifetime(double time) const;
 
     /// start + (frame - first_frame) / fps, in seconds; never from the asked range, never summed.
     double time_of(double frame) const;
 };
+
+/// The parameters' rules and the take's: live parameters of wave systems that there are, values in
+/// range, in order of time, and no loop, which repeats where a take does not. Throws Error.
+void validate(const Sea& sea);
 
 }  // namespace ocean

@@ -24,21 +24,29 @@ std::vector<SpectrumRecord> read_spectra(const std::string& path);
 /// read_spectra or a program's own, which knows formats that need more libraries.
 using SpectrumReader = std::function<std::vector<SpectrumRecord>(const std::string& path)>;
 
-/// Reads a sea file. A relative `file` is relative to it. Throws Error with
+/// Reads a sea file. A relative `file` or `take` is relative to it. Throws Error with
 /// "PATH:LINE: section.key = VALUE: what is wrong; allowed: RANGE".
 Sea read_sea(const std::string& path, const SpectrumReader& reader = read_spectra);
 /// The same from text; `name` stands for the path in messages, `base_dir` is where a relative
-/// `file` starts (empty: the current directory).
+/// `file` or `take` starts (empty: the current directory).
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
               const SpectrumReader& reader = read_spectra);
-/// Reads the record of each measured system that has none yet: after `file`, `record` or `place`
-/// was assigned anew and `measured` reset. Throws as read_spectra and choose_record.
-void resolve_records(Parameters& parameters, const std::string& base_dir,
-                     const SpectrumReader& reader = read_spectra);
+/// Reads what the parameters name and the sea does not have yet, after set_parameter: the record of
+/// each measured system without one, and a take other than the one it has. Throws as read_spectra,
+/// choose_record and parse_take.
+void resolve_files(Sea& sea, const std::string& base_dir,
+                   const SpectrumReader& reader = read_spectra);
 /// The resolved sea as text: every key of the table, the chosen records inlined as
-/// [waves.measured_record], which a reader takes before any `file`. parse_sea(write_sea(s)) gives
-/// the same parameters in every bit. Throws Error invalid_value for a text that is not UTF-8.
+/// [waves.measured_record] and the take as [take], which a reader takes before any `file` or
+/// `take`. parse_sea(write_sea(s)) gives the same sea in every bit. Throws Error invalid_value for
+/// a text that is not UTF-8.
 std::string write_sea(const Sea& sea);
+
+/// A take as text: lines "SECONDS NAME VALUE" in order of time, names as in the parameter table,
+/// '#' begins a comment. Throws Error "NAME:LINE: name = value: what is wrong; allowed: RANGE".
+Take parse_take(std::string_view text, const std::string& name, const Parameters& parameters);
+/// One line for each event, which parse_take reads back to the same bits.
+std::string write_take(const Take& take);
 
 struct Preset {
     std::string name;

@@ -11,7 +11,7 @@
 
 namespace ocean {
 
-/// From `seconds` on the parameter glides to `value`.
+/// From `seconds` on the parameter glides to `value`: a number, or one of the parameter's words.
 struct TakeEvent {
     double seconds = 0.0;
     ParameterRef parameter;
@@ -21,6 +21,9 @@ struct TakeEvent {
 /// In order of time; events at one time in the order of the file.
 struct Take {
     std::vector<TakeEvent> events;
+    /// The `time.take` that the events were read for.
+    std::string file;
+
     bool empty() const { return events.empty(); }
 };
 

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Takes as text: see take.hpp. Written by people and by live tools, so every line is checked as a
+// sea file's would be.
+#include "take.hpp"
+
+#include <cmath>
+
+#include "line_reader.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/seafile.hpp"
+#include "text.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::size_t kMaxTakeBytes = std::size_t{2} << 20;
+/// Nine minutes of a knob that never rests, at 60 changes a second; inlined they fit a sea file.
+constexpr std::size_t kMaxEvents = 32768;
+constexpr std::string_view kForm = "; allowed: SECONDS NAME VALUE, such as 12.5 wind_speed 14";
+
+Error refused(const std::string& message) {
+    return Error(ErrorKind::invalid_value, message);
+}
+
+std::string live_names() {
+    std::string names;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (info.change != ParameterClass::live) continue;
+        names += (names.empty() ? "" : ", ") + std::string(info.key);
+    }
+    return names;
+}
+
+double checked_seconds(std::string_view word, const std::vector<TakeEvent>& before) {
+    const std::string given = text::printable(word) + ": ";
+    const std::optional<double> seconds = text::parse_number(word);
+    if (!seconds || !std::isfinite(*seconds)) {
+        throw refused(given + "is not a time in seconds" + std::string(kForm));
+    }
+    if (!before.empty() && *seconds < before.back().seconds) {
+        throw refused(given + "is before the line above, at " + to_text(before.back().seconds) +
+                      " s; allowed: lines in order of time");
+    }
+    return *seconds;
+}
+
+}  // namespace
+
+void TakeReader::add(std::string_view line, std::size_t number) {
+    line = line.substr(0, line.find('#'));
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) return;
+    try {
+        if (events_.size() == kMaxEvents) {
+            throw refused("is one event too many; allowed: " + std::to_string(kMaxEvents));
+        }
+        events_.push_back(event_of(line));
+    } catch (const Error& error) {
+        throw text::error_at(error.kind(), name_, number, error.what());
+    }
+}
+
+TakeEvent TakeReader::event_of(std::string_view line) {
+    std::string_view rest = line;
+    const std::string_view seconds = take_word(rest);
+    const std::string name = text::printable(take_word(rest));
+    const std::string value = text::printable(take_word(rest));
+    TakeEvent event{checked_seconds(seconds, events_), {}, {}};
+    if (value.empty()) throw refused(text::printable(line) + ": is no event" + std::string(kForm));
+    event.parameter = find_parameter(name);
+    const ParameterInfo& info = *event.parameter.info;
+    const std::string given = info.path(event.parameter.wave) + " = " + value + ": ";
+    if (info.change != ParameterClass::live) {
+        throw refused(given + "is not live, a take cannot change it; allowed: " + live_names());
+    }
+    if (const std::string_view more = take_word(rest); !more.empty()) {
+        throw refused(given + "is followed by " + text::printable(more) + std::string(kForm));
+    }
+    set_parameter(checked_, name, value);
+    event.value = value_of(checked_, event.parameter);
+    return event;
+}
+
+std::string take_line(const TakeEvent& event) {
+    return to_text(event.seconds) + " " + event.parameter.info->path(event.parameter.wave) + " " +
+           to_text(event.value);
+}
+
+Take parse_take(std::string_view content, const std::string& name, const Parameters& parameters) {
+    if (content.size() > kMaxTakeBytes) {
+        throw text::error_at(ErrorKind::bad_file, name, 0, "is larger than the 2 MiB allowed");
+    }
+    TakeReader reader(parameters, name);
+    LineReader lines(content, name);
+    while (lines.next()) reader.add(lines.line(), lines.number());
+    return {reader.finish(), parameters.time.take};
+}
+
+std::string write_take(const Take& take) {
+    std::string out;
+    for (const TakeEvent& event : take.events) out += take_line(event) + "\n";
+    return out;
+}
+
+void resolve_take(Sea& sea, const std::string& base_dir) {
+    const std::string& file = sea.parameters.time.take;
+    if (sea.take.file == file) return;
+    if (file.empty()) {
+        sea.take = {};
+        return;
+    }
+    const std::string path = text::to_utf8(utf8_path(base_dir) / utf8_path(file));
+    sea.take = parse_take(text::read_file(path, kMaxTakeBytes), path, sea.parameters);
+}
+
+}  // namespace ocean

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lines of a take, checked one by one. Shared by the file of a take and the [take] of a sea file,
+// which holds the same lines.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "ocean/sea.hpp"
+
+namespace ocean {
+
+/// The section of a sea file that holds a take, and its only key.
+inline constexpr std::string_view kTakeSection = "take";
+inline constexpr std::string_view kTakeLines = "lines";
+
+/// Turns lines into the events of a sea whose parameters are known.
+class TakeReader {
+  public:
+    TakeReader(const Parameters& parameters, std::string name)
+        : checked_(parameters), name_(std::move(name)) {}
+
+    /// "<seconds> <name> <value>", or nothing but blanks and a comment. Throws Error
+    /// "NAME:LINE: ...".
+    void add(std::string_view line, std::size_t number);
+    std::vector<TakeEvent> finish() { return std::move(events_); }
+
+  private:
+    TakeEvent event_of(std::string_view line);
+
+    Parameters checked_;
+    std::string name_;
+    std::vector<TakeEvent> events_;
+};
+
+/// An event as a line, without its end: full path, shortest numbers that read back to the same
+/// bits.
+std::string take_line(const TakeEvent& event);
+
+/// The take that `time.take` names, if it is not the one that the sea has.
+void resolve_take(Sea& sea, const std::string& base_dir);
+
+}  // namespace ocean

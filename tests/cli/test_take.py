@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""A sea with a take: found beside the sea file or where the user stands, refused in one line."""
+
+import pytest
+
+SEA = 'libocean = 1\n[time]\ntake = "storm.take"\n[grid]\nresolution = 64\npatch_size = 200.0\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        (
+            "1 wind_speed 12\n2 resolution 128\n",
+            ["storm.take:2: ", "grid.resolution = 128", "live"],
+        ),
+        ("1 foam_step 0.1\n", ["storm.take:1: ", "surface.foam_step = 0.1", "live"]),
+        ("1 wind_sped 12\n", ["storm.take:1: ", "wind_sped", "waves.0.wind_speed"]),
+        ("1 waves.3.swell 0\n", ["storm.take:1: ", "waves.3.swell", "1 wave systems"]),
+        ("# calm\n\n1 wind_speed 80\n", ["storm.take:3: ", "80", "0 .. 75 m/s"]),
+        ("2 swell 0\n1 swell 1\n", ["storm.take:2: ", "before the line above", "order"]),
+        ("1 wind_speed\n", ["storm.take:1: ", "SECONDS NAME VALUE"]),
+        ("1 wind_speed 12 knots\n", ["storm.take:1: ", "knots"]),
+        (b"\x00\xff\xfe\x80", ["storm.take:1: "]),
+    ],
+)
+def test_a_bad_take_is_named_with_line_name_value_and_range(ocean, text, parts):
+    ocean.write("folder/sea.toml", SEA)
+    ocean.write("folder/storm.take", text)
+    message = ocean.bad("info", "folder/sea.toml")
+    for part in parts:
+        assert part in message
+
+
+def test_a_take_that_is_not_there_is_named_with_the_line_of_the_sea_file(ocean):
+    ocean.write("take.toml", SEA)
+    message = ocean.bad("info", "take.toml")
+    assert "take.toml:3: time.take" in message and "no such file" in message
+
+
+def test_a_take_and_a_loop_exclude_each_other(ocean):
+    ocean.write("take.toml", SEA)
+    ocean.write("storm.take", "1 swell 0\n")
+    assert "a loop repeats" in ocean.bad("info", "take.toml", "--set", "loop_period=10")
+
+
+def test_a_resolved_sea_needs_no_take_file(ocean):
+    ocean.write("take.toml", SEA)
+    storm = ocean.write("storm.take", "1 wind_speed 12 # gusts\n3.5 spreading mitsuyasu\n")
+    resolved = ocean.good("info", "take.toml", "--sea-file")
+    assert '"1 waves.0.wind_speed 12"' in resolved
+    storm.unlink()
+    ocean.write("elsewhere/resolved.toml", resolved)
+    assert ocean.good("info", "elsewhere/resolved.toml", "--sea-file") == resolved
+
+
+def test_a_take_can_be_set_from_where_the_user_stands(ocean):
+    ocean.write("folder/sea.toml", SEA)
+    ocean.write("folder/storm.take", "1 swell 0\n")
+    ocean.write("calm.take", "1 swell 1\n")
+    arguments = ("info", "folder/sea.toml", "--sea-file", "--set")
+    assert '"1 waves.0.swell 1"' in ocean.good(*arguments, "take=calm.take")
+    assert "[take]" not in ocean.good(*arguments, "take=")
+
+
+def test_a_performance_bakes_the_same_alone_and_in_sequence(ocean):
+    storm = "0.02 wind_speed 14\n0.1 choppiness 1.4\n0.15 spreading mitsuyasu\n0.2 fetch 1e5\n"
+    ocean.write("storm.take", storm)
+    ocean.write("take.toml", SEA + "[surface]\nfoam_lifetime = 0.5\n")
+    bake = ["bake", "take.toml", "--products", "displacement,normal,foam", "-o"]
+    ocean.good(*bake, "all/s.####.exr", "--frames", "1-6")
+    for frame in (5, 2, 6, 1, 3, 4):
+        ocean.good(*bake, "alone/s.####.exr", "--frames", frame, "--threads", "1")
+    assert ocean.hashes("alone") == ocean.hashes("all")
+    plain = ["bake", "take.toml", "--products", "displacement,normal", "-o"]
+    ocean.good(*plain, "side/s.####.exr", "--frames", "1-6", "--threads", "3")
+    whole, side = ocean.hashes("all"), ocean.hashes("side")
+    pictures = [name for name in side if name.endswith(".exr")]
+    assert len(pictures) == 12
+    assert all(side[name] == whole[name] for name in pictures)
+    # A baked frame holds the performance: the others come from it.
+    (ocean.folder / "storm.take").unlink()
+    ocean.good(
+        "bake",
+        "--from",
+        "all/s.displacement.0002.exr",
+        "-o",
+        "from/s.####.exr",
+        "--frames",
+        "6",
+        "--products",
+        "displacement,normal,foam",
+    )
+    ocean.good("bake", "--from", "all/s.displacement.0002.exr", "-o", "one.exr", "--set", "take=")
+    name = "s.displacement.0006.exr"
+    assert ocean.hashes("from")[name] == whole[name]
+
+
+def test_queries_and_gauges_follow_a_performance(ocean):
+    ocean.write("storm.take", "1 wind_speed 15\n")
+    ocean.write("take.toml", SEA)
+    ocean.write("calm.toml", SEA.replace('[time]\ntake = "storm.take"\n', ""))
+    ocean.write("p.csv", "x,y\n3,4\n")
+
+    def height(sea, time):
+        table = ocean.good("query", sea, "--time", time, "--points", "p.csv")
+        return float(table.splitlines()[1].split(",")[2])
+
+    assert height("take.toml", "0.5") == height("calm.toml", "0.5")
+    assert height("take.toml", "4") != height("calm.toml", "4")
+    ocean.good(
+        "gauge",
+        "take.toml",
+        "--points",
+        "p.csv",
+        "--from",
+        "0.5",
+        "--to",
+        "4",
+        "--rate",
+        "2",
+        "-o",
+        "g.csv",
+        "-q",
+    )
+    rows = [line.split(",") for line in (ocean.folder / "g.csv").read_text().splitlines()[1:]]
+    rms = sum(float(row[4]) ** 2 for row in rows) ** 0.5
+    for row in rows:
+        if row[0] in ("0.5", "4"):
+            assert float(row[4]) == pytest.approx(height("take.toml", row[0]), abs=2e-3 * rms)

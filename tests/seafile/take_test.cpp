@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Takes as text: what is read, what is refused and how, and that a saved sea holds its take.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "helpers.hpp"
+#include "ocean/platform.hpp"
+
+namespace ocean::test {
+namespace {
+
+Take take_of(const std::string& text, std::size_t systems = 1) {
+    Parameters parameters;
+    parameters.waves.resize(systems);
+    return parse_take(text, "storm.take", parameters);
+}
+Refusal refusal_of_take(const std::string& text) {
+    return refusal_of([&] { take_of(text); });
+}
+
+/// A folder of its own, gone at the end.
+class Folder {
+  public:
+    Folder()
+        : path_(std::filesystem::temp_directory_path() /
+                ("ocean_take_" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    std::string path() const { return path_.string(); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+TEST(TakeFile, HoldsLinesOfTimeNameAndValue) {
+    const Take take = take_of(
+        "\xEF\xBB\xBF# a storm\r\n"
+        "0 wind_speed 14\r\n"
+        "\r\n"
+        "  1.5\twaves.1.spreading   mitsuyasu   # turns\r\n"
+        "1.5 surface.choppiness +0.25\r\n"
+        "2e1 foam_coverage threshold",
+        2);
+    ASSERT_EQ(take.events.size(), 4u);
+    EXPECT_EQ(take.events[0].seconds, 0.0);
+    EXPECT_EQ(take.events[0].parameter.info->key, "wind_speed");
+    EXPECT_EQ(take.events[0].parameter.wave, 0u);
+    EXPECT_EQ(std::get<double>(take.events[0].value), 14.0);
+    EXPECT_EQ(take.events[1].parameter.wave, 1u);
+    EXPECT_EQ(std::get<std::string>(take.events[1].value), "mitsuyasu");
+    EXPECT_EQ(take.events[2].seconds, 1.5);
+    EXPECT_EQ(std::get<double>(take.events[2].value), 0.25);
+    EXPECT_EQ(take.events[3].seconds, 20.0);
+}
+
+TEST(TakeFile, MayBeEmptyAndBeginBeforeZero) {
+    EXPECT_TRUE(take_of("").empty());
+    EXPECT_TRUE(take_of("# nothing\n\n").empty());
+    EXPECT_EQ(take_of("-3.5 swell 1\n").events.front().seconds, -3.5);
+}
+
+struct Mistake {
+    const char* name;
+    std::string line;  // the third
+    std::vector<std::string> says;
+};
+class TakeLine : public testing::TestWithParam<Mistake> {};
+
+TEST_P(TakeLine, IsRefusedWithFileLineAndWhatIsAllowed) {
+    const Refusal refusal =
+        refusal_of_take("# take\n5 swell 0.5\n" + GetParam().line + "\n6 swell 9\n");
+    EXPECT_TRUE(refusal.refused);
+    EXPECT_EQ(refusal.kind, ErrorKind::invalid_value);
+    EXPECT_TRUE(refusal.says("storm.take:3: ")) << refusal.message;
+    for (const std::string& words : GetParam().says) {
+        EXPECT_TRUE(refusal.says(words)) << words << " in: " << refusal.message;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Mistakes, TakeLine,
+    testing::Values(
+        Mistake{"OutOfRange",
+                "7 wind_speed 76",
+                {"waves.0.wind_speed = 76: is out of range", "allowed: 0 .. 75 m/s"}},
+        Mistake{"NotANumber", "7 wind_speed fast", {"waves.0.wind_speed = \"fast\"", "0 .. 75"}},
+        Mistake{"NanValue", "7 swell nan", {"waves.0.swell = nan", "-1 .. 1"}},
+        Mistake{"UnknownWord", "7 spreading wide", {"\"wide\"", "allowed: one of cosine_squared"}},
+        Mistake{"UnknownName", "7 wind_sped 3", {"'wind_sped'", "waves.0.wind_speed?"}},
+        Mistake{"NoSuchSystem", "7 waves.1.swell 0", {"waves.1.swell", "1 wave systems"}},
+        Mistake{"Rebuild",
+                "7 grid.resolution 256",
+                {"grid.resolution = 256: is not live", "allowed: choppiness, "}},
+        Mistake{"FoamStep", "7 foam_step 0.1", {"surface.foam_step = 0.1: is not live"}},
+        Mistake{"Seed", "7 seed 3", {"random.seed = 3: is not live"}},
+        Mistake{"BackInTime", "4.9 swell 0", {"4.9: is before the line above, at 5 s"}},
+        Mistake{"NoTime", "soon swell 0", {"soon: is not a time", "SECONDS NAME VALUE"}},
+        Mistake{"EndlessTime", "inf swell 0", {"inf: is not a time"}},
+        Mistake{"NanTime", "nan swell 0", {"nan: is not a time"}},
+        Mistake{"NoValue", "7 peak_period", {"7 peak_period: is no event", "SECONDS NAME VALUE"}},
+        Mistake{"TrailingWord", "7 wind_speed 14 m/s", {"= 14: is followed by m/s"}},
+        Mistake{"ControlCharacter", "7 wind\x01 3", {"'wind?'"}},
+        Mistake{"NulByte", std::string("7 swell 0\0", 10), {"0?"}},
+        Mistake{"BrokenUtf8", "7 swell \xFF\xFE", {"??"}}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(TakeFile, TooManyEventsOrBytesAreRefused) {
+    std::string many;
+    for (int i = 0; i < 32768; ++i) many += "1 swell 0\n";
+    EXPECT_EQ(take_of(many).events.size(), 32768u);
+    EXPECT_TRUE(refusal_of_take(many + "1 swell 0\n").says("storm.take:32769: "));
+    EXPECT_TRUE(refusal_of_take(std::string((2 << 20) + 1, '\n')).says("2 MiB"));
+}
+
+TEST(TakeFile, IsWrittenWithFullNamesAndReadsBackToTheSameBits) {
+    const Take take = take_of(
+        "-0.1 fetch 300000\n0.30000000000000004 waves.1.swell -0.0\n1 spreading hasselmann\n", 2);
+    EXPECT_EQ(write_take(take),
+              "-0.1 waves.0.fetch 300000\n0.30000000000000004 waves.1.swell -0\n"
+              "1 waves.0.spreading hasselmann\n");
+    EXPECT_EQ(write_take(take_of(write_take(take), 2)), write_take(take));
+    Sea a;
+    Sea b;
+    a.take = take;
+    b.take = take_of(write_take(take), 2);
+    EXPECT_EQ(difference(a, b), "");
+}
+
+TEST(SeaWithTake, FindsItBesideTheSeaFile) {
+    const Folder folder;
+    folder.write("storm.take", "1 wind_speed 20\n");
+    folder.write("sea.toml", "libocean = 1\n[time]\ntake = \"storm.take\"\n");
+    const Sea sea = read_sea(folder.path() + "/sea.toml");
+    ASSERT_EQ(sea.take.events.size(), 1u);
+    EXPECT_EQ(sea.at(100.0).waves.front().wind_speed, 20.0);
+    EXPECT_EQ(sea.parameters.waves.front().wind_speed, 10.0);
+}
+
+TEST(SeaWithTake, NamesTheLineOfAFileThatIsNotThereAndThatOfAFaultInIt) {
+    const Folder folder;
+    folder.write("bad.take", "# a fault\n1 resolution 64\n");
+    const auto refused = [&](const std::string& file) {
+        const std::string toml = "libocean = 1\n[time]\ntake = \"" + file + "\"\n";
+        return refusal_of([&] { parse_sea(toml, "sea.toml", folder.path()); });
+    };
+    const Refusal missing = refused("none.take");
+    EXPECT_EQ(missing.kind, ErrorKind::bad_file);
+    EXPECT_TRUE(missing.says("sea.toml:3: time.take = \"none.take\": ")) << missing.message;
+    EXPECT_TRUE(missing.says("no such file"));
+    EXPECT_TRUE(refused("bad.take").says("bad.take:2: grid.resolution = 64: is not live"));
+}
+
+TEST(SeaWithTake, IsWrittenSelfContainedAndReadsBackInEveryBit) {
+    const Folder folder;
+    folder.write("storm.take", "0.1 wind_speed 20.000000000000004\n0.1 spreading mitsuyasu\n");
+    for (const char* body : {"[time]\ntake = \"storm.take\"\n[[waves]]\n[[waves]]\nfetch = 1e5\n",
+                             "[time]\ntake = \"storm.take\"\nglide = 0.0\n"}) {
+        const Sea sea = parse_sea("libocean = 1\n" + std::string(body), "t", folder.path());
+        const std::string written = write_sea(sea);
+        EXPECT_NE(written.find("take = \"storm.take\""), std::string::npos);
+        const Sea back = parse_sea(written, "t", "/nowhere");
+        EXPECT_EQ(difference(sea, back), "");
+        EXPECT_EQ(back.take.events.size(), 2u);
+        EXPECT_EQ(write_sea(back), written);
+    }
+}
+
+TEST(SeaWithTake, KeepsATakeWithoutEvents) {
+    const Folder folder;
+    folder.write("still.take", "# nothing happens\n");
+    const Sea sea = parse_sea("libocean = 1\n[time]\ntake = \"still.take\"\n", "t", folder.path());
+    EXPECT_EQ(difference(sea, parse_sea(write_sea(sea), "t", "/nowhere")), "");
+}
+
+TEST(SeaWithTake, MayHoldItFromTheBeginning) {
+    const Sea sea =
+        parse("[take]\nlines = [\"# a storm\", \"2 waves.1.swell 1\"]\n[[waves]]\n[[waves]]\n");
+    ASSERT_EQ(sea.take.events.size(), 1u);
+    EXPECT_EQ(sea.take.events.front().parameter.wave, 1u);
+    EXPECT_EQ(difference(sea, parse(write_sea(sea).substr(write_sea(sea).find("[water]")))), "");
+}
+
+TEST(SeaWithTake, RefusesInlinedLinesWithFileAndLine) {
+    const auto says = [](const std::string& body, const char* words) {
+        const Refusal refusal = refusal_of_sea(body);
+        EXPECT_TRUE(refusal.says(words)) << refusal.message;
+    };
+    says("[take]\nlines = [\n  \"1 swell 0\",\n  \"2 swell 7\",\n]\n",
+         "test.toml:5: waves.0.swell = 7: is out of range; allowed: -1 .. 1");
+    says("[take]\nlines = [\"1 swell 0\", 3]\n", "test.toml:3: take.lines: holds 3");
+    says("[take]\nlines = \"1 swell 0\"\n", "test.toml:2: take = a table: is not a take");
+    says("[take]\n", "test.toml:2: take = a table: is not a take");
+    says("[take]\nlines = []\nevents = []\n", "test.toml:2: take = a table: is not a take");
+    says("take = 3\n", "test.toml:2: take = 3: is not a take");
+}
+
+TEST(SeaWithTake, DoesNotLoop) {
+    const Refusal refusal =
+        refusal_of_sea("[time]\nloop_period = 10.0\n[take]\nlines = [\"1 swell 0\"]\n");
+    EXPECT_TRUE(refusal.says("test.toml:3: time.loop_period = 10 s: a loop repeats"))
+        << refusal.message;
+}
+
+TEST(SeaWithTake, ReadsAnotherTakeWhenItsNameIsSet) {
+    const Folder folder;
+    folder.write("a.take", "1 swell 0.25\n");
+    folder.write("b.take", "1 swell 0.75\n2 swell 0\n");
+    Sea sea;
+    set_parameter(sea.parameters, "time.take", "a.take");
+    resolve_files(sea, folder.path());
+    EXPECT_EQ(sea.take.events.size(), 1u);
+    folder.write("a.take", "");
+    resolve_files(sea, folder.path());
+    EXPECT_EQ(sea.take.events.size(), 1u) << "one that is there stays";
+    set_parameter(sea.parameters, "time.take", "b.take");
+    resolve_files(sea, folder.path());
+    EXPECT_EQ(sea.take.events.size(), 2u);
+    set_parameter(sea.parameters, "time.take", "");
+    resolve_files(sea, folder.path());
+    EXPECT_TRUE(sea.take.empty());
+}
+
+}  // namespace
+}  // namespace ocean::test
