@@ -22,7 +22,8 @@ using namespace ocean::capi;
 namespace {
 
 constexpr std::size_t kBatch = 1 << 14;
-constexpr std::size_t kSampleFloats = 10;
+constexpr std::size_t kSampleFloats = 9;
+constexpr std::size_t kSampleFloatsWithFoam = 10;
 constexpr std::size_t kVelocityFloats = 3;
 constexpr std::size_t kBodyDoubles = 5;
 constexpr std::size_t kPoseFloats = 11;
@@ -99,11 +100,13 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
         const Lists lists{xy, "xy", 2, n, samples, "samples", kSampleFloats, stride};
         lists.check();
         check_points(xy, n);
+        QueryOptions options;
+        options.foam = stride >= kSampleFloatsWithFoam;
         std::vector<WorldPoint> points(std::min(n, kBatch));
         std::vector<QuerySample> answers(points.size());
         lists.in_batches(
             [&](std::size_t first, std::size_t count) {
-                sea->ocean->query(time, fill_points(points, xy, first, count), answers);
+                sea->ocean->query(time, fill_points(points, xy, first, count), answers, options);
             },
             [&](std::size_t i, float* out) {
                 const QuerySample& sample = answers[i];
@@ -111,7 +114,7 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
                 out = put(out, point);
                 out = put(out, sample.normal);
                 out = put(out, sample.velocity);
-                put(out, {&sample.foam, 1});
+                if (options.foam) put(out, {&sample.foam, 1});
             });
     });
 }

@@ -167,7 +167,8 @@ OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* reque
  * the origin. The displacement is inverted; where crests have folded over, the top sheet is taken.
  * Point i receives ten floats from samples + i * stride on, those of `ocean query`:
  *     x, y, height, normal x y z (unit, up), velocity x y z (of the shown point, m/s), foam (0 ..
- * 1). stride counts floats, 10 or more. n = 0 is allowed. Points that are not finite are
+ * 1). stride counts floats, 10 or more; or 9 to go without the foam, whose past takes far longer
+ * than all the rest. n = 0 is allowed. Points that are not finite are
  * INVALID_ARGUMENT. Good to 2e-3 of the rms height or better. The same bits for any number of
  * threads. Points of one time are cheapest in a row: what the first call computes is kept for the
  * next of the same time. */

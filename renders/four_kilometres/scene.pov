@@ -18,8 +18,8 @@ camera {
     orthographic
     location <Period/2, 500, Period/2>
     look_at <Period/2, 0, Period/2>
-    up Period*y
-    right Period*x
+    up 0.998*Period*y  // without the border of the height field
+    right 0.998*Period*x
 }
 
 // A low sun behind the crests' lee side, and the sky's light from everywhere.

@@ -24,6 +24,7 @@ void main() {
     ModeState state = mode_state(xi.re, xi.im, xi.im, xi.re, turns, omega);
     SurfaceNormal normal = surface_normal(1.0, 0.1, 0.2, 0.05, state.re, state.im);
     float area = surface_jacobian(1.0, 0.1, 0.2, 0.05);
+    area += surface_whitecap(area, 0.75, 0.2);
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
                       area * horizontal_excursion(k, 100.0), state.rate_re + state.rate_im);
 }

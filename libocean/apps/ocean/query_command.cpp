@@ -164,6 +164,10 @@ void add_query_command(CLI::App& app, Context& context) {
                      "height or better)")
         ->type_name("K")
         ->group(group);
+    command
+        ->add_flag("!--no-foam", options->query.foam,
+                   "Leave the foam at 0: its past takes far longer than all the rest")
+        ->group(group);
     group = "Output";
     command
         ->add_option("--orbital", options->orbital_z,

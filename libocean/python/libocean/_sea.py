@@ -147,10 +147,11 @@ class Sea:
         (x, z, -y) or "tnb" (x, z, y)."""
         return Surface(self, time, resolution, fields, axes)
 
-    def query(self, points: npt.ArrayLike, time: float) -> Array:
+    def query(self, points: npt.ArrayLike, time: float, foam: bool = True) -> Array:
         """The surface that is shown at each of n world points (x, y): (n, 10), the columns of
-        `ocean query`: x, y, height, normal x y z, velocity x y z, foam."""
-        return self._answers("ocean_query", points, (time,), 2, 10)
+        `ocean query`: x, y, height, normal x y z, velocity x y z, foam. With foam=False (n, 9),
+        and no waiting for the foam's past."""
+        return self._answers("ocean_query", points, (time,), 2, 10 if foam else 9)
 
     def orbital_velocity(self, points: npt.ArrayLike, time: float, z: float = 0.0) -> Array:
         """Velocity of the water by linear theory at fixed world points (x, y), z metres above still
