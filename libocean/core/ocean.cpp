@@ -164,7 +164,6 @@ Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
     go_to(time);
     const int n = resolution > 0 ? resolution : default_map_resolution(now_.grid);
     const bool foam = channels.contains(Channel::foam);
-    constexpr int kFoamMaps = 5;  // three ticks, the whitecaps of one and of the frame
     require_memory((modes_ ? 0 : modes_bytes(now_.grid)) +
                        surface_bytes(n, channels.size() + (foam ? kFoamMaps : 0)),
                    "a map of " + std::to_string(n) + " x " + std::to_string(n) + " samples");

@@ -9,22 +9,12 @@
 #include "ocean/error.hpp"
 #include "ocean/query.hpp"
 #include "ocean/wave_sum.hpp"
+#include "orbital_decay.hpp"
 #include "query_points.hpp"
 #include "spline_map.hpp"
 
 namespace ocean {
 namespace {
-
-/// What is left of a mode's motion at z <= 0, as parts of that at z = 0: sideways
-/// cosh k(z+d) / cosh kd, upright sinh k(z+d) / sinh kd, with exponents <= 0 alone.
-/// [Dean and Dalrymple 1991] section 4.2. Limits: e^(kz) in deep water; upright 0 at the bottom.
-double sideways(double k, double z, double depth) {
-    return std::exp(k * z) * (1.0 + std::exp(-2.0 * k * (z + depth))) /
-           (1.0 + std::exp(-2.0 * k * depth));
-}
-double upright(double k, double z, double depth) {
-    return std::exp(k * z) * std::expm1(-2.0 * k * (z + depth)) / std::expm1(-2.0 * k * depth);
-}
 
 /// The modes with h0 multiplied by factor(k).
 template <typename Factor>
@@ -52,9 +42,13 @@ SplineMap velocity_map(const Modes& modes, const Water& water, double time, doub
     const auto map = [&](const auto& factor, ChannelSet channels) {
         return make_surface(scaled(modes, factor), plain, time, channels, Backend::cpu, pool, fine);
     };
-    const Surface along =
-        map([&](double k) { return sideways(k, z, water.depth); }, {Channel::vx, Channel::vy});
-    const Surface up = map([&](double k) { return upright(k, z, water.depth); }, {Channel::vz});
+    // The maps show the surface's own motion: what is left of it at z.
+    const auto sideways = [&](double k) {
+        return orbital_decay(k, z, water.depth).along / orbital_decay(k, 0.0, water.depth).along;
+    };
+    const auto upright = [&](double k) { return orbital_decay(k, z, water.depth).upright; };
+    const Surface along = map(sideways, {Channel::vx, Channel::vy});
+    const Surface up = map(upright, {Channel::vz});
     return SplineMap(
         {fine, modes.lattice.period},
         {along.channel(Channel::vx), along.channel(Channel::vy), up.channel(Channel::vz)}, pool);

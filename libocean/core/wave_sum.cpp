@@ -12,6 +12,7 @@
 #include <complex>
 #include <limits>
 
+#include "orbital_decay.hpp"
 #include "wave.hpp"
 
 namespace ocean {
@@ -338,24 +339,20 @@ double WaveSum::excursion_rms() const {
     return fixed_->excursion_rms;
 }
 
-// With only exponents <= 0: cosh k(z+d) / sinh kd = e^(kz) (1 + e^(-2k(z+d))) / (1 - e^(-2kd)), and
-// sinh with a minus sign. Deep water, d infinite, leaves e^(kz).
 WaterLevel WaveSum::water_level(double z) const {
     const Fixed& fixed = *fixed_;
     WaterLevel level;
     level.along_.resize(fixed.size());
     level.up_.resize(fixed.size());
     z = std::min(z, 0.0);
-    const double depth = fixed.water.depth;
-    const double above_bottom = depth + z;
-    if (!(above_bottom >= 0.0)) return level;
+    if (!(fixed.water.depth + z >= 0.0)) return level;
     for (const Run& run : fixed.runs) {
         for (std::size_t i = run.begin; i < run.end; ++i) {
             const double k = std::hypot(fixed.kx[run.column + i - run.begin], fixed.ky[run.row]);
             if (k == 0.0) continue;
-            const double part = std::exp(k * z) / -std::expm1(-2.0 * k * depth);
-            level.along_[i] = part * (1.0 + std::exp(-2.0 * k * above_bottom)) / k;
-            level.up_[i] = part * -std::expm1(-2.0 * k * above_bottom);
+            const OrbitalDecay decay = orbital_decay(k, z, fixed.water.depth);
+            level.along_[i] = decay.along / k;
+            level.up_[i] = decay.upright;
         }
     }
     return level;

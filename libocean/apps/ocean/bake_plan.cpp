@@ -10,6 +10,7 @@
 #include "bake_source.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/seafile.hpp"
@@ -175,7 +176,6 @@ std::uint64_t BakePlan::modes_memory() const {
 
 std::uint64_t BakePlan::frame_memory() const {
     std::uint64_t bytes = 0;
-    constexpr int kFoamMaps = 5;  // three ticks, the whitecaps of one and of the frame
     const int maps = channels.size() + (has_foam() ? kFoamMaps : 0);
     for (const int level : resolutions()) bytes += surface_bytes(level, maps);
     if (format != BakeFormat::mesh2) return bytes;

@@ -63,6 +63,9 @@ struct FoamSource {
     std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
 
+/// Maps that following foam keeps beside its own: three ticks, the whitecaps of one and of now.
+inline constexpr int kFoamMaps = 5;
+
 enum class FoamStart {
     settled,  // from as far back as foam lives: the same bits as from any earlier start
     empty,    // from nothing, for live tools: right after settling_ticks()
