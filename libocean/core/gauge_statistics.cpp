@@ -46,13 +46,36 @@ std::vector<Wave> waves_between_crossings(std::span<const double> elevation, dou
     return waves;
 }
 
-/// Over the highest 1/part of waves that are sorted by height; at least one.
-double mean_of_highest(std::span<const Wave> waves, int part, double Wave::*member) {
+/// Over the first 1/part of the waves: the highest where they are sorted by height. At least one.
+double mean_of_first(std::span<const Wave> waves, int part, double Wave::*member) {
     const double share = static_cast<double>(waves.size()) / part;
     const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(share)));
     double sum = 0.0;
     for (const Wave& wave : waves.first(count)) sum += wave.*member;
     return sum / static_cast<double>(count);
+}
+
+// The record in twenty runs of waves, far longer than waves remember each other: their mean periods
+// are independent, and the mean of all is off by Student's t of 19 degrees of freedom times the
+// standard error of these. [Bendat and Piersol 2010] section 4.5.
+Estimate mean_period_of(std::span<const Wave> waves) {
+    constexpr std::size_t kRuns = 20;
+    constexpr double kStudent975 = 2.093024054408263;
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    const double period = mean_of_first(waves, 1, &Wave::period);
+    const std::size_t length = waves.size() / kRuns;
+    if (length < 5) return {period, kNaN, kNaN};
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t run = 0; run < kRuns; ++run) {
+        const double mean =
+            mean_of_first(waves.subspan(run * length, length), 1, &Wave::period) - period;
+        sum += mean;
+        squares += mean * mean;
+    }
+    const double variance = (squares - sum * sum / kRuns) / (kRuns - 1);
+    const double limit = kStudent975 * std::sqrt(std::max(variance, 0.0) / kRuns);
+    return {period, period - limit, period + limit};
 }
 
 }  // namespace
@@ -61,16 +84,16 @@ WaveCount count_waves(std::span<const double> elevation, double rate) {
     const double mean = mean_of(elevation);
     std::vector<Wave> waves = waves_between_crossings(elevation, mean, rate);
     if (waves.empty()) return {};
-    std::ranges::stable_sort(waves, std::greater<>(), &Wave::height);
     WaveCount count;
+    count.mean_period = mean_period_of(waves);
+    std::ranges::stable_sort(waves, std::greater<>(), &Wave::height);
     count.waves = static_cast<int>(waves.size());
-    count.significant_height = mean_of_highest(waves, 3, &Wave::height);
-    count.tenth_height = mean_of_highest(waves, 10, &Wave::height);
-    count.mean_height = mean_of_highest(waves, 1, &Wave::height);
+    count.significant_height = mean_of_first(waves, 3, &Wave::height);
+    count.tenth_height = mean_of_first(waves, 10, &Wave::height);
+    count.mean_height = mean_of_first(waves, 1, &Wave::height);
     count.highest_wave = waves.front().height;
     count.highest_crest = *std::ranges::max_element(elevation) - mean;
-    count.mean_period = mean_of_highest(waves, 1, &Wave::period);
-    count.significant_period = mean_of_highest(waves, 3, &Wave::period);
+    count.significant_period = mean_of_first(waves, 3, &Wave::period);
     return count;
 }
 

@@ -44,6 +44,13 @@ def test_a_take_and_a_loop_exclude_each_other(ocean):
     assert "a loop repeats" in ocean.bad("info", "take.toml", "--set", "loop_period=10")
 
 
+def test_info_says_how_long_the_performance_is(ocean):
+    ocean.write("take.toml", SEA)
+    ocean.write("storm.take", "1 swell 0\n2.5 wind_speed 12\n")
+    assert "2 changes from 1 to 2.5 s" in ocean.good("info", "take.toml")
+    assert "change" not in ocean.good("info", "take.toml", "--set", "take=")
+
+
 def test_a_resolved_sea_needs_no_take_file(ocean):
     ocean.write("take.toml", SEA)
     storm = ocean.write("storm.take", "1 wind_speed 12 # gusts\n3.5 spreading mitsuyasu\n")

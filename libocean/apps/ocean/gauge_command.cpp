@@ -206,7 +206,7 @@ void add_gauge_command(CLI::App& app, Context& context) {
         "the hydrostatic part) at z by linear theory, above still water as at z = 0.\n"
         ".npy: float64 of the shape (times, gauges, 10), the columns as in the CSV without gauge.\n"
         "Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4 sqrt(m0) and\n"
-        "Tm02 = sqrt(m0/m2) with 95 % confidence limits. --json has more.");
+        "Tm02 = sqrt(m0/m2); the periods and Hs with 95 % confidence limits. --json has more.");
     command->callback([options, &context] { run(*options, context); });
 }
 

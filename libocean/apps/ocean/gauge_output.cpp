@@ -88,7 +88,7 @@ std::string estimate_json(const Estimate& estimate) {
 }  // namespace
 
 std::string summary_table(const std::vector<GaugeSummary>& summaries) {
-    constexpr const char* kFormat = "%s  %6s  %-22s  %7s  %7s  %7s  %s\n";
+    constexpr const char* kFormat = "%s  %6s  %-22s  %7s  %7s  %-22s  %s\n";
     std::size_t width = 5;
     for (const GaugeSummary& gauge : summaries) width = std::max(width, gauge.name.size());
     const auto padded = [width](const std::string& name) {
@@ -99,11 +99,12 @@ std::string summary_table(const std::vector<GaugeSummary>& summaries) {
     for (const GaugeSummary& gauge : summaries) {
         const WaveCount& count = gauge.count;
         const auto cell = [](double value) { return format_text("%.3g", value); };
-        table += format_text(
-            kFormat, padded(gauge.name).c_str(), std::to_string(count.waves).c_str(),
-            with_limits(gauge.sea.significant_wave_height).c_str(),
-            cell(count.significant_height).c_str(), cell(count.highest_wave).c_str(),
-            cell(count.mean_period).c_str(), with_limits(gauge.sea.zero_crossing_period).c_str());
+        table +=
+            format_text(kFormat, padded(gauge.name).c_str(), std::to_string(count.waves).c_str(),
+                        with_limits(gauge.sea.significant_wave_height).c_str(),
+                        cell(count.significant_height).c_str(), cell(count.highest_wave).c_str(),
+                        with_limits(count.mean_period).c_str(),
+                        with_limits(gauge.sea.zero_crossing_period).c_str());
     }
     return table;
 }
@@ -129,7 +130,7 @@ std::string summary_json(const std::vector<GaugeSummary>& summaries, const Sampl
         number("mean_height", count.mean_height);
         number("highest_wave", count.highest_wave);
         number("highest_crest", count.highest_crest);
-        number("mean_period", count.mean_period);
+        estimate("mean_period", count.mean_period);
         number("significant_period", count.significant_period);
         number("degrees_of_freedom", gauge.spectrum.degrees_of_freedom);
         number("frequency_step", gauge.spectrum.frequency_step);

@@ -141,6 +141,16 @@ std::string grid_text(const SeaState& state, const Parameters& parameters) {
     return text;
 }
 
+std::string take_text(const Sea& sea) {
+    if (sea.take.empty()) return "";
+    const std::vector<TakeEvent>& events = sea.take.events;
+    return row("Take",
+               format_text("%zu change%s from %g to %g s, each gliding for %g s", events.size(),
+                           events.size() == 1 ? "" : "s", events.front().seconds,
+                           events.back().seconds, sea.parameters.time.glide)) +
+           row("", "numbers here are those of the start");
+}
+
 void run(const InfoOptions& info, const Context& context) {
     const Sea sea = open_sea(info.sea);
     if (info.sea_file) return context.console.data(write_sea(sea));
@@ -150,7 +160,7 @@ void run(const InfoOptions& info, const Context& context) {
         context.console.data(sea_state_json(state) + "\n");
     } else {
         context.console.data(row("Sea", info.sea.source) + waves_text(sea.parameters) +
-                             state_text(state) + grid_text(state, sea.parameters) +
+                             state_text(state) + grid_text(state, sea.parameters) + take_text(sea) +
                              foam_text(state, sea.parameters.surface, ocean.measure_frame_cost()));
     }
     for (const std::string& warning : state.warnings) context.console.warning(warning);

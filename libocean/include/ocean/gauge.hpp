@@ -62,7 +62,7 @@ struct WaveCount {
     double mean_height = 0.0;
     double highest_wave = 0.0;        // Hmax
     double highest_crest = 0.0;       // of the record, m above its mean
-    double mean_period = 0.0;         // Tz, s: of the zero crossings
+    Estimate mean_period = {};        // Tz, s: of the zero crossings. Limits NaN below 100 waves
     double significant_period = 0.0;  // T1/3: mean over the highest third
 };
 WaveCount count_waves(std::span<const double> elevation, double rate);
