@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "map_request.hpp"
 #include "ocean/error.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea_state.hpp"
@@ -27,10 +28,7 @@ inline int shown_resolution(const Modes& modes, const QueryOptions& options) {
 /// Samples of the spline between which a query interpolates. Throws Error invalid_value.
 inline int spline_resolution(const Modes& modes, const QueryOptions& options) {
     const int shown = shown_resolution(modes, options);
-    if (!is_power_of_two(shown) || shown < kMinResolution || shown > kMaxResolution) {
-        throw Error(ErrorKind::invalid_value, "resolution = " + std::to_string(shown) +
-                                                  "; allowed: a power of two, 32 .. 8192");
-    }
+    require_map_resolution(shown);
     const int finest = std::max(kMaxResolution / (2 * shown), 1);
     if (!is_power_of_two(options.refine) || options.refine > finest) {
         throw Error(ErrorKind::invalid_value,
@@ -60,11 +58,6 @@ inline double wrapped(double x, double period) {
     const double rest = std::fmod(x, period);
     const double positive = rest < 0.0 ? rest + period : rest;
     return positive < period ? positive : 0.0;  // -1e-20 + period rounds to the period
-}
-
-inline void require_finite_time(double time) {
-    if (std::isfinite(time)) return;
-    throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
 }
 
 inline void require_finite(std::span<const WorldPoint> points) {

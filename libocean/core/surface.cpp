@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "map_request.hpp"
 #include "ocean/error.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/thread_pool.hpp"
@@ -251,19 +252,10 @@ Surface combine(const LinearPlanes<Real>& planes, const Lattice& lattice, double
     return surface;
 }
 
-int checked_resolution(int resolution, int own) {
+int chosen_resolution(int resolution, int own) {
     if (resolution == 0) return own;
-    if (!is_power_of_two(resolution) || resolution < kMinResolution ||
-        resolution > kMaxResolution) {
-        throw Error(ErrorKind::invalid_value, "resolution = " + std::to_string(resolution) +
-                                                  "; allowed: a power of two, 32 .. 8192");
-    }
+    require_map_resolution(resolution);
     return resolution;
-}
-
-void require_finite(double time) {
-    if (std::isfinite(time)) return;
-    throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
 }
 
 }  // namespace
@@ -279,8 +271,8 @@ SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& mod
 
 Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
                      ChannelSet channels, Backend backend, ThreadPool& pool, int resolution) {
-    require_finite(time);
-    resolution = checked_resolution(resolution, modes.lattice.resolution);
+    require_finite_time(time);
+    resolution = chosen_resolution(resolution, modes.lattice.resolution);
     if (channels.contains(Channel::foam)) {
         throw Error(ErrorKind::invalid_value,
                     "foam has a past: it is made by Ocean or a FoamState, not from one moment");
@@ -307,14 +299,14 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
 LinearPlanes<float> make_cascade_planes(const Modes& modes, std::size_t cascade, double time,
                                         std::span<const Linear> fields, Backend backend,
                                         ThreadPool& pool, int resolution) {
-    require_finite(time);
+    require_finite_time(time);
     const CascadeModes& own = modes.cascades[cascade];
     const SynthesisRequest request{{&own, 1},
                                    own.lattice.period,
                                    own.divisor,
                                    modes.tau(time),
                                    modes.rate_unit(),
-                                   checked_resolution(resolution, own.lattice.resolution),
+                                   chosen_resolution(resolution, own.lattice.resolution),
                                    {fields.begin(), fields.end()}};
     switch (backend) {
         case Backend::cpu:

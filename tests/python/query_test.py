@@ -8,22 +8,6 @@ import pytest
 import libocean
 
 TIME = 12.0
-SMALL = """
-libocean = 1
-[grid]
-resolution = 64
-patch_size = 200.0
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 12.0
-wind_direction = 30.0
-"""
-
-
-@pytest.fixture
-def sea():
-    with libocean.parse(SMALL) as small:
-        yield small
 
 
 def test_a_query_finds_the_surface_that_the_maps_show(sea):

@@ -12,27 +12,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import SMALL
 
 import libocean
 
 ROOT = Path(__file__).parents[2]
 DATA = ROOT / "tests" / "data"
-SMALL = """
-libocean = 1
-[grid]
-resolution = 64
-patch_size = 200.0
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 12.0
-wind_direction = 30.0
-"""
-
-
-@pytest.fixture
-def sea():
-    with libocean.parse(SMALL) as small:
-        yield small
 
 
 def test_versions_are_those_of_the_sources():

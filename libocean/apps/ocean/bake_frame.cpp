@@ -5,7 +5,6 @@
 // hashes are those of what the disk holds, and a disk that lies is found out.
 #include "bake_frame.hpp"
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -134,36 +133,13 @@ std::optional<ManifestEntry> find_complete(const BakePlan& plan, const BakeFile&
     }
 }
 
-namespace {
-
-/// Says now and then how far foam has come that must be followed from its beginning.
-class FoamProgress {
-  public:
-    explicit FoamProgress(Console& console) : console_(&console) {}
-
-    void operator()(std::int64_t done, std::int64_t total) {
-        const Clock::time_point now = Clock::now();
-        if (done == 0) said_ = now;
-        if (now - said_ < std::chrono::seconds(10)) return;
-        said_ = now;
-        console_->foam(static_cast<long long>(done), static_cast<long long>(total));
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Console* console_;
-    Clock::time_point said_;
-};
-
-}  // namespace
-
 FrameBaker::FrameBaker(const Bake& bake, int threads)
     : bake_(bake),
       threads_(threads),
       exr_(bake.plan.exr),
       ocean_(bake.ocean, {.threads = threads,
                           .backend = bake.plan.backend,
-                          .foam_progress = FoamProgress(bake.console)}) {
+                          .foam_progress = foam_progress_on(bake.console)}) {
     exr_.threads = threads;
 }
 

@@ -117,12 +117,6 @@ void Console::skip(int frame, const std::vector<std::string>& files) {
                json_list(files));
 }
 
-void Console::foam(long long done, long long total) {
-    report("foam",
-           format_text("foam is followed from where it began: %lld of %lld ticks", done, total),
-           format_text("\"ticks_done\": %lld, \"ticks\": %lld", done, total));
-}
-
 void Console::fail(int frame, std::string_view message, bool goes_on) {
     const std::lock_guard lock(mutex_);
     ++failed_;
@@ -186,6 +180,21 @@ void Console::write_error_line(std::string_view line) {
     clear_bar();
     const std::string whole = std::string(line) + '\n';
     std::fwrite(whole.data(), 1, whole.size(), stderr);
+}
+
+std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& console) {
+    constexpr double kInterval = 10.0;  // s
+    return [&console, said = now()](std::int64_t done, std::int64_t total) mutable {
+        if (done == 0) said = now();
+        if (now() - said < kInterval) return;
+        said = now();
+        const auto ticks = static_cast<long long>(done);
+        const auto all = static_cast<long long>(total);
+        console.report(
+            "foam",
+            format_text("foam is followed from where it began: %lld of %lld ticks", ticks, all),
+            format_text("\"ticks_done\": %lld, \"ticks\": %lld", ticks, all));
+    };
 }
 
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& json_help) {

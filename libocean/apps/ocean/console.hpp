@@ -6,6 +6,8 @@
 // error.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -44,8 +46,6 @@ class Console {
     /// One more frame is there: its files were written, or kept as they were. Prints their paths
     /// and the progress.
     void step(int frame, double seconds, const std::vector<std::string>& files);
-    /// Foam is followed from its beginning, which takes a while.
-    void foam(long long done, long long total);
     void skip(int frame, const std::vector<std::string>& files);
     /// A frame could not be written. Silent as text if the run ends with it: its error says it.
     void fail(int frame, std::string_view message, bool goes_on);
@@ -74,6 +74,9 @@ class Console {
     double started_ = 0.0;  // s, of the steady clock
     bool bar_drawn_ = false;
 };
+
+/// What an Ocean tells of the foam that it follows, said every few seconds.
+std::function<void(std::int64_t done, std::int64_t total)> foam_progress_on(Console& console);
 
 /// --threads, -q, -v; `json_help` = "" leaves --json out.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& json_help);

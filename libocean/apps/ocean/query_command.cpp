@@ -60,7 +60,8 @@ class QueryRun {
     void run() {
         static const std::array<PointColumn, 2> kColumns = {{{"x"}, {"y"}}};
         const PointTable table = read_points(options_.points, kColumns);
-        Ocean ocean(sea_, {.threads = context_.options.threads});
+        Ocean ocean(sea_, {.threads = context_.options.threads,
+                           .foam_progress = foam_progress_on(context_.console)});
         write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") + "\n");
         for (std::size_t first = 0; first < table.size(); first += kBatch) {
             const std::size_t count = std::min(kBatch, table.size() - first);
