@@ -13,6 +13,7 @@
 
 #include "ocean/error.hpp"
 #include "test_seas.hpp"
+#include "wave.hpp"
 
 namespace ocean {
 namespace {
@@ -116,6 +117,36 @@ TEST(Cascades, HaveNoiseOfTheirOwn) {
     }
     EXPECT_GT(a, 0.0);
     EXPECT_LT(std::abs(product) / std::sqrt(a * b), 0.05);
+}
+
+TEST(Cascades, TheModesHaveTheEnergyThatIsReported) {
+    Parameters parameters = cascade_sea(32, 4000.0, {1, 2, 5});
+    parameters.waves.front().wind_speed = 15.0;
+    const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+    const auto bands = cascade_bands(parameters.grid);
+    ThreadPool pool(1);
+    const Modes modes = make_modes(spectrum, parameters, pool);
+    double m0 = 0.0;
+    double most_scaled = 0.0;
+    for (std::size_t c = 0; c < bands.size(); ++c) {
+        double drawn = 0.0, unscaled = 0.0, variance = 0.0;
+        for (int m = -15; m < 16; ++m) {
+            for (int n = -15; n < 16; ++n) {
+                const double v = modal_variance(spectrum, parameters, n, m, bands[c]);
+                const auto xi = wave::double_precision::gaussian_noise(
+                    parameters.seed, static_cast<std::uint32_t>(c), n, m);
+                const auto at = static_cast<std::size_t>(fft_index(m, 32) * 32 + fft_index(n, 32));
+                drawn += std::norm(modes.cascades[c].h0[at]);
+                unscaled += 0.25 * v * (xi.re * xi.re + xi.im * xi.im);
+                variance += v;
+            }
+        }
+        m0 += variance * drawn / unscaled;
+        most_scaled = std::max(most_scaled, std::abs(drawn / unscaled - 1.0));
+    }
+    EXPECT_NEAR(16.0 * m0 / squared(state_of(parameters).significant_wave_height.resolved), 1.0,
+                1e-5);
+    EXPECT_GT(most_scaled, 1e-3) << "no ring needs to be scaled: the test would see nothing";
 }
 
 TEST(Cascades, TheMapIsTheSumOfTheSmallMaps) {
