@@ -12,8 +12,7 @@
 namespace ocean::capi {
 
 /// The channels that the outputs ask for, after every check of libocean.h on buffers for maps of
-/// `resolution` samples a side. Throws CallError, and Error unsupported for a channel of a later
-/// version.
+/// `resolution` samples a side. Throws CallError.
 ChannelSet check_outputs(std::span<const ocean_output> outputs, int resolution);
 
 /// Fills one checked output from a surface that has its channels.

@@ -11,6 +11,7 @@
 #include "chi_squared.hpp"
 #include "ocean/fft.hpp"
 #include "ocean/gauge.hpp"
+#include "record_moments.hpp"
 
 namespace ocean {
 namespace {
@@ -64,8 +65,7 @@ GaugeSpectrum estimate_spectrum(std::span<const double> elevation, double rate,
     spectrum.degrees_of_freedom = freedom_of(segments);
     spectrum.density.resize(length / 2 + 1);
 
-    const auto count = static_cast<double>(elevation.size());
-    const double mean = std::accumulate(elevation.begin(), elevation.end(), 0.0) / count;
+    const auto [mean, variance] = moments_of(elevation);
     const std::vector<double> window = hann(length);
     const Radix2Fft<double> fft(static_cast<int>(length));
     std::vector<std::complex<double>> work(length);
@@ -78,8 +78,6 @@ GaugeSpectrum estimate_spectrum(std::span<const double> elevation, double rate,
             spectrum.density[k] += (alone ? 1.0 : 2.0) * std::norm(work[k]);
         }
     }
-    double variance = 0.0;
-    for (const double z : elevation) variance += (z - mean) * (z - mean) / count;
     const double power = std::accumulate(spectrum.density.begin(), spectrum.density.end(), 0.0);
     const double scale = power > 0.0 ? variance / (power * spectrum.frequency_step) : 0.0;
     for (double& density : spectrum.density) density *= scale;

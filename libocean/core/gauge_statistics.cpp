@@ -6,19 +6,14 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "chi_squared.hpp"
 #include "ocean/gauge.hpp"
+#include "record_moments.hpp"
 
 namespace ocean {
 namespace {
-
-double mean_of(std::span<const double> values) {
-    if (values.empty()) return 0.0;
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 struct Wave {
     double height;
@@ -81,7 +76,7 @@ Estimate mean_period_of(std::span<const Wave> waves) {
 }  // namespace
 
 WaveCount count_waves(std::span<const double> elevation, double rate) {
-    const double mean = mean_of(elevation);
+    const double mean = moments_of(elevation).mean;
     std::vector<Wave> waves = waves_between_crossings(elevation, mean, rate);
     if (waves.empty()) return {};
     WaveCount count;
@@ -107,10 +102,7 @@ SeaEstimate estimate_sea(std::span<const double> elevation, double rate,
                          const GaugeSpectrum& spectrum) {
     constexpr double kNormal975 = 1.959963984540054;
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    const double mean = mean_of(elevation);
-    double m0 = 0.0;
-    for (const double z : elevation) m0 += (z - mean) * (z - mean);
-    m0 /= std::max(1.0, static_cast<double>(elevation.size()));
+    const double m0 = moments_of(elevation).variance;
     const double height = 4.0 * std::sqrt(m0);
     if (m0 == 0.0) return {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
     if (spectrum.density.empty()) return {{height, kNaN, kNaN}, {kNaN, kNaN, kNaN}};

@@ -259,8 +259,10 @@ void Ocean::orbital_velocity(double time, double z, std::span<const WorldPoint> 
 
 void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
                         std::span<FloatPose> poses) {
-    QueryOptions options;
-    options.foam = false;
+    // A pose needs no foam, but the query that is kept may have some.
+    QueryOptions options = shown({});
+    const auto& kept = surface_query_;
+    options.foam = kept && kept->time == time && kept->options == options;
     const SurfaceQuery& query = surface_query(time, options);
     std::vector<FloatPose> found;
     for (const FloatBody& body : bodies) found.push_back(float_pose(query, body, pool_));
