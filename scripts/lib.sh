@@ -19,11 +19,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools python3-numpy python3-pytest python3-openimageio openexr clang
-        libclang-rt-14-dev)
+        libclang-rt-14-dev valgrind)
+    bench_packages=(
+        "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
     ziglang_tool=ziglang==0.17.0
+    mkl_tool=mkl-static==2026.2.0
+    mkl_headers_tool=mkl-include==2026.2.0
 }
 
 say() { printf '%s\n' "$*" >&2; }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Checks what a host asks for and copies the maps into its buffers, vectors turned to its axes.
+// Checks what a host asks for and has the maps written into its buffers, vectors turned to its
+// axes.
 #include "evaluate.hpp"
 
 #include <array>
@@ -78,29 +79,23 @@ std::array<Source, kMaxComponents> turned(const ocean_output& output) {
 
 }  // namespace
 
-ChannelSet check_outputs(std::span<const ocean_output> outputs, int resolution) {
+void check_outputs(std::span<const ocean_output> outputs, int resolution) {
     ChannelSet channels;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const std::string name = "outputs[" + std::to_string(i) + "]";
         channels = channels | check_output(outputs[i], name, resolution);
     }
     if (channels.empty()) refuse("no output names a channel: there is nothing to compute");
-    return channels;
 }
 
-void write_output(const Surface& surface, const ocean_output& output) {
+MapOutput map_output(const ocean_output& output) {
     const auto sources = turned(output);
-    const auto stride = static_cast<std::size_t>(output.channels);
-    for (std::size_t c = 0; c < stride; ++c) {
+    MapOutput result{output.data, output.channels, {}};
+    for (std::size_t c = 0; c < static_cast<std::size_t>(output.channels); ++c) {
         if (sources[c].channel == kUntouched) continue;
-        const std::span<const float> map =
-            surface.channel(static_cast<Channel>(sources[c].channel));
-        float* destination = output.data + c;
-        for (const float value : map) {
-            *destination = sources[c].sign * value;
-            destination += stride;
-        }
+        result.component[c] = {static_cast<Channel>(sources[c].channel), sources[c].sign};
     }
+    return result;
 }
 
 }  // namespace ocean::capi
@@ -143,11 +138,11 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
         if (asked.output_count > 0) require(asked.outputs, "outputs");
         const std::span outputs(asked.outputs, asked.output_count);
         const int resolution = checked_resolution(asked, sea->ocean->parameters());
-        const ChannelSet channels = check_outputs(outputs, resolution);
-
-        const Surface surface = sea->ocean->evaluate(asked.time, channels, asked.resolution);
+        check_outputs(outputs, resolution);
+        std::vector<MapOutput>& maps = sea->map_outputs;
+        maps.clear();
+        for (const ocean_output& output : outputs) maps.push_back(map_output(output));
         // The buffers were measured for this resolution: any other would overrun them.
-        if (surface.resolution() != resolution) throw std::logic_error("map of another resolution");
-        for (const ocean_output& output : outputs) write_output(surface, output);
+        sea->ocean->evaluate_into(asked.time, maps, resolution);
     });
 }

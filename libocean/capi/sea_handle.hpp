@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "libocean.h"
 #include "ocean/ocean.hpp"
@@ -21,4 +22,6 @@ struct ocean_sea {
     ocean::OceanOptions options;
     std::string base_dir;                 // where a relative `file` or `take` starts
     std::unique_ptr<ocean::Ocean> ocean;  // readers may make it build what they ask for
+    std::vector<ocean::MapOutput>
+        map_outputs;  // of the request, kept so that frames allocate nothing
 };

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
+#include "ocean/thread_pool.hpp"
+#include "spreading_rows.hpp"
 #include "wave_system_table.hpp"
 
 namespace ocean {
@@ -18,6 +22,7 @@ namespace ocean {
 namespace {
 
 constexpr double kShortestTabulated = 0.01;  // m: capillary waves; grids may go below and extend it
+constexpr double kJustOutside = 1e-9;        // of a frequency
 
 /// All rows of all systems, ascending, with a zero row just outside the support of each so that a
 /// system that ends with energy ends there and does not fade into a neighbour's next row.
@@ -26,8 +31,8 @@ std::vector<double> merge_rows(const std::vector<WaveSystemTable>& systems) {
     for (const WaveSystemTable& system : systems) {
         if (system.rows.empty()) continue;
         rows.insert(rows.end(), system.rows.begin(), system.rows.end());
-        rows.push_back(system.rows.front() * (1.0 - 1e-9));
-        rows.push_back(system.rows.back() * (1.0 + 1e-9));
+        rows.push_back(system.rows.front() * (1.0 - kJustOutside));
+        rows.push_back(system.rows.back() * (1.0 + kJustOutside));
     }
     std::sort(rows.begin(), rows.end());
     const auto same = [](double a, double b) { return b - a < 1e-12 * b; };
@@ -36,13 +41,104 @@ std::vector<double> merge_rows(const std::vector<WaveSystemTable>& systems) {
 }
 
 /// Factor that makes the trapezoid over the rows give the exact variance: within 1e-4 of 1.
-double calibration(const WaveSystemTable& system, const std::vector<double>& rows) {
-    double sum = 0.0;
+double calibration(const WaveSystemTable& system) {
+    const std::vector<double>& rows = system.rows;
+    const std::vector<double>& density = system.density;
+    double sum =
+        0.5 * kJustOutside * (density.front() * rows.front() + density.back() * rows.back());
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-        sum +=
-            0.5 * (system.density(rows[i]) + system.density(rows[i + 1])) * (rows[i + 1] - rows[i]);
+        sum += 0.5 * (density[i] + density[i + 1]) * (rows[i + 1] - rows[i]);
     }
     return sum > 0.0 ? system.m0 / sum : 1.0;
+}
+
+/// One system on its way through the merged rows, which ascend: keeps the two of its own rows that
+/// the last one lay between. Between them it is linear, as the whole table is.
+class SystemRows {
+  public:
+    SystemRows(const WaveSystemTable& system, std::size_t directions)
+        : system_(system),
+          factor_(calibration(system)),
+          own_(static_cast<std::size_t>(system.directions)),
+          low_(directions),
+          high_(directions) {}
+
+    void add_to(double omega, std::span<double> row) {
+        const std::vector<double>& rows = system_.rows;
+        // Merged rows may be another system's, a rounding error beside one of this system.
+        if (omega < rows.front() * (1.0 - 0.5 * kJustOutside) ||
+            omega > rows.back() * (1.0 + 0.5 * kJustOutside)) {
+            return;
+        }
+        const auto upper = std::upper_bound(rows.begin() + 1, rows.end() - 1, omega);
+        const auto high = static_cast<std::size_t>(upper - rows.begin());
+        const double v = (omega - rows[high - 1]) / (rows[high] - rows[high - 1]);
+        if (v <= 0.0 || v >= 1.0) {
+            const double* values = v <= 0.0 ? part(low_, high - 1) : part(high_, high);
+            for (std::size_t j = 0; j < row.size(); ++j) row[j] += values[j];
+            return;
+        }
+        const double* below = part(low_, high - 1);
+        const double* above = part(high_, high);
+        for (std::size_t j = 0; j < row.size(); ++j) row[j] += (1.0 - v) * below[j] + v * above[j];
+    }
+
+  private:
+    struct Part {
+        explicit Part(std::size_t directions) : values(directions) {}
+        std::vector<double> values;
+        std::size_t row = static_cast<std::size_t>(-1);
+    };
+
+    /// Own row `row`, which from now on is `kept`.
+    const double* part(Part& kept, std::size_t row) {
+        Part& other = &kept == &low_ ? high_ : low_;
+        if (other.row == row) std::swap(low_, high_);
+        if (kept.row != row) fill(row, kept.values);
+        kept.row = row;
+        return kept.values.data();
+    }
+
+    /// The density over the directions of the table, linear between those of the system.
+    void fill(std::size_t row, std::span<double> values) {
+        const double density = factor_ * system_.density[row];
+        if (density <= 0.0) {
+            std::fill(values.begin(), values.end(), 0.0);
+            return;
+        }
+        system_.spreading(row, own_);
+        const std::size_t finer = values.size() / own_.size();
+        if (finer == 1) {
+            for (std::size_t j = 0; j < own_.size(); ++j) values[j] = density * own_[j];
+            return;
+        }
+        for (std::size_t j = 0; j < own_.size(); ++j) {
+            const double here = density * own_[j];
+            const double next = density * own_[j + 1 < own_.size() ? j + 1 : 0];
+            for (std::size_t i = 0; i < finer; ++i) {
+                const double u = static_cast<double>(i) / static_cast<double>(finer);
+                values[j * finer + i] = here + u * (next - here);
+            }
+        }
+    }
+
+    const WaveSystemTable& system_;
+    double factor_;
+    std::vector<double> own_;
+    Part low_;
+    Part high_;
+};
+
+struct Frequencies {
+    double low;
+    double high;
+};
+
+/// Of wavelengths shortest .. longest metres; 0 = no limit.
+Frequencies frequencies_of(const Dispersion& dispersion, double shortest, double longest) {
+    return {longest > 0.0 ? dispersion.angular_frequency(kTwoPi / longest) : 0.0,
+            shortest > 0.0 ? dispersion.angular_frequency(kTwoPi / shortest)
+                           : std::numeric_limits<double>::infinity()};
 }
 
 }  // namespace
@@ -52,17 +148,12 @@ double SpectralMoments::significant_wave_height() const {
 }
 
 DirectionalSpectrum::DirectionalSpectrum(std::vector<double> angular_frequencies, int directions,
-                                         std::vector<double> density)
+                                         std::shared_ptr<const double[]> density,
+                                         std::vector<double> row_sum)
     : omega_(std::move(angular_frequencies)),
       directions_(directions),
-      density_(std::move(density)) {
-    const auto width = static_cast<std::size_t>(directions);
-    for (std::size_t i = 0; i < omega_.size(); ++i) {
-        double sum = 0.0;
-        for (std::size_t j = 0; j < width; ++j) sum += density_[i * width + j];
-        row_sum_.push_back(sum * kTwoPi / directions);
-    }
-}
+      density_(std::move(density)),
+      row_sum_(std::move(row_sum)) {}
 
 double DirectionalSpectrum::density(double omega, double theta) const {
     if (flat() || omega < omega_.front() || omega >= omega_.back()) return 0.0;
@@ -78,7 +169,7 @@ double DirectionalSpectrum::density(double omega, double theta) const {
     const std::size_t left = j % width;
     const std::size_t right = (j + 1) % width;
 
-    const double* low = density_.data() + row * width;
+    const double* low = density_.get() + row * width;
     const double* high = low + width;
     const double at_low = low[left] + u * (low[right] - low[left]);
     const double at_high = high[left] + u * (high[right] - high[left]);
@@ -93,14 +184,25 @@ double DirectionalSpectrum::frequency_density(double omega) const {
     return row_sum_[row] + v * (row_sum_[row + 1] - row_sum_[row]);
 }
 
+double DirectionalSpectrum::variance(const Water& water, double shortest, double longest) const {
+    const auto [low, high] = frequencies_of(Dispersion(water), shortest, longest);
+    double m0 = 0.0;
+    for (std::size_t i = 0; i + 1 < omega_.size(); ++i) {
+        const double from = std::max(omega_[i], low);
+        const double to = std::min(omega_[i + 1], high);
+        if (from >= to) continue;
+        const double v = (0.5 * (from + to) - omega_[i]) / (omega_[i + 1] - omega_[i]);
+        m0 += (to - from) * (row_sum_[i] + v * (row_sum_[i + 1] - row_sum_[i]));
+    }
+    return m0;
+}
+
 SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest,
                                              double longest) const {
     SpectralMoments result;
     if (flat()) return result;
     const Dispersion dispersion(water);
-    const double low = longest > 0.0 ? dispersion.angular_frequency(kTwoPi / longest) : 0.0;
-    const double high = shortest > 0.0 ? dispersion.angular_frequency(kTwoPi / shortest)
-                                       : std::numeric_limits<double>::infinity();
+    const auto [low, high] = frequencies_of(dispersion, shortest, longest);
 
     // First circular moment of each row.
     const auto width = static_cast<std::size_t>(directions_);
@@ -113,9 +215,10 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
     std::vector<double> east(omega_.size());
     std::vector<double> north(omega_.size());
     for (std::size_t i = 0; i < omega_.size(); ++i) {
+        const double* row = density_.get() + i * width;
         for (std::size_t j = 0; j < width; ++j) {
-            east[i] += density_[i * width + j] * cosine[j];
-            north[i] += density_[i * width + j] * sine[j];
+            east[i] += row[j] * cosine[j];
+            north[i] += row[j] * sine[j];
         }
     }
     // Three-point Gauss in each interval: exact for the linear densities, and k^2 is smooth there.
@@ -161,7 +264,7 @@ double highest_frequency(const Parameters& parameters) {
         .angular_frequency(std::max(corner, kTwoPi / kShortestTabulated));
 }
 
-DirectionalSpectrum make_directional_spectrum(const Parameters& parameters) {
+DirectionalSpectrum make_directional_spectrum(const Parameters& parameters, ThreadPool& pool) {
     const double highest = highest_frequency(parameters);
     std::vector<WaveSystemTable> systems;
     int directions = 0;
@@ -171,23 +274,29 @@ DirectionalSpectrum make_directional_spectrum(const Parameters& parameters) {
         directions = std::max(directions, table.directions);
         systems.push_back(std::move(table));
     }
-    const std::vector<double> rows = merge_rows(systems);
+    std::vector<double> rows = merge_rows(systems);
     if (rows.empty()) return {};
 
     const auto width = static_cast<std::size_t>(directions);
-    std::vector<double> density(rows.size() * width);
-    std::vector<double> spreading(width);
-    for (const WaveSystemTable& system : systems) {
-        const double factor = calibration(system, rows);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const double value = system.density(rows[i]) * factor;
-            if (value <= 0.0) continue;
-            system.spreading(rows[i], spreading);
-            double* row = density.data() + i * width;
-            for (std::size_t j = 0; j < width; ++j) row[j] += value * spreading[j];
+    std::vector<double> row_sum(rows.size());
+    // Not set to zero first: each thread fills its rows.
+    const std::shared_ptr<double[]> density(new double[rows.size() * width]);
+    pool.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
+        std::vector<SystemRows> parts;
+        for (const WaveSystemTable& system : systems) parts.emplace_back(system, width);
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
+            const std::span<double> row(density.get() + i * width, width);
+            std::fill(row.begin(), row.end(), 0.0);
+            for (SystemRows& part : parts) part.add_to(rows[i], row);
+            row_sum[i] = row_total(row) * kTwoPi / directions;
         }
-    }
-    return DirectionalSpectrum(rows, directions, std::move(density));
+    });
+    return DirectionalSpectrum(std::move(rows), directions, density, std::move(row_sum));
+}
+
+DirectionalSpectrum make_directional_spectrum(const Parameters& parameters) {
+    ThreadPool alone(1);
+    return make_directional_spectrum(parameters, alone);
 }
 
 }  // namespace ocean

@@ -11,7 +11,6 @@
 
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
@@ -21,25 +20,6 @@ constexpr float kLeastFoam = 1.0f / 512.0f;
 
 float fade(double seconds, double lifetime) {
     return lifetime > 0.0 ? static_cast<float>(std::exp(-seconds / lifetime)) : 0.0f;
-}
-
-/// out = max(whitecap, decay * before), 0 where that is below `least`. `out` may be `before` or
-/// `whitecap`.
-void blend(std::span<const float> whitecap, std::span<const float> before, float decay, float least,
-           std::span<float> out, ThreadPool& pool) {
-    pool.for_each_range(static_cast<int>(out.size()), [&](int first, int last) {
-        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {
-            const float value = std::max(whitecap[i], decay * before[i]);
-            out[i] = value < least ? 0.0f : value;
-        }
-    });
-}
-
-void require_size(std::span<const float> map, std::size_t size) {
-    if (map.size() == size) return;
-    throw Error(ErrorKind::invalid_value, "foam: a map of " + std::to_string(map.size()) +
-                                              " samples; allowed: " + std::to_string(size) +
-                                              ", like the maps before");
 }
 
 }  // namespace
@@ -103,35 +83,32 @@ std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
     return count;
 }
 
-FoamState::FoamState(FoamClock clock, FoamStart start) : clock_(clock), start_(start) {}
+FoamState::FoamState(FoamClock clock, std::size_t samples, FoamStart start)
+    : clock_(clock), samples_(samples), start_(start) {}
 
-void FoamState::evaluate(double time, std::span<const float> whitecap, const FoamSource& source,
-                         std::span<float> out, ThreadPool& pool) {
-    require_size(out, whitecap.size());
+FoamLayer FoamState::layer(double time, const FoamSource& source) {
     const FoamClock::Moment moment = clock_.moment(time);
-    const Tick& last = reach(moment.tick, source, pool);
-    require_size(whitecap, last.foam.size());
-    blend(whitecap, last.foam, fade(moment.since, source.lifetime(time)), 0.0f, out, pool);
+    const Tick& last = reach(moment.tick, source);
+    return {last.foam.data(), fade(moment.since, source.lifetime(time)), 0.0f};
 }
 
-const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& source,
-                                        ThreadPool& pool) {
+const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& source) {
     const auto found = std::find_if(kept_.begin(), kept_.end(),
                                     [tick](const Tick& kept) { return kept.number == tick; });
     if (found != kept_.end()) return *found;
 
     const std::int64_t ahead = kept_.empty() ? 0 : clock_.ticks_between(kept_.back().number, tick);
     if (ahead == 1 && settling_ == 0) {
-        step(kept_, tick, source, pool);
+        step(kept_, tick, source);
         return kept_.back();
     }
     const std::int64_t preroll = preroll_ticks(clock_, tick, source.lifetime);
     if (ahead > 0 && ahead <= preroll) {
         for (std::int64_t i = ahead - 1; i >= 0; --i) {
-            step(kept_, clock_.before(tick, i), source, pool);
+            step(kept_, clock_.before(tick, i), source);
         }
     } else {
-        kept_ = begin(tick, start_ == FoamStart::settled ? preroll : 0, source, pool);
+        kept_ = begin(tick, start_ == FoamStart::settled ? preroll : 0, source);
     }
     const bool settled = start_ == FoamStart::settled || kept_.back().age >= preroll;
     settling_ = settled ? 0 : preroll - kept_.back().age;
@@ -139,36 +116,33 @@ const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& sou
 }
 
 std::vector<FoamState::Tick> FoamState::begin(std::int64_t tick, std::int64_t preroll,
-                                              const FoamSource& source, ThreadPool& pool) const {
+                                              const FoamSource& source) {
     std::vector<Tick> kept;
     for (std::int64_t i = preroll; i >= 0; --i) {
         if (source.progress) source.progress(preroll - i, preroll + 1);
-        // Until the last ticks one map is enough, changed in place.
+        // Until the last ticks one map is enough.
         const bool passing = i >= static_cast<std::int64_t>(kKept);
-        step(kept, clock_.before(tick, i), source, pool, passing ? 1 : kKept);
+        step(kept, clock_.before(tick, i), source, passing ? 1 : kKept);
     }
     return kept;
 }
 
 void FoamState::step(std::vector<Tick>& kept, std::int64_t tick, const FoamSource& source,
-                     ThreadPool& pool, std::size_t keep) const {
+                     std::size_t keep) {
     const double time = clock_.time_of(tick);
-    const float decay = fade(clock_.step, source.lifetime(time));
-    const std::span<const float> whitecap = source.whitecap(time);
-    const bool first = kept.empty();
-    if (!first) require_size(whitecap, kept.back().foam.size());
-    const std::int64_t age = first ? 0 : kept.back().age + 1;
-    if (kept.size() < keep) {
-        kept.push_back({tick, age, std::vector<float>(whitecap.size())});
-    } else {
-        std::rotate(kept.begin(), kept.begin() + 1, kept.end());
+    FoamLayer before{nullptr, 0.0f, kLeastFoam};
+    if (!kept.empty()) {
+        before.map = kept.back().foam.data();
+        before.fade = fade(clock_.step, source.lifetime(time));
     }
-    Tick& next = kept.back();
-    next.number = tick;
-    next.age = age;
-    const Tick& before = kept[std::max<std::size_t>(kept.size(), 2) - 2];
-    blend(whitecap, first ? whitecap : before.foam, first ? 0.0f : decay, kLeastFoam, next.foam,
-          pool);
+    Tick next{tick, kept.empty() ? 0 : kept.back().age + 1, std::move(spare_)};
+    next.foam.resize(samples_);
+    source.tick(time, before, next.foam);
+    kept.push_back(std::move(next));
+    if (kept.size() > keep) {
+        spare_ = std::move(kept.front().foam);
+        kept.erase(kept.begin());
+    }
 }
 
 }  // namespace ocean

@@ -13,6 +13,7 @@
 
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
+#include "spreading_rows.hpp"
 #include "wave_system_table.hpp"
 
 namespace ocean {
@@ -113,15 +114,6 @@ std::vector<Complex> first_moments(const SpectrumRecord& record) {
     return first;
 }
 
-/// Linear interpolation between the listed frequencies, nothing beyond them.
-double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
-    if (at < x.front() || at > x.back()) return 0.0;
-    const auto upper = std::upper_bound(x.begin() + 1, x.end() - 1, at);
-    const auto i = static_cast<std::size_t>(upper - x.begin());
-    const double weight = (at - x[i - 1]) / (x[i] - x[i - 1]);
-    return (1.0 - weight) * y[i - 1] + weight * y[i];
-}
-
 /// The record in rad/s, after rescaling.
 struct MeasuredDensity {
     std::vector<double> omega;
@@ -164,39 +156,6 @@ double mean_direction(const std::vector<Complex>& first_moments, const MeasuredD
     return std::arg(mean);
 }
 
-/// Distributions of the listed frequencies, mixed in between by energy: E is linear there, not D.
-class MeasuredSpreading {
-  public:
-    MeasuredSpreading(ListedDistribution distribution, MeasuredDensity sea)
-        : distribution_(std::move(distribution)), sea_(std::move(sea)) {}
-
-    void operator()(double omega, std::span<double> row) {
-        fill_all(row.size());
-        const std::vector<double>& listed = sea_.omega;
-        const auto upper = std::upper_bound(listed.begin() + 1, listed.end() - 1, omega);
-        const auto i = static_cast<std::size_t>(upper - listed.begin());
-        const double weight =
-            std::clamp((omega - listed[i - 1]) / (listed[i] - listed[i - 1]), 0.0, 1.0);
-        const double left = (1.0 - weight) * sea_.density[i - 1];
-        const double right = weight * sea_.density[i];
-        const double share = left + right > 0.0 ? right / (left + right) : weight;
-        for (std::size_t j = 0; j < row.size(); ++j) {
-            row[j] = rows_[i - 1][j] + share * (rows_[i][j] - rows_[i - 1][j]);
-        }
-    }
-
-  private:
-    void fill_all(std::size_t directions) {
-        if (!rows_.empty() && rows_.front().size() == directions) return;
-        rows_.assign(sea_.omega.size(), std::vector<double>(directions));
-        for (std::size_t i = 0; i < rows_.size(); ++i) distribution_(i, rows_[i]);
-    }
-
-    ListedDistribution distribution_;
-    MeasuredDensity sea_;
-    std::vector<std::vector<double>> rows_;  // of the listed frequencies
-};
-
 /// The first moments of a record, however it says its directions; empty if it does not.
 std::vector<Complex> directions_of(const SpectrumRecord& record) {
     if (record.is_directional()) return first_moments(record);
@@ -222,7 +181,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
     if (sea.m0 <= 0.0) return table;
     table.m0 = sea.m0;
     table.rows = sea.omega;
-    table.density = [sea](double w) { return interpolate(sea.omega, sea.density, w); };
+    table.density = sea.density;
 
     Moments moments = fill_gaps(*system.measured);
     if (moments.first.empty() && !system.measured->is_directional()) {
@@ -230,8 +189,10 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
         const double wave_age_inverse = std::max(system.wind_speed, 1.0) * sea.peak / water.gravity;
         const double mean = system.direction_degrees() * kPi / 180.0;
         table.directions = directions_needed(system, wave_age_inverse);
-        table.spreading = [=, peak = sea.peak * sea.stretch](double w, std::span<double> row) {
-            spreading_row(system, w / peak, wave_age_inverse, mean, row);
+        table.spreading = [spreading = SpreadingRows(system, wave_age_inverse, mean,
+                                                     static_cast<std::size_t>(table.directions)),
+                           sea](std::size_t row, std::span<double> distribution) {
+            spreading.fill(sea.omega[row] / (sea.peak * sea.stretch), distribution);
         };
         return table;
     }
@@ -241,10 +202,9 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
                mean_direction(directions_of(*system.measured), sea);
     }
     table.directions = 1024;
-    table.spreading = MeasuredSpreading(
-        moments.first.empty() ? listed_distribution(system.measured, turn)
-                              : estimated_distribution(std::move(moments), system.estimator, turn),
-        sea);
+    table.spreading = moments.first.empty()
+                          ? listed_distribution(system.measured, turn)
+                          : estimated_distribution(std::move(moments), system.estimator, turn);
     return table;
 }
 

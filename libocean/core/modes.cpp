@@ -9,9 +9,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "mode_lattice.hpp"
 #include "ocean/dispersion.hpp"
-#include "ocean/thread_pool.hpp"
-#include "wave.hpp"
 
 namespace ocean {
 
@@ -69,33 +68,48 @@ double wavenumber_density(const DirectionalSpectrum& spectrum, const Dispersion&
     return density * dispersion.group_velocity(k) / k;
 }
 
-/// Points along each side of a mode's cell, so that they lie 1/128 of a wavenumber and of a radian
-/// apart: closer than the narrowest beams and peaks of the table. Farther than 128 steps from the
-/// origin the cell itself is as small. Proved by Statistics.EveryRecordKeepsItsEnergyOnEveryPatch.
+}  // namespace
+
 int samples_per_cell_side(double length) {
-    return std::clamp(static_cast<int>(std::ceil(128.0 / length)), 1, 64);
+    return length < 96.0 ? 2 * std::clamp(static_cast<int>(std::ceil(48.0 / length)), 1, 32) : 1;
 }
 
-}  // namespace
+double sample_offset(int sample, int side) {
+    if (side == 1) return 0.0;
+    constexpr double kGauss = 0.5773502691896258;  // 1 / sqrt(3), of half a part
+    const double part = 2.0 / side;
+    const double centre = (sample / 2 + 0.5) * part - 0.5;
+    return centre + (sample % 2 == 0 ? -0.5 : 0.5) * kGauss * part;
+}
+
+BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n, int m) {
+    if (n == 0 && m == 0) return BandSide::too_long;
+    const double length = std::hypot(n, m);
+    if (!band.contains(n, m)) {
+        const bool inner = length * band.divisor < 0.5 * (band.inner + band.outer);
+        return inner ? BandSide::too_long : BandSide::too_short;
+    }
+    const double wavelength = parameters.grid.patch_size / band.divisor / length;
+    const SurfaceSettings& limits = parameters.surface;
+    if (wavelength < limits.shortest_wavelength) return BandSide::too_short;
+    if (limits.longest_wavelength > 0.0 && wavelength > limits.longest_wavelength) {
+        return BandSide::too_long;
+    }
+    return BandSide::inside;
+}
 
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m, const CascadeBand& band) {
-    if ((n == 0 && m == 0) || !band.contains(n, m)) return 0.0;
+    if (band_side(parameters, band, n, m) != BandSide::inside) return 0.0;
     const double length = std::hypot(n, m);
-    const double period = parameters.grid.patch_size / band.divisor;
-    const double wavelength = period / length;
-    const SurfaceSettings& limits = parameters.surface;
-    if (wavelength < limits.shortest_wavelength) return 0.0;
-    if (limits.longest_wavelength > 0.0 && wavelength > limits.longest_wavelength) return 0.0;
-
-    const double step = kTwoPi / period;
+    const double step = kTwoPi / (parameters.grid.patch_size / band.divisor);
     const Dispersion dispersion(parameters.water);
     const int side = samples_per_cell_side(length);
     double sum = 0.0;
     for (int b = 0; b < side; ++b) {
         for (int a = 0; a < side; ++a) {
-            sum += wavenumber_density(spectrum, dispersion, step, n + (a + 0.5) / side - 0.5,
-                                      m + (b + 0.5) / side - 0.5);
+            sum += wavenumber_density(spectrum, dispersion, step, n + sample_offset(a, side),
+                                      m + sample_offset(b, side));
         }
     }
     return sum / (side * side) * step * step;
@@ -119,127 +133,9 @@ double band_gain(const DirectionalSpectrum& spectrum, const Parameters& paramete
                                 : limits.longest_wavelength;
     }
     // A band of a few modes may hold them by chance or not.
-    return std::clamp(spectrum.moments(parameters.water, shortest, longest).m0 / variance, 0.5,
-                      2.0);
+    return std::clamp(spectrum.variance(parameters.water, shortest, longest) / variance, 0.5, 2.0);
 }
 
-namespace {
-
-struct ModeIndex {
-    std::size_t at;
-    int n;
-    int m;
-};
-
-/// Fills the cascades of a sea, row by row.
-class ModesBuilder {
-  public:
-    ModesBuilder(const DirectionalSpectrum& spectrum, const Parameters& parameters,
-                 ThreadPool& pool)
-        : spectrum_(spectrum),
-          parameters_(parameters),
-          dispersion_(parameters.water),
-          pool_(pool) {}
-
-    CascadeModes cascade(const CascadeBand& band, std::uint32_t number) {
-        const int size = parameters_.grid.resolution;
-        CascadeModes cascade;
-        cascade.divisor = band.divisor;
-        cascade.lattice = {size, parameters_.grid.patch_size / band.divisor};
-        cascade.h0.resize(cascade.lattice.size());
-        cascade.rate_high.resize(cascade.lattice.size());
-        cascade.rate_low.resize(cascade.lattice.size());
-        cascade.excursion.resize(cascade.lattice.size());
-        cascade.shell_covariance.resize(static_cast<std::size_t>(size / 2));
-        double measured = 0.0;
-        // A batch of rows at a time bounds the memory of their shells, which are added in order:
-        // the same bits for any number of threads.
-        constexpr int kBatch = 64;
-        for (int begin = -size / 2 + 1; begin < size / 2; begin += kBatch) {
-            std::vector<Row> rows(static_cast<std::size_t>(std::min(kBatch, size / 2 - begin)));
-            pool_.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
-                for (int row = first; row < last; ++row) {
-                    rows[static_cast<std::size_t>(row)] =
-                        fill_row(band, number, begin + row, cascade);
-                }
-            });
-            for (const Row& row : rows) {
-                measured += row.measured;
-                for (std::size_t s = 0; s < row.shells.size(); ++s) {
-                    cascade.shell_covariance[s] += row.shells[s];
-                }
-            }
-        }
-        scale(cascade, band_gain(spectrum_, parameters_, band, measured));
-        return cascade;
-    }
-
-  private:
-    struct Row {
-        double measured = 0.0;  // variance
-        std::vector<GradientCovariance> shells;
-    };
-
-    static void scale(CascadeModes& cascade, double gain) {
-        if (gain == 1.0) return;
-        const auto amplitude = static_cast<float>(std::sqrt(gain));
-        for (std::complex<float>& h0 : cascade.h0) h0 *= amplitude;
-        for (GradientCovariance& shell : cascade.shell_covariance) shell *= gain;
-    }
-
-    Row fill_row(const CascadeBand& band, std::uint32_t number, int m, CascadeModes& cascade) {
-        const int size = cascade.lattice.resolution;
-        const auto row =
-            static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size);
-        Row filled;
-        filled.shells.resize(static_cast<std::size_t>(size / 2));
-        for (int n = -size / 2 + 1; n < size / 2; ++n) {
-            if (n == 0 && m == 0) continue;
-            const ModeIndex index{row + static_cast<std::size_t>(fft_index(n, size)), n, m};
-            const double variance = fill_mode(band, number, index, cascade);
-            if (variance <= 0.0) continue;
-            if (measures_band(band, size, n, m)) filled.measured += variance;
-            const double step = cascade.lattice.wavenumber_step();
-            const double excursion = static_cast<double>(cascade.excursion[index.at]);
-            const double a = step * n * step * n * excursion;
-            const double b = step * m * step * m * excursion;
-            const double c = step * n * step * m * excursion;
-            filled.shells[static_cast<std::size_t>(std::max(std::abs(n), std::abs(m)))] +=
-                {variance * a * a, variance * b * b, variance * c * c,
-                 variance * a * b, variance * a * c, variance * b * c};
-        }
-        return filled;
-    }
-
-    /// Returns the variance of the mode.
-    double fill_mode(const CascadeBand& band, std::uint32_t number, const ModeIndex& index,
-                     CascadeModes& cascade) const {
-        const double k = cascade.lattice.wavenumber_step() * std::hypot(index.n, index.m);
-        const double omega = dispersion_.angular_frequency(k);
-        const double loop = parameters_.time.loop_period;
-        const double rate = loop > 0.0 ? turns_per_loop(omega, loop) : omega / kTwoPi;
-        cascade.rate_high[index.at] = static_cast<float>(rate);
-        cascade.rate_low[index.at] =
-            static_cast<float>(rate - static_cast<double>(cascade.rate_high[index.at]));
-        cascade.excursion[index.at] = static_cast<float>(dispersion_.horizontal_excursion(k) / k);
-
-        const double variance = modal_variance(spectrum_, parameters_, index.n, index.m, band);
-        if (variance <= 0.0) return 0.0;
-        const wave::double_precision::Gaussian xi =
-            wave::double_precision::gaussian_noise(parameters_.seed, number, index.n, index.m);
-        const double amplitude = 0.5 * std::sqrt(variance);
-        cascade.h0[index.at] = {static_cast<float>(amplitude * xi.re),
-                                static_cast<float>(amplitude * xi.im)};
-        return variance;
-    }
-
-    const DirectionalSpectrum& spectrum_;
-    const Parameters& parameters_;
-    Dispersion dispersion_;
-    ThreadPool& pool_;
-};
-
-/// The wind that makes the whitecaps: the strongest.
 double strongest_wind(const Parameters& parameters) {
     double strongest = 0.0;
     for (const WaveSystem& system : parameters.waves) {
@@ -248,19 +144,11 @@ double strongest_wind(const Parameters& parameters) {
     return strongest;
 }
 
-}  // namespace
-
 Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                  ThreadPool& pool) {
-    Modes modes;
-    modes.lattice = {parameters.grid.resolution, parameters.grid.patch_size};
-    modes.loop_period = parameters.time.loop_period;
-    modes.wind_speed = strongest_wind(parameters);
-    ModesBuilder builder(spectrum, parameters, pool);
-    for (const CascadeBand& band : cascade_bands(parameters.grid)) {
-        const auto number = static_cast<std::uint32_t>(modes.cascades.size());
-        modes.cascades.push_back(builder.cascade(band, number));
-    }
+    const ModeLattice lattice(parameters, ModeLattice::Memory::none, pool);
+    Modes modes = lattice.still_modes(pool);
+    lattice.set_waves(spectrum, strongest_wind(parameters), pool, modes);
     return modes;
 }
 

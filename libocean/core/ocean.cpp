@@ -10,6 +10,11 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/map_kernel.hpp"
+#include "kernel/packed_modes.hpp"
+#include "map_request.hpp"
+#include "mode_lattice.hpp"
+
 namespace ocean {
 
 Ocean::Ocean(Sea sea, OceanOptions options)
@@ -30,7 +35,18 @@ Ocean::Ocean(const Ocean& built, OceanOptions options)
       options_(std::move(options)),
       pool_(options_.threads),
       spectrum_(built.spectrum_),
-      modes_(built.modes_) {}
+      lattice_(built.lattice_),
+      modes_(built.modes_),
+      modes_right_(built.modes_right_),
+      modes_lent_(true),
+      packed_(built.packed_),
+      packed_right_(built.packed_right_),
+      packed_lent_(true) {
+    built.modes_lent_ = true;
+    built.packed_lent_ = true;
+}
+
+Ocean::~Ocean() = default;
 
 void Ocean::set(std::string_view name, std::string_view value) {
     Sea changed = sea_;
@@ -55,7 +71,8 @@ void Ocean::dirty(Stage first_stage) {
             spectrum_.reset();
             [[fallthrough]];
         case Stage::modes:
-            modes_.reset();
+            modes_right_ = false;
+            packed_right_ = false;
             [[fallthrough]];
         case Stage::surface:
         case Stage::foam:
@@ -92,19 +109,38 @@ const Modes& Ocean::modes(double time) {
 const DirectionalSpectrum& Ocean::current_spectrum() {
     if (!spectrum_) {
         ++runs_.spectrum;
-        spectrum_ = std::make_shared<const DirectionalSpectrum>(make_directional_spectrum(now_));
+        spectrum_ =
+            std::make_shared<const DirectionalSpectrum>(make_directional_spectrum(now_, pool_));
     }
     return *spectrum_;
 }
 
 const Modes& Ocean::current_modes() {
-    if (!modes_) {
-        require_memory(modes_bytes(now_.grid),
+    if (modes_right_) return *modes_;
+    const DirectionalSpectrum& spectrum = current_spectrum();
+    ++runs_.modes;
+    const bool same_lattice = modes_ && lattice_->is_of(now_);
+    // The first modes of a lattice are mostly the last: what only rebuilds need is kept from the
+    // second on, or where a take will ask for them.
+    const bool keep = same_lattice || !sea_.take.empty();
+    if (!same_lattice) {
+        modes_.reset();
+        lattice_.reset();
+        require_memory(modes_bytes(now_.grid) + (keep ? ModeLattice::kept_bytes(now_.grid) : 0),
                        "grid.resolution = " + std::to_string(now_.grid.resolution));
-        const DirectionalSpectrum& spectrum = current_spectrum();
-        ++runs_.modes;
-        modes_ = std::make_shared<const Modes>(make_modes(spectrum, now_, pool_));
     }
+    if (!same_lattice || (keep && !lattice_->is_kept())) {
+        const auto memory = keep ? ModeLattice::Memory::keep : ModeLattice::Memory::none;
+        lattice_ = std::make_shared<const ModeLattice>(now_, memory, pool_);
+    }
+    if (!same_lattice) {
+        modes_ = std::make_shared<Modes>(lattice_->still_modes(pool_));
+    } else if (modes_lent_) {
+        modes_ = std::make_shared<Modes>(*modes_);
+    }
+    modes_lent_ = false;
+    lattice_->set_waves(spectrum, strongest_wind(now_), pool_, *modes_);
+    modes_right_ = true;
     return *modes_;
 }
 
@@ -153,49 +189,128 @@ const SurfaceSettings& Ocean::shown_settings(int resolution) {
     return *shown_;
 }
 
-Surface Ocean::current_surface(double time, ChannelSet channels, int resolution) {
+MapKernel& Ocean::kernel(int resolution) {
+    const Modes& modes = current_modes();
+    if (!packed_right_ || packed_->size() != resolution) {
+        const SynthesisRequest request = synthesis_request(modes, 0.0, resolution, {});
+        // Packed again in place, unless another sea has it too.
+        if (!packed_ || packed_lent_ || !packed_->refill(request, pool_)) {
+            packed_ = std::make_shared<PackedModes>(request, pool_, simd_level());
+            packed_lent_ = false;
+        }
+        packed_right_ = true;
+    }
+    if (kernel_) {
+        kernel_->use(packed_);
+    } else {
+        kernel_ = std::make_unique<MapKernel>(packed_);
+    }
+    return *kernel_;
+}
+
+namespace {
+
+ChannelSet channels_of(std::span<const MapOutput> outputs) {
+    ChannelSet channels;
+    for (const MapOutput& output : outputs) channels = channels | output.channels();
+    return channels;
+}
+
+/// The backends that are written to be read make planes first.
+void copy_maps(const Surface& surface, std::span<const MapOutput> outputs, const FoamLayer& foam) {
+    const auto value = [&](Channel channel, std::size_t i) {
+        return channel == Channel::foam ? foam.over(surface.channel(Channel::whitecap)[i], i)
+                                        : surface.channel(channel)[i];
+    };
+    const auto samples = Lattice{surface.resolution(), 1.0}.size();
+    for (const MapOutput& output : outputs) {
+        const auto stride = static_cast<std::size_t>(output.components);
+        for (std::size_t c = 0; c < stride; ++c) {
+            const auto [quantity, factor] = output.component[c];
+            if (quantity == Quantity{}) continue;
+            const auto channel = static_cast<Channel>(quantity.id);
+            for (std::size_t i = 0; i < samples; ++i) {
+                output.data[i * stride + c] = factor * value(channel, i);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int resolution,
+                       const FoamLayer& foam) {
+    ChannelSet channels = channels_of(outputs);
+    if (channels.contains(Channel::foam)) channels = channels | ChannelSet{Channel::whitecap};
     const SurfaceSettings& settings =
         channels.contains(Channel::whitecap) ? shown_settings(resolution) : now_.surface;
-    return make_surface(current_modes(), settings, time, channels, options_.backend, pool_,
-                        resolution);
+    if (options_.backend == Backend::cpu) {
+        const double tau = current_modes().tau(time);
+        kernel(resolution).run({tau, settings, outputs, foam}, pool_);
+        return;
+    }
+    const Surface surface =
+        make_surface(current_modes(), settings, time, channels.without(Channel::foam),
+                     options_.backend, pool_, resolution);
+    copy_maps(surface, outputs, foam);
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
+    resolution = map_resolution(resolution);
     go_to(time);
-    const int n = resolution > 0 ? resolution : default_map_resolution(now_.grid);
-    const bool foam = channels.contains(Channel::foam);
-    require_memory((modes_ ? 0 : modes_bytes(now_.grid)) +
-                       surface_bytes(n, channels.size() + (foam ? kFoamMaps : 0)),
-                   "a map of " + std::to_string(n) + " x " + std::to_string(n) + " samples");
-    ChannelSet moment = channels.without(Channel::foam);
-    if (foam) moment = moment | ChannelSet{Channel::whitecap};
-    ++runs_.surface;
-    Surface surface = current_surface(time, moment, n);
-    if (foam) {
-        surface.add(Channel::foam);
-        add_foam(surface);
-        if (!channels.contains(Channel::whitecap)) surface.drop(Channel::whitecap);
-    }
+    require_map_memory(resolution, channels.size(), channels);
+    Surface surface({resolution, now_.grid.patch_size}, time, channels);
+    evaluate_into(time, outputs_of(surface), resolution);
     return surface;
 }
 
-void Ocean::add_foam(Surface& surface) {
-    if (!foam_ || foam_resolution_ != surface.resolution()) {
-        foam_.emplace(foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
-                      options_.foam_start);
-        foam_resolution_ = surface.resolution();
+void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int resolution) {
+    require_finite_time(time);
+    resolution = map_resolution(resolution);
+    go_to(time);
+    const ChannelSet channels = channels_of(outputs);
+    require_map_memory(resolution, 0, channels);
+    ++runs_.surface;
+    FoamLayer foam;
+    if (channels.contains(Channel::foam)) {
+        foam = foam_layer(time, resolution);
+        go_to(time);  // foam has been in the past
     }
-    const FoamSource source{[this](double time) { return sea_.foam_lifetime(time); },
-                            [this](double time) {
-                                go_to(time);
-                                ++runs_.foam_ticks;
-                                tick_ =
-                                    current_surface(time, {Channel::whitecap}, foam_resolution_);
-                                return std::as_const(tick_).channel(Channel::whitecap);
-                            },
-                            options_.foam_progress};
-    foam_->evaluate(surface.time(), std::as_const(surface).channel(Channel::whitecap), source,
-                    surface.channel(Channel::foam), pool_);
+    write_maps(time, outputs, resolution, foam);
+}
+
+int Ocean::map_resolution(int asked) const {
+    if (asked == 0) return default_map_resolution(sea_.parameters.grid);
+    require_map_resolution(asked);
+    return asked;
+}
+
+void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
+    const int foam = channels.contains(Channel::foam) ? kFoamMaps : 0;
+    const bool there = kernel_ && kernel_->resolution() == resolution;
+    require_memory(
+        (modes_right_ ? 0 : modes_bytes(now_.grid)) +
+            (there ? 0 : kernel_bytes(resolution, channels.size())) +
+            surface_bytes(resolution, maps + foam),
+        "a map of " + std::to_string(resolution) + " x " + std::to_string(resolution) + " samples");
+}
+
+FoamLayer Ocean::foam_layer(double time, int resolution) {
+    if (!foam_ || foam_resolution_ != resolution) {
+        foam_.emplace(foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
+                      Lattice{resolution, 1.0}.size(), options_.foam_start);
+        foam_resolution_ = resolution;
+    }
+    const FoamSource source{
+        [this](double t) { return sea_.foam_lifetime(t); },
+        [this, resolution](double t, const FoamLayer& before, std::span<float> foam) {
+            go_to(t);
+            ++runs_.foam_ticks;
+            const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
+            write_maps(t, {&output, 1}, resolution, before);
+        },
+        options_.foam_progress};
+    return foam_->layer(time, source);
 }
 
 namespace {

@@ -114,12 +114,13 @@ class TopSheet {
 Solution SurfaceQuery::State::top_solution(WorldPoint place, Starts& starts, bool& folded) const {
     TopSheet sheet;
     folds.labels_near(place.x, place.y, starts);  // none where nothing folds
+    const double farthest = std::max(10.0 * spacing, 2.0 * folds.reach());
     if (starts.empty()) starts.push_back(place);
     for (const WorldPoint& start : starts) sheet.add(solve(target(place), start));
-    // Where all of these end in a fold that just misses this place.
+    // Where all of these end in a fold that just misses this place: around the first of them, as
+    // far as a label can be.
     constexpr int kDirections = 8;
-    for (double distance = spacing; !sheet.converged() && distance < 10.0 * spacing;
-         distance *= 2.0) {
+    for (double distance = spacing; !sheet.converged() && distance < farthest; distance *= 2.0) {
         for (int i = 0; i < kDirections; ++i) {
             const double angle = kTwoPi * i / kDirections;
             sheet.add(solve(target(place), {starts.front().x + distance * std::cos(angle),

@@ -10,6 +10,7 @@
 #include <complex>
 #include <span>
 
+#include "mode_lattice.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
@@ -17,6 +18,7 @@
 #include "ocean/platform.hpp"
 #include "ocean/spreading.hpp"
 #include "ocean/thread_pool.hpp"
+#include "quadrant_sampler.hpp"
 
 namespace ocean {
 
@@ -41,16 +43,29 @@ double speed_error(double omega, double loop_period) {
     return turns_per_loop(omega, loop_period) / (omega * loop_period / kTwoPi) - 1.0;
 }
 
-ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& parameters,
-                 const CascadeBand& band, int m) {
+/// What the modes of a sea are asked for.
+struct StateSource {
+    const Parameters& parameters;
+    const ModeLattice& lattice;
+    const QuadrantSampler& spectrum;
+};
+
+/// The modes (+-n, m) and (+-n, -m) of a cascade.
+ModeSums sum_row(const StateSource& source, std::size_t cascade, const CascadeBand& band, int m) {
+    const Parameters& parameters = source.parameters;
     const int half = parameters.grid.resolution / 2;
     const double period = parameters.grid.patch_size / band.divisor;
     const Dispersion dispersion(parameters.water);
+    QuadrantVariances variances;
+    source.lattice.variances(source.spectrum, cascade, m, variances);
     ModeSums sums;
     sums.ring.resize(static_cast<std::size_t>(half));
     sums.ring_omega.resize(sums.ring.size());
-    for (int n = -half + 1; n < half; ++n) {
-        const double variance = modal_variance(spectrum, parameters, n, m, band);
+    for (int n = 0; n < half; ++n) {
+        const auto at = [&](int quarter) {
+            return variances.quarter[quarter][static_cast<std::size_t>(n)];
+        };
+        const double variance = variances.sum(static_cast<std::size_t>(n));
         if (variance <= 0.0) continue;
         const double length = std::hypot(n, m);
         const double k = kTwoPi / period * length;
@@ -60,7 +75,9 @@ ModeSums sum_row(const DirectionalSpectrum& spectrum, const Parameters& paramete
         if (measures_band(band, parameters.grid.resolution, n, m)) sums.measured += variance;
         sums.mean_square_slope += k * k * variance;
         sums.loop_error += off * off * variance;
-        sums.direction += std::complex<double>(n, m) * (variance / length);
+        sums.direction += std::complex<double>(n * (at(0) - at(1) - at(2) + at(3)),
+                                               m * (at(0) + at(1) - at(2) - at(3))) /
+                          length;
         const double wavelength = period / length;
         sums.shortest = sums.shortest > 0.0 ? std::min(sums.shortest, wavelength) : wavelength;
         sums.longest = std::max(sums.longest, wavelength);
@@ -93,22 +110,21 @@ void add(ModeSums& total, const ModeSums& row) {
 
 /// Rows in parallel, a batch at a time to bound the memory, added in order: the same bits for any
 /// number of threads.
-ModeSums sum_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
-                   const CascadeBand& band, ThreadPool& pool) {
+ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectrum,
+                   std::size_t cascade, const CascadeBand& band, ThreadPool& pool) {
     constexpr int kBatch = 64;
-    const int half = parameters.grid.resolution / 2;
+    const int half = source.parameters.grid.resolution / 2;
     ModeSums sums;
-    for (int begin = -half + 1; begin < half; begin += kBatch) {
+    for (int begin = 0; begin < half; begin += kBatch) {
         std::vector<ModeSums> rows(static_cast<std::size_t>(std::min(kBatch, half - begin)));
         pool.for_each_range(static_cast<int>(rows.size()), [&](int first, int last) {
             for (int row = first; row < last; ++row) {
-                rows[static_cast<std::size_t>(row)] =
-                    sum_row(spectrum, parameters, band, begin + row);
+                rows[static_cast<std::size_t>(row)] = sum_row(source, cascade, band, begin + row);
             }
         });
         for (const ModeSums& row : rows) add(sums, row);
     }
-    const double gain = band_gain(spectrum, parameters, band, sums.measured);
+    const double gain = band_gain(spectrum, source.parameters, band, sums.measured);
     for (double* sum : {&sums.m0, &sums.mean_square_slope, &sums.loop_error}) *sum *= gain;
     sums.direction *= gain;
     for (double& variance : sums.ring) variance *= gain;
@@ -228,8 +244,10 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
 
     std::vector<ModeSums> cascades;
     ModeSums sums;
-    for (const CascadeBand& band : bands) {
-        cascades.push_back(sum_modes(spectrum, parameters, band, pool));
+    const ModeLattice lattice(parameters, ModeLattice::Memory::none, pool);
+    const QuadrantSampler sampler(spectrum);
+    for (std::size_t c = 0; c < bands.size(); ++c) {
+        cascades.push_back(sum_modes({parameters, lattice, sampler}, spectrum, c, bands[c], pool));
         add(sums, cascades.back());
     }
     const SpectralMoments asked =

@@ -16,46 +16,68 @@ namespace {
 
 constexpr double kPhillipsConstant = 8.1e-3;
 
-/// Composite Simpson in ln(omega) on both sides of the kink at `split`.
+/// Gauss's rule of eight points in panels of ln(omega) that are narrower than any peak, on both
+/// sides of the kink at `split`.
 double integrate(const std::function<double(double)>& density, double low, double split,
                  double high) {
-    const auto part = [&density](double from, double to) {
-        constexpr int kIntervals = 4096;
-        const double step = std::log(to / from) / kIntervals;
+    constexpr double kNode[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                 0.9602898564975363};
+    constexpr double kWeight[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                   0.1012285362903763};
+    constexpr double kPanel = 0.1;
+    const auto part = [&](double from, double to) {
+        const double length = std::log(to / from);
+        const int panels = std::max(1, static_cast<int>(std::ceil(length / kPanel)));
+        const double half = 0.5 * length / panels;
         double sum = 0.0;
-        for (int i = 0; i <= kIntervals; ++i) {
-            const double omega = from * std::exp(step * i);
-            const double weight = i == 0 || i == kIntervals ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
-            sum += weight * density(omega) * omega;
+        for (int i = 0; i < panels; ++i) {
+            for (int q = 0; q < 4; ++q) {
+                for (const double node : {-kNode[q], kNode[q]}) {
+                    const double omega = from * std::exp(half * (2 * i + 1 + node));
+                    sum += kWeight[q] * density(omega) * omega;
+                }
+            }
         }
-        return sum * step / 3.0;
+        return sum * half;
     };
     return part(low, split) + part(split, high);
 }
 
-/// Largest density on a fine grid in ln(omega), then golden-section steps inside its neighbours.
+/// Largest density on a grid in ln(omega) a few times finer than any peak is wide, then
+/// golden-section steps inside its neighbours.
 double find_peak(const std::function<double(double)>& density, double low, double high) {
-    constexpr int kSteps = 4000;
-    const double step = std::log(high / low) / kSteps;
+    const auto at = [&](double x) { return density(low * std::exp(x)); };
+    const int steps = static_cast<int>(std::ceil(std::log(high / low) / 0.015));
+    const double step = std::log(high / low) / steps;
     int best = 0;
     double largest = -1.0;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double value = density(low * std::exp(step * i));
+    for (int i = 0; i <= steps; ++i) {
+        const double value = at(step * i);
         if (value > largest) {
             largest = value;
             best = i;
         }
     }
     double a = step * std::max(best - 1, 0);
-    double b = step * std::min(best + 1, kSteps);
+    double b = step * std::min(best + 1, steps);
     const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
-    for (int i = 0; i < 60; ++i) {
-        const double left = b - ratio * (b - a);
-        const double right = a + ratio * (b - a);
-        if (density(low * std::exp(left)) > density(low * std::exp(right))) {
+    double left = b - ratio * (b - a);
+    double right = a + ratio * (b - a);
+    double at_left = at(left);
+    double at_right = at(right);
+    for (int i = 0; i < 45; ++i) {
+        if (at_left > at_right) {
             b = right;
+            right = left;
+            at_right = at_left;
+            left = b - ratio * (b - a);
+            at_left = at(left);
         } else {
             a = left;
+            left = right;
+            at_left = at_right;
+            right = a + ratio * (b - a);
+            at_right = at(right);
         }
     }
     return low * std::exp(0.5 * (a + b));
@@ -78,16 +100,37 @@ double jonswap_peak(double wind_speed, double fetch, double gravity) {
     return kTwoPi * 3.5 * (gravity / wind_speed) * std::pow(chi, -0.33);
 }
 
+namespace {
+
+/// jonswap_density of one sea.
+struct Jonswap {
+    double peak;
+    double log_enhancement;
+    double scale;  // alpha g^2
+
+    Jonswap(double wind_speed, double fetch, double peak_enhancement, double gravity)
+        : peak(jonswap_peak(wind_speed, fetch, gravity)),
+          log_enhancement(std::log(peak_enhancement)) {
+        const double chi = gravity * fetch / (wind_speed * wind_speed);
+        scale = 0.076 * std::pow(chi, -0.22) * gravity * gravity;
+    }
+
+    double operator()(double omega) const {
+        const double sigma = omega <= peak ? 0.07 : 0.09;
+        const double distance = (omega - peak) / (sigma * peak);
+        const double r = std::exp(-0.5 * distance * distance);
+        const double square = omega * omega;
+        const double ratio = peak * peak / square;
+        return scale / (square * square * omega) *
+               std::exp(log_enhancement * r - 1.25 * ratio * ratio);
+    }
+};
+
+}  // namespace
+
 double jonswap_density(double omega, double wind_speed, double fetch, double peak_enhancement,
                        double gravity) {
-    const double chi = gravity * fetch / (wind_speed * wind_speed);
-    const double alpha = 0.076 * std::pow(chi, -0.22);
-    const double peak = jonswap_peak(wind_speed, fetch, gravity);
-    const double sigma = omega <= peak ? 0.07 : 0.09;
-    const double distance = (omega - peak) / (sigma * peak);
-    const double r = std::exp(-0.5 * distance * distance);
-    return alpha * gravity * gravity * std::pow(omega, -5.0) *
-           std::exp(-1.25 * std::pow(peak / omega, 4.0)) * std::pow(peak_enhancement, r);
+    return Jonswap(wind_speed, fetch, peak_enhancement, gravity)(omega);
 }
 
 double finite_depth_factor(double omega, double depth, double gravity) {
@@ -121,9 +164,7 @@ FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water&
         case SpectrumKind::jonswap:
         case SpectrumKind::tma:
             result.parameter_peak = jonswap_peak(wind, system.fetch, g);
-            result.density = [=, fetch = system.fetch, gamma = system.peak_enhancement](double w) {
-                return jonswap_density(w, wind, fetch, gamma, g);
-            };
+            result.density = Jonswap(wind, system.fetch, system.peak_enhancement, g);
             if (system.spectrum == SpectrumKind::tma && std::isfinite(water.depth)) {
                 result.density = [deep = result.density, depth = water.depth, g](double w) {
                     return deep(w) * finite_depth_factor(w, depth, g);

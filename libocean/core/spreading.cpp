@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "ocean/grid.hpp"
+#include "spreading_rows.hpp"
 
 namespace ocean {
 
@@ -61,52 +63,111 @@ double base_exponent(const WaveSystem& system, double x, double wave_age_inverse
     return 0.0;
 }
 
-/// The base distribution without the |cos(theta/2)|^(2s) part, not normalised.
-double base_shape(const WaveSystem& system, double beta, double theta) {
+/// The base distribution without what depends on the frequency.
+double base_shape(const WaveSystem& system, double theta) {
     const double cosine = std::cos(theta);
     if (system.spectrum == SpectrumKind::phillips) {
         return std::pow(std::abs(cosine), system.alignment);
     }
-    switch (system.spreading) {
-        case SpreadingKind::cosine_squared:
-            return cosine > 0.0 ? cosine * cosine : 0.0;
-        case SpreadingKind::donelan_banner: {
-            const double sech = 1.0 / std::cosh(beta * theta);
-            return sech * sech;
-        }
-        case SpreadingKind::mitsuyasu:
-        case SpreadingKind::hasselmann:
-            break;
+    if (system.spreading == SpreadingKind::cosine_squared) {
+        return cosine > 0.0 ? cosine * cosine : 0.0;
     }
     return 1.0;
 }
 
+bool is_donelan_banner(const WaveSystem& system) {
+    return system.spectrum != SpectrumKind::phillips &&
+           system.spreading == SpreadingKind::donelan_banner;
+}
+
+/// e^x for x <= 0 to 1e-11, 0 below -600: the series of e^r, |r| <= ln(2)/2, even and odd terms
+/// side by side, times a power of two that is put into the exponent's bits. For loops that the
+/// compiler turns into vectors.
+inline double exponential(double x) {
+    constexpr double kRounding = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to whole
+    const double shifted = x * 1.4426950408889634 + kRounding;
+    const double power = shifted - kRounding;
+    // ln(2) in two parts, of which the first has zeros where it is multiplied.
+    const double r = (x - power * 0.6931471803691238) - power * 1.9082149292705877e-10;
+    const double q = r * r;
+    double even = q * (1.0 / 40320.0) + 1.0 / 720.0;
+    double odd = q * (1.0 / 362880.0) + 1.0 / 5040.0;
+    even = even * q + 1.0 / 24.0;
+    odd = odd * q + 1.0 / 120.0;
+    even = even * q + 0.5;
+    odd = odd * q + 1.0 / 6.0;
+    even = even * q + 1.0;
+    odd = odd * q + 1.0;
+    const std::uint64_t exponent =
+        (std::bit_cast<std::uint64_t>(shifted) << 52) + std::bit_cast<std::uint64_t>(1.0);
+    return x > -600.0 ? (even + r * odd) * std::bit_cast<double>(exponent) : 0.0;
+}
+
 void scale_to_unit_integral(std::span<double> row) {
-    double sum = 0.0;
-    for (double value : row) sum += value;
+    const double sum = row_total(row);
     const double scale = static_cast<double>(row.size()) / (kTwoPi * sum);
     for (double& value : row) value *= scale;
 }
 
 }  // namespace
 
-void spreading_row(const WaveSystem& system, double x, double wave_age_inverse,
-                   double mean_direction, std::span<double> row) {
-    const double swell = std::max(system.swell, 0.0);
-    const double exponent = base_exponent(system, x, wave_age_inverse) + swell_exponent(x, swell);
-    const double beta = donelan_banner_beta(x);
-    const double step = kTwoPi / static_cast<double>(row.size());
-    for (std::size_t j = 0; j < row.size(); ++j) {
+double row_total(std::span<const double> row) {
+    double part[8] = {};
+    std::size_t j = 0;
+    for (; j + 8 <= row.size(); j += 8) {
+        for (std::size_t l = 0; l < 8; ++l) part[l] += row[j + l];
+    }
+    for (; j < row.size(); ++j) part[0] += row[j];
+    return ((part[0] + part[4]) + (part[1] + part[5])) +
+           ((part[2] + part[6]) + (part[3] + part[7]));
+}
+
+SpreadingRows::SpreadingRows(const WaveSystem& system, double wave_age_inverse,
+                             double mean_direction, std::size_t columns)
+    : system_(system), wave_age_inverse_(wave_age_inverse) {
+    const double step = kTwoPi / static_cast<double>(columns);
+    for (std::size_t j = 0; j < columns; ++j) {
         const double theta = std::remainder(step * static_cast<double>(j) - mean_direction, kTwoPi);
         const double cosine = std::cos(0.5 * theta);
-        double value = base_shape(system, beta, theta);
-        if (exponent > 0.0) value *= std::pow(cosine * cosine, exponent);
+        double value = base_shape(system, theta);
         if (std::abs(theta) > 0.5 * kPi) value *= system.opposing;
-        row[j] = value;
+        shape_.push_back(value);
+        log_cosine_.push_back(std::log(std::max(cosine * cosine, 1e-300)));
+        distance_.push_back(std::abs(theta));
+    }
+}
+
+void SpreadingRows::fill(double x, std::span<double> row) const {
+    const double swell = std::max(system_.swell, 0.0);
+    const double exponent = base_exponent(system_, x, wave_age_inverse_) + swell_exponent(x, swell);
+    const double* shape = shape_.data();
+    const double* log_cosine = log_cosine_.data();
+    const double* distance = distance_.data();
+    double* values = row.data();
+    if (exponent > 0.0) {
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            values[j] = shape[j] * exponential(exponent * log_cosine[j]);
+        }
+    } else {
+        std::copy(shape_.begin(), shape_.end(), row.begin());
+    }
+    if (is_donelan_banner(system_)) {
+        const double beta = donelan_banner_beta(x);
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            // sech^2(y) = 4 e^-2y / (1 + e^-2y)^2
+            const double decay = exponential(-2.0 * beta * distance[j]);
+            values[j] *= 4.0 * decay / ((1.0 + decay) * (1.0 + decay));
+        }
     }
     scale_to_unit_integral(row);
-    const double uniform = std::max(-system.swell, 0.0);  // swell < 0: towards no direction at all
+    const double uniform = std::max(-system_.swell, 0.0);  // < 0: towards no direction at all
+    if (uniform == 0.0) return;
     for (double& value : row) value += uniform * (1.0 / kTwoPi - value);
+}
+
+void spreading_row(const WaveSystem& system, double x, double wave_age_inverse,
+                   double mean_direction, std::span<double> row) {
+    SpreadingRows(system, wave_age_inverse, mean_direction, row.size()).fill(x, row);
 }
 
 int directions_needed(const WaveSystem& system, double wave_age_inverse) {

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/map_kernel.hpp"
 #include "map_request.hpp"
 #include "ocean/error.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/map_output.hpp"
 #include "ocean/thread_pool.hpp"
 #include "synthesis.hpp"
 #include "wave.hpp"
@@ -107,29 +109,55 @@ void Surface::drop(Channel channel) {
     maps_[static_cast<std::size_t>(channel)] = {};
 }
 
+std::vector<MapOutput> outputs_of(Surface& surface, ChannelSet without) {
+    std::vector<MapOutput> outputs;
+    for (int c = 0; c < kChannelCount; ++c) {
+        const auto channel = static_cast<Channel>(c);
+        if (!surface.has(channel) || without.contains(channel)) continue;
+        outputs.push_back({surface.channel(channel).data(), 1, {{{channel, 1.0f}}}});
+    }
+    return outputs;
+}
+
 namespace {
 
 constexpr ChannelSet kNormal = {Channel::nx, Channel::ny, Channel::nz};
-constexpr ChannelSet kNeedsGradients = kNormal | ChannelSet{Channel::jacobian, Channel::whitecap};
+constexpr ChannelSet kNeedsGradients =
+    kNormal | ChannelSet{Channel::jacobian, Channel::whitecap, Channel::foam};
 
 }  // namespace
 
+bool is_made_of(ChannelSet channels, Linear field, bool flat) {
+    switch (field) {
+        case Linear::height:
+            return channels.contains(Channel::height);
+        case Linear::excursion_x:
+            return channels.contains(Channel::dx);
+        case Linear::excursion_y:
+            return channels.contains(Channel::dy);
+        case Linear::slope_x:
+            return channels.intersects(kNormal | ChannelSet{Channel::slope_x});
+        case Linear::slope_y:
+            return channels.intersects(kNormal | ChannelSet{Channel::slope_y});
+        case Linear::gradient_xx:
+        case Linear::gradient_yy:
+        case Linear::gradient_xy:
+            return !flat && channels.intersects(kNeedsGradients);
+        case Linear::height_rate:
+            return channels.contains(Channel::vz);
+        case Linear::excursion_x_rate:
+            return channels.contains(Channel::vx);
+        case Linear::excursion_y_rate:
+            return channels.contains(Channel::vy);
+    }
+    return false;
+}
+
 std::vector<Linear> linear_fields(ChannelSet channels) {
     std::vector<Linear> fields;
-    const auto need = [&](Linear field, ChannelSet users) {
-        if (channels.intersects(users)) fields.push_back(field);
-    };
-    need(Linear::height, {Channel::height});
-    need(Linear::excursion_x, {Channel::dx});
-    need(Linear::excursion_y, {Channel::dy});
-    need(Linear::slope_x, kNormal | ChannelSet{Channel::slope_x});
-    need(Linear::slope_y, kNormal | ChannelSet{Channel::slope_y});
-    need(Linear::gradient_xx, kNeedsGradients);
-    need(Linear::gradient_yy, kNeedsGradients);
-    need(Linear::gradient_xy, kNeedsGradients);
-    need(Linear::height_rate, {Channel::vz});
-    need(Linear::excursion_x_rate, {Channel::vx});
-    need(Linear::excursion_y_rate, {Channel::vy});
+    for (int f = 0; f < kLinearCount; ++f) {
+        if (is_made_of(channels, static_cast<Linear>(f))) fields.push_back(static_cast<Linear>(f));
+    }
     return fields;
 }
 
@@ -200,7 +228,7 @@ class Combination {
 
     void copy(Channel channel, Linear field, Real factor) {
         if (!surface_.has(channel)) return;
-        const std::vector<Real>& from = planes_[field];
+        const PageVector<Real>& from = planes_[field];
         const std::span<float> to = surface_.channel(channel);
         each_row([&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) to[i] = static_cast<float>(factor * from[i]);
@@ -252,6 +280,14 @@ Surface combine(const LinearPlanes<Real>& planes, const Lattice& lattice, double
     return surface;
 }
 
+Surface kernel_surface(const SynthesisRequest& request, const Lattice& lattice, double time,
+                       const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool) {
+    Surface surface(lattice, time, channels);
+    const std::vector<MapOutput> outputs = outputs_of(surface);
+    MapKernel(pack_modes(request, pool)).run({request.tau, settings, outputs, {}}, pool);
+    return surface;
+}
+
 int chosen_resolution(int resolution, int own) {
     if (resolution == 0) return own;
     require_map_resolution(resolution);
@@ -285,7 +321,7 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
         synthesis_request(modes, time, resolution, linear_fields(channels));
     switch (backend) {
         case Backend::cpu:
-            return combine(synthesize_cpu(request, pool), lattice, time, found, channels, pool);
+            return kernel_surface(request, lattice, time, found, channels, pool);
         case Backend::radix2:
             return combine(synthesize_radix2(request, pool), lattice, time, found, channels, pool);
         case Backend::dft:
@@ -329,7 +365,16 @@ LinearPlanes<float> make_cascade_planes(const Modes& modes, std::size_t cascade,
 
 Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
                        const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool) {
-    return combine(planes, lattice, time, settings, channels, pool);
+    Surface surface(lattice, time, channels);
+    const std::vector<MapOutput> outputs = outputs_of(surface);
+    PlanarFields fields{{}, static_cast<std::size_t>(lattice.resolution)};
+    for (int f = 0; f < kLinearCount; ++f) {
+        fields.plane[static_cast<std::size_t>(f)] = planes[static_cast<Linear>(f)].data();
+    }
+    pool.for_each_range(lattice.resolution, [&](int first, int last) {
+        write_rows(fields, lattice.resolution, first, last, {0.0, settings, outputs, {}});
+    });
+    return surface;
 }
 
 }  // namespace ocean

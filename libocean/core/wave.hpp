@@ -27,6 +27,12 @@ inline void umulExtended(uint x, uint y, uint& high, uint& low) {
     high = static_cast<uint>(product >> 32);
     low = static_cast<uint>(product);
 }
+inline float inversesqrt(float x) {
+    return 1.0f / sqrt(x);
+}
+inline double inversesqrt(double x) {
+    return 1.0 / sqrt(x);
+}
 inline int findMSB(uint x) {
     return 31 - std::countl_zero(x);
 }

@@ -11,6 +11,7 @@
 
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
+#include "spreading_rows.hpp"
 
 namespace ocean {
 
@@ -21,34 +22,42 @@ namespace {
 constexpr double kPeakTolerance = 5e-5;
 constexpr double kTailTolerance = 1e-3;
 
+struct Rows {
+    std::vector<double> omega;
+    std::vector<double> density;
+};
+
 /// Appends the rows in (low, high] that keep linear interpolation within the tolerances.
+template <typename Density>
 class RowRefinement {
   public:
-    RowRefinement(const std::function<double(double)>& density, double peak)
-        : density_(density), peak_(peak), largest_(density(peak)) {}
+    RowRefinement(const Density& density, double peak, Rows& rows)
+        : density_(density), peak_(peak), largest_(density(peak)), rows_(rows) {}
 
-    void refine(double low, double at_low, double high, double at_high, int depth,
-                std::vector<double>& rows) const {
+    void refine(double low, double at_low, double high, double at_high, int depth) {
         const double middle = 0.5 * (low + high);
         const double value = density_(middle);
         const double error = std::abs(value - 0.5 * (at_low + at_high));
         const double tail = low < peak_ ? largest_ : kTailTolerance * value + 1e-14 * largest_;
         if (depth == 0 || error <= std::min(kPeakTolerance * largest_, tail)) {
-            rows.push_back(high);
+            rows_.omega.push_back(high);
+            rows_.density.push_back(at_high);
             return;
         }
-        refine(low, at_low, middle, value, depth - 1, rows);
-        refine(middle, value, high, at_high, depth - 1, rows);
+        refine(low, at_low, middle, value, depth - 1);
+        refine(middle, value, high, at_high, depth - 1);
     }
 
   private:
-    const std::function<double(double)>& density_;
+    const Density& density_;
     double peak_;
     double largest_;
+    Rows& rows_;
 };
 
-std::vector<double> adaptive_rows(const std::function<double(double)>& density, double low,
-                                  double peak, double parameter_peak, double high) {
+template <typename Density>
+Rows adaptive_rows(const Density& density, double low, double peak, double parameter_peak,
+                   double high) {
     std::vector<double> knots = {low, peak, high};
     // Spreading functions change their formula at these multiples of the peak; Hasselmann's jumps.
     for (const double x : {0.95, 1.0, 1.6}) {
@@ -60,11 +69,11 @@ std::vector<double> adaptive_rows(const std::function<double(double)>& density, 
         knots.push_back(low * std::pow(high / low, static_cast<double>(i) / kKnots));
     }
     std::sort(knots.begin(), knots.end());
-    const RowRefinement refinement(density, peak);
-    std::vector<double> rows = {low};
+    Rows rows = {{low}, {density(low)}};
+    RowRefinement refinement(density, peak, rows);
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-        refinement.refine(knots[i], density(knots[i]), knots[i + 1], density(knots[i + 1]), 14,
-                          rows);
+        const double at_low = rows.density.back();
+        refinement.refine(knots[i], at_low, knots[i + 1], density(knots[i + 1]), 14);
     }
     return rows;
 }
@@ -74,23 +83,24 @@ WaveSystemTable parametric_table(const WaveSystem& system, const Water& water, d
     WaveSystemTable table;
     if (spectrum.flat()) return table;
     const Rescaling scale = make_rescaling(system, spectrum.peak, spectrum.m0);
-    const double low = spectrum.lowest * scale.stretch;
-    const double high = spectrum.highest * scale.stretch;
-    table.m0 = spectrum.m0 * scale.energy;
-    table.density = [density = spectrum.density, scale, low, high](double omega) {
-        if (omega < low || omega > high) return 0.0;
-        return density(omega / scale.stretch) * scale.energy / scale.stretch;
+    const auto density = [&](double omega) {
+        return spectrum.density(omega / scale.stretch) * scale.energy / scale.stretch;
     };
-    table.rows = adaptive_rows(table.density, low, spectrum.peak * scale.stretch,
-                               spectrum.parameter_peak * scale.stretch, high);
+    Rows rows =
+        adaptive_rows(density, spectrum.lowest * scale.stretch, spectrum.peak * scale.stretch,
+                      spectrum.parameter_peak * scale.stretch, spectrum.highest * scale.stretch);
+    table.m0 = spectrum.m0 * scale.energy;
+    table.rows = std::move(rows.omega);
+    table.density = std::move(rows.density);
 
     const double wave_age_inverse = system.wind_speed * spectrum.parameter_peak / water.gravity;
     const double mean = system.direction_degrees() * kPi / 180.0;
     table.directions = directions_needed(system, wave_age_inverse);
-    table.spreading = [system, mean, wave_age_inverse,
-                       peak = spectrum.parameter_peak * scale.stretch](double omega,
-                                                                       std::span<double> row) {
-        spreading_row(system, omega / peak, wave_age_inverse, mean, row);
+    table.spreading = [spreading = SpreadingRows(system, wave_age_inverse, mean,
+                                                 static_cast<std::size_t>(table.directions)),
+                       rows = table.rows, peak = spectrum.parameter_peak * scale.stretch](
+                          std::size_t row, std::span<double> distribution) {
+        spreading.fill(rows[row] / peak, distribution);
     };
     return table;
 }
@@ -113,11 +123,8 @@ WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& wa
                                 ? make_measured_table(system, water)
                                 : parametric_table(system, water, highest);
     const double share = system.energy_share;
-    if (share == 1.0 || table.rows.empty()) return table;
     table.m0 *= share;
-    table.density = [density = std::move(table.density), share](double omega) {
-        return share * density(omega);
-    };
+    for (double& density : table.density) density *= share;
     return table;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One wave system on its way into the table: its frequency density after rescaling, the rows that
-// resolve it, and its directional density at any of the rows of all systems together.
+// resolve it, and its distribution over directions at each of them.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,14 @@ namespace ocean {
 struct WaveSystemTable {
     /// Angular frequencies between which linear interpolation of this system is good enough.
     std::vector<double> rows;
+    /// m^2 s/rad of each row; 0 outside them.
+    std::vector<double> density;
     int directions = 0;
     /// Exact integral of the density, m^2.
     double m0 = 0.0;
-    /// m^2 s/rad at any omega, 0 outside the support.
-    std::function<double(double omega)> density;
-    /// The distribution over directions at omega: sums to 1 times `row.size()` / 2 pi.
-    std::function<void(double omega, std::span<double> row)> spreading;
+    /// The distribution over `directions` directions of a row: sums to 1 times directions / 2 pi.
+    /// Several threads may call it.
+    std::function<void(std::size_t row, std::span<double> distribution)> spreading;
 };
 
 /// `highest` bounds the frequencies of parametric systems. A flat system has no rows.

@@ -160,8 +160,8 @@ OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
 OCEAN_API ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution);
 /* Computes every output of the request in one go; the same bits for any number of threads and any
  * order of calls. Blocks. A request that fails a check writes nothing. OCEAN_FOAM is followed from
- * where it begins, which takes a while for the first map, or from the last time asked for.
- * UNSUPPORTED. */
+ * where it begins, which takes a while for the first map, or from the last time asked for. Buffers
+ * need no alignment; those aligned to 64 bytes are filled fastest. UNSUPPORTED. */
 OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
 /* The surface that is shown at n world points, xy = x0, y0, x1, y1 ... in metres, any distance from
  * the origin. The displacement is inverted; where crests have folded over, the top sheet is taken.

@@ -35,7 +35,7 @@ formula SurfaceNormal surface_normal(real choppiness, real dxx, real dyy, real d
     real x = -xy * hy - yy * hx;
     real y = -xy * hx - xx * hy;
     real z = xx * yy - xy * xy;
-    real scale = real(1.0) / sqrt(x * x + y * y + z * z);
+    real scale = inversesqrt(x * x + y * y + z * z);
     SurfaceNormal normal;
     normal.x = scale * x;
     normal.y = scale * y;

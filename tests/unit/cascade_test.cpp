@@ -161,7 +161,7 @@ TEST(Cascades, TheMapIsTheSumOfTheSmallMaps) {
     ThreadPool pool(2);
     const std::vector<Linear> fields = linear_fields(test::kAllChannels);
     LinearPlanes<float> sums;
-    for (const Linear field : fields) sums[field].resize(std::size_t{kSize} * kSize);
+    for (const Linear field : fields) sums[field].assign(std::size_t{kSize} * kSize, 0.0f);
     for (std::size_t c = 0; c < 3; ++c) {
         const LinearPlanes<float> small =
             make_cascade_planes(sea.modes(), c, kTime, fields, Backend::cpu, pool, kSize);

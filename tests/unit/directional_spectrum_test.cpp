@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include "ocean/spectrum.hpp"
 #include "ocean/spreading.hpp"
+#include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -121,6 +124,33 @@ TEST(DirectionalSpectrum, EnergiesOfWaveSystemsAdd) {
                 2e-4 * two.density(0.449, -2.094));
 }
 
+TEST(DirectionalSpectrum, TheTableOfSeveralSystemsIsTheSumOfTheirTables) {
+    // A narrow swell, which needs twice the directions, and a sea between whose rows its own lie.
+    Parameters both = test::wind_sea();
+    WaveSystem swell = both.waves.front();
+    swell.spreading = SpreadingKind::mitsuyasu;
+    swell.wind_speed = 6.0;
+    swell.peak_period = 11.0;
+    swell.wind_direction = -120.0;
+    both.waves.push_back(swell);
+    Parameters first = both;
+    first.waves = {both.waves[0]};
+    Parameters second = both;
+    second.waves = {both.waves[1]};
+    const DirectionalSpectrum sum = make_directional_spectrum(both);
+    const DirectionalSpectrum one = make_directional_spectrum(first);
+    const DirectionalSpectrum two = make_directional_spectrum(second);
+    ASSERT_NE(one.directions(), two.directions());
+    const double peak = two.density(kTwoPi / 11.0, -120.0 * kPi / 180.0);
+    for (double omega = 0.2; omega < 20.0; omega *= 1.0137) {
+        for (double theta = -3.1; theta < 3.1; theta += 0.0937) {
+            ASSERT_NEAR(sum.density(omega, theta),
+                        one.density(omega, theta) + two.density(omega, theta), 1e-9 * peak)
+                << omega << " " << theta;
+        }
+    }
+}
+
 TEST(DirectionalSpectrum, MeasuredEnergyIsTheTrapezoidOverTheListedFrequencies) {
     const Parameters parameters = measured_sea();
     const DirectionalSpectrum table = make_directional_spectrum(parameters);
@@ -168,6 +198,19 @@ TEST(DirectionalSpectrum, TurningAMeasuredSeaKeepsTheShapeOfEveryRow) {
         for (double theta = 0.0; theta < kTwoPi; theta += 0.1) {
             EXPECT_NEAR(turned.density(omega, theta + turn), as_measured.density(omega, theta),
                         2e-3 * scale);
+        }
+    }
+}
+
+TEST(DirectionalSpectrum, VarianceIsTheFirstOfTheMoments) {
+    for (const Parameters& parameters : {test::wind_sea(), measured_sea()}) {
+        const DirectionalSpectrum table = make_directional_spectrum(parameters);
+        for (const auto& [shortest, longest] :
+             {std::pair(0.0, 0.0), std::pair(31.0, 0.0), std::pair(0.0, 77.0),
+              std::pair(20.0, 90.0), std::pair(2000.0, 0.0)}) {
+            EXPECT_NEAR(table.variance(parameters.water, shortest, longest),
+                        table.moments(parameters.water, shortest, longest).m0, 1e-12)
+                << shortest << " " << longest;
         }
     }
 }
@@ -322,6 +365,22 @@ TEST(DirectionalSpectrum, FullSpectrumRowWithoutEnergyIsNoWaves) {
     EXPECT_EQ(table.frequency_density(kTwoPi * record->frequency[3]), 0.0);
     EXPECT_GT(table.frequency_density(kTwoPi * record->frequency[2]), 0.0);
     EXPECT_TRUE(std::isfinite(table.moments(parameters.water).directional_spread));
+}
+
+TEST(DirectionalSpectrum, ThreadsDoNotChangeABit) {
+    Parameters both = full_sea();
+    both.waves.push_back(test::wind_sea().waves.front());
+    for (const Parameters& parameters : {test::wind_sea(), full_sea(), both}) {
+        const DirectionalSpectrum one = make_directional_spectrum(parameters);
+        ThreadPool pool(3);
+        const DirectionalSpectrum three = make_directional_spectrum(parameters, pool);
+        ASSERT_EQ(one.table().size(), three.table().size());
+        EXPECT_EQ(std::memcmp(one.table().data(), three.table().data(), one.table().size_bytes()),
+                  0);
+        for (const double omega : one.angular_frequencies()) {
+            ASSERT_EQ(one.frequency_density(omega), three.frequency_density(omega));
+        }
+    }
 }
 
 TEST(DirectionalSpectrum, FlatSeaIsZeroEverywhere) {

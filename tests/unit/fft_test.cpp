@@ -9,7 +9,6 @@
 
 #include <random>
 
-#include "lane_fft.hpp"
 #include "ocean/grid.hpp"
 
 namespace ocean {
@@ -89,30 +88,6 @@ TEST(Fft, ColumnsAreReadWithAStride) {
         const auto at = static_cast<std::size_t>(i);
         EXPECT_NEAR(std::abs(data[3 * at + 1] - expected[at]), 0.0, 1e-12);
         EXPECT_EQ(data[3 * at], input[3 * at]) << "a neighbour was touched";
-    }
-}
-
-TEST(Fft, EveryLaneOfTheFastTransformIsTheDirectSum) {
-    for (const int n : {2, 4, 8, 32, 64, 512}) {
-        const std::vector<Complex> input = random_values(static_cast<std::size_t>(n * kLanes));
-        LaneBlock block(n);
-        LaneBlock work(n);
-        for (std::size_t i = 0; i < input.size(); ++i) {
-            block.re[i] = static_cast<float>(input[i].real());
-            block.im[i] = static_cast<float>(input[i].imag());
-        }
-        LaneFft(n).inverse(block, work);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            std::vector<Complex> line;
-            for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) {
-                line.push_back(input[j * kLanes + lane]);
-            }
-            const std::vector<Complex> expected = direct_dft(line, FftDirection::inverse);
-            for (std::size_t j = 0; j < line.size(); ++j) {
-                EXPECT_NEAR(block.re[j * kLanes + lane], expected[j].real(), 2e-6 * n);
-                EXPECT_NEAR(block.im[j * kLanes + lane], expected[j].imag(), 2e-6 * n);
-            }
-        }
     }
 }
 

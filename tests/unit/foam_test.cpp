@@ -315,24 +315,23 @@ class RandomWhitecaps {
     explicit RandomWhitecaps(const FoamClock& clock, std::function<double(double)> lifetime)
         : clock_(clock) {
         source_.lifetime = std::move(lifetime);
-        source_.whitecap = [this](double time) {
+        source_.tick = [this](double time, const FoamLayer& before, std::span<float> foam) {
             ++calls;
             if (calls == fail_at) throw std::runtime_error("no whitecap");
             fill(time, map_);
-            return std::span<const float>(map_);
+            for (std::size_t i = 0; i < kSamples; ++i) foam[i] = before.over(map_[i], i);
         };
     }
 
-    std::vector<float> foam(FoamState& state, double time, int threads = 1) {
-        ThreadPool pool(threads);
-        std::vector<float> now(kSamples);
-        fill(time, now);
-        std::vector<float> out(kSamples, -1.0f);
-        state.evaluate(time, now, source_, out, pool);
+    std::vector<float> foam(FoamState& state, double time) {
+        std::vector<float> out(kSamples);
+        fill(time, out);
+        const FoamLayer before = state.layer(time, source_);
+        for (std::size_t i = 0; i < kSamples; ++i) out[i] = before.over(out[i], i);
         return out;
     }
     std::vector<float> alone(double time) {
-        FoamState state(clock_);
+        FoamState state(clock_, RandomWhitecaps::kSamples);
         return foam(state, time);
     }
     /// The calls that a step costs.
@@ -383,14 +382,14 @@ TEST_P(FoamBits, FrameTwoHundredIsTheSameHoweverItIsReached) {
     for (const double fps : {24.0, 48.0, 96.0}) {
         const std::vector<float> alone = sea.alone(frame_time(200, fps));
         for (const int first : {1, 150}) {
-            FoamState state(clock);
+            FoamState state(clock, RandomWhitecaps::kSamples);
             std::vector<float> last;
             for (int frame = first; frame <= 200; ++frame) {
-                last = sea.foam(state, frame_time(frame, fps), frame % 3 + 1);
+                last = sea.foam(state, frame_time(frame, fps));
             }
             EXPECT_EQ(last, alone) << "from " << first << " at " << fps;
         }
-        FoamState back(clock);
+        FoamState back(clock, RandomWhitecaps::kSamples);
         for (const double frame : {201.0, 200.75, 200.5, 200.25}) {
             const double time = (frame - 1.0) / fps;
             EXPECT_EQ(sea.foam(back, time), sea.alone(time));
@@ -408,7 +407,8 @@ TEST_P(FoamBits, IsThatOfASumOverTheWholePast) {
         const double lifetime = GetParam().lifetime(time);
         const float decay =
             lifetime > 0.0 ? static_cast<float>(std::exp(-clock.step / lifetime)) : 0.0f;
-        const std::span<const float> w = sea.source().whitecap(time);
+        std::vector<float> w(RandomWhitecaps::kSamples);
+        sea.source().tick(time, {}, w);  // over no foam: the whitecaps themselves
         for (std::size_t s = 0; s < expected.size(); ++s) {
             expected[s] = std::max(w[s], decay * expected[s]);
             if (expected[s] < 1.0f / 512.0f) expected[s] = 0.0f;
@@ -418,8 +418,8 @@ TEST_P(FoamBits, IsThatOfASumOverTheWholePast) {
 }
 
 TEST_P(FoamBits, AnEmptyStartShowsAllFoamOnceItHasSettled) {
-    FoamState live(clock, FoamStart::empty);
-    FoamState settled(clock);
+    FoamState live(clock, RandomWhitecaps::kSamples, FoamStart::empty);
+    FoamState settled(clock, RandomWhitecaps::kSamples);
     const double begin = 2.0;
     EXPECT_EQ(sea.cost(live, begin), 1);
     const std::int64_t wait = live.settling_ticks();
@@ -438,7 +438,7 @@ TEST_P(FoamBits, AnEmptyStartShowsAllFoamOnceItHasSettled) {
 }
 
 TEST_P(FoamBits, AFailureLeavesAStateThatGoesOn) {
-    FoamState state(clock);
+    FoamState state(clock, RandomWhitecaps::kSamples);
     const double time = 3.21;
     sea.fail_at = sea.calls + 1;
     EXPECT_THROW(sea.foam(state, time), std::runtime_error);
@@ -464,7 +464,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(FoamCost, IsTheTicksThatWereNotSeen) {
     const FoamClock clock = foam_clock(with_step(0.05), 0.0);
     RandomWhitecaps sea(clock, always(4.0));
-    FoamState state(clock);
+    FoamState state(clock, RandomWhitecaps::kSamples);
     const double time = clock.time_of(400);
     EXPECT_EQ(sea.cost(state, time), 501);         // alone: the pre-roll, and its first tick
     EXPECT_EQ(sea.cost(state, time + 0.04), 0);    // within the tick
@@ -479,7 +479,7 @@ TEST(FoamCost, IsTheTicksThatWereNotSeen) {
 TEST(FoamCost, ALoopClosesForTheCostOfOneTick) {
     const FoamClock clock = foam_clock(with_step(0.05), 5.0);
     RandomWhitecaps sea(clock, always(4.0));
-    FoamState state(clock);
+    FoamState state(clock, RandomWhitecaps::kSamples);
     EXPECT_EQ(sea.cost(state, 4.96), 101);
     EXPECT_EQ(sea.cost(state, 5.0), 1);
     EXPECT_EQ(sea.foam(state, 5.0), sea.alone(0.0));
@@ -490,7 +490,7 @@ TEST(FoamCost, ALoopClosesForTheCostOfOneTick) {
 TEST(FoamCost, AnEmptyStartNeverPaysForThePast) {
     const FoamClock clock = foam_clock(with_step(0.05), 0.0);
     RandomWhitecaps sea(clock, always(4.0));
-    FoamState state(clock, FoamStart::empty);
+    FoamState state(clock, RandomWhitecaps::kSamples, FoamStart::empty);
     EXPECT_EQ(sea.cost(state, 10.0), 1);
     EXPECT_EQ(state.settling_ticks(), 500);
     EXPECT_EQ(sea.cost(state, 10.5), 10);
@@ -502,7 +502,7 @@ TEST(FoamCost, AnEmptyStartNeverPaysForThePast) {
 TEST(FoamProgress, IsToldOfThePrerollAndMayStopItWithoutALoss) {
     const FoamClock clock = foam_clock(with_step(0.05), 0.0);
     RandomWhitecaps sea(clock, always(1.0));
-    FoamState state(clock);
+    FoamState state(clock, RandomWhitecaps::kSamples);
     std::int64_t told = 0;
     sea.source().progress = [&](std::int64_t done, std::int64_t total) {
         EXPECT_EQ(done, told++);
@@ -513,16 +513,6 @@ TEST(FoamProgress, IsToldOfThePrerollAndMayStopItWithoutALoss) {
     sea.source().progress = [](std::int64_t, std::int64_t) { throw std::runtime_error("stop"); };
     EXPECT_THROW(sea.foam(state, 50.0), std::runtime_error);
     EXPECT_EQ(sea.cost(state, 1.0), 0);
-}
-
-TEST(FoamState, MapsOfAnotherSizeAreRefused) {
-    const FoamClock clock = foam_clock(with_step(0.05), 0.0);
-    RandomWhitecaps sea(clock, always(1.0));
-    FoamState state(clock);
-    sea.foam(state, 1.0);
-    ThreadPool pool(1);
-    std::vector<float> small(7);
-    EXPECT_THROW(state.evaluate(1.0, small, sea.source(), small, pool), Error);
 }
 
 }  // namespace

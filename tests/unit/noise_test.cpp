@@ -6,8 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstring>
+#include <span>
 #include <vector>
 
+#include "noise_row.hpp"
 #include "wave.hpp"
 
 namespace ocean {
@@ -103,6 +107,27 @@ TEST(Noise, FloatAgreesWithDouble) {
         EXPECT_NEAR(a.re, b.re, 2e-6);
         EXPECT_NEAR(a.im, b.im, 2e-6);
     }
+}
+
+TEST(Noise, ARowHasTheBitsOfTheFormula) {
+    std::vector<std::complex<float>> row(1000);
+    for (const std::uint32_t seed : {0u, 1u, 4294967295u}) {
+        for (int m = -40; m < 41; ++m) {
+            const auto cascade = static_cast<std::uint32_t>(m & 3);
+            noise_row(seed, cascade, -500, m, row);
+            for (int i = 0; i < 1000; ++i) {
+                const auto xi = in_double::gaussian_noise(seed, cascade, i - 500, m);
+                const std::complex<float> exact(static_cast<float>(xi.re),
+                                                static_cast<float>(xi.im));
+                const std::complex<float>& found = row[static_cast<std::size_t>(i)];
+                ASSERT_EQ(std::memcmp(&found, &exact, sizeof(exact)), 0) << i << " " << m;
+            }
+        }
+    }
+    std::complex<float> guarded[3] = {7.0f, 7.0f, 7.0f};
+    noise_row(1, 0, 3, 4, std::span(guarded).subspan(1, 1));
+    EXPECT_EQ(guarded[0], 7.0f);
+    EXPECT_EQ(guarded[2], 7.0f) << "a row ends where it is asked to";
 }
 
 TEST(Turns, SineAndCosineAreThoseOfTheCLibrary) {

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/grid.hpp"
@@ -111,6 +113,30 @@ TEST(Spectrum, PhillipsVarianceIsItsClosedForm) {
     const double length = 144.0 / 9.81;
     const double exact = 2.0 * 8.1e-3 * length * length / 4.0;
     EXPECT_NEAR(make_frequency_spectrum(system, Water{}, 300.0).m0 / exact, 1.0, 1e-5);
+}
+
+TEST(Spectrum, VarianceIsTheIntegralOfTheDensityAndThePeakItsLargest) {
+    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
+                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+        for (const double depth : {3.0, 30.0, std::numeric_limits<double>::infinity()}) {
+            WaveSystem system = jonswap(17.0, 300e3, 10.0);
+            system.spectrum = kind;
+            system.cutoff_wavelength = 0.5;
+            const FrequencySpectrum spectrum =
+                make_frequency_spectrum(system, Water{.depth = depth}, 100.0);
+            double sum = 0.0;
+            double largest = 0.0;
+            constexpr int kSteps = 40000;  // the midpoint rule, blind to peaks and kinks
+            const double step = std::log(spectrum.highest / spectrum.lowest) / kSteps;
+            for (int i = 0; i < kSteps; ++i) {
+                const double omega = spectrum.lowest * std::exp(step * (i + 0.5));
+                sum += spectrum.density(omega) * omega * step;
+                largest = std::max(largest, spectrum.density(omega));
+            }
+            EXPECT_NEAR(spectrum.m0 / sum, 1.0, 1e-7) << depth;
+            EXPECT_GE(spectrum.density(spectrum.peak), largest * (1.0 - 1e-12)) << depth;
+        }
+    }
 }
 
 TEST(Spectrum, PhillipsCutoffIsTheWavelengthOfOneEthOfTheEnergy) {

@@ -5,12 +5,15 @@
 // ends here; modes, CPU and GPU read it by the same interpolation and know no formula.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "ocean/parameters.hpp"
 
 namespace ocean {
+
+class ThreadPool;
 
 /// Integrals of the table, exact for its bilinear interpolation in omega.
 struct SpectralMoments {
@@ -23,37 +26,44 @@ struct SpectralMoments {
     double significant_wave_height() const;  // 4 sqrt(m0)
 };
 
-/// Immutable. Rows at uneven angular frequencies (close where the density bends), columns at
-/// even directions 2 pi j / directions, density in m^2 s/rad^2 by bilinear interpolation, 0
-/// outside.
+/// Immutable; copies share the table. Rows at uneven angular frequencies (close where the density
+/// bends), columns at even directions 2 pi j / directions, a multiple of four of them, density in
+/// m^2 s/rad^2 by bilinear interpolation, 0 outside.
 class DirectionalSpectrum {
   public:
     DirectionalSpectrum() = default;
+    /// row_sum: frequency_density at each row.
     DirectionalSpectrum(std::vector<double> angular_frequencies, int directions,
-                        std::vector<double> density);
+                        std::shared_ptr<const double[]> density, std::vector<double> row_sum);
 
     double density(double omega, double theta) const;
     /// Integral over all directions, m^2 s/rad.
     double frequency_density(double omega) const;
     /// Over wavelengths shortest..longest metres (0 = no limit).
     SpectralMoments moments(const Water& water, double shortest = 0.0, double longest = 0.0) const;
+    /// Their m0 alone.
+    double variance(const Water& water, double shortest = 0.0, double longest = 0.0) const;
 
     std::span<const double> angular_frequencies() const { return omega_; }
     int directions() const { return directions_; }
     /// rows * directions values, row by row.
-    std::span<const double> table() const { return density_; }
+    std::span<const double> table() const {
+        return {density_.get(), omega_.size() * static_cast<std::size_t>(directions_)};
+    }
     bool flat() const { return omega_.empty(); }
 
   private:
     std::vector<double> omega_;
     int directions_ = 0;
-    std::vector<double> density_;
-    std::vector<double> row_sum_;  // frequency_density at each row
+    std::shared_ptr<const double[]> density_;
+    std::vector<double> row_sum_;
 };
 
 /// Adds up all wave systems. Energy of each parametric system exact to 1e-5, density to 1e-4 of its
 /// peak; a measured one is linear between its listed frequencies and 0 beyond them.
-/// Needs validated parameters.
+/// Needs validated parameters. The bits are the same for any number of threads.
+DirectionalSpectrum make_directional_spectrum(const Parameters& parameters, ThreadPool& pool);
+/// On the caller's thread alone.
 DirectionalSpectrum make_directional_spectrum(const Parameters& parameters);
 
 }  // namespace ocean

@@ -8,6 +8,13 @@
 
 namespace ocean {
 
+/// What a wave of one wavenumber does: see the functions of the same names.
+struct DispersionPoint {
+    double angular_frequency = 0.0;
+    double group_velocity = 0.0;
+    double horizontal_excursion = 0.0;
+};
+
 /// omega^2 = (g k + s k^3) tanh(k d). Formulas and sources: shaders/wave/dispersion.glsl.
 /// Wavenumbers in rad/m, frequencies in rad/s, both > 0.
 class Dispersion {
@@ -15,12 +22,16 @@ class Dispersion {
     explicit Dispersion(const Water& water);
     double angular_frequency(double k) const;
     double group_velocity(double k) const;
-    /// The k of a given omega: Newton's method in ln k, converged to 1e-14 relative.
+    /// The k of a given omega: Newton's method, converged to 1e-14 relative.
     double wavenumber(double omega) const;
     /// coth(k d): sideways over upright excursion at the surface.
     double horizontal_excursion(double k) const;
+    /// All three for the price of one, to rounding.
+    DispersionPoint at(double k) const;
 
   private:
+    double deep_wavenumber(double omega) const;
+
     double gravity_;
     double tension_;
     double depth_;

@@ -6,16 +6,16 @@
 // clock of its own, fading with foam_lifetime. A pure function of the sea and the time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "ocean/modes.hpp"
+#include "ocean/page_vector.hpp"
 
 namespace ocean {
-
-class ThreadPool;
 
 /// Share of the sea that is white, 3.84e-6 U10^3.41, at most 1. [Monahan and O'Muircheartaigh
 /// 1980].
@@ -53,18 +53,30 @@ struct FoamClock {
 };
 FoamClock foam_clock(const SurfaceSettings& settings, double loop_period);
 
+/// What is left of earlier foam: foam = max(W, fade * map), and 0 where that is below `least`.
+struct FoamLayer {
+    const float* map = nullptr;  // null: nothing
+    float fade = 0.0f;
+    float least = 0.0f;
+
+    float over(float whitecap, std::size_t sample) const {
+        const float value = map != nullptr ? std::max(whitecap, fade * map[sample]) : whitecap;
+        return value < least ? 0.0f : value;
+    }
+};
+
 /// What foam is made of.
 struct FoamSource {
     std::function<double(double time)> lifetime;  // s
-    /// W at that time, one value a sample. Valid until the next call.
-    std::function<std::span<const float>(double time)> whitecap;
+    /// Writes the foam of a tick: W at that time with the layer of the tick before.
+    std::function<void(double time, const FoamLayer& before, std::span<float> foam)> tick;
     /// May be empty. Called before each tick of a pre-roll; may throw to stop it, which leaves the
     /// state as it was.
     std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
 
-/// Maps that following foam keeps beside its own: three ticks, the whitecaps of one and of now.
-inline constexpr int kFoamMaps = 5;
+/// Maps that following foam keeps: three ticks, and one in the making.
+inline constexpr int kFoamMaps = 4;
 
 enum class FoamStart {
     settled,  // from as far back as foam lives: the same bits as from any earlier start
@@ -82,13 +94,14 @@ std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
 /// that sub-frames may step back.
 class FoamState {
   public:
-    explicit FoamState(FoamClock clock, FoamStart start = FoamStart::settled);
+    /// For maps of so many samples.
+    FoamState(FoamClock clock, std::size_t samples, FoamStart start = FoamStart::settled);
 
-    /// out = max(W(t), F_n exp(-(t - t_n) / lifetime)) with n the last tick at or before `time`;
-    /// `whitecap` is W(t), in memory that source.whitecap leaves alone. All maps have the same
-    /// size, and it stays the same. What the source throws leaves a state that can go on.
-    void evaluate(double time, std::span<const float> whitecap, const FoamSource& source,
-                  std::span<float> out, ThreadPool& pool);
+    /// What there is of foam at a time, F_n exp(-(t - t_n) / lifetime) with n the last tick at or
+    /// before it, for W(t) to be put over. Valid until the next call. What the source throws leaves
+    /// a state that can go on.
+    FoamLayer layer(double time, const FoamSource& source);
+    std::size_t samples() const { return samples_; }
     /// How many ticks must still pass until a state that began empty shows all foam there is.
     std::int64_t settling_ticks() const { return settling_; }
     const FoamClock& clock() const { return clock_; }
@@ -98,17 +111,18 @@ class FoamState {
     struct Tick {
         std::int64_t number;
         std::int64_t age;  // ticks since the state began
-        std::vector<float> foam;
+        PageVector<float> foam;
     };
-    const Tick& reach(std::int64_t tick, const FoamSource& source, ThreadPool& pool);
-    std::vector<Tick> begin(std::int64_t tick, std::int64_t preroll, const FoamSource& source,
-                            ThreadPool& pool) const;
+    const Tick& reach(std::int64_t tick, const FoamSource& source);
+    std::vector<Tick> begin(std::int64_t tick, std::int64_t preroll, const FoamSource& source);
     void step(std::vector<Tick>& kept, std::int64_t tick, const FoamSource& source,
-              ThreadPool& pool, std::size_t keep = kKept) const;
+              std::size_t keep = kKept);
 
     FoamClock clock_;
+    std::size_t samples_;
     FoamStart start_;
-    std::vector<Tick> kept_;  // the last ticks, the newest at the back
+    std::vector<Tick> kept_;   // the last ticks, the newest at the back
+    PageVector<float> spare_;  // of a tick that is no longer kept, for the next
     std::int64_t settling_ = 0;
 };
 

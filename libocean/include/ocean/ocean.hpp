@@ -6,6 +6,7 @@
 // several objects run in parallel.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 
 #include "ocean/float_pose.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/map_output.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea.hpp"
@@ -22,6 +24,10 @@
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
+
+class MapKernel;
+class ModeLattice;
+class PackedModes;
 
 struct OceanOptions {
     int threads = 0;  // 0 = the cores this process may use
@@ -57,6 +63,7 @@ class Ocean {
     explicit Ocean(Parameters parameters, OceanOptions options = {});
     /// The same sea for another thread: what `built` has is shared, not built again.
     Ocean(const Ocean& built, OceanOptions options);
+    ~Ocean();
 
     const Sea& sea() const { return sea_; }
     const Parameters& parameters() const { return sea_.parameters; }
@@ -78,6 +85,10 @@ class Ocean {
     /// where it begins or, faster, from the last time that it was asked for: the same bits.
     /// Throws Error out_of_memory before it allocates more than there is.
     Surface evaluate(double time, ChannelSet channels, int resolution = 0);
+    /// The same into the buffers of a host, which need no alignment (64 bytes are fastest) and must
+    /// hold resolution^2 samples. With the cpu backend each value is written once, from the last
+    /// stage of the transform.
+    void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
     /// Ticks of the foam's clock until foam that began empty is what it always is.
     std::int64_t foam_settling_ticks() const { return foam_ ? foam_->settling_ticks() : 0; }
 
@@ -106,8 +117,15 @@ class Ocean {
     const Modes& current_modes();
     /// The surface settings with the whitecaps' threshold found.
     const SurfaceSettings& shown_settings(int resolution);
-    Surface current_surface(double time, ChannelSet channels, int resolution);
-    void add_foam(Surface& surface);
+    /// The kernel of the current modes for that map.
+    MapKernel& kernel(int resolution);
+    /// Writes the current sea's maps, foam over what the layer says.
+    void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
+                    const FoamLayer& foam);
+    FoamLayer foam_layer(double time, int resolution);
+    int map_resolution(int asked) const;
+    /// For so many maps beside what the channels need.
+    void require_map_memory(int resolution, int maps, ChannelSet channels) const;
     /// On the map that is shown when nobody says.
     QueryOptions shown(QueryOptions options) const;
     const SurfaceQuery& surface_query(double time, const QueryOptions& options);
@@ -120,12 +138,20 @@ class Ocean {
     ThreadPool pool_;
     StageRuns runs_;
     std::shared_ptr<const DirectionalSpectrum> spectrum_;
-    std::shared_ptr<const Modes> modes_;
+    // Modes that a change has made wrong stay: their arrays are filled again, unless another sea
+    // has them too.
+    std::shared_ptr<const ModeLattice> lattice_;
+    std::shared_ptr<Modes> modes_;
+    bool modes_right_ = false;
+    mutable std::atomic<bool> modes_lent_ = false;
     std::optional<SurfaceSettings> shown_;
     int shown_resolution_ = 0;
+    std::shared_ptr<PackedModes> packed_;  // of modes_, for the last map; kept like them
+    bool packed_right_ = false;
+    mutable std::atomic<bool> packed_lent_ = false;
+    std::unique_ptr<MapKernel> kernel_;  // its arrays outlive the modes
     std::optional<FoamState> foam_;
     int foam_resolution_ = 0;
-    Surface tick_;  // the last whitecap map of the foam's clock
 
     /// What was asked last, and for what.
     template <typename Query>

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "ocean/modes.hpp"
+#include "ocean/page_vector.hpp"
 
 namespace ocean {
 
@@ -108,11 +109,11 @@ inline constexpr int kLinearCount = 11;
 /// Planes of resolution^2 values, row-major [j][i]; empty where not asked for.
 template <typename Real>
 struct LinearPlanes {
-    std::array<std::vector<Real>, kLinearCount> plane;
-    const std::vector<Real>& operator[](Linear field) const {
+    std::array<PageVector<Real>, kLinearCount> plane;
+    const PageVector<Real>& operator[](Linear field) const {
         return plane[static_cast<std::size_t>(field)];
     }
-    std::vector<Real>& operator[](Linear field) { return plane[static_cast<std::size_t>(field)]; }
+    PageVector<Real>& operator[](Linear field) { return plane[static_cast<std::size_t>(field)]; }
 };
 
 /// Planar maps, row-major [j][i], sample (i, j) at (i, j) * period / resolution.
@@ -137,7 +138,7 @@ class Surface {
     Lattice lattice_;
     double time_ = 0.0;
     ChannelSet channels_;
-    std::array<std::vector<float>, kChannelCount> maps_;
+    std::array<PageVector<float>, kChannelCount> maps_;
 };
 
 /// settings with foam_threshold put to the Jacobian where whitecaps begin on a map of `resolution`
@@ -156,6 +157,9 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
 LinearPlanes<float> make_cascade_planes(const Modes& modes, std::size_t cascade, double time,
                                         std::span<const Linear> fields, Backend backend,
                                         ThreadPool& pool, int resolution = 0);
+/// Whether any of the channels is made of that linear field. `flat`: the choppiness is 0, so that
+/// no channel needs the gradients of the excursion.
+bool is_made_of(ChannelSet channels, Linear field, bool flat = false);
 /// The linear fields that the channels are made of.
 std::vector<Linear> linear_fields(ChannelSet channels);
 /// The channels from those planes. `settings` as from with_threshold.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A small blocking pool: fixed partition of the work, no spinning, no globals. Equal bits for any
-// number of threads follow from the partition being over independent items.
+// A small blocking pool: the work is cut the same way for any number of threads, no spinning, no
+// globals. Equal bits for any number of threads follow from the items being independent.
 #pragma once
 
 #include <functional>
@@ -20,9 +20,13 @@ class ThreadPool {
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int size() const;
-    /// Calls body(first, last) on each thread's share of [0, count) and waits. The first exception
-    /// of any share is thrown again here.
+    /// Calls body(first, last) on each of size() shares of [0, count) and waits. The first
+    /// exception of any share is thrown again here.
     void for_each_range(int count, const std::function<void(int first, int last)>& body);
+    /// Calls body(item, thread) for each item of [0, count) and waits; thread < size(). Whoever is
+    /// free takes the next item, so that a thread that is held up does not hold up the rest.
+    /// Exceptions as above. Allocates nothing.
+    void for_each_item(int count, const std::function<void(int item, int thread)>& body);
 
   private:
     struct State;

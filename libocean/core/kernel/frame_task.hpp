@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the passes of the kernel are given: plain data, so that the files compiled for one
+// instruction set need nothing of the standard library.
+//
+// A map of N x N samples is made in two passes. x and kx belong together, y and ky; fields are
+// real, so ky >= 0 is enough.
+//   Pass one: for kLanes neighbouring ky at a time, the modes' state at this time and the
+//     coefficients of each source, then the transform along kx -> x, then the transpose.
+//   Pass two: for 32 neighbouring x at a time, the transform along ky -> y, two real lines (x and
+//     x + 16) as one complex line, and the outputs.
+// Both transforms split N = A B ("sweeps"): B transforms of A points, twiddles, A transforms of B.
+//   index of a wavenumber: j + B i (i < A, j < B); index of a sample: k + A l (k < A, l < B).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "map_kernel.hpp"
+
+namespace ocean {
+
+/// A, and B = N / A: codelets of 16, 32 and 64 points first, at most 128 second.
+constexpr int first_factor(int size) {
+    return size <= 256 ? 16 : size <= 1024 ? 32 : 64;
+}
+
+/// The coefficients that pass one transforms. Those of a second field, `derived`, are i ky times
+/// the source's: pass two makes them from the same intermediate values.
+enum class SourceKind : int {
+    plain,        // h
+    along_x,      // i kx h
+    toward_x,     // -i kx u, with u = excursion * h
+    toward_y,     // -i ky u
+    gradient_xx,  // kx^2 u
+};
+struct Source {
+    SourceKind kind;
+    bool rate;    // of dh/dt instead of h
+    int own;      // slot of the field itself, or -1: not asked for
+    int derived;  // slot, or -1
+};
+inline constexpr int kSourceCount = 8;
+
+/// Records of packed modes. All numbers of a record are kLanes floats, one per ky.
+///   A pair, for kx = +-n:  P+ Q+ P- Q- (re, im each)  rate_high rate_low excursion.
+///   Two singles, the same for two kx that are no pair: P Q P Q, then both rates and excursions.
+/// h(t) = P cos(wt) + Q sin(wt), with P = h0(k) + conj(h0(-k)), Q = -i (h0(k) - conj(h0(-k))).
+inline constexpr int kPairNumbers = 11;
+inline constexpr int kSinglesNumbers = 14;
+
+/// Modes kx = j + B i and their mirrors N - kx, for i < A. Bit i of `present`: there is a record;
+/// else the modes are zero.
+struct ModeGroup {
+    std::uint64_t present;
+    std::uint64_t first_record;  // in floats
+
+    bool operator==(const ModeGroup&) const = default;
+};
+
+/// An output whose one component is a linear field: written without a stop at the others.
+struct DirectPlane {
+    int slot;
+    float factor;
+    float* data;
+};
+
+inline constexpr int kMaxOutputs = 32;
+
+/// One frame. Slots number the fields that pass two makes; the channels that are made from them
+/// follow: see `Channels`.
+struct FrameTask {
+    int size;     // N
+    int columns;  // ky < columns may have modes: a multiple of B and of sixteen
+    const float* records;
+    const ModeGroup* groups;  // [block of ky][j < B / 2]
+    const float* wavenumber;  // [index of kx or ky], rad/m
+    const float* twiddle;     // [j < B][k < A]: cosine, sine of 2 pi j k / N
+    double tau;
+    float rate_unit;  // omega = rate * rate_unit
+    float choppiness;
+    float foam_threshold;
+    float foam_width;
+    FoamLayer foam;
+
+    float* intermediate;
+    std::size_t pair_stride;  // floats from one pair of x blocks to the next
+    std::size_t line_stride;  // and from one j < B / 2 to the next
+    bool stream_intermediate;
+
+    Source source[kSourceCount];
+    int source_count;
+    int slots;  // linear fields
+
+    DirectPlane direct[kMaxOutputs];
+    int direct_count;
+    /// The other outputs; quantities are slots there.
+    MapOutput outputs[kMaxOutputs];
+    int output_count;
+    bool whole[kMaxOutputs];  // every component is written
+    int used[kLinearCount];   // slots that those outputs are made of
+    int used_count;
+    /// [linear field]: its slot, or -1.
+    int slot_of[kLinearCount];
+    /// [channel]: the slot of a channel that is no multiple of one field, or -1.
+    int derived_slot[kChannelCount];
+    int derived_slots;    // how many
+    bool needs_jacobian;  // for itself, whitecaps or foam
+};
+
+/// The functions of one instruction set.
+struct KernelCode {
+    int lanes;
+    int item_width;  // of pass two, in samples
+    std::size_t (*scratch_floats)(const FrameTask&);
+    /// Item: a block of `lanes` ky.
+    void (*pass_one)(const FrameTask&, int item, float* scratch);
+    /// Item: `item_width` neighbouring x.
+    void (*pass_two)(const FrameTask&, int item, float* scratch);
+    void (*write_row)(const FrameTask&, const PlanarFields&, int row);
+    void (*codelet)(int points, const float* in, float* out);  // for its test
+};
+
+const KernelCode& kernel_code(SimdLevel level);
+
+}  // namespace ocean

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Plans a frame (which fields, from which sources, to which outputs) and runs the two passes.
+#include "map_kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ocean/page_vector.hpp"
+#include "ocean/thread_pool.hpp"
+#include "packed_modes.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// Which field a source is, and which one is i ky times it.
+struct SourceFields {
+    SourceKind kind;
+    bool rate;
+    Linear own;
+    int derived;  // a Linear, or -1
+};
+
+constexpr SourceFields kSources[kSourceCount] = {
+    {SourceKind::plain, false, Linear::height, static_cast<int>(Linear::slope_y)},
+    {SourceKind::along_x, false, Linear::slope_x, -1},
+    {SourceKind::toward_x, false, Linear::excursion_x, static_cast<int>(Linear::gradient_xy)},
+    {SourceKind::toward_y, false, Linear::excursion_y, static_cast<int>(Linear::gradient_yy)},
+    {SourceKind::gradient_xx, false, Linear::gradient_xx, -1},
+    {SourceKind::plain, true, Linear::height_rate, -1},
+    {SourceKind::toward_x, true, Linear::excursion_x_rate, -1},
+    {SourceKind::toward_y, true, Linear::excursion_y_rate, -1},
+};
+
+/// A channel that is a multiple of one linear field: its slot and factor.
+struct Multiple {
+    int slot;
+    float factor;
+};
+
+/// Fills in what a frame asks for: fields, slots, sources and outputs.
+class Plan {
+  public:
+    Plan(FrameTask& task, const KernelFrame& frame, std::span<const MapOutput> outputs)
+        : task_(task) {
+        task.tau = frame.tau;
+        task.choppiness = static_cast<float>(frame.settings.choppiness);
+        task.foam_threshold = static_cast<float>(frame.settings.foam_threshold);
+        task.foam_width = static_cast<float>(frame.settings.foam_width);
+        task.foam = frame.foam;
+        std::fill(std::begin(task.slot_of), std::end(task.slot_of), -1);
+        std::fill(std::begin(task.derived_slot), std::end(task.derived_slot), -1);
+        number_slots(outputs);
+        choose_sources();
+        for (const MapOutput& output : outputs) add_output(output);
+    }
+
+  private:
+    static constexpr ChannelSet kNormal = {Channel::nx, Channel::ny, Channel::nz};
+    static constexpr ChannelSet kDerived =
+        kNormal | ChannelSet{Channel::jacobian, Channel::whitecap, Channel::foam};
+
+    static bool is_channel(Quantity quantity) {
+        return quantity.id >= 0 && quantity.id < kChannelCount;
+    }
+
+    void number_slots(std::span<const MapOutput> outputs) {
+        ChannelSet channels;
+        std::array<bool, kLinearCount> wanted{};
+        for (const MapOutput& output : outputs) {
+            for (int c = 0; c < output.components; ++c) {
+                const Quantity quantity = output.component[static_cast<std::size_t>(c)].quantity;
+                if (is_channel(quantity)) {
+                    channels = channels | ChannelSet{static_cast<Channel>(quantity.id)};
+                } else if (quantity != Quantity{}) {
+                    wanted[static_cast<std::size_t>(quantity.id - kChannelCount)] = true;
+                }
+            }
+        }
+        task_.slots = 0;
+        task_.used_count = 0;
+        for (int f = 0; f < kLinearCount; ++f) {
+            if (wanted[static_cast<std::size_t>(f)] ||
+                is_made_of(channels, static_cast<Linear>(f), task_.choppiness == 0.0f)) {
+                task_.slot_of[f] = task_.slots++;
+            }
+        }
+        const ChannelSet normal = channels.intersects(kNormal) ? kNormal : ChannelSet{};
+        int slot = task_.slots;
+        for (int c = 0; c < kChannelCount; ++c) {
+            const auto channel = static_cast<Channel>(c);
+            if ((channels | normal).contains(channel) && kDerived.contains(channel)) {
+                task_.derived_slot[c] = slot++;
+                use_fields(channel);
+            }
+        }
+        task_.derived_slots = slot - task_.slots;
+        task_.needs_jacobian =
+            channels.intersects({Channel::jacobian, Channel::whitecap, Channel::foam});
+    }
+
+    /// The fields of a channel that is made of several.
+    void use_fields(Channel channel) {
+        for (int f = 0; f < kLinearCount; ++f) {
+            if (is_made_of({channel}, static_cast<Linear>(f), task_.choppiness == 0.0f)) {
+                use(task_.slot_of[f]);
+            }
+        }
+    }
+
+    void use(int slot) {
+        int* const end = task_.used + task_.used_count;
+        if (std::find(task_.used, end, slot) != end) return;
+        *end = slot;
+        ++task_.used_count;
+    }
+
+    void choose_sources() {
+        task_.source_count = 0;
+        for (const SourceFields& fields : kSources) {
+            const int own = task_.slot_of[static_cast<int>(fields.own)];
+            const int derived = fields.derived < 0 ? -1 : task_.slot_of[fields.derived];
+            if (own < 0 && derived < 0) continue;
+            task_.source[task_.source_count++] = {fields.kind, fields.rate, own, derived};
+        }
+    }
+
+    Multiple multiple(Quantity quantity) const {
+        const auto of = [this](Linear field, float factor) {
+            return Multiple{task_.slot_of[static_cast<int>(field)], factor};
+        };
+        if (!is_channel(quantity)) {
+            return of(static_cast<Linear>(quantity.id - kChannelCount), 1.0f);
+        }
+        switch (static_cast<Channel>(quantity.id)) {
+            case Channel::height:
+                return of(Linear::height, 1.0f);
+            case Channel::dx:
+                return of(Linear::excursion_x, -task_.choppiness);
+            case Channel::dy:
+                return of(Linear::excursion_y, -task_.choppiness);
+            case Channel::slope_x:
+                return of(Linear::slope_x, 1.0f);
+            case Channel::slope_y:
+                return of(Linear::slope_y, 1.0f);
+            case Channel::vz:
+                return of(Linear::height_rate, 1.0f);
+            case Channel::vx:
+                return of(Linear::excursion_x_rate, -task_.choppiness);
+            case Channel::vy:
+                return of(Linear::excursion_y_rate, -task_.choppiness);
+            default:
+                return {task_.derived_slot[quantity.id], 1.0f};
+        }
+    }
+
+    void add_output(MapOutput output) {
+        for (int c = 0; c < output.components; ++c) {
+            MapOutput::Component& component = output.component[static_cast<std::size_t>(c)];
+            if (component.quantity == Quantity{}) continue;
+            const Multiple source = multiple(component.quantity);
+            component.quantity.id = source.slot;
+            component.factor *= source.factor;
+        }
+        const MapOutput::Component& first = output.component[0];
+        const bool aligned = reinterpret_cast<std::uintptr_t>(output.data) % 64 == 0;
+        if (output.components == 1 && aligned && first.quantity.id >= 0 &&
+            first.quantity.id < task_.slots) {
+            task_.direct[task_.direct_count++] = {first.quantity.id, first.factor, output.data};
+            return;
+        }
+        bool& whole = task_.whole[task_.output_count];
+        task_.outputs[task_.output_count++] = output;
+        whole = true;
+        for (int c = 0; c < output.components; ++c) {
+            const int slot = output.component[static_cast<std::size_t>(c)].quantity.id;
+            whole = whole && slot >= 0;
+            if (slot >= 0 && slot < task_.slots) use(slot);
+        }
+    }
+
+    FrameTask& task_;
+};
+
+/// Streaming stores pay where the intermediate leaves the cache of a core; [measured].
+bool streams(int size) {
+    return size >= 512;
+}
+
+std::size_t intermediate_floats(FrameTask& task, int lanes) {
+    const auto width = static_cast<std::size_t>(lanes);
+    const int b = task.size / first_factor(task.size);
+    const auto rows = static_cast<std::size_t>(task.columns / b);
+    // Odd in lines of the cache, so that neither step is a multiple of its sets.
+    task.line_stride = static_cast<std::size_t>(task.source_count) * rows * 8 * width + 2 * width;
+    task.pair_stride = task.line_stride * static_cast<std::size_t>(b / 2) + 16 * width;
+    return task.pair_stride * (static_cast<std::size_t>(task.size) / (2 * width));
+}
+
+/// At least so many; what was there is lost.
+void make_room(PageVector<float>& floats, std::size_t count) {
+    if (floats.size() >= count) return;
+    floats = {};
+    floats = PageVector<float>(count);
+}
+
+}  // namespace
+
+struct MapKernel::State {
+    std::shared_ptr<const PackedModes> modes;
+    const KernelCode& code;
+    PageVector<float> wavenumber;
+    std::vector<float> twiddle;
+    PageVector<float> intermediate;
+    std::vector<PageVector<float>> scratch;  // of each thread
+    FrameTask task{};
+
+    explicit State(std::shared_ptr<const PackedModes> packed)
+        : code(kernel_code(packed->level())), wavenumber(static_cast<std::size_t>(packed->size())) {
+        const int size = packed->size();
+        const int a = first_factor(size);
+        for (int j = 0; j < size / a; ++j) {
+            for (int k = 0; k < a; ++k) {
+                const double angle = kTwoPi * (j * k) / size;
+                twiddle.push_back(static_cast<float>(std::cos(angle)));
+                twiddle.push_back(static_cast<float>(std::sin(angle)));
+            }
+        }
+        task.size = size;
+        task.twiddle = twiddle.data();
+        task.wavenumber = wavenumber.data();
+        task.stream_intermediate = streams(size);
+        set_modes(std::move(packed));
+    }
+
+    void set_modes(std::shared_ptr<const PackedModes> packed) {
+        for (int i = 0; i < task.size; ++i) {
+            const double k = packed->wavenumber_step() * signed_wavenumber(i, task.size);
+            wavenumber[static_cast<std::size_t>(i)] = static_cast<float>(k);
+        }
+        task.columns = packed->columns();
+        task.records = packed->records();
+        task.groups = packed->groups();
+        task.rate_unit = static_cast<float>(kTwoPi * packed->rate_unit());
+        modes = std::move(packed);
+    }
+
+    void run(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
+        task.direct_count = 0;
+        task.output_count = 0;
+        Plan(task, frame, outputs);
+        make_room(intermediate, intermediate_floats(task, code.lanes));
+        task.intermediate = intermediate.data();
+        scratch.resize(std::max(scratch.size(), static_cast<std::size_t>(pool.size())));
+        for (PageVector<float>& floats : scratch) make_room(floats, code.scratch_floats(task));
+        pool.for_each_item(task.columns / code.lanes, [this](int item, int thread) {
+            code.pass_one(task, item, scratch[static_cast<std::size_t>(thread)].data());
+        });
+        pool.for_each_item(task.size / code.item_width, [this](int item, int thread) {
+            code.pass_two(task, item, scratch[static_cast<std::size_t>(thread)].data());
+        });
+    }
+};
+
+MapKernel::MapKernel(std::shared_ptr<const PackedModes> modes)
+    : state_(std::make_unique<State>(std::move(modes))) {}
+MapKernel::~MapKernel() = default;
+MapKernel::MapKernel(MapKernel&&) noexcept = default;
+MapKernel& MapKernel::operator=(MapKernel&&) noexcept = default;
+
+void MapKernel::use(std::shared_ptr<const PackedModes> modes) {
+    const bool fits =
+        modes->size() == state_->task.size && modes->level() == state_->modes->level();
+    if (!fits) {
+        *this = MapKernel(std::move(modes));
+        return;
+    }
+    state_->set_modes(std::move(modes));
+}
+
+int MapKernel::resolution() const {
+    return state_->task.size;
+}
+
+void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {
+    std::span<const MapOutput> left = frame.outputs;
+    while (!left.empty()) {
+        const std::size_t count = std::min(left.size(), std::size_t{kMaxOutputs});
+        state_->run(frame, left.first(count), pool);
+        left = left.subspan(count);
+    }
+}
+
+LinearPlanes<float> synthesize_cpu(const SynthesisRequest& request, ThreadPool& pool) {
+    LinearPlanes<float> planes;
+    std::vector<MapOutput> outputs;
+    for (const Linear field : request.fields) {
+        planes[field].resize(Lattice{request.resolution, 1.0}.size());
+        outputs.push_back({planes[field].data(), 1, {{{field, 1.0f}}}});
+    }
+    MapKernel(pack_modes(request, pool)).run({request.tau, {}, outputs, {}}, pool);
+    return planes;
+}
+
+void write_rows(const PlanarFields& fields, int resolution, int first, int last,
+                const KernelFrame& frame, SimdLevel level) {
+    const KernelCode& code = kernel_code(level);
+    FrameTask task{};
+    task.size = resolution;
+    Plan(task, frame, frame.outputs);
+    // Directly written planes are outputs like the others here.
+    for (int d = 0; d < task.direct_count; ++d) {
+        const DirectPlane& plane = task.direct[d];
+        task.whole[task.output_count] = true;
+        MapOutput& output = task.outputs[task.output_count++];
+        output = {plane.data, 1, {}};
+        output.component[0].quantity.id = plane.slot;
+        output.component[0].factor = plane.factor;
+    }
+    for (int row = first; row < last; ++row) code.write_row(task, fields, row);
+}
+
+std::uint64_t kernel_bytes(int resolution, int fields) {
+    const auto samples = Lattice{resolution, 1.0}.size();
+    // Eleven numbers for two modes of a half plane; each field's half spectrum between the passes.
+    constexpr std::uint64_t kPacked = 4 * kPairNumbers / 4;
+    return samples * (kPacked + 4 * static_cast<std::uint64_t>(fields));
+}
+
+}  // namespace ocean

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The cpu backend: from the modes of a map to the maps of one time, in one go. The mathematics is
+// in pass_one.hpp and pass_two.hpp, compiled once per instruction set; here is what the rest of
+// core sees of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "ocean/foam.hpp"
+#include "ocean/map_output.hpp"
+#include "ocean/surface.hpp"
+#include "simd_level.hpp"
+#include "synthesis.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+class PackedModes;
+
+/// One frame.
+struct KernelFrame {
+    double tau = 0.0;          // of Modes
+    SurfaceSettings settings;  // choppiness; for whitecaps as from with_threshold
+    std::span<const MapOutput> outputs;
+    FoamLayer foam;
+};
+
+/// The modes of one map in the order in which the kernel walks them. Immutable: many kernels, in
+/// any threads, may share it.
+std::shared_ptr<const PackedModes> pack_modes(const SynthesisRequest& request, ThreadPool& pool,
+                                              SimdLevel level = simd_level());
+
+/// Makes frames of one map. Owns the arrays between the passes, so that a frame allocates nothing
+/// once its fields have been asked for. One frame at a time; kernels in several threads are
+/// independent.
+class MapKernel {
+  public:
+    explicit MapKernel(std::shared_ptr<const PackedModes> modes);
+    /// Other modes of the same resolution, in the arrays that are there.
+    void use(std::shared_ptr<const PackedModes> modes);
+    ~MapKernel();
+    MapKernel(MapKernel&&) noexcept;
+    MapKernel& operator=(MapKernel&&) noexcept;
+
+    int resolution() const;
+    void run(const KernelFrame& frame, ThreadPool& pool);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The last stage alone, for linear fields that are there as planes: rows first .. last - 1 of the
+/// outputs. plane[field]: null, or the first row of the map, row_stride floats from row to row.
+struct PlanarFields {
+    std::array<const float*, kLinearCount> plane{};
+    std::size_t row_stride = 0;
+};
+void write_rows(const PlanarFields& fields, int resolution, int first, int last,
+                const KernelFrame& frame, SimdLevel level = simd_level());
+
+/// Bytes that a kernel of this resolution and so many linear fields takes, packed modes included.
+std::uint64_t kernel_bytes(int resolution, int fields);
+
+}  // namespace ocean

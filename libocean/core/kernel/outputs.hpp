@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The last stage: from the linear fields of some samples to the channels made of several of them,
+// and into the caller's buffers. The formulas are those that the GPU compiles.
+#pragma once
+
+#include "frame_task.hpp"
+#include "simd.hpp"
+#include "transpose.hpp"
+
+namespace ocean::OCEAN_KERNEL {
+
+namespace formula {
+#define formula OCEAN_INLINE
+using real = Vec;
+#include "wave/surface.glsl"
+#undef formula
+}  // namespace formula
+
+inline constexpr int kRowVectors = kItemWidth / kLanes;
+
+/// Where the samples of a row are: kItemWidth neighbouring x at one y. Slots of linear fields point
+/// to their samples, those of derived channels to `derived`.
+struct RowSamples {
+    const float* slot[kLinearCount + kChannelCount];
+    float* derived;
+
+    OCEAN_INLINE Vec at(int s, int v) const { return load_unaligned(slot[s] + v * kLanes); }
+};
+
+/// With the derived slots behind the linear ones.
+OCEAN_INLINE RowSamples row_samples(const FrameTask& task, float* derived) {
+    RowSamples row;
+    row.derived = derived;
+    for (int s = task.slots; s < task.slots + task.derived_slots; ++s) {
+        row.slot[s] = derived + (s - task.slots) * kItemWidth;
+    }
+    return row;
+}
+
+/// Normal, Jacobian, whitecap and foam of a row, where asked for.
+template <bool kFlat>
+OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, std::size_t place) {
+    const auto slot_of = [&](Linear field) { return task.slot_of[static_cast<int>(field)]; };
+    const auto gradient = [&](Linear field, int v) OCEAN_INLINE_LAMBDA {
+        return kFlat ? Vec(0.0f) : row.at(slot_of(field), v);
+    };
+    const auto set = [&](Channel channel, int v, Vec x) OCEAN_INLINE_LAMBDA {
+        const int slot = task.derived_slot[static_cast<int>(channel)];
+        if (slot >= 0) store(row.derived + (slot - task.slots) * kItemWidth + v * kLanes, x);
+    };
+    const Vec choppiness(kFlat ? 0.0f : task.choppiness);
+    if (task.derived_slot[static_cast<int>(Channel::nx)] >= 0) {
+        for (int v = 0; v < kRowVectors; ++v) {
+            const Vec hx = row.at(slot_of(Linear::slope_x), v);
+            const Vec hy = row.at(slot_of(Linear::slope_y), v);
+            const formula::SurfaceNormal normal = formula::surface_normal(
+                choppiness, gradient(Linear::gradient_xx, v), gradient(Linear::gradient_yy, v),
+                gradient(Linear::gradient_xy, v), hx, hy);
+            set(Channel::nx, v, normal.x);
+            set(Channel::ny, v, normal.y);
+            set(Channel::nz, v, normal.z);
+        }
+    }
+    if (!task.needs_jacobian) return;
+    for (int v = 0; v < kRowVectors; ++v) {
+        const Vec j = formula::surface_jacobian(choppiness, gradient(Linear::gradient_xx, v),
+                                                gradient(Linear::gradient_yy, v),
+                                                gradient(Linear::gradient_xy, v));
+        const Vec w = formula::surface_whitecap(j, task.foam_threshold, task.foam_width);
+        set(Channel::jacobian, v, j);
+        set(Channel::whitecap, v, w);
+        if (task.derived_slot[static_cast<int>(Channel::foam)] < 0) continue;
+        const Vec before = task.foam.map != nullptr
+                               ? load_unaligned(task.foam.map + place + v * kLanes)
+                               : Vec(0.0f);
+        const Vec value = max(w, Vec(task.foam.fade) * before);
+        set(Channel::foam, v, Vec(value.v < Vec(task.foam.least).v ? Lanes{} : value.v));
+    }
+}
+
+/// A row of one output of n interleaved components.
+template <int n>
+OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& row,
+                                    std::size_t place) {
+    float* target = output.data + place * n;
+    const bool aligned = is_aligned(target);
+    for (int v = 0; v < kRowVectors; ++v) {
+        Vec component[n];
+        for (int c = 0; c < n; ++c) {
+            const MapOutput::Component& from = output.component[static_cast<std::size_t>(c)];
+            component[c] = row.at(from.quantity.id, v) * Vec(from.factor);
+        }
+        if constexpr (n > 1) interleave(component);
+        for (int c = 0; c < n; ++c, target += kLanes) {
+            if (aligned) {
+                stream(target, component[c]);
+            } else {
+                store_unaligned(target, component[c]);
+            }
+        }
+    }
+}
+
+/// A row of an output of which some components are not to be touched: value by value.
+inline void write_some_components(const MapOutput& output, const RowSamples& row,
+                                  std::size_t place) {
+    for (int c = 0; c < output.components; ++c) {
+        const MapOutput::Component& from = output.component[static_cast<std::size_t>(c)];
+        if (from.quantity.id < 0) continue;
+        float* target = output.data + place * static_cast<std::size_t>(output.components) + c;
+        const float* values = row.slot[from.quantity.id];
+        for (int i = 0; i < kItemWidth; ++i)
+            target[i * output.components] = values[i] * from.factor;
+    }
+}
+
+/// Writes a row of samples to all outputs; `place`: sample number of its first.
+OCEAN_INLINE void write_outputs(const FrameTask& task, const RowSamples& row, std::size_t place) {
+    if (task.choppiness == 0.0f) {
+        derive_channels<true>(task, row, place);
+    } else {
+        derive_channels<false>(task, row, place);
+    }
+    for (int o = 0; o < task.output_count; ++o) {
+        const MapOutput& output = task.outputs[o];
+        switch (task.whole[o] ? output.components : 0) {
+            case 1:
+                write_interleaved<1>(output, row, place);
+                break;
+            case 2:
+                write_interleaved<2>(output, row, place);
+                break;
+            case 3:
+                write_interleaved<3>(output, row, place);
+                break;
+            case 4:
+                write_interleaved<4>(output, row, place);
+                break;
+            default:
+                write_some_components(output, row, place);
+                break;
+        }
+    }
+}
+
+}  // namespace ocean::OCEAN_KERNEL

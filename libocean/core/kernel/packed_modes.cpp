@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Gathers the modes of all cascades into the records of their map.
+#include "packed_modes.hpp"
+
+#include <algorithm>
+
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// Rows of numbers of one block of ky, [kx][lane] each.
+enum Number { kPRe, kPIm, kQRe, kQIm, kRateHigh, kRateLow, kExcursion, kNumbers };
+
+int whole_columns(const SynthesisRequest& request, int second_factor) {
+    const int unit = std::max(second_factor, 16);
+    return std::min((request.half_band() + unit - 1) / unit * unit, request.resolution / 2);
+}
+
+}  // namespace
+
+/// Packs block after block of `lanes` neighbouring ky.
+class PackedModes::Packing {
+  public:
+    Packing(const SynthesisRequest& request, int lanes)
+        : request_(request),
+          lanes_(lanes),
+          size_(request.resolution),
+          first_(first_factor(size_)),
+          second_(size_ / first_) {}
+
+    /// Where there are records, from the lattices of the cascades alone: a change of the spectrum
+    /// does not move any. Returns the floats of all records.
+    std::uint64_t lay_out(int blocks, std::vector<ModeGroup>& groups) const {
+        std::uint64_t floats = 0;
+        std::vector<char> occupied(static_cast<std::size_t>(size_));
+        for (int block = 0; block < blocks; ++block) {
+            mark_occupied(block, occupied);
+            for (int j = 0; j < second_ / 2; ++j) {
+                ModeGroup group{0, floats};
+                for (int i = 0; i < first_; ++i) {
+                    const auto kx = kx_of(j, i);
+                    if (occupied[kx.first] != 0 || occupied[kx.second] != 0) {
+                        group.present |= std::uint64_t{1} << i;
+                        floats += record_floats(j);
+                    }
+                }
+                groups.push_back(group);
+            }
+        }
+        return floats;
+    }
+
+    /// The numbers of a block, [number][kx][lane], zero where no cascade has a mode.
+    std::vector<float> dense_block() const {
+        return std::vector<float>(static_cast<std::size_t>(kNumbers * size_ * lanes_));
+    }
+
+    /// `dense` as from dense_block or from another block.
+    void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* records) const {
+        // One cascade has the same places in every block and overwrites them.
+        if (request_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
+        for (const CascadeModes& cascade : request_.cascades) gather(cascade, block, dense);
+        const auto row = [&](Number number, std::size_t kx) {
+            return dense.data() +
+                   (static_cast<std::size_t>(number) * static_cast<std::size_t>(size_) + kx) *
+                       static_cast<std::size_t>(lanes_);
+        };
+        for (int j = 0; j < second_ / 2; ++j) {
+            float* to = records + groups[j].first_record;
+            const auto append = [&](Number first, Number last, std::size_t kx) {
+                for (int number = first; number <= last; ++number) {
+                    to = std::copy_n(row(static_cast<Number>(number), kx), lanes_, to);
+                }
+            };
+            for (int i = 0; i < first_; ++i) {
+                if ((groups[j].present >> i & 1) == 0) continue;
+                const auto kx = kx_of(j, i);
+                append(kPRe, kQIm, kx.first);
+                append(kPRe, kQIm, kx.second);
+                // Of a pair either may be missing on a lattice, but then it has no energy.
+                append(kRateHigh, kExcursion, kx.first);
+                if (j == 0) append(kRateHigh, kExcursion, kx.second);
+            }
+        }
+    }
+
+  private:
+    std::size_t record_floats(int j) const {
+        return static_cast<std::size_t>((j == 0 ? kSinglesNumbers : kPairNumbers) * lanes_);
+    }
+
+    /// The two kx of record i of group j.
+    std::pair<std::size_t, std::size_t> kx_of(int j, int i) const {
+        const int kx = j + second_ * i;
+        const int other = j == 0 ? second_ / 2 + second_ * i : size_ - kx;
+        return {static_cast<std::size_t>(kx), static_cast<std::size_t>(other)};
+    }
+
+    /// The lanes of a block that are rows of the cascade, and those rows.
+    struct LaneRow {
+        int lane;
+        int row;
+    };
+    std::vector<LaneRow> rows_in(const CascadeModes& cascade, int block) const {
+        const int stride = request_.stride(cascade);
+        std::vector<LaneRow> rows;
+        for (int lane = 0; lane < lanes_; ++lane) {
+            const int ky = block * lanes_ + lane;
+            if (ky % stride == 0 && ky / stride < request_.half(cascade)) {
+                rows.push_back({lane, ky / stride});
+            }
+        }
+        return rows;
+    }
+
+    void mark_occupied(int block, std::vector<char>& occupied) const {
+        std::fill(occupied.begin(), occupied.end(), char{0});
+        for (const CascadeModes& cascade : request_.cascades) {
+            if (rows_in(cascade, block).empty()) continue;
+            const int half = request_.half(cascade);
+            for (int n = -half + 1; n < half; ++n) {
+                occupied[fft_index(n * request_.stride(cascade), size_)] = 1;
+            }
+        }
+    }
+
+    /// Puts the modes of one cascade in place, in tiles that stay in L1 while all lanes write.
+    void gather(const CascadeModes& cascade, int block, std::vector<float>& dense) const {
+        constexpr int kTile = 64;
+        const int half = request_.half(cascade);
+        const std::vector<LaneRow> rows = rows_in(cascade, block);
+        for (int n = -half + 1; n < half; n += kTile) {
+            for (const LaneRow& row : rows) {
+                gather_row(cascade, row, n, std::min(n + kTile, half), dense);
+            }
+        }
+    }
+
+    /// kx = first .. last - 1 of one lane.
+    void gather_row(const CascadeModes& cascade, const LaneRow& lane_row, int first, int last,
+                    std::vector<float>& dense) const {
+        const int width = cascade.lattice.resolution;
+        const int stride = request_.stride(cascade);
+        const auto index = [width](int m, int n) {
+            return static_cast<std::size_t>(fft_index(m, width)) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(fft_index(n, width));
+        };
+        const bool alone = request_.cascades.size() == 1;
+        const auto lanes = static_cast<std::size_t>(lanes_);
+        const std::size_t plane = static_cast<std::size_t>(size_) * lanes;
+        for (int n = first; n < last; ++n) {
+            const std::size_t at = index(lane_row.row, n);
+            const std::complex<float> a = cascade.h0[at];
+            const std::complex<float> b = cascade.h0[index(-lane_row.row, -n)];
+            float* to = dense.data() +
+                        static_cast<std::size_t>(fft_index(n * stride, size_)) * lanes +
+                        static_cast<std::size_t>(lane_row.lane);
+            to[kRateHigh * plane] = cascade.rate_high[at];
+            to[kRateLow * plane] = cascade.rate_low[at];
+            to[kExcursion * plane] = cascade.excursion[at];
+            // The bands share no mode: of the cascades that have this one, one has its energy.
+            if (!alone && a == 0.0f && b == 0.0f) continue;
+            to[kPRe * plane] = a.real() + b.real();
+            to[kPIm * plane] = a.imag() - b.imag();
+            to[kQRe * plane] = a.imag() + b.imag();
+            to[kQIm * plane] = b.real() - a.real();
+        }
+    }
+
+    const SynthesisRequest& request_;
+    int lanes_;
+    int size_;
+    int first_;
+    int second_;
+};
+
+PackedModes::PackedModes(const SynthesisRequest& request, ThreadPool& pool, SimdLevel level)
+    : level_(level),
+      size_(request.resolution),
+      columns_(whole_columns(request, size_ / first_factor(size_))),
+      rate_unit_(request.rate_unit),
+      wavenumber_step_(request.wavenumber_step()) {
+    const int lanes = kernel_code(level).lanes;
+    const Packing packing(request, lanes);
+    records_ = PageVector<float>(packing.lay_out(columns_ / lanes, groups_));
+    pack_all(packing, pool);
+}
+
+bool PackedModes::refill(const SynthesisRequest& request, ThreadPool& pool) {
+    if (request.resolution != size_ ||
+        whole_columns(request, size_ / first_factor(size_)) != columns_) {
+        return false;
+    }
+    const int lanes = kernel_code(level_).lanes;
+    const Packing packing(request, lanes);
+    std::vector<ModeGroup> groups;
+    packing.lay_out(columns_ / lanes, groups);
+    if (groups != groups_) return false;
+    rate_unit_ = request.rate_unit;
+    wavenumber_step_ = request.wavenumber_step();
+    pack_all(packing, pool);
+    return true;
+}
+
+void PackedModes::pack_all(const Packing& packing, ThreadPool& pool) {
+    const auto groups_per_block = static_cast<std::size_t>(size_ / first_factor(size_) / 2);
+    pool.for_each_range(columns_ / kernel_code(level_).lanes, [&](int first, int last) {
+        std::vector<float> dense = packing.dense_block();
+        for (int block = first; block < last; ++block) {
+            packing.pack(block, groups_.data() + static_cast<std::size_t>(block) * groups_per_block,
+                         dense, records_.data());
+        }
+    });
+}
+
+std::shared_ptr<const PackedModes> pack_modes(const SynthesisRequest& request, ThreadPool& pool,
+                                              SimdLevel level) {
+    return std::make_shared<const PackedModes>(request, pool, level);
+}
+
+}  // namespace ocean

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The modes of a map as the records that pass one reads from beginning to end; the record itself
+// is described in frame_task.hpp.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "frame_task.hpp"
+#include "ocean/page_vector.hpp"
+
+namespace ocean {
+
+class PackedModes {
+  public:
+    PackedModes(const SynthesisRequest& request, ThreadPool& pool, SimdLevel level);
+
+    /// The same for other modes in the memory that is there. False, with nothing changed, if their
+    /// lattices or the map are others.
+    bool refill(const SynthesisRequest& request, ThreadPool& pool);
+
+    SimdLevel level() const { return level_; }
+    int size() const { return size_; }
+    /// ky < columns may have modes; a multiple of B and of sixteen.
+    int columns() const { return columns_; }
+    double rate_unit() const { return rate_unit_; }
+    double wavenumber_step() const { return wavenumber_step_; }
+    const float* records() const { return records_.data(); }
+    const ModeGroup* groups() const { return groups_.data(); }
+
+  private:
+    class Packing;
+    void pack_all(const Packing& packing, ThreadPool& pool);
+
+    SimdLevel level_;
+    int size_;
+    int columns_;
+    double rate_unit_;
+    double wavenumber_step_;
+    std::vector<ModeGroup> groups_;
+    PageVector<float> records_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pass one: modes -> coefficients -> transform along x -> transpose, for kLanes neighbouring ky.
+#pragma once
+
+#include "codelets.hpp"
+#include "frame_task.hpp"
+#include "layout.hpp"
+#include "transpose.hpp"
+
+namespace ocean::OCEAN_KERNEL {
+
+/// h, u and their rates for the modes kx = j + B i (side 0) and their mirrors (side 1).
+template <int A, bool kRates>
+struct ModeLines {
+    Complex h[2][A];
+    Complex u[2][A];
+    Complex h_rate[kRates ? 2 : 1][kRates ? A : 1];
+    Complex u_rate[kRates ? 2 : 1][kRates ? A : 1];
+
+    OCEAN_INLINE void set_zero(int side, int i) {
+        const Complex zero = {0.0f, 0.0f};
+        h[side][i] = zero;
+        u[side][i] = zero;
+        if constexpr (kRates) {
+            h_rate[side][i] = zero;
+            u_rate[side][i] = zero;
+        }
+    }
+};
+
+/// The part of the state that the two modes of a pair share: they have one frequency.
+struct ModePhase {
+    Vec cosine;
+    Vec sine;
+    Vec omega;
+    Vec excursion;
+};
+
+/// rates: rate_high, rate_low, excursion.
+template <bool kRates>
+OCEAN_INLINE ModePhase phase_of(const PhaseClock& clock, Vec rate_unit, const float* rates) {
+    const Vec high = load(rates);
+    const SinCosLanes phase = sin_cos(clock.turns(high, load(rates + kLanes)));
+    return {phase.cosine, phase.sine, kRates ? high * rate_unit : Vec(0.0f),
+            load(rates + 2 * kLanes)};
+}
+
+/// amplitude: P, Q. h = P cos + Q sin, dh/dt = omega (Q cos - P sin).
+template <int A, bool kRates>
+OCEAN_INLINE void set_mode(ModeLines<A, kRates>& lines, int side, int i, const float* amplitude,
+                           const ModePhase& phase) {
+    const Complex p = load_complex(amplitude);
+    const Complex q = load_complex(amplitude + 2 * kLanes);
+    const Complex h = {fma(q.re, phase.sine, p.re * phase.cosine),
+                       fma(q.im, phase.sine, p.im * phase.cosine)};
+    lines.h[side][i] = h;
+    lines.u[side][i] = {h.re * phase.excursion, h.im * phase.excursion};
+    if constexpr (kRates) {
+        const Complex rate = {phase.omega * fnma(p.re, phase.sine, q.re * phase.cosine),
+                              phase.omega * fnma(p.im, phase.sine, q.im * phase.cosine)};
+        lines.h_rate[side][i] = rate;
+        lines.u_rate[side][i] = {rate.re * phase.excursion, rate.im * phase.excursion};
+    }
+}
+
+/// The modes of one group: the lines j and B - j along kx, or 0 and B / 2.
+template <int A, bool kRates>
+void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
+                ModeLines<A, kRates>& lines) {
+    constexpr int kAmplitude = 4 * kLanes;
+    constexpr int kPrefetch = 1408;  // floats ahead: 5.6 kB [measured]
+    const PhaseClock clock(task.tau);
+    const Vec rate_unit(task.rate_unit);
+    const float* record = task.records + group.first_record;
+    for (int i = 0; i < A; ++i) {
+        const int mirror = singles ? i : A - 1 - i;
+        if ((group.present >> i & 1) == 0) {
+            lines.set_zero(0, i);
+            lines.set_zero(1, mirror);
+            continue;
+        }
+        const float* rates = record + 2 * kAmplitude;
+        const ModePhase phase = phase_of<kRates>(clock, rate_unit, rates);
+        set_mode(lines, 0, i, record, phase);
+        if (singles) {
+            const ModePhase other = phase_of<kRates>(clock, rate_unit, rates + 3 * kLanes);
+            set_mode(lines, 1, i, record + kAmplitude, other);
+            record += kSinglesNumbers * kLanes;
+        } else {
+            for (int ahead = 0; ahead < kPairNumbers * kLanes; ahead += 16) {
+                __builtin_prefetch(record + kPrefetch + ahead);
+            }
+            set_mode(lines, 1, mirror, record + kAmplitude, phase);
+            record += kPairNumbers * kLanes;
+        }
+    }
+}
+
+/// First sweep of one source along one line j: coefficients, A points, twiddles.
+template <int A, int B>
+OCEAN_INLINE void sweep_line(SourceKind kind, const Complex* h, const Complex* u, const float* kx,
+                             Vec ky, const float* twiddle, float* out) {
+    const auto twiddled = [=](int k, Complex x) OCEAN_INLINE_LAMBDA {
+        store_complex(out + k * 2 * kLanes, turned(x, twiddle[2 * k], twiddle[2 * k + 1]));
+    };
+    switch (kind) {
+        case SourceKind::plain:
+            Codelet<A>::run([=](int i) OCEAN_INLINE_LAMBDA { return h[i]; }, twiddled);
+            break;
+        case SourceKind::along_x:
+            Codelet<A>::run(
+                [=](int i) OCEAN_INLINE_LAMBDA {
+                    const Vec k(kx[i * B]);
+                    return Complex{-h[i].im * k, h[i].re * k};
+                },
+                twiddled);
+            break;
+        case SourceKind::toward_x:
+            Codelet<A>::run(
+                [=](int i) OCEAN_INLINE_LAMBDA {
+                    const Vec k(kx[i * B]);
+                    return Complex{u[i].im * k, -u[i].re * k};
+                },
+                twiddled);
+            break;
+        case SourceKind::toward_y:
+            Codelet<A>::run(
+                [=](int i) OCEAN_INLINE_LAMBDA {
+                    return Complex{u[i].im * ky, -u[i].re * ky};
+                },
+                twiddled);
+            break;
+        case SourceKind::gradient_xx:
+            Codelet<A>::run(
+                [=](int i) OCEAN_INLINE_LAMBDA {
+                    const Vec k(kx[i * B] * kx[i * B]);
+                    return Complex{u[i].re * k, u[i].im * k};
+                },
+                twiddled);
+            break;
+    }
+}
+
+/// First sweep of all sources along both lines of a group.
+template <int A, int B, bool kRates>
+void sweep_group(const FrameTask& task, int j, Vec ky, const ModeLines<A, kRates>& lines,
+                 float* scratch) {
+    for (int side = 0; side < 2; ++side) {
+        const int line = side == 0 ? j : j == 0 ? B / 2 : B - j;
+        for (int s = 0; s < task.source_count; ++s) {
+            const Source& source = task.source[s];
+            const bool rate = kRates && source.rate;
+            const Complex* h = rate ? lines.h_rate[kRates ? side : 0] : lines.h[side];
+            const Complex* u = rate ? lines.u_rate[kRates ? side : 0] : lines.u[side];
+            sweep_line<A, B>(source.kind, h, u, task.wavenumber + line, ky,
+                             task.twiddle + 2 * line * A,
+                             scratch + (s * B + line) * Sweep<A, B>::kLine);
+        }
+    }
+}
+
+/// Second sweep of one source, kLanes of its A transforms at a time, each block transposed and
+/// stored where pass two reads it.
+template <int A, int B, bool kStream>
+void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
+                         float* tile) {
+    std::size_t place[kLanes];  // of each ky
+    for (int l = 0; l < kLanes; ++l) {
+        place[l] = Intermediate<A, B>::place(task, source, block * kLanes + l);
+    }
+    for (int group = 0; group < A / kLanes; ++group) {
+        // x = k + A m with k in this group: its block of kLanes is number (A / kLanes) m + group.
+        const auto target = [&](int m) OCEAN_INLINE_LAMBDA {
+            return task.intermediate + Intermediate<A, B>::x_block(task, A / kLanes * m + group);
+        };
+        for (int k = 0; k < kLanes; ++k) {
+            const float* in = lines + (group * kLanes + k) * 2 * kLanes;
+            float* out = tile + k * 2 * kLanes;
+            if constexpr (!kStream) prefetch_targets<B>(target, place, k);
+            Codelet<B>::run(
+                [=](int j)
+                    OCEAN_INLINE_LAMBDA { return load_complex(in + j * Sweep<A, B>::kLine); },
+                [=](int m, Complex x)
+                    OCEAN_INLINE_LAMBDA { store_complex(out + m * kTileStride, x); });
+        }
+        for (int m = 0; m < B; ++m) transpose<kStream>(tile + m * kTileStride, target(m), place);
+    }
+}
+
+template <int A, int B, bool kRates>
+void pass_one(const FrameTask& task, int block, float* scratch) {
+    ModeLines<A, kRates> lines;
+    const Vec ky = load(task.wavenumber + block * kLanes);
+    for (int j = 0; j < B / 2; ++j) {
+        read_modes(task, task.groups[block * (B / 2) + j], j == 0, lines);
+        sweep_group<A, B>(task, j, ky, lines, scratch);
+    }
+    float* tile = scratch + task.source_count * B * Sweep<A, B>::kLine;
+    for (int s = 0; s < task.source_count; ++s) {
+        const float* swept = scratch + s * B * Sweep<A, B>::kLine;
+        if (task.stream_intermediate) {
+            sweep_and_transpose<A, B, true>(task, block, s, swept, tile);
+        } else {
+            sweep_and_transpose<A, B, false>(task, block, s, swept, tile);
+        }
+    }
+    finish_streams();
+}
+
+}  // namespace ocean::OCEAN_KERNEL

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Four lanes for every other machine, by the compiler's own vectors: SSE on x86, NEON on ARM. There
+// need not be a fused multiply-add, so results differ from those of AVX2 by rounding. Included by
+// simd.hpp.
+#pragma once
+
+namespace ocean::OCEAN_KERNEL {
+
+/// a b + c, a b - c, c - a b, rounded twice.
+OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
+    return a * b + c;
+}
+OCEAN_INLINE Vec fms(Vec a, Vec b, Vec c) {
+    return a * b - c;
+}
+OCEAN_INLINE Vec fnma(Vec a, Vec b, Vec c) {
+    return c - a * b;
+}
+OCEAN_INLINE Vec min(Vec a, Vec b) {
+    return a.v < b.v ? a.v : b.v;
+}
+OCEAN_INLINE Vec max(Vec a, Vec b) {
+    return a.v > b.v ? a.v : b.v;
+}
+/// The nearest integer of |x| < 2^22, ties to even.
+OCEAN_INLINE Vec nearest(Vec x) {
+    constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: its last digit is the integers'
+    return (x + Vec(kRound)) - Vec(kRound);
+}
+/// Past the caches, to memory, where the machine can.
+OCEAN_INLINE void stream(float* p, Vec x) {
+#if defined(__SSE2__)
+    _mm_stream_ps(p, x.v);
+#else
+    store(p, x);
+#endif
+}
+OCEAN_INLINE void finish_streams() {
+#if defined(__SSE2__)
+    _mm_sfence();
+#endif
+}
+
+/// a0 b0 a1 b1; a2 b2 a3 b3.
+OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
+    return Lanes(__builtin_shufflevector(a.v, b.v, 0, 4, 1, 5));
+}
+OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
+    return Lanes(__builtin_shufflevector(a.v, b.v, 2, 6, 3, 7));
+}
+/// Two chosen floats of a, then two of b.
+template <int k0, int k1, int k2, int k3>
+OCEAN_INLINE Vec pick(Vec a, Vec b) {
+    return Lanes(__builtin_shufflevector(a.v, b.v, k0, k1, k2 + 4, k3 + 4));
+}
+OCEAN_INLINE Vec load_quads(const float* p, std::size_t) {
+    return load(p);
+}
+/// There is one quad.
+template <int n>
+OCEAN_INLINE void interleave_quads(Vec (&)[n]) {}
+
+/// rate * tau modulo 1, in double.
+struct PhaseClock {
+    using Doubles = double __attribute__((vector_size(8 * kLanes)));
+    double tau;
+
+    OCEAN_INLINE explicit PhaseClock(double time) : tau(time) {}
+    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
+        constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52
+        const Doubles whole = (__builtin_convertvector(rate_high.v, Doubles) +
+                               __builtin_convertvector(rate_low.v, Doubles)) *
+                              tau;
+        return Lanes(__builtin_convertvector(whole - ((whole + kRound) - kRound), Lanes));
+    }
+};
+
+}  // namespace ocean::OCEAN_KERNEL

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Eight lanes by AVX2 and FMA. A "quad" is 128 bits, four neighbouring floats; the unpacking
+// instructions work in each quad by itself. Included by simd.hpp.
+#pragma once
+
+namespace ocean::OCEAN_KERNEL {
+
+/// a b + c, a b - c, c - a b, rounded once.
+OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
+    return Lanes(_mm256_fmadd_ps(a.v, b.v, c.v));
+}
+OCEAN_INLINE Vec fms(Vec a, Vec b, Vec c) {
+    return Lanes(_mm256_fmsub_ps(a.v, b.v, c.v));
+}
+OCEAN_INLINE Vec fnma(Vec a, Vec b, Vec c) {
+    return Lanes(_mm256_fnmadd_ps(a.v, b.v, c.v));
+}
+OCEAN_INLINE Vec min(Vec a, Vec b) {
+    return Lanes(_mm256_min_ps(a.v, b.v));
+}
+OCEAN_INLINE Vec max(Vec a, Vec b) {
+    return Lanes(_mm256_max_ps(a.v, b.v));
+}
+/// The nearest integer, ties to even.
+OCEAN_INLINE Vec nearest(Vec x) {
+    return Lanes(_mm256_round_ps(x.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+}
+/// Past the caches, to memory.
+OCEAN_INLINE void stream(float* p, Vec x) {
+    _mm256_stream_ps(p, x.v);
+}
+OCEAN_INLINE void finish_streams() {
+    _mm_sfence();
+}
+
+/// Per quad: a0 b0 a1 b1; a2 b2 a3 b3.
+OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
+    return Lanes(_mm256_unpacklo_ps(a.v, b.v));
+}
+OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
+    return Lanes(_mm256_unpackhi_ps(a.v, b.v));
+}
+/// Per quad: two chosen floats of a, then two of b.
+template <int k0, int k1, int k2, int k3>
+OCEAN_INLINE Vec pick(Vec a, Vec b) {
+    return Lanes(_mm256_shuffle_ps(a.v, b.v, k0 | k1 << 2 | k2 << 4 | k3 << 6));
+}
+/// Quad q is p[q * 4 * stride .. + 3].
+OCEAN_INLINE Vec load_quads(const float* p, std::size_t stride) {
+    const __m256 v = _mm256_castps128_ps256(_mm_load_ps(p));
+    return Lanes(_mm256_insertf128_ps(v, _mm_load_ps(p + 4 * stride), 1));
+}
+
+/// The low (0) or high (1) quad of a, then of b.
+template <int kFromA, int kFromB>
+OCEAN_INLINE Vec pick_quads(Vec a, Vec b) {
+    return Lanes(_mm256_permute2f128_ps(a.v, b.v, kFromA | (kFromB + 2) << 4));
+}
+
+/// q[0] .. q[n - 1] to the order quad 0 of each, quad 1 of each.
+OCEAN_INLINE void interleave_quads(Vec (&q)[2]) {
+    const Vec low = pick_quads<0, 0>(q[0], q[1]);
+    q[1] = pick_quads<1, 1>(q[0], q[1]);
+    q[0] = low;
+}
+OCEAN_INLINE void interleave_quads(Vec (&q)[3]) {
+    const Vec first = pick_quads<0, 0>(q[0], q[1]);
+    const Vec second = pick_quads<0, 1>(q[2], q[0]);
+    q[2] = pick_quads<1, 1>(q[1], q[2]);
+    q[0] = first;
+    q[1] = second;
+}
+OCEAN_INLINE void interleave_quads(Vec (&q)[4]) {
+    const Vec low01 = pick_quads<0, 0>(q[0], q[1]);
+    const Vec low23 = pick_quads<0, 0>(q[2], q[3]);
+    const Vec high01 = pick_quads<1, 1>(q[0], q[1]);
+    q[3] = pick_quads<1, 1>(q[2], q[3]);
+    q[0] = low01;
+    q[1] = low23;
+    q[2] = high01;
+}
+
+/// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: the
+/// rounding error of the high product is found by an fma before its integer part is dropped.
+struct PhaseClock {
+    Vec tau_high;
+    Vec tau_low;
+
+    OCEAN_INLINE explicit PhaseClock(double tau)
+        : tau_high(static_cast<float>(tau)),
+          tau_low(static_cast<float>(tau - static_cast<double>(static_cast<float>(tau)))) {}
+    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
+        const Vec product = rate_high * tau_high;
+        Vec rest = fms(rate_high, tau_high, product);
+        rest = fma(rate_high, tau_low, rest);
+        rest = fma(rate_low, tau_high, rest);
+        return (product - nearest(product)) + rest;
+    }
+};
+
+}  // namespace ocean::OCEAN_KERNEL

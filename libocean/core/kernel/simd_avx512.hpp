@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sixteen lanes by AVX-512. A "quad" is 128 bits, four neighbouring floats; the unpacking
+// instructions work in each quad by itself. Included by simd.hpp.
+#pragma once
+
+namespace ocean::OCEAN_KERNEL {
+
+/// a b + c, a b - c, c - a b, rounded once.
+OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
+    return Lanes(_mm512_fmadd_ps(a.v, b.v, c.v));
+}
+OCEAN_INLINE Vec fms(Vec a, Vec b, Vec c) {
+    return Lanes(_mm512_fmsub_ps(a.v, b.v, c.v));
+}
+OCEAN_INLINE Vec fnma(Vec a, Vec b, Vec c) {
+    return Lanes(_mm512_fnmadd_ps(a.v, b.v, c.v));
+}
+OCEAN_INLINE Vec min(Vec a, Vec b) {
+    return Lanes(_mm512_min_ps(a.v, b.v));
+}
+OCEAN_INLINE Vec max(Vec a, Vec b) {
+    return Lanes(_mm512_max_ps(a.v, b.v));
+}
+/// The nearest integer, ties to even.
+OCEAN_INLINE Vec nearest(Vec x) {
+    return Lanes(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+}
+/// Past the caches, to memory.
+OCEAN_INLINE void stream(float* p, Vec x) {
+    _mm512_stream_ps(p, x.v);
+}
+OCEAN_INLINE void finish_streams() {
+    _mm_sfence();
+}
+
+/// Per quad: a0 b0 a1 b1; a2 b2 a3 b3.
+OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
+    return Lanes(_mm512_unpacklo_ps(a.v, b.v));
+}
+OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
+    return Lanes(_mm512_unpackhi_ps(a.v, b.v));
+}
+/// Per quad: two chosen floats of a, then two of b.
+template <int k0, int k1, int k2, int k3>
+OCEAN_INLINE Vec pick(Vec a, Vec b) {
+    return Lanes(_mm512_shuffle_ps(a.v, b.v, k0 | k1 << 2 | k2 << 4 | k3 << 6));
+}
+/// Quad q is p[q * 4 * stride .. + 3].
+OCEAN_INLINE Vec load_quads(const float* p, std::size_t stride) {
+    __m512 v = _mm512_castps128_ps512(_mm_load_ps(p));
+    v = _mm512_insertf32x4(v, _mm_load_ps(p + 4 * stride), 1);
+    v = _mm512_insertf32x4(v, _mm_load_ps(p + 8 * stride), 2);
+    return Lanes(_mm512_insertf32x4(v, _mm_load_ps(p + 12 * stride), 3));
+}
+
+/// For each lane of the result a lane of a (0 .. 15) or of b (16 .. 31).
+struct LaneChoice {
+    alignas(64) int lane[16];
+};
+OCEAN_INLINE Vec choose(Vec a, Vec b, const LaneChoice& choice) {
+    return Lanes(_mm512_permutex2var_ps(a.v, _mm512_load_si512(choice.lane), b.v));
+}
+
+/// Vector `part` of n components interleaved: float f = 16 part + lane is component f mod n of
+/// sample f / n. Components 0 and 1 are chosen first (of a and b), then component 2 (of b).
+constexpr LaneChoice interleaving(int n, int part, bool third) {
+    LaneChoice choice{};
+    for (int lane = 0; lane < 16; ++lane) {
+        const int sample = (16 * part + lane) / n;
+        const int component = (16 * part + lane) % n;
+        choice.lane[lane] = !third          ? sample + 16 * (component % 2)
+                            : component < 2 ? lane
+                                            : sample + 16;
+    }
+    return choice;
+}
+/// The pairs of vector `part` from (x y) and (z w) pairs: x y z w of four samples.
+constexpr LaneChoice pairing(int part) {
+    LaneChoice choice{};
+    for (int lane = 0; lane < 16; ++lane) {
+        const int sample = (lane / 4 + 4 * part) % 8;
+        choice.lane[lane] = 2 * sample + lane % 2 + (lane % 4 < 2 ? 0 : 16);
+    }
+    return choice;
+}
+inline constexpr LaneChoice kPairs2[] = {interleaving(2, 0, false), interleaving(2, 1, false)};
+inline constexpr LaneChoice kFirstTwo[] = {interleaving(3, 0, false), interleaving(3, 1, false),
+                                           interleaving(3, 2, false)};
+inline constexpr LaneChoice kThird[] = {interleaving(3, 0, true), interleaving(3, 1, true),
+                                        interleaving(3, 2, true)};
+inline constexpr LaneChoice kPairing[] = {pairing(0), pairing(1)};
+
+OCEAN_INLINE void interleave_lanes(Vec (&c)[2]) {
+    const Vec x = c[0], y = c[1];
+    for (int part = 0; part < 2; ++part) c[part] = choose(x, y, kPairs2[part]);
+}
+OCEAN_INLINE void interleave_lanes(Vec (&c)[3]) {
+    const Vec x = c[0], y = c[1], z = c[2];
+    for (int part = 0; part < 3; ++part) {
+        c[part] = choose(choose(x, y, kFirstTwo[part]), z, kThird[part]);
+    }
+}
+OCEAN_INLINE void interleave_lanes(Vec (&c)[4]) {
+    Vec xy[2] = {c[0], c[1]};
+    Vec zw[2] = {c[2], c[3]};
+    interleave_lanes(xy);
+    interleave_lanes(zw);
+    for (int part = 0; part < 4; ++part) {
+        c[part] = choose(xy[part / 2], zw[part / 2], kPairing[part % 2]);
+    }
+}
+
+/// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: the
+/// rounding error of the high product is found by an fma before its integer part is dropped.
+struct PhaseClock {
+    Vec tau_high;
+    Vec tau_low;
+
+    OCEAN_INLINE explicit PhaseClock(double tau)
+        : tau_high(static_cast<float>(tau)),
+          tau_low(static_cast<float>(tau - static_cast<double>(static_cast<float>(tau)))) {}
+    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
+        const Vec product = rate_high * tau_high;
+        Vec rest = fms(rate_high, tau_high, product);
+        rest = fma(rate_high, tau_low, rest);
+        rest = fma(rate_low, tau_high, rest);
+        return (product - nearest(product)) + rest;
+    }
+};
+
+}  // namespace ocean::OCEAN_KERNEL

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which instruction set the kernels use. Each is compiled into the library; the choice is made at
+// run time, once.
+#pragma once
+
+#include <string_view>
+
+namespace ocean {
+
+enum class SimdLevel {
+    portable,  // four lanes in plain C++: NEON on ARM
+    sse4,      // x86-64-v2, four lanes
+    avx2,      // x86-64-v3 (AVX2, FMA), eight lanes
+    avx512,    // x86-64-v4 (AVX-512 F, BW, DQ, VL), sixteen lanes
+};
+
+/// The best of this machine, but no better than the environment variable OCEAN_SIMD = portable,
+/// sse4, avx2 or avx512 allows; a word that is none of these is not a limit. The environment is
+/// read once.
+SimdLevel simd_level();
+/// Compiled in and supported by this machine.
+bool simd_available(SimdLevel level);
+std::string_view simd_name(SimdLevel level);
+
+}  // namespace ocean

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Vectors for large maps that are walked through with large steps: aligned to huge pages, which the
+// system is asked to use, and not filled with zeros before they are filled with values.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "ocean/platform.hpp"
+
+namespace ocean {
+
+/// Memory from allocate_pages; elements without an initial value are left uninitialised.
+template <typename T>
+struct PageAllocator {
+    using value_type = T;
+
+    PageAllocator() = default;
+    template <typename U>
+    PageAllocator(const PageAllocator<U>&) {}
+
+    T* allocate(std::size_t n) { return static_cast<T*>(allocate_pages(n * sizeof(T))); }
+    void deallocate(T* p, std::size_t n) { free_pages(p, n * sizeof(T)); }
+    template <typename U>
+    void construct(U* p) {
+        ::new (static_cast<void*>(p)) U;
+    }
+    template <typename U, typename... Arguments>
+    void construct(U* p, Arguments&&... arguments) {
+        std::construct_at(p, std::forward<Arguments>(arguments)...);
+    }
+    bool operator==(const PageAllocator&) const { return true; }
+};
+
+template <typename T>
+using PageVector = std::vector<T, PageAllocator<T>>;
+
+}  // namespace ocean

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A frame allocates nothing. This program has the C library's allocation functions pass through
+// counters, operator new among them, so that whatever a frame asks for is seen.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "kernel/map_kernel.hpp"
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/thread_pool.hpp"
+
+// The sanitizers have these functions for themselves; other C libraries name theirs otherwise.
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define OCEAN_COUNTS_ALLOCATIONS 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define OCEAN_COUNTS_ALLOCATIONS 0
+#endif
+#endif
+#ifndef OCEAN_COUNTS_ALLOCATIONS
+#define OCEAN_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace {
+
+std::atomic<long> allocations = 0;
+
+}  // namespace
+
+#if OCEAN_COUNTS_ALLOCATIONS
+extern "C" {
+
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+    ++allocations;
+    return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+    ++allocations;
+    return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+    ++allocations;
+    return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    ++allocations;
+    return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+    ++allocations;
+    *memory = __libc_memalign(alignment, size);
+    return *memory == nullptr ? 12 : 0;  // ENOMEM
+}
+
+}  // extern "C"
+#endif
+
+namespace ocean {
+namespace {
+
+constexpr int kResolution = 256;
+
+MapOutput output(std::vector<float>& data, std::initializer_list<Channel> channels) {
+    MapOutput result;
+    result.data = data.data();
+    result.components = static_cast<int>(channels.size());
+    std::size_t c = 0;
+    for (const Channel channel : channels) result.component[c++].quantity = channel;
+    return result;
+}
+
+/// Allocations of the frames after the first of each kind, which may make the arrays in between.
+long allocations_of_frames(int threads) {
+    using enum Channel;
+    Parameters parameters;
+    parameters.grid.resolution = kResolution;
+    ThreadPool pool(threads);
+    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    const SurfaceSettings settings = with_threshold(parameters.surface, modes, kResolution);
+    MapKernel kernel(pack_modes(
+        synthesis_request(modes, 0.0, kResolution, linear_fields({dx, dy, height, nx, whitecap})),
+        pool));
+
+    const std::size_t size = modes.lattice.size();
+    std::vector<float> displacement(3 * size), normal(3 * size), whitecaps(size), foams(size);
+    const MapOutput product[] = {output(displacement, {dx, dy, height}),
+                                 output(normal, {nx, ny, nz}), output(whitecaps, {whitecap})};
+    const MapOutput tick[] = {output(foams, {foam})};
+    const auto frames = [&](double time) {
+        kernel.run({modes.tau(time), settings, product, {}}, pool);
+        kernel.run({modes.tau(time), settings, tick, {foams.data(), 0.98f, 1.0f / 512.0f}}, pool);
+    };
+    frames(0.0);
+    const long before = allocations;
+    for (int frame = 1; frame <= 5; ++frame) frames(0.04 * frame);
+    return allocations - before;
+}
+
+TEST(Allocations, AreCounted) {
+    if (!OCEAN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not with this C library or sanitizer";
+    const long before = allocations;
+    std::vector<float> some(1000);
+    some.data()[0] = 1.0f;
+    // The optimiser may not leave it out: its address escapes.
+    asm volatile("" : : "r"(some.data()) : "memory");
+    EXPECT_EQ(allocations - before, 1);
+}
+
+TEST(Allocations, AFrameMakesNoneOnOneThreadOrTwo) {
+    if (!OCEAN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not with this C library or sanitizer";
+    EXPECT_EQ(allocations_of_frames(1), 0);
+    EXPECT_EQ(allocations_of_frames(2), 0);
+}
+
+}  // namespace
+}  // namespace ocean

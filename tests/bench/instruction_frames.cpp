@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One of each kind of work on one thread, for callgrind to count: tests/bench/instructions.py. Each
+// part of the output is named after what ran since the last.
+#include <valgrind/callgrind.h>
+
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+#include "kernel/map_kernel.hpp"
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace {
+
+using namespace ocean;
+using enum Channel;
+
+constexpr int kResolution = 256;
+
+class Maps {
+  public:
+    /// A map for all these, interleaved.
+    void add(std::initializer_list<Quantity> quantities, float factor = 1.0f) {
+        auto& data = data_.emplace_back(std::size_t{kResolution} * kResolution * quantities.size());
+        MapOutput output{data.data(), static_cast<int>(quantities.size()), {}};
+        std::size_t c = 0;
+        for (const Quantity& quantity : quantities) output.component[c++] = {quantity, factor};
+        outputs_.push_back(output);
+    }
+    std::span<const MapOutput> outputs() const { return outputs_; }
+
+  private:
+    std::vector<PageVector<float>> data_;  // aligned, as fast buffers are
+    std::vector<MapOutput> outputs_;
+};
+
+/// Counts the second of two calls: the first makes what is made once.
+template <typename Body>
+void count(const char* name, const Body& body) {
+    body();
+    CALLGRIND_ZERO_STATS;
+    CALLGRIND_TOGGLE_COLLECT;
+    body();
+    CALLGRIND_TOGGLE_COLLECT;
+    CALLGRIND_DUMP_STATS_AT(name);
+    std::printf("%s\n", name);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 2 && std::strcmp(argv[1], "--build") == 0) {
+        std::puts(OCEAN_BENCH_BUILD);
+        return 0;
+    }
+    Parameters parameters;
+    parameters.grid.resolution = kResolution;
+    ThreadPool pool(1);
+    Modes modes;
+    count("rebuild",
+          [&] { modes = make_modes(make_directional_spectrum(parameters), parameters, pool); });
+
+    using enum Linear;
+    const std::vector<Linear> fields = {Linear::height,  excursion_x, excursion_y, Linear::slope_x,
+                                        Linear::slope_y, gradient_xx, gradient_yy, gradient_xy};
+    MapKernel kernel(pack_modes(synthesis_request(modes, 0.0, kResolution, fields), pool));
+    const SurfaceSettings choppy = with_threshold(parameters.surface, modes, kResolution);
+    SurfaceSettings flat = choppy;
+    flat.choppiness = 0.0;
+
+    Maps vertices;
+    vertices.add({excursion_x, excursion_y, Linear::height}, -1.0f);
+    vertices.add({nx, ny, nz});
+    Maps planar;
+    for (const Linear field : fields) planar.add({field});
+    Maps product;
+    product.add({dx, dy, Channel::height});
+    product.add({nx, ny, nz});
+    product.add({whitecap});
+    const auto frame = [&](const Maps& maps, const SurfaceSettings& settings) {
+        kernel.run({modes.tau(12.34), settings, maps.outputs(), {}}, pool);
+    };
+    count("vertices", [&] { frame(vertices, flat); });
+    count("planar", [&] { frame(planar, flat); });
+    count("product", [&] { frame(product, choppy); });
+}

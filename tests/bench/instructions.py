@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Counts the instructions of a frame under callgrind and compares them with instructions.txt:
+within 1 %, of which a stop-watch sees nothing. AVX2, because valgrind knows no AVX-512.
+
+usage: instructions.py PROGRAM [--update]
+PROGRAM --build names its compiler and build type, for whose code alone the numbers hold: another
+one is skipped, exit status 77, until --update adds its own.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+LIMIT = 0.01
+SKIPPED = 77
+FILE = Path(__file__).with_name("instructions.txt")
+
+
+def count(program):
+    """{part: instructions}, as the program names its parts."""
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run(
+            [
+                "valgrind",
+                "--tool=callgrind",
+                "--collect-atstart=no",
+                f"--callgrind-out-file={folder}/out",
+                program,
+            ],
+            env=dict(os.environ, OCEAN_SIMD="avx2"),
+            capture_output=True,
+            text=True,
+        )
+        if run.returncode != 0:
+            sys.exit(f"instructions: the program failed under valgrind:\n{run.stderr}")
+        counts = {}
+        for part in Path(folder).glob("out.*"):
+            text = part.read_text()
+            name = re.search(r"^desc: Trigger: Client Request: (\S+)$", text, re.M)
+            total = re.search(r"^(?:totals|summary): (\d+)", text, re.M)
+            if name and total:
+                counts[name[1]] = int(total[1])
+    return counts
+
+
+def read_known():
+    """{(build, part): instructions}"""
+    known = {}
+    for line in FILE.read_text().splitlines():
+        if line and not line.startswith("#"):
+            build, part, number = line.split()
+            known[build, part] = int(number)
+    return known
+
+
+def write_known(known):
+    head = [line for line in FILE.read_text().splitlines() if line.startswith("#")]
+    lines = [f"{build} {part} {number}" for (build, part), number in sorted(known.items())]
+    FILE.write_text("\n".join(head + lines) + "\n")
+
+
+def main():
+    program = sys.argv[1]
+    update = sys.argv[2:] == ["--update"]
+    build = subprocess.run([program, "--build"], capture_output=True, text=True, check=True)
+    build = build.stdout.strip()
+    known = read_known()
+    if not update and not any(of_build == build for of_build, _ in known):
+        print(f"skipped: instructions.txt has no numbers of {build}")
+        return SKIPPED
+    counts = count(program)
+    if not counts:
+        sys.exit("instructions: callgrind wrote no part that has a name")
+    if update:
+        others = {key: number for key, number in known.items() if key[0] != build}
+        write_known(others | {(build, part): number for part, number in counts.items()})
+    failed = False
+    for part, number in sorted(counts.items()):
+        before = known.get((build, part))
+        change = number / before - 1 if before else None
+        bad = not update and (change is None or abs(change) > LIMIT)
+        failed = failed or bad
+        verdict = "CHANGED" if bad else "written" if update else "as before"
+        of = f"{change:+8.3%} of {before}" if before else "not known before"
+        print(f"{part:10} {number:12d}  {of}  {verdict}")
+    missing = {part for of_build, part in known if of_build == build} - counts.keys()
+    if missing and not update:
+        print(f"not counted any more: {', '.join(sorted(missing))}")
+    if failed:
+        print("If it is meant: scripts/bench --instructions --update; say why in the commit.")
+    return 1 if failed or (missing and not update) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The kernel of the cpu backend: its codelets, every size and instruction set against transforms in
+// double, and that how a frame is asked for never changes its bits.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "kernel/frame_task.hpp"
+#include "kernel/map_kernel.hpp"
+#include "mode_grid.hpp"
+#include "test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+using test::kAllChannels;
+
+std::vector<SimdLevel> levels() {
+    std::vector<SimdLevel> result;
+    for (const SimdLevel level :
+         {SimdLevel::portable, SimdLevel::sse4, SimdLevel::avx2, SimdLevel::avx512}) {
+        if (simd_available(level)) result.push_back(level);
+    }
+    return result;
+}
+
+TEST(Kernel, EveryCodeletIsTheDirectSumInEveryLane) {
+    for (const SimdLevel level : levels()) {
+        const KernelCode& code = kernel_code(level);
+        const auto lanes = static_cast<std::size_t>(code.lanes);
+        for (const int points : {2, 4, 8, 16, 32, 64, 128}) {
+            const auto n = static_cast<std::size_t>(points);
+            PageVector<float> in(2 * lanes * n);
+            PageVector<float> out(in.size());
+            std::mt19937 random(7);
+            for (float& x : in) x = std::uniform_real_distribution<float>(-1.0f, 1.0f)(random);
+            code.codelet(points, in.data(), out.data());
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                std::vector<std::complex<double>> line;
+                for (std::size_t j = 0; j < n; ++j) {
+                    line.emplace_back(in[2 * j * lanes + lane], in[(2 * j + 1) * lanes + lane]);
+                }
+                const auto expected = direct_dft(line, FftDirection::inverse);
+                for (std::size_t k = 0; k < n; ++k) {
+                    EXPECT_NEAR(out[2 * k * lanes + lane], expected[k].real(), 3e-7 * points);
+                    EXPECT_NEAR(out[(2 * k + 1) * lanes + lane], expected[k].imag(), 3e-7 * points);
+                }
+            }
+        }
+    }
+}
+
+std::vector<Linear> all_fields() {
+    std::vector<Linear> fields;
+    for (int f = 0; f < kLinearCount; ++f) fields.push_back(static_cast<Linear>(f));
+    return fields;
+}
+
+/// The linear fields of a map by a full transform in double.
+std::vector<float> exact_plane(const SynthesisRequest& request, Linear field) {
+    auto grid = coefficient_grid<double>(request, field);
+    Radix2Fft<double>(request.resolution).transform_2d(grid, FftDirection::inverse);
+    std::vector<float> plane;
+    for (const auto& value : grid) plane.push_back(static_cast<float>(value.real()));
+    return plane;
+}
+
+struct Planes {
+    std::vector<PageVector<float>> plane;
+    std::vector<MapOutput> outputs;
+
+    Planes(int resolution, std::span<const Linear> fields) {
+        for (const Linear field : fields) {
+            plane.emplace_back(Lattice{resolution, 1.0}.size(), -1.0f);
+            outputs.push_back({plane.back().data(), 1, {{{field, 1.0f}}}});
+        }
+    }
+};
+
+void expect_exact(const SynthesisRequest& request, const std::string& what) {
+    ThreadPool pool(2);
+    const std::vector<Linear> fields = all_fields();
+    for (const SimdLevel level : levels()) {
+        Planes planes(request.resolution, fields);
+        MapKernel(pack_modes(request, pool, level))
+            .run({request.tau, {}, planes.outputs, {}}, pool);
+        for (std::size_t f = 0; f < fields.size(); ++f) {
+            EXPECT_LT(test::relative_error(planes.plane[f], exact_plane(request, fields[f])), 5e-7)
+                << what << ", " << simd_name(level) << ", N = " << request.resolution << ", field "
+                << f;
+        }
+    }
+}
+
+TEST(Kernel, EverySizeOnEveryInstructionSetIsTheTransformInDouble) {
+    ThreadPool pool(2);
+    for (const int size : {32, 64, 128, 256, 512, 1024}) {
+        Parameters parameters = test::wind_sea(size, 400.0);
+        parameters.water.depth = 30.0;
+        const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+        expect_exact(synthesis_request(modes, 1e6, size, {}), "own map");
+    }
+}
+
+TEST(Kernel, LargeSizesAreTheTransformInDouble) {
+    // Few modes, so that the judge stays quick: the sizes beyond are zero padding to the kernel.
+    ThreadPool pool(2);
+    const Parameters parameters = test::wind_sea(64, 100.0);
+    const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    const std::vector<Linear> fields = {Linear::height, Linear::gradient_xy};
+    for (const int size : {2048, 4096}) {
+        const SynthesisRequest request = synthesis_request(modes, 12.0, size, {});
+        for (const SimdLevel level : levels()) {
+            Planes planes(size, fields);
+            MapKernel(pack_modes(request, pool, level))
+                .run({request.tau, {}, planes.outputs, {}}, pool);
+            // The coarse map is every so manieth sample of the fine one.
+            const SynthesisRequest coarse = synthesis_request(modes, 12.0, 64, {});
+            const int step = size / 64;
+            for (std::size_t f = 0; f < fields.size(); ++f) {
+                std::vector<float> picked;
+                for (int j = 0; j < 64; ++j) {
+                    for (int i = 0; i < 64; ++i) {
+                        picked.push_back(planes.plane[f][static_cast<std::size_t>(j * step) *
+                                                             static_cast<std::size_t>(size) +
+                                                         static_cast<std::size_t>(i * step)]);
+                    }
+                }
+                EXPECT_LT(test::relative_error(picked, exact_plane(coarse, fields[f])), 5e-7)
+                    << size << ' ' << simd_name(level);
+            }
+        }
+    }
+}
+
+TEST(Kernel, MapsThatCutOrPadTheModesAndMapsOfCascadesAreExactToo) {
+    ThreadPool pool(2);
+    Parameters parameters = test::wind_sea(64, 400.0);
+    const Modes one = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    expect_exact(synthesis_request(one, 3.0, 32, {}), "cut");
+    expect_exact(synthesis_request(one, 3.0, 256, {}), "padded");
+    parameters.grid.cascades = 3;
+    const Modes three = make_modes(make_directional_spectrum(parameters), parameters, pool);
+    expect_exact(synthesis_request(three, 3.0, 512, {}), "three cascades");
+    const CascadeModes& last = three.cascades.back();
+    expect_exact({{&last, 1}, last.lattice.period, last.divisor, 3.0, 1.0, 64, {}}, "small map");
+}
+
+/// A sea with every kind of output, and one frame of it.
+class KernelFrames : public testing::Test {
+  protected:
+    static constexpr int kSize = 128;
+    ThreadPool pool_{2};
+    Parameters parameters_ = test::wind_sea(kSize, 150.0);
+    Modes modes_ = make_modes(make_directional_spectrum(parameters_), parameters_, pool_);
+    SynthesisRequest request_ = synthesis_request(modes_, 77.7, kSize, {});
+
+    /// Every channel that has no past, planar, one after the other.
+    std::vector<PageVector<float>> channels(SimdLevel level, int threads) {
+        ThreadPool pool(threads);
+        std::vector<PageVector<float>> maps;
+        std::vector<MapOutput> outputs;
+        for (int c = 0; c < kChannelCount; ++c) {
+            maps.emplace_back(modes_.lattice.size(), -7.0f);
+            const auto channel = static_cast<Channel>(c);
+            if (channel == Channel::foam) continue;
+            outputs.push_back({maps.back().data(), 1, {{{channel, 1.0f}}}});
+        }
+        run(level, outputs, pool);
+        return maps;
+    }
+
+    void run(SimdLevel level, std::span<const MapOutput> outputs, ThreadPool& pool,
+             FoamLayer foam = {}) {
+        SurfaceSettings settings = parameters_.surface;
+        settings.foam_threshold = 0.7;
+        MapKernel(pack_modes(request_, pool, level))
+            .run({request_.tau, settings, outputs, foam}, pool);
+    }
+};
+
+TEST_F(KernelFrames, HaveTheSameBitsForAnyNumberOfThreads) {
+    for (const SimdLevel level : levels()) {
+        const auto one = channels(level, 1);
+        for (const int threads : {2, 3, 7}) EXPECT_EQ(channels(level, threads), one);
+    }
+}
+
+TEST_F(KernelFrames, HaveTheSameBitsOnAvx2AndAvx512) {
+    if (!simd_available(SimdLevel::avx512)) GTEST_SKIP() << "no AVX-512 on this machine";
+    EXPECT_EQ(channels(SimdLevel::avx2, 1), channels(SimdLevel::avx512, 1));
+}
+
+TEST_F(KernelFrames, DifferByRoundingAloneWithoutFusedProducts) {
+    const auto best = channels(levels().back(), 1);
+    const auto plain = channels(SimdLevel::portable, 1);
+    for (const FieldInfo& field : field_table()) {
+        if (field.name == "foam") continue;
+        // A vector field is one field: its components' errors and variances add.
+        double error = 0.0;
+        double spread = 0.0;
+        for (int c = 0; c < field.count; ++c) {
+            const auto at = static_cast<std::size_t>(field.channels[static_cast<std::size_t>(c)]);
+            const double v = test::variance(best[at]);
+            const double e = test::relative_error(plain[at], best[at]);
+            error += e * e * v;
+            spread += v;
+        }
+        EXPECT_LT(std::sqrt(error / spread), 2e-6) << field.name;
+    }
+}
+
+TEST_F(KernelFrames, HaveTheSameBitsInAnySubsetAndAnyLayout) {
+    using enum Channel;
+    const std::vector<std::vector<Quantity>> requests = {
+        {height},
+        {nx, ny, nz},
+        {dx, dy, height},
+        {whitecap},
+        {vx, vy, vz},
+        {slope_y, slope_x},
+        {jacobian, height},
+        {dx, dy, height, whitecap},
+        {nz, nz, height, dx},
+        {height, {}, jacobian},
+        {{}, ny},
+    };
+    for (const SimdLevel level : levels()) {
+        const auto planar = channels(level, 1);
+        for (const auto& quantities : requests) {
+            // Offset 1: not aligned to a vector; a frame of untouched values around it.
+            for (const std::size_t offset : {std::size_t{0}, std::size_t{1}}) {
+                const std::size_t n = quantities.size();
+                PageVector<float> buffer(n * modes_.lattice.size() + 64, -7.0f);
+                MapOutput output{buffer.data() + offset, static_cast<int>(n), {}};
+                for (std::size_t c = 0; c < n; ++c) output.component[c] = {quantities[c], 1.0f};
+                run(level, {&output, 1}, pool_);
+                for (std::size_t i = 0; i < modes_.lattice.size(); ++i) {
+                    for (std::size_t c = 0; c < n; ++c) {
+                        const float value = buffer[offset + i * n + c];
+                        const float expected =
+                            quantities[c] == Quantity{}
+                                ? -7.0f
+                                : planar[static_cast<std::size_t>(quantities[c].id)][i];
+                        ASSERT_EQ(value, expected)
+                            << simd_name(level) << " component " << c << " of " << n << " at " << i;
+                    }
+                }
+                for (std::size_t i = 0; i < offset; ++i) ASSERT_EQ(buffer[i], -7.0f);
+                for (std::size_t i = offset + n * modes_.lattice.size(); i < buffer.size(); ++i) {
+                    ASSERT_EQ(buffer[i], -7.0f) << "written beyond the end";
+                }
+            }
+        }
+    }
+}
+
+TEST_F(KernelFrames, OfManyOutputsAreWhole) {
+    std::vector<PageVector<float>> maps;
+    std::vector<MapOutput> outputs;
+    for (int i = 0; i < 3 * kMaxOutputs / 2; ++i) {
+        maps.emplace_back(modes_.lattice.size(), -7.0f);
+        outputs.push_back({maps.back().data(), 1, {{{Channel::height, 1.0f}}}});
+    }
+    run(simd_level(), outputs, pool_);
+    for (const auto& map : maps) EXPECT_EQ(map, maps.front());
+    EXPECT_EQ(maps.front(), channels(simd_level(), 1)[static_cast<std::size_t>(Channel::height)]);
+}
+
+TEST_F(KernelFrames, FollowFoamFromTheMapBefore) {
+    for (const SimdLevel level : levels()) {
+        const auto planar = channels(level, 1);
+        const auto& whitecap = planar[static_cast<int>(Channel::whitecap)];
+        PageVector<float> foam(whitecap.size());
+        for (std::size_t i = 0; i < foam.size(); ++i) foam[i] = static_cast<float>(i % 17) / 16.0f;
+        const PageVector<float> before = foam;
+        const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
+        run(level, {&output, 1}, pool_, {foam.data(), 0.5f, 0.1f});
+        for (std::size_t i = 0; i < foam.size(); ++i) {
+            const float value = std::max(whitecap[i], 0.5f * before[i]);
+            ASSERT_EQ(foam[i], value < 0.1f ? 0.0f : value) << simd_name(level) << " at " << i;
+        }
+    }
+}
+
+TEST_F(KernelFrames, WithoutChoppinessNeedNoGradients) {
+    parameters_.surface.choppiness = 0.0;
+    const auto with_jacobian = channels(simd_level(), 1);
+    for (std::size_t i = 0; i < modes_.lattice.size(); ++i) {
+        const float hx = with_jacobian[static_cast<int>(Channel::slope_x)][i];
+        const float hy = with_jacobian[static_cast<int>(Channel::slope_y)][i];
+        const float nz = with_jacobian[static_cast<int>(Channel::nz)][i];
+        ASSERT_NEAR(nz, 1.0f / std::sqrt(1.0f + hx * hx + hy * hy), 1e-6);
+        ASSERT_EQ(with_jacobian[static_cast<int>(Channel::jacobian)][i], 1.0f);
+    }
+}
+
+TEST_F(KernelFrames, AreMadeOfPlanesByTheSameFormulas) {
+    for (const SimdLevel level : levels()) {
+        const std::vector<Linear> fields = all_fields();
+        Planes planes(kSize, fields);
+        run(level, planes.outputs, pool_);
+        PlanarFields rows{{}, kSize};
+        for (std::size_t f = 0; f < fields.size(); ++f) rows.plane[f] = planes.plane[f].data();
+        PageVector<float> normal(3 * modes_.lattice.size());
+        PageVector<float> expected(normal.size());
+        const auto output = [](PageVector<float>& to) {
+            return MapOutput{
+                to.data(), 3, {{{Channel::nx, 1.0f}, {Channel::ny, -1.0f}, {Channel::nz, 1.0f}}}};
+        };
+        const MapOutput from_rows = output(normal);
+        const MapOutput from_modes = output(expected);
+        run(level, {&from_modes, 1}, pool_);
+        write_rows(rows, kSize, 0, kSize, {0.0, parameters_.surface, {&from_rows, 1}, {}}, level);
+        EXPECT_EQ(normal, expected) << simd_name(level);
+    }
+}
+
+}  // namespace
+}  // namespace ocean

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Modes that are built again for other waves are those that would have been built at once, and what
+// does not depend on the waves is left alone.
+#include "mode_lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ocean/dispersion.hpp"
+#include "quadrant_sampler.hpp"
+#include "test_seas.hpp"
+#include "wave.hpp"
+
+namespace ocean {
+namespace {
+
+/// Seas that differ in what a lattice depends on.
+std::vector<Parameters> many_seas() {
+    std::vector<Parameters> seas(5, test::wind_sea(64));
+    seas[0].waves.front().wind_direction = -107.0;
+    seas[1].waves.front() = WaveSystem{};  // phillips: no wave across the wind
+    seas[1].water.depth = 4.0;
+    seas[2].grid.cascades = 3;
+    seas[2].grid.patch_size = 3000.0;
+    seas[2].waves.front().opposing = 0.2;
+    seas[3].surface.shortest_wavelength = 400.0 / 21.0;
+    seas[3].surface.longest_wavelength = 400.0 / 5.0;
+    seas[4].waves.push_back(seas[1].waves.front());
+    seas[4].time.loop_period = 20.0;
+    return seas;
+}
+
+template <typename T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+void expect_same_bits(const Modes& a, const Modes& b, const std::string& what) {
+    ASSERT_EQ(a.cascades.size(), b.cascades.size()) << what;
+    EXPECT_EQ(a.wind_speed, b.wind_speed) << what;
+    EXPECT_EQ(a.loop_period, b.loop_period) << what;
+    for (std::size_t c = 0; c < a.cascades.size(); ++c) {
+        EXPECT_TRUE(same_bits(a.cascades[c].h0, b.cascades[c].h0)) << what;
+        EXPECT_TRUE(same_bits(a.cascades[c].rate_high, b.cascades[c].rate_high)) << what;
+        EXPECT_TRUE(same_bits(a.cascades[c].rate_low, b.cascades[c].rate_low)) << what;
+        EXPECT_TRUE(same_bits(a.cascades[c].excursion, b.cascades[c].excursion)) << what;
+        EXPECT_TRUE(same_bits(a.cascades[c].shell_covariance, b.cascades[c].shell_covariance))
+            << what;
+    }
+}
+
+Modes fresh_modes(const Parameters& parameters, int threads) {
+    ThreadPool pool(threads);
+    return make_modes(make_directional_spectrum(parameters), parameters, pool);
+}
+
+TEST(ModeLattice, VariancesAreTheModalVariancesInAllQuadrants) {
+    ThreadPool pool(1);
+    for (const Parameters& parameters : many_seas()) {
+        const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+        const QuadrantSampler sampler(spectrum);
+        const auto bands = cascade_bands(parameters.grid);
+        for (const auto memory : {ModeLattice::Memory::none, ModeLattice::Memory::keep}) {
+            const ModeLattice lattice(parameters, memory, pool);
+            double largest = 0.0;
+            double worst = 0.0;
+            QuadrantVariances found;
+            for (std::size_t c = 0; c < bands.size(); ++c) {
+                for (int m = 0; m < 32; ++m) {
+                    lattice.variances(sampler, c, m, found);
+                    for (int n = 0; n < 32; ++n) {
+                        const int modes[4][2] = {{n, m}, {-n, m}, {-n, -m}, {n, -m}};
+                        for (int q = 0; q < 4; ++q) {
+                            if ((n == 0 && (q == 1 || q == 2)) || (m == 0 && q >= 2)) continue;
+                            const double exact = modal_variance(spectrum, parameters, modes[q][0],
+                                                                modes[q][1], bands[c]);
+                            const double v = found.quarter[q][static_cast<std::size_t>(n)];
+                            largest = std::max(largest, exact);
+                            worst = std::max(worst, std::abs(v - exact) / (exact + 1e-30));
+                            ASSERT_EQ(v > 0.0, exact > 0.0) << modes[q][0] << " " << modes[q][1];
+                        }
+                    }
+                }
+            }
+            EXPECT_LT(worst, 1e-10);
+            EXPECT_GT(largest, 0.0);
+        }
+    }
+}
+
+TEST(ModeLattice, EveryModeIsItsOwnNoiseTimesTheRootOfItsOwnVariance) {
+    for (const Parameters& parameters : many_seas()) {
+        if (parameters.grid.cascades > 1) continue;  // their rings are scaled
+        const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+        const Modes modes = fresh_modes(parameters, 1);
+        for (int m = -31; m < 32; ++m) {
+            for (int n = -31; n < 32; ++n) {
+                const auto xi = wave::double_precision::gaussian_noise(parameters.seed, 0, n, m);
+                const double half_root =
+                    0.5 * std::sqrt(modal_variance(spectrum, parameters, n, m));
+                const auto at = static_cast<std::size_t>(fft_index(m, 64) * 64 + fft_index(n, 64));
+                const std::complex<double> h0(modes.cascades.front().h0[at]);
+                const std::complex<double> expected(half_root * xi.re, half_root * xi.im);
+                ASSERT_LE(std::abs(h0 - expected), 2e-7 * std::abs(expected)) << n << " " << m;
+            }
+        }
+    }
+}
+
+TEST(ModeLattice, KeptOrNotTheBitsAreTheSame) {
+    for (const Parameters& parameters : many_seas()) {
+        ThreadPool pool(2);
+        const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+        const ModeLattice lattice(parameters, ModeLattice::Memory::keep, pool);
+        Modes modes = lattice.still_modes(pool);
+        lattice.set_waves(spectrum, strongest_wind(parameters), pool, modes);
+        expect_same_bits(modes, fresh_modes(parameters, 1), "kept");
+    }
+}
+
+TEST(Rebuild, AfterAnyChangeTheBitsAreThoseOfAFreshBuild) {
+    const std::pair<const char*, const char*> changes[] = {
+        {"waves.0.wind_speed", "14.5"},
+        {"waves.0.wind_direction", "-60"},
+        {"waves.0.fetch", "20000"},
+        {"waves.0.peak_enhancement", "6"},
+        {"waves.0.spreading", "mitsuyasu"},
+        {"waves.0.swell", "0.7"},
+        {"waves.0.opposing", "0.3"},
+        {"waves.0.significant_wave_height", "2.5"},
+        {"waves.0.peak_period", "9"},
+        {"surface.choppiness", "0.6"},
+        {"waves.0.spectrum", "tma"},
+        {"water.depth", "12"},
+        {"random.seed", "77"},
+        {"surface.shortest_wavelength", "9"},
+        {"grid.cascades", "2"},
+        {"time.loop_period", "30"},
+        {"grid.resolution", "32"},
+        {"waves.0.wind_speed", "0"},
+        {"waves.0.wind_speed", "8"}};
+    for (const int threads : {1, 3}) {
+        Ocean sea(test::wind_sea(64), {.threads = threads});
+        sea.modes();
+        double period = 6.0;
+        for (const auto& [name, value] : changes) {
+            sea.set(name, value);
+            expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 2), name);
+            // Once more, so that whatever can be kept is kept at the next change.
+            sea.set("waves.0.peak_period", std::to_string(period += 0.1));
+            expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 2), name);
+        }
+    }
+}
+
+TEST(Rebuild, ALiveChangeLeavesRatesAndMemoryWhereTheyAre) {
+    Ocean sea(test::wind_sea(64), {.threads = 2});
+    const CascadeModes& cascade = sea.modes().cascades.front();
+    const float* rates = cascade.rate_high.data();
+    const float* excursions = cascade.excursion.data();
+    const std::complex<float>* h0 = cascade.h0.data();
+    const std::complex<float> before = h0[5];
+    for (const char* wind : {"11", "12", "13"}) {
+        sea.set("waves.0.wind_speed", wind);
+        EXPECT_EQ(sea.modes().cascades.front().rate_high.data(), rates);
+        EXPECT_EQ(sea.modes().cascades.front().excursion.data(), excursions);
+        EXPECT_EQ(sea.modes().cascades.front().h0.data(), h0);
+    }
+    EXPECT_NE(h0[5], before);
+}
+
+TEST(Rebuild, SeasThatShareModesDoNotChangeEachOthers) {
+    Ocean sea(test::wind_sea(64), {.threads = 1});
+    const Modes before = sea.modes();
+    Ocean fork(sea, {.threads = 2});
+    EXPECT_EQ(&fork.modes(), &sea.modes()) << "nothing is shared: the test would see nothing";
+    sea.set("waves.0.wind_speed", "15");
+    expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 1), "the first");
+    expect_same_bits(fork.modes(), before, "the fork");
+    fork.set("waves.0.wind_speed", "5");
+    expect_same_bits(fork.modes(), fresh_modes(fork.parameters(), 1), "the fork's own");
+    expect_same_bits(sea.modes(), fresh_modes(sea.parameters(), 1), "the first again");
+}
+
+TEST(QuadrantSampler, IsTheTableItselfUpToRounding) {
+    for (const Parameters& parameters : many_seas()) {
+        const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
+        const QuadrantSampler sampler(spectrum);
+        const std::span<const double> rows = spectrum.angular_frequencies();
+        std::vector<double> frequencies = {0.5 * rows.front(), rows.back(), 2.0 * rows.back()};
+        for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+            frequencies.push_back(rows[i]);
+            frequencies.push_back(0.3 * rows[i] + 0.7 * rows[i + 1]);
+        }
+        for (const double omega : frequencies) {
+            for (const double turns : {0.0, 0.0313, 0.1875, 0.2499, 0.25}) {
+                const double theta = kTwoPi * turns;
+                const double directions[4] = {theta, kPi - theta, kPi + theta, -theta};
+                const auto found = sampler.density(omega, turns);
+                for (std::size_t q = 0; q < 4; ++q) {
+                    const double exact = spectrum.density(omega, directions[q]);
+                    const double scale = spectrum.frequency_density(omega);
+                    // Between two rows a billionth apart the table itself is rounded.
+                    ASSERT_NEAR(found[q], exact, 1e-11 * exact + 1e-13 * scale)
+                        << omega << " " << turns;
+                }
+            }
+        }
+    }
+}
+
+TEST(Dispersion, AtIsTheFunctionsTogether) {
+    for (const double depth : {0.01, 1.0, 30.0, std::numeric_limits<double>::infinity()}) {
+        const Dispersion water(Water{.depth = depth});
+        for (double k = 1e-5; k < 1e5; k *= 1.7) {
+            const DispersionPoint wave = water.at(k);
+            EXPECT_NEAR(wave.angular_frequency / water.angular_frequency(k), 1.0, 1e-14);
+            EXPECT_NEAR(wave.group_velocity / water.group_velocity(k), 1.0, 2e-14);
+            EXPECT_NEAR(wave.horizontal_excursion / water.horizontal_excursion(k), 1.0, 1e-14);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ocean
