@@ -38,10 +38,11 @@ LAYERS = {
         libraries=frozenset({"Threads::Threads", "ocean_options"}),
         headers=("wave/",),
         banned=STREAMS,
-        # The one file that may know the operating system, and the one that knows the processor.
+        # The one file that may know the operating system, and those that know the processor.
         excepted={
             "platform.cpp": ("fstream", "sched.h", "sys/", "unistd.h", "windows.h"),
             "kernel/simd.hpp": ("immintrin.h",),
+            "kernel/simd_level.cpp": ("cpuid.h",),
         },
     ),
     "seafile": layer(

@@ -123,7 +123,8 @@ class PackedModes::Packing {
             if (rows_in(cascade, block).empty()) continue;
             const int half = request_.half(cascade);
             for (int n = -half + 1; n < half; ++n) {
-                occupied[fft_index(n * request_.stride(cascade), size_)] = 1;
+                const int kx = fft_index(n * request_.stride(cascade), size_);
+                occupied[static_cast<std::size_t>(kx)] = 1;
             }
         }
     }

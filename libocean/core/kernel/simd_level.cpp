@@ -6,6 +6,10 @@
 
 #include <cstdlib>
 
+#if defined(OCEAN_X86_KERNELS)
+#include <cpuid.h>
+#endif
+
 #include "frame_task.hpp"
 
 namespace ocean {
@@ -59,26 +63,54 @@ std::string_view simd_name(SimdLevel level) {
     return "portable";
 }
 
-bool simd_available(SimdLevel level) {
 #if defined(OCEAN_X86_KERNELS)
+namespace {
+
+/// What the processor can and the system saves between threads. [Intel SDM] vol. 1 sec. 14.3, 15.2;
+/// the compilers' own question for it is missing from some of their run-time libraries.
+struct Processor {
+    unsigned leaf_1 = 0;        // ecx of cpuid 1
+    unsigned leaf_7 = 0;        // ebx of cpuid 7
+    unsigned saved_states = 0;  // XCR0
+
+    Processor() {
+        unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;
+        if (__get_cpuid(1, &eax, &ebx, &ecx, &edx) != 0) leaf_1 = ecx;
+        if (__get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0) leaf_7 = ebx;
+        if ((leaf_1 & bit_OSXSAVE) != 0) {
+            __asm__ volatile("xgetbv" : "=a"(saved_states), "=d"(edx) : "c"(0));
+        }
+    }
+    bool has(unsigned in_leaf_1, unsigned in_leaf_7, unsigned states) const {
+        return (leaf_1 & in_leaf_1) == in_leaf_1 && (leaf_7 & in_leaf_7) == in_leaf_7 &&
+               (saved_states & states) == states;
+    }
+};
+
+}  // namespace
+
+bool simd_available(SimdLevel level) {
+    constexpr unsigned kAvxStates = 0x06;     // of XMM and YMM registers
+    constexpr unsigned kAvx512States = 0xE6;  // and of masks and ZMM
+    constexpr unsigned kAvx512 = bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
+    const Processor processor;
     switch (level) {
         case SimdLevel::avx512:
-            return __builtin_cpu_supports("avx512f") != 0 &&
-                   __builtin_cpu_supports("avx512bw") != 0 &&
-                   __builtin_cpu_supports("avx512dq") != 0 &&
-                   __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("fma") != 0;
+            return processor.has(bit_FMA, bit_AVX2 | kAvx512, kAvx512States);
         case SimdLevel::avx2:
-            return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+            return processor.has(bit_FMA, bit_AVX2, kAvxStates);
         case SimdLevel::sse4:
-            return __builtin_cpu_supports("sse4.2") != 0;
+            return processor.has(bit_SSE4_2, 0, 0);
         case SimdLevel::portable:
             break;
     }
     return true;
-#else
-    return level == SimdLevel::portable;
-#endif
 }
+#else
+bool simd_available(SimdLevel level) {
+    return level == SimdLevel::portable;
+}
+#endif
 
 SimdLevel simd_level() {
     static const SimdLevel chosen = choose();
