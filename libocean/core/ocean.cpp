@@ -198,13 +198,10 @@ MapKernel& Ocean::kernel(int resolution) {
             packed_ = std::make_shared<PackedModes>(request, pool_, simd_level());
             packed_lent_ = false;
         }
+        if (kernel_) kernel_->use(packed_);
         packed_right_ = true;
     }
-    if (kernel_) {
-        kernel_->use(packed_);
-    } else {
-        kernel_ = std::make_unique<MapKernel>(packed_);
-    }
+    if (!kernel_) kernel_ = std::make_unique<MapKernel>(packed_);
     return *kernel_;
 }
 

@@ -99,21 +99,11 @@ std::span<float> Surface::channel(Channel channel) {
     return maps_[static_cast<std::size_t>(channel)];
 }
 
-void Surface::add(Channel channel) {
-    channels_ = channels_ | ChannelSet{channel};
-    maps_[static_cast<std::size_t>(channel)].assign(lattice_.size(), 0.0f);
-}
-
-void Surface::drop(Channel channel) {
-    channels_ = channels_.without(channel);
-    maps_[static_cast<std::size_t>(channel)] = {};
-}
-
-std::vector<MapOutput> outputs_of(Surface& surface, ChannelSet without) {
+std::vector<MapOutput> outputs_of(Surface& surface) {
     std::vector<MapOutput> outputs;
     for (int c = 0; c < kChannelCount; ++c) {
         const auto channel = static_cast<Channel>(c);
-        if (!surface.has(channel) || without.contains(channel)) continue;
+        if (!surface.has(channel)) continue;
         outputs.push_back({surface.channel(channel).data(), 1, {{{channel, 1.0f}}}});
     }
     return outputs;

@@ -104,6 +104,12 @@ TEST(DirectionalSpectrum, TailKeepsItsRelativeAccuracy) {
     }
 }
 
+/// The table of one wave system of a sea alone.
+DirectionalSpectrum table_of(Parameters parameters, std::size_t system) {
+    parameters.waves = {parameters.waves[system]};
+    return make_directional_spectrum(parameters);
+}
+
 TEST(DirectionalSpectrum, EnergiesOfWaveSystemsAdd) {
     Parameters both = test::wind_sea();
     WaveSystem swell = both.waves.front();
@@ -111,13 +117,9 @@ TEST(DirectionalSpectrum, EnergiesOfWaveSystemsAdd) {
     swell.peak_period = 14.0;
     swell.wind_direction = -120.0;
     both.waves.push_back(swell);
-    Parameters first = both;
-    first.waves = {both.waves[0]};
-    Parameters second = both;
-    second.waves = {both.waves[1]};
     const DirectionalSpectrum sum = make_directional_spectrum(both);
-    const DirectionalSpectrum one = make_directional_spectrum(first);
-    const DirectionalSpectrum two = make_directional_spectrum(second);
+    const DirectionalSpectrum one = table_of(both, 0);
+    const DirectionalSpectrum two = table_of(both, 1);
     EXPECT_NEAR(sum.moments(both.water).m0, one.moments(both.water).m0 + two.moments(both.water).m0,
                 2e-6);
     EXPECT_NEAR(sum.density(0.449, -2.1), one.density(0.449, -2.1) + two.density(0.449, -2.1),
@@ -133,13 +135,9 @@ TEST(DirectionalSpectrum, TheTableOfSeveralSystemsIsTheSumOfTheirTables) {
     swell.peak_period = 11.0;
     swell.wind_direction = -120.0;
     both.waves.push_back(swell);
-    Parameters first = both;
-    first.waves = {both.waves[0]};
-    Parameters second = both;
-    second.waves = {both.waves[1]};
     const DirectionalSpectrum sum = make_directional_spectrum(both);
-    const DirectionalSpectrum one = make_directional_spectrum(first);
-    const DirectionalSpectrum two = make_directional_spectrum(second);
+    const DirectionalSpectrum one = table_of(both, 0);
+    const DirectionalSpectrum two = table_of(both, 1);
     ASSERT_NE(one.directions(), two.directions());
     const double peak = two.density(kTwoPi / 11.0, -120.0 * kPi / 180.0);
     for (double omega = 0.2; omega < 20.0; omega *= 1.0137) {

@@ -68,8 +68,8 @@ struct DirectPlane {
 
 inline constexpr int kMaxOutputs = 32;
 
-/// One frame. Slots number the fields that pass two makes; the channels that are made from them
-/// follow: see `Channels`.
+/// One frame. Slots number the fields that pass two makes; the channels that are made of several
+/// of them follow.
 struct FrameTask {
     int size;     // N
     int columns;  // ky < columns may have modes: a multiple of B and of sixteen

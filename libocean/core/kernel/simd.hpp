@@ -104,6 +104,41 @@ OCEAN_INLINE bool is_aligned(const float* p) {
 
 namespace ocean::OCEAN_KERNEL {
 
+#if defined(__FMA__)
+/// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: the
+/// rounding error of the high product is found by an fma before its integer part is dropped.
+struct PhaseClock {
+    Vec tau_high;
+    Vec tau_low;
+
+    OCEAN_INLINE explicit PhaseClock(double tau)
+        : tau_high(static_cast<float>(tau)),
+          tau_low(static_cast<float>(tau - static_cast<double>(static_cast<float>(tau)))) {}
+    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
+        const Vec product = rate_high * tau_high;
+        Vec rest = fms(rate_high, tau_high, product);
+        rest = fma(rate_high, tau_low, rest);
+        rest = fma(rate_low, tau_high, rest);
+        return (product - nearest(product)) + rest;
+    }
+};
+#else
+/// rate * tau modulo 1, in double.
+struct PhaseClock {
+    using Doubles = double __attribute__((vector_size(8 * kLanes)));
+    double tau;
+
+    OCEAN_INLINE explicit PhaseClock(double time) : tau(time) {}
+    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
+        constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52
+        const Doubles whole = (__builtin_convertvector(rate_high.v, Doubles) +
+                               __builtin_convertvector(rate_low.v, Doubles)) *
+                              tau;
+        return Lanes(__builtin_convertvector(whole - ((whole + kRound) - kRound), Lanes));
+    }
+};
+#endif
+
 struct Complex {
     Vec re;
     Vec im;

@@ -62,19 +62,4 @@ OCEAN_INLINE Vec load_quads(const float* p, std::size_t) {
 template <int n>
 OCEAN_INLINE void interleave_quads(Vec (&)[n]) {}
 
-/// rate * tau modulo 1, in double.
-struct PhaseClock {
-    using Doubles = double __attribute__((vector_size(8 * kLanes)));
-    double tau;
-
-    OCEAN_INLINE explicit PhaseClock(double time) : tau(time) {}
-    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
-        constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52
-        const Doubles whole = (__builtin_convertvector(rate_high.v, Doubles) +
-                               __builtin_convertvector(rate_low.v, Doubles)) *
-                              tau;
-        return Lanes(__builtin_convertvector(whole - ((whole + kRound) - kRound), Lanes));
-    }
-};
-
 }  // namespace ocean::OCEAN_KERNEL

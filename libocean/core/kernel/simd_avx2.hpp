@@ -82,22 +82,4 @@ OCEAN_INLINE void interleave_quads(Vec (&q)[4]) {
     q[2] = high01;
 }
 
-/// rate * tau modulo 1, within a few 1e-8 for any tau that double holds to the millisecond: the
-/// rounding error of the high product is found by an fma before its integer part is dropped.
-struct PhaseClock {
-    Vec tau_high;
-    Vec tau_low;
-
-    OCEAN_INLINE explicit PhaseClock(double tau)
-        : tau_high(static_cast<float>(tau)),
-          tau_low(static_cast<float>(tau - static_cast<double>(static_cast<float>(tau)))) {}
-    OCEAN_INLINE Vec turns(Vec rate_high, Vec rate_low) const {
-        const Vec product = rate_high * tau_high;
-        Vec rest = fms(rate_high, tau_high, product);
-        rest = fma(rate_high, tau_low, rest);
-        rest = fma(rate_low, tau_high, rest);
-        return (product - nearest(product)) + rest;
-    }
-};
-
 }  // namespace ocean::OCEAN_KERNEL

@@ -17,7 +17,6 @@ struct Quantity {
     int id = kNone;
 
     static constexpr int kNone = -1;
-    static constexpr int kCount = kChannelCount + kLinearCount;
     constexpr Quantity() = default;
     constexpr Quantity(Channel channel) : id(static_cast<int>(channel)) {}
     constexpr Quantity(Linear field) : id(kChannelCount + static_cast<int>(field)) {}
@@ -46,7 +45,7 @@ struct MapOutput {
     }
 };
 
-/// The planes of a surface as outputs: all of its channels but `without`.
-std::vector<MapOutput> outputs_of(Surface& surface, ChannelSet without = {});
+/// The planes of a surface as outputs: all of its channels.
+std::vector<MapOutput> outputs_of(Surface& surface);
 
 }  // namespace ocean

@@ -130,9 +130,6 @@ class Surface {
     /// resolution^2 values; empty for a channel that was not asked for.
     std::span<const float> channel(Channel channel) const;
     std::span<float> channel(Channel channel);
-    /// A channel more, of zeros, and one less.
-    void add(Channel channel);
-    void drop(Channel channel);
 
   private:
     Lattice lattice_;
