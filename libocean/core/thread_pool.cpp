@@ -17,71 +17,94 @@
 
 namespace ocean {
 
-struct ThreadPool::State {
-    /// One call of for_each_item.
-    struct Call {
-        const std::function<void(int, int)>* body = nullptr;
-        int count = 0;
-        std::uint32_t number = 0;
-    };
+namespace {
 
-    int size = 1;
-    std::vector<std::thread> workers;
-    std::mutex mutex;
-    std::condition_variable start;
-    std::condition_variable done;
-    Call call;                          // guarded by mutex
-    bool stopping = false;              // guarded by mutex
-    std::exception_ptr failure;         // guarded by mutex
-    std::atomic<std::uint64_t> next{};  // call number << 32 | its next item
-    std::atomic<int> unfinished{};      // items of the call
+/// The items first .. last - 1 that nobody has taken yet.
+class ItemRange {
+  public:
+    void set(int first, int last) { range_.store(pack(first, last), std::memory_order_relaxed); }
 
-    /// Takes items until there are none left. A thread that comes late finds the number of a later
-    /// call, or no item: it never touches the body of a call that has returned.
-    void take_items(const Call& mine, int thread) {
-        std::uint64_t ticket = next.load(std::memory_order_acquire);
+    /// An item from the front or the back, or -1.
+    int take(bool front) {
+        std::uint64_t range = range_.load(std::memory_order_relaxed);
         for (;;) {
-            if (static_cast<std::uint32_t>(ticket >> 32) != mine.number) return;
-            const auto item = static_cast<int>(ticket & 0xFFFFFFFFu);
-            if (item >= mine.count) return;
-            if (!next.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel))
-                continue;
-            run_item(mine, item, thread);
-            ticket = next.load(std::memory_order_acquire);
+            const auto first = static_cast<int>(range >> 32);
+            const auto last = static_cast<int>(range & 0xFFFFFFFFu);
+            if (first >= last) return -1;
+            const std::uint64_t left = front ? pack(first + 1, last) : pack(first, last - 1);
+            if (range_.compare_exchange_weak(range, left, std::memory_order_relaxed)) {
+                return front ? first : last - 1;
+            }
         }
     }
 
-    void run_item(const Call& mine, int item, int thread) {
+  private:
+    static std::uint64_t pack(int first, int last) {
+        return static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint32_t>(last);
+    }
+
+    alignas(64) std::atomic<std::uint64_t> range_{};
+};
+
+/// Where share i of `shares` begins.
+int share_edge(int count, int i, int shares) {
+    return static_cast<int>(static_cast<long long>(count) * i / shares);
+}
+
+}  // namespace
+
+struct ThreadPool::State {
+    int size = 1;
+    std::vector<std::thread> workers;
+    std::vector<ItemRange> ranges;  // of each thread
+    std::mutex mutex;
+    std::condition_variable start;
+    std::condition_variable done;
+    // Guarded by mutex:
+    const std::function<void(int, int)>* body = nullptr;  // of the call that goes on, if any
+    std::uint64_t call = 0;                               // its number
+    int taking_part = 0;                                  // workers
+    bool stopping = false;
+    std::exception_ptr failure;
+
+    /// A thread walks through its own range, whose items are neighbours; after that it helps the
+    /// others from the far end of theirs.
+    void take_items(const std::function<void(int, int)>& run, int thread) {
+        for (int other = 0; other < size; ++other) {
+            ItemRange& range = ranges[static_cast<std::size_t>((thread + other) % size)];
+            for (int item; (item = range.take(other == 0)) >= 0;) run_item(run, item, thread);
+        }
+    }
+
+    void run_item(const std::function<void(int, int)>& run, int item, int thread) {
         try {
-            (*mine.body)(item, thread);
+            run(item, thread);
         } catch (...) {
             const std::lock_guard lock(mutex);
             if (!failure) failure = std::current_exception();
         }
-        if (unfinished.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-            const std::lock_guard lock(mutex);
-            done.notify_one();
-        }
     }
 
     void work(int thread) {
-        std::uint32_t seen = 0;
+        std::uint64_t seen = 0;
+        std::unique_lock lock(mutex);
         for (;;) {
-            Call mine;
-            {
-                std::unique_lock lock(mutex);
-                start.wait(lock, [&] { return stopping || call.number != seen; });
-                if (stopping) return;
-                mine = call;
-            }
-            seen = mine.number;
-            take_items(mine, thread);
+            start.wait(lock, [&] { return stopping || (body != nullptr && call != seen); });
+            if (stopping) return;
+            seen = call;
+            const std::function<void(int, int)>& run = *body;
+            ++taking_part;
+            lock.unlock();
+            take_items(run, thread);
+            lock.lock();
+            if (--taking_part == 0) done.notify_one();
         }
     }
 };
 
 ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
     state_->size = threads > 0 ? threads : available_cores();
+    state_->ranges = std::vector<ItemRange>(static_cast<std::size_t>(state_->size));
     state_->workers.reserve(static_cast<std::size_t>(state_->size - 1));
     for (int thread = 1; thread < state_->size; ++thread) {
         try {
@@ -109,20 +132,23 @@ int ThreadPool::size() const {
 
 void ThreadPool::for_each_item(int count, const std::function<void(int item, int thread)>& body) {
     if (count <= 0) return;
-    State::Call mine;
+    State& state = *state_;
     {
-        const std::lock_guard lock(state_->mutex);
-        mine = {&body, count, state_->call.number + 1};
-        state_->call = mine;
-        state_->failure = nullptr;
-        state_->unfinished.store(count, std::memory_order_relaxed);
-        state_->next.store(std::uint64_t{mine.number} << 32, std::memory_order_release);
+        const std::lock_guard lock(state.mutex);
+        for (int thread = 0; thread < state.size; ++thread) {
+            state.ranges[static_cast<std::size_t>(thread)].set(
+                share_edge(count, thread, state.size), share_edge(count, thread + 1, state.size));
+        }
+        state.body = &body;
+        ++state.call;
     }
-    if (count > 1) state_->start.notify_all();
-    state_->take_items(mine, 0);
-    std::unique_lock lock(state_->mutex);
-    state_->done.wait(lock, [this] { return state_->unfinished.load() == 0; });
-    if (state_->failure) std::rethrow_exception(std::exchange(state_->failure, nullptr));
+    if (count > 1) state.start.notify_all();
+    state.take_items(body, 0);
+    std::unique_lock lock(state.mutex);
+    // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
+    state.body = nullptr;
+    state.done.wait(lock, [&] { return state.taking_part == 0; });
+    if (state.failure) std::rethrow_exception(std::exchange(state.failure, nullptr));
 }
 
 void ThreadPool::for_each_range(int count, const std::function<void(int first, int last)>& body) {
@@ -130,13 +156,10 @@ void ThreadPool::for_each_range(int count, const std::function<void(int first, i
         int count;
         int shares;
         const std::function<void(int, int)>& body;
-        int edge(int i) const {
-            return static_cast<int>(static_cast<long long>(count) * i / shares);
-        }
     } work{count, state_->size, body};
     for_each_item(work.shares, [&work](int share, int) {
-        const int first = work.edge(share);
-        const int last = work.edge(share + 1);
+        const int first = share_edge(work.count, share, work.shares);
+        const int last = share_edge(work.count, share + 1, work.shares);
         if (first < last) work.body(first, last);
     });
 }

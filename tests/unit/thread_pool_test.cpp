@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "ocean/platform.hpp"
@@ -49,6 +50,28 @@ TEST(ThreadPool, ManyShortCallsDoNotDeadlock) {
         pool.for_each_range(3, [&](int first, int last) { sum += last - first; });
     }
     EXPECT_EQ(sum.load(), 15000);
+}
+
+TEST(ThreadPool, OneThreadTakesItsItemsInOrder) {
+    ThreadPool pool(1);
+    std::vector<int> seen;
+    pool.for_each_item(5, [&](int item, int) { seen.push_back(item); });
+    EXPECT_EQ(seen, (std::vector{0, 1, 2, 3, 4}));
+}
+
+TEST(ThreadPool, AThreadThatIsHeldUpDoesNotHoldUpTheRest) {
+    for (const int held : {0, 31, 63}) {  // at the ends and in the middle of the threads' shares
+        ThreadPool pool(3);
+        std::atomic<int> finished = 0;
+        pool.for_each_item(64, [&](int item, int) {
+            // Waits for all others, those of its own thread's share among them.
+            if (item == held) {
+                while (finished < 63) std::this_thread::yield();
+            }
+            ++finished;
+        });
+        EXPECT_EQ(finished.load(), 64);
+    }
 }
 
 TEST(ThreadPool, MoreThreadsThanItemsIsFine) {

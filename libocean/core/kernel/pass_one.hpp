@@ -7,6 +7,7 @@
 #include "codelets.hpp"
 #include "frame_task.hpp"
 #include "layout.hpp"
+#include "next_item.hpp"
 #include "transpose.hpp"
 
 namespace ocean::OCEAN_KERNEL {
@@ -161,11 +162,23 @@ void sweep_group(const FrameTask& task, int j, Vec ky, const ModeLines<A, kRates
     }
 }
 
+/// The records of the next block.
+using NextRecords = NextItem<(kLanes > 8 ? kLanes / 8 : 1)>;
+
+template <int B>
+OCEAN_INLINE NextRecords next_records(const FrameTask& task, int block, const float* nowhere) {
+    if ((block + 1) * kLanes >= task.columns) return {nowhere, 0, nowhere};
+    const std::uint64_t here = task.groups[block * (B / 2)].first_record;
+    const std::uint64_t first = task.groups[(block + 1) * (B / 2)].first_record;
+    // As many again: neighbouring blocks differ little.
+    return {task.records + first, first - here, nowhere};
+}
+
 /// Second sweep of one source, kLanes of its A transforms at a time, each block transposed and
 /// stored where pass two reads it.
 template <int A, int B, bool kStream>
 void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
-                         float* tile) {
+                         float* tile, const NextRecords& next) {
     std::size_t place[kLanes];  // of each ky
     for (int l = 0; l < kLanes; ++l) {
         place[l] = Intermediate<A, B>::place(task, source, block * kLanes + l);
@@ -179,9 +192,12 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
             const float* in = lines + (group * kLanes + k) * 2 * kLanes;
             float* out = tile + k * 2 * kLanes;
             if constexpr (!kStream) prefetch_targets<B>(target, place, k);
+            const float* ahead = next.share(source * A + group * kLanes + k, B);
             Codelet<B>::run(
-                [=](int j)
-                    OCEAN_INLINE_LAMBDA { return load_complex(in + j * Sweep<A, B>::kLine); },
+                [=](int j) OCEAN_INLINE_LAMBDA {
+                    NextRecords::ask(ahead, j);
+                    return load_complex(in + j * Sweep<A, B>::kLine);
+                },
                 [=](int m, Complex x)
                     OCEAN_INLINE_LAMBDA { store_complex(out + m * kTileStride, x); });
         }
@@ -197,13 +213,14 @@ void pass_one(const FrameTask& task, int block, float* scratch) {
         read_modes(task, task.groups[block * (B / 2) + j], j == 0, lines);
         sweep_group<A, B>(task, j, ky, lines, scratch);
     }
+    const NextRecords next = next_records<B>(task, block, scratch);
     float* tile = scratch + task.source_count * B * Sweep<A, B>::kLine;
     for (int s = 0; s < task.source_count; ++s) {
         const float* swept = scratch + s * B * Sweep<A, B>::kLine;
         if (task.stream_intermediate) {
-            sweep_and_transpose<A, B, true>(task, block, s, swept, tile);
+            sweep_and_transpose<A, B, true>(task, block, s, swept, tile, next);
         } else {
-            sweep_and_transpose<A, B, false>(task, block, s, swept, tile);
+            sweep_and_transpose<A, B, false>(task, block, s, swept, tile, next);
         }
     }
     finish_streams();

@@ -11,153 +11,140 @@
 #include "codelets.hpp"
 #include "frame_task.hpp"
 #include "layout.hpp"
+#include "next_item.hpp"
 #include "outputs.hpp"
 
 namespace ocean::OCEAN_KERNEL {
 
-/// Lines ky = j + B i of a field and of the one derived from it, for the two lines of a j.
-template <int A>
-struct PairedLines {
-    Complex own[2][A];
-    Complex derived[2][A];
+/// A line of ky = j + B i, i < A, stands in the intermediate as its half with ky > 0; the other
+/// half mirrors a line's. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A - 1 - i)
+/// mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B (A - 1 -
+/// i).
+enum class Line { paired, zero, half };
+
+/// Z, or i ky Z, along one line. kCut: not every row that is asked for is there.
+template <int A, int B, Line kLine, bool kDerived, bool kCut>
+struct LineReader {
+    const float* entries;  // of one j and source
+    const float* ky;       // of lines j and B - j, or 0 and B / 2
+    const float* other_ky;
+    int rows;
+    int side;  // which of the two lines
+
+    OCEAN_INLINE Complex operator()(int i) const {
+        const Complex zero = {0.0f, 0.0f};
+        const bool mirror = i >= A / 2;
+        const int row = !mirror ? i : kLine == Line::zero ? A - i : A - 1 - i;
+        if (kCut && row >= rows) return zero;  // the Nyquist line, row A / 2, among them
+        const int from = kLine == Line::paired && mirror ? 1 - side : side;
+        const float* entry =
+            entries + row * Intermediate<A, B>::kEntry + from * 2 * Intermediate<A, B>::kBlock;
+        const Complex g0 = load_complex(entry);
+        const Complex g1 = load_complex(entry + 2 * kLanes);
+        const Complex z =
+            mirror ? Complex{g0.re + g1.im, g1.re - g0.im} : Complex{g0.re - g1.im, g0.im + g1.re};
+        if constexpr (!kDerived) return z;
+        const Vec k((from == 0 ? ky : other_ky)[B * row]);
+        return mirror ? Complex{z.im * k, -z.re * k} : Complex{-z.im * k, z.re * k};
+    }
 };
-
-/// Z at ky and at -ky from G0 and G1, [re | im] each.
-struct MirroredPair {
-    Complex at;
-    Complex mirror;
-};
-OCEAN_INLINE MirroredPair pair_up(Complex g0, Complex g1) {
-    return {{g0.re - g1.im, g0.im + g1.re}, {g0.re + g1.im, g1.re - g0.im}};
-}
-
-/// i ky Z: the mirror has -ky.
-OCEAN_INLINE MirroredPair derive(MirroredPair z, Vec ky) {
-    return {{-z.at.im * ky, z.at.re * ky}, {z.mirror.im * ky, -z.mirror.re * ky}};
-}
-
-/// Puts one ky of line `side` in place, and its mirror, which is on line `mirror_side`.
-template <int A, bool kWithOwn, bool kWithDerived>
-OCEAN_INLINE void place_pair(PairedLines<A>& lines, const float* entry, float ky, int side, int i,
-                             int mirror_side, int mirror_i) {
-    const MirroredPair z = pair_up(load_complex(entry), load_complex(entry + 2 * kLanes));
-    if constexpr (kWithOwn) {
-        lines.own[side][i] = z.at;
-        lines.own[mirror_side][mirror_i] = z.mirror;
-    }
-    if constexpr (kWithDerived) {
-        const MirroredPair d = derive(z, ky);
-        lines.derived[side][i] = d.at;
-        lines.derived[mirror_side][mirror_i] = d.mirror;
-    }
-}
-
-template <int A>
-OCEAN_INLINE void clear_rows(PairedLines<A>& lines, int side, int first, int last) {
-    for (int i = first; i < last; ++i) {
-        lines.own[side][i] = {0.0f, 0.0f};
-        lines.derived[side][i] = {0.0f, 0.0f};
-    }
-}
-
-/// Lines j and B - j: each is the other's mirror, -(j + B i) = (B - j) + B (A - 1 - i) mod N.
-/// Lines 0 and B / 2 (j = 0) are their own mirrors, -B i = B (A - i) and
-/// -(B/2 + B i) = B/2 + B (A - 1 - i).
-template <int A, int B, bool kWithOwn, bool kWithDerived>
-void combine_lines(const FrameTask& task, int j, const float* entries, PairedLines<A>& lines) {
-    using Layout = Intermediate<A, B>;
-    constexpr int kPrefetch = 1024;  // floats ahead: 4 kB [measured]
-    constexpr int kSecond = 2 * Layout::kBlock;
-    const int rows = static_cast<int>(Layout::rows(task));
-    const int other = j == 0 ? B / 2 : B - j;
-    const float* ky = task.wavenumber;
-    const float* entry = entries;
-    for (int i = 0; i < rows; ++i, entry += Layout::kEntry) {
-        for (int ahead = 0; ahead < Layout::kEntry; ahead += 16) {
-            __builtin_prefetch(entry + kPrefetch + ahead);
-        }
-        const float k0 = ky[j + B * i];
-        const float k1 = ky[other + B * i];
-        if (j != 0) {
-            place_pair<A, kWithOwn, kWithDerived>(lines, entry, k0, 0, i, 1, A - 1 - i);
-            place_pair<A, kWithOwn, kWithDerived>(lines, entry + kSecond, k1, 1, i, 0, A - 1 - i);
-        } else {
-            // ky = 0 is its own mirror; what it puts in place 1 is overwritten or cleared.
-            place_pair<A, kWithOwn, kWithDerived>(lines, entry, k0, 0, i, 0, i == 0 ? 1 : A - i);
-            place_pair<A, kWithOwn, kWithDerived>(lines, entry + kSecond, k1, 1, i, 1, A - 1 - i);
-        }
-    }
-    // What no mode reaches: the Nyquist line, and all beyond the columns there are.
-    if (j == 0) {
-        const int first = rows < A / 2 ? rows : A / 2;
-        clear_rows(lines, 0, first, A - first + 1);
-        clear_rows(lines, 1, rows, A - rows);
-    } else {
-        clear_rows(lines, 0, rows, A - rows);
-        clear_rows(lines, 1, rows, A - rows);
-    }
-}
 
 /// First sweep of one field along one line: A points, twiddles.
-template <int A, int B>
-OCEAN_INLINE void sweep_field(const FrameTask& task, const Complex* line, int j, float* out) {
-    const float* twiddle = task.twiddle + 2 * j * A;
-    Codelet<A>::run([=](int i) OCEAN_INLINE_LAMBDA { return line[i]; },
+template <int A, int B, typename Reader>
+void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* out) {
+    const float* twiddle = task.twiddle + 2 * line * A;
+    Codelet<A>::run([=](int i) OCEAN_INLINE_LAMBDA { return read(i); },
                     [=](int k, Complex x) OCEAN_INLINE_LAMBDA {
                         store_complex(out + k * 2 * kLanes,
                                       turned(x, twiddle[2 * k], twiddle[2 * k + 1]));
                     });
 }
 
+/// One field, or the one derived from it, along both lines of j. to: its lines in the scratch.
+template <int A, int B, bool kDerived>
+void sweep_field(const FrameTask& task, int j, const float* entries, float* to) {
+    const int rows = static_cast<int>(Intermediate<A, B>::rows(task));
+    const int other = j == 0 ? B / 2 : B - j;
+    const float* ky = task.wavenumber;
+    float* out = to + j * Sweep<A, B>::kLine;
+    float* other_out = to + other * Sweep<A, B>::kLine;
+    const auto sweep = [&]<Line kFirst, Line kSecond, bool kCut>() {
+        const LineReader<A, B, kFirst, kDerived, kCut> first{entries, ky + j, ky + other, rows, 0};
+        const LineReader<A, B, kSecond, kDerived, kCut> second{entries, ky + j, ky + other, rows,
+                                                               1};
+        sweep_line_of<A, B>(task, first, j, out);
+        sweep_line_of<A, B>(task, second, other, other_out);
+    };
+    if (j == 0) {
+        sweep.template operator()<Line::zero, Line::half, true>();
+    } else if (rows < A / 2) {
+        sweep.template operator()<Line::paired, Line::paired, true>();
+    } else {
+        sweep.template operator()<Line::paired, Line::paired, false>();
+    }
+}
+
 /// First sweep of all fields of one pair. scratch: [slot][j][k].
 template <int A, int B>
 void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     using Layout = Intermediate<A, B>;
-    alignas(64) PairedLines<A> lines;
     const float* base = task.intermediate + static_cast<std::size_t>(pair) * task.pair_stride;
+    const auto lines_of = [&](int slot) { return scratch + slot * B * Sweep<A, B>::kLine; };
     for (int j = 0; j < B / 2; ++j) {
-        const int line[2] = {j, j == 0 ? B / 2 : B - j};
+        const float* entries = base + static_cast<std::size_t>(j) * task.line_stride;
         for (int s = 0; s < task.source_count; ++s) {
             const Source& source = task.source[s];
-            const float* entries =
-                base + static_cast<std::size_t>(j) * task.line_stride +
-                static_cast<std::size_t>(s) * Layout::rows(task) * Layout::kEntry;
-            if (source.derived < 0) {
-                combine_lines<A, B, true, false>(task, j, entries, lines);
-            } else if (source.own < 0) {
-                combine_lines<A, B, false, true>(task, j, entries, lines);
-            } else {
-                combine_lines<A, B, true, true>(task, j, entries, lines);
+            if (source.own >= 0) {
+                sweep_field<A, B, false>(task, j, entries, lines_of(source.own));
             }
-            for (int side = 0; side < 2; ++side) {
-                const auto to = [&](int slot) {
-                    return scratch + (slot * B + line[side]) * Sweep<A, B>::kLine;
-                };
-                if (source.own >= 0) {
-                    sweep_field<A, B>(task, lines.own[side], line[side], to(source.own));
-                }
-                if (source.derived >= 0) {
-                    sweep_field<A, B>(task, lines.derived[side], line[side], to(source.derived));
-                }
+            if (source.derived >= 0) {
+                sweep_field<A, B, true>(task, j, entries, lines_of(source.derived));
             }
+            entries += Layout::rows(task) * Layout::kEntry;
         }
     }
 }
 
+/// The intermediate of the next item. A codelet of slot s goes with a share of source s, there
+/// being no fewer fields than sources.
+template <int A, int B>
+class NextEntries {
+  public:
+    using Lines = NextItem<(Intermediate<A, B>::kEntry > 64 ? Intermediate<A, B>::kEntry / 64 : 1)>;
+
+    OCEAN_INLINE NextEntries(const FrameTask& task, int item, const float* nowhere)
+        : lines_(task.intermediate + static_cast<std::size_t>(item + 1) * kPairs * task.pair_stride,
+                 (item + 1) * kItemWidth < task.size ? kPairs * task.pair_stride : 0, nowhere),
+          sources_(task.source_count) {}
+
+    /// Of the sweep for the samples k of the field in `slot` of a pair.
+    OCEAN_INLINE const float* share(int k, int slot, int pair) const {
+        const int none = sources_ * kPairs * A;
+        return lines_.share(slot < sources_ ? (k * sources_ + slot) * kPairs + pair : none, B);
+    }
+
+  private:
+    Lines lines_;
+    int sources_;
+};
+
 /// Second sweep of one field for the samples y = k + A l, all l.
 template <int A, int B, typename Store>
-OCEAN_INLINE void sweep_samples(const float* field, int k, const Store& store) {
+OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, const Store& store) {
     const float* in = field + k * 2 * kLanes;
-    Codelet<B>::run([=](int j)
-                        OCEAN_INLINE_LAMBDA { return load_complex(in + j * Sweep<A, B>::kLine); },
-                    store);
+    Codelet<B>::run(
+        [=](int j) OCEAN_INLINE_LAMBDA {
+            NextEntries<A, B>::Lines::ask(next, j);
+            return load_complex(in + j * Sweep<A, B>::kLine);
+        },
+        store);
 }
 
 /// Planes that are one field each: whole rows of an item at once, which are full lines of the
 /// cache.
 template <int A, int B>
 void write_direct_planes(const FrameTask& task, int k, int x0, const float* scratch,
-                         std::size_t pair_floats) {
+                         std::size_t pair_floats, const NextEntries<A, B>& next) {
     const auto size = static_cast<std::size_t>(task.size);
     for (int d = 0; d < task.direct_count; ++d) {
         const DirectPlane& plane = task.direct[d];
@@ -165,7 +152,8 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
         float* out = plane.data + static_cast<std::size_t>(k) * size + x0;
         const Vec factor(plane.factor);
         if constexpr (kPairs == 1) {
-            sweep_samples<A, B>(field, k, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
+            const float* ahead = next.share(k, plane.slot, 0);
+            sweep_samples<A, B>(field, k, ahead, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
                 float* row = out + static_cast<std::size_t>(l) * A * size;
                 stream(row, x.re * factor);
                 stream(row + kPartner, x.im * factor);
@@ -175,6 +163,7 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
             for (int p = 0; p < kPairs; ++p) {
                 Complex* to = samples[p];
                 sweep_samples<A, B>(field + static_cast<std::size_t>(p) * pair_floats, k,
+                                    next.share(k, plane.slot, p),
                                     [=](int l, Complex x) OCEAN_INLINE_LAMBDA { to[l] = x; });
             }
             for (int l = 0; l < B; ++l) {
@@ -193,7 +182,7 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
 /// of an item, then row by row what is made of them.
 template <int A, int B>
 void write_combined(const FrameTask& task, int k, int x0, const float* scratch,
-                    std::size_t pair_floats, float* samples) {
+                    std::size_t pair_floats, float* samples, const NextEntries<A, B>& next) {
     alignas(64) float derived[kChannelCount * kItemWidth];
     RowSamples row = row_samples(task, derived);
     for (int u = 0; u < task.used_count; ++u) {
@@ -203,7 +192,8 @@ void write_combined(const FrameTask& task, int k, int x0, const float* scratch,
         for (int p = 0; p < kPairs; ++p, to += kLanes) {
             const float* field =
                 scratch + static_cast<std::size_t>(p) * pair_floats + slot * B * Sweep<A, B>::kLine;
-            sweep_samples<A, B>(field, k, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
+            const float* ahead = next.share(k, slot, p);
+            sweep_samples<A, B>(field, k, ahead, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
                 store(to + l * kItemWidth, x.re);
                 store(to + l * kItemWidth + kPartner, x.im);
             });
@@ -225,11 +215,12 @@ void pass_two(const FrameTask& task, int item, float* scratch) {
                          scratch + static_cast<std::size_t>(p) * pair_floats);
     }
     float* samples = scratch + kPairs * pair_floats;
+    const NextEntries<A, B> next(task, item, scratch);
     for (int k = 0; k < A; ++k) {
         const int x0 = item * kItemWidth;
-        write_direct_planes<A, B>(task, k, x0, scratch, pair_floats);
+        write_direct_planes<A, B>(task, k, x0, scratch, pair_floats, next);
         if (task.output_count > 0) {
-            write_combined<A, B>(task, k, x0, scratch, pair_floats, samples);
+            write_combined<A, B>(task, k, x0, scratch, pair_floats, samples, next);
         }
     }
     finish_streams();

@@ -23,8 +23,9 @@ class ThreadPool {
     /// Calls body(first, last) on each of size() shares of [0, count) and waits. The first
     /// exception of any share is thrown again here.
     void for_each_range(int count, const std::function<void(int first, int last)>& body);
-    /// Calls body(item, thread) for each item of [0, count) and waits; thread < size(). Whoever is
-    /// free takes the next item, so that a thread that is held up does not hold up the rest.
+    /// Calls body(item, thread) for each item of [0, count) and waits; thread < size(). A thread
+    /// goes through neighbouring items in order and then helps the others, so that one that is held
+    /// up does not hold up the rest.
     /// Exceptions as above. Allocates nothing.
     void for_each_item(int count, const std::function<void(int item, int thread)>& body);
 
