@@ -19,7 +19,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools python3-numpy python3-pytest python3-openimageio openexr clang
-        libclang-rt-14-dev valgrind)
+        libclang-rt-14-dev valgrind blender)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)

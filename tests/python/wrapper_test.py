@@ -258,3 +258,33 @@ def test_a_library_that_does_not_load_is_named():
     )
     assert run.returncode == 1
     assert "ImportError" in run.stderr and "/nowhere/libocean.so" in run.stderr
+
+
+def test_fill_writes_the_maps_of_a_surface_into_arrays(sea):
+    place = np.full((64, 64, 4), 7, np.float32)
+    speed = np.empty((64, 64, 3), np.float32)
+    sea.fill(3.0, [(place, ("dx", "dy", "height", "jacobian")), (speed, ("vx", "vy", "vz"))])
+    surface = sea.surface(3.0, 64)
+    assert np.array_equal(place[..., :3], surface.displacement)
+    assert np.array_equal(place[..., 3], surface.jacobian)
+    assert np.array_equal(speed, surface.velocity)
+    sea.fill(3.0, [(speed, ("vx", "vy", "vz"))], axes="tnb")
+    assert np.array_equal(speed, surface.velocity[..., [0, 2, 1]])
+    sea.fill(3.0, [])
+
+
+@pytest.mark.parametrize(
+    ("array", "names", "words"),
+    [
+        (np.empty((64, 64, 2), np.float32), ("height",), "shape"),
+        (np.empty((64, 32, 1), np.float32), ("height",), "shape"),
+        (np.empty((64, 64), np.float32), ("height",), "shape"),
+        (np.empty((64, 64, 1)), ("height",), "float64"),
+        (np.empty((64, 64, 2), np.float32)[..., :1], ("height",), "C-contiguous"),
+        (np.empty((48, 48, 1), np.float32), ("height",), "48"),
+        (np.empty((64, 64, 1), np.float32), ("depth",), "unknown channel 'depth'"),
+    ],
+)
+def test_fill_refuses_what_the_library_would_write_beside(sea, array, names, words):
+    with pytest.raises(libocean.Error, match=words):
+        sea.fill(0.0, [(array, names)])

@@ -19,6 +19,12 @@ from ._library import Options, Output, Request, call, text_of
 
 Array = npt.NDArray[np.float32]
 
+# In the order of the C enum.
+CHANNELS = (
+    *("dx", "dy", "height", "nx", "ny", "nz", "slope_x", "slope_y"),
+    *("jacobian", "whitecap", "foam", "vx", "vy", "vz"),
+)
+
 # The channels of each field, numbered as in libocean.h.
 FIELDS: dict[str, tuple[int, ...]] = {
     "height": (2,),
@@ -147,6 +153,32 @@ class Sea:
         (x, z, -y) or "tnb" (x, z, y)."""
         return Surface(self, time, resolution, fields, axes)
 
+    def fill(
+        self, time: float, buffers: Iterable[tuple[Array, Sequence[str]]], axes: str = "zup"
+    ) -> None:
+        """Writes the maps of `time` into arrays that are there, all in one go: each of shape
+        (R, R, n) with the names of its n channels, 1 to 4 of CHANNELS ("dx", "dy", "height",
+        "foam"). Float32, C-contiguous and of one R; those aligned to 64 bytes are filled fastest.
+        """
+        asked = [(array, tuple(names)) for array, names in buffers]
+        for array, names in asked:
+            shape = (len(array), len(array), len(names))
+            if array.dtype != np.float32 or not array.flags.carray or array.shape != shape:
+                raise _library.error(
+                    f"an array of {array.dtype} and shape {array.shape}; needed: float32, "
+                    f"C-contiguous, writable, (R, R, {len(names)})",
+                    _library.INVALID_ARGUMENT,
+                )
+        if len({len(array) for array, _ in asked}) > 1:
+            raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
+        if asked:
+            outputs = [
+                (array, tuple(_choose("channel", name, CHANNELS) for name in names))
+                for array, names in asked
+            ]
+            turn = _choose("axes", axes, _library.AXES)
+            self._write_maps(time, len(asked[0][0]), turn, outputs)
+
     def query(self, points: npt.ArrayLike, time: float, foam: bool = True) -> Array:
         """The surface that is shown at each of n world points (x, y): (n, 10), the columns of
         `ocean query`: x, y, height, normal x y z, velocity x y z, foam. With foam=False (n, 9),
@@ -180,28 +212,35 @@ class Sea:
         self._call(name, *when, asked.ctypes.data, len(asked), answers.ctypes.data, columns)
         return answers
 
-    def _map_resolution(self) -> int:
+    def map_resolution(self) -> int:
+        """Samples a side of a map where none is asked for."""
         resolution = ctypes.c_int32()
         self._call("ocean_map_resolution", ctypes.byref(resolution))
         return resolution.value
 
-    def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
-        """One array for each field, filled by the library in place."""
-        arrays: list[Array] = []
-        outputs = (Output * len(names))()
-        for output, name in zip(outputs, names, strict=True):
-            channels = FIELDS[name]
-            vector = (len(channels),) if len(channels) > 1 else ()
-            array = np.empty((resolution, resolution, *vector), dtype=np.float32)
+    def _write_maps(
+        self, time: float, resolution: int, axes: int, maps: list[tuple[Array, tuple[int, ...]]]
+    ) -> None:
+        """ocean_evaluate of arrays and the numbers of their channels."""
+        outputs = (Output * len(maps))()
+        for output, (array, channels) in zip(outputs, maps, strict=True):
             output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
             output.count = array.size
             output.channel[: len(channels)] = channels
             output.channels = len(channels)
             output.axes = axes
-            arrays.append(array)
-        request = Request(ctypes.sizeof(Request), time, resolution, outputs, len(names))
+        request = Request(ctypes.sizeof(Request), time, resolution, outputs, len(maps))
         self._call("ocean_evaluate", ctypes.byref(request))
-        return arrays
+
+    def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
+        """One array for each field, filled by the library in place."""
+        maps: list[tuple[Array, tuple[int, ...]]] = []
+        for name in names:
+            channels = FIELDS[name]
+            vector = (len(channels),) if len(channels) > 1 else ()
+            maps.append((np.empty((resolution, resolution, *vector), np.float32), channels))
+        self._write_maps(time, resolution, axes, maps)
+        return [array for array, _ in maps]
 
 
 class Surface:
@@ -227,7 +266,7 @@ class Surface:
 
     def _checked_resolution(self, resolution: int | None) -> int:
         if resolution is None:
-            return self._sea._map_resolution()
+            return self._sea.map_resolution()
         # Before an array of that size is made.
         if resolution not in [32 << n for n in range(9)]:
             raise _library.error(

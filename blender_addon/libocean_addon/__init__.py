@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A sea as a modifier: libocean in Blender."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import native
+
+bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
+    "name": "Ocean (libocean)",
+    "author": "The libocean authors",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "Add > Mesh > Ocean, Object > Ocean, Modifier properties",
+    "description": "A sea as a modifier, the same as in every other libocean tool",
+    "category": "Mesh",
+}
+
+
+class MissingLibrary(bpy.types.AddonPreferences):
+    """Says why nothing else of the add-on is there"""
+
+    bl_idname = __package__
+
+    def draw(self, _context) -> None:
+        self.layout.label(text="libocean is missing: " + native.problem, icon="ERROR")
+
+
+def _parts() -> list:
+    if native.libocean is None:
+        return []
+    from . import live, operators, panels, properties
+
+    return [properties, operators, panels, live]
+
+
+def register() -> None:
+    if native.libocean is None:
+        bpy.utils.register_class(MissingLibrary)
+    for part in _parts():
+        part.register()
+
+
+def unregister() -> None:
+    for part in reversed(_parts()):
+        part.unregister()
+    if native.libocean is None:
+        bpy.utils.unregister_class(MissingLibrary)

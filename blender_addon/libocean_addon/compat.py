@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What differs between Blender 3.4 and 5.2, in one place."""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Callable
+
+import bpy
+
+VERSION = bpy.app.version[:2]
+
+
+# Node groups ------------------------------------------------------------------
+
+
+def add_socket(group, name: str, kind: str, *, output: bool = False, **settings):
+    """A new input (or output) of a node group. settings: default_value, min_value, description."""
+    if hasattr(group, "interface"):  # 4.0
+        direction = "OUTPUT" if output else "INPUT"
+        socket = group.interface.new_socket(name=name, in_out=direction, socket_type=kind)
+    else:
+        socket = (group.outputs if output else group.inputs).new(kind, name)
+    for key, value in settings.items():
+        setattr(socket, key, value)
+    return socket
+
+
+def input_identifiers(group) -> dict[str, str]:
+    """The identifier of each input: "Input_N" before 4.0, "Socket_N" from then on."""
+    if hasattr(group, "interface"):
+        sockets = [
+            item
+            for item in group.interface.items_tree
+            if item.item_type == "SOCKET" and item.in_out == "INPUT"
+        ]
+    else:
+        sockets = group.inputs
+    return {socket.name: socket.identifier for socket in sockets}
+
+
+def active(sockets, name: str):
+    """The socket in use among those of one name: some nodes have one for each type."""
+    return next(socket for socket in sockets if socket.enabled and socket.name == name)
+
+
+def capture(group, geometry, color):
+    """Capture Attribute of a colour on points: the geometry and the captured colour."""
+    node = group.nodes.new("GeometryNodeCaptureAttribute")
+    node.domain = "POINT"
+    if hasattr(node, "capture_items"):  # 4.2
+        node.capture_items.new("RGBA", "Color")
+        value, captured = node.inputs["Color"], node.outputs["Color"]
+    else:
+        node.data_type = "FLOAT_COLOR"
+        value, captured = active(node.inputs, "Value"), active(node.outputs, "Attribute")
+    group.links.new(geometry, node.inputs["Geometry"])
+    group.links.new(color, value)
+    return node.outputs["Geometry"], captured
+
+
+HAS_MESH_NORMAL_NODE = hasattr(bpy.types, "GeometryNodeSetMeshNormal")  # 4.5
+
+
+# Inputs of a Geometry Nodes modifier ------------------------------------------
+
+_INPUTS_ARE_PROPERTIES = "properties" in bpy.types.NodesModifier.bl_rna.properties  # 5.2
+
+
+def get_input(modifier, identifier: str):
+    if _INPUTS_ARE_PROPERTIES:
+        return getattr(modifier.properties.inputs, identifier).value
+    return modifier[identifier]
+
+
+def set_input(modifier, identifier: str, value) -> None:
+    """Sets it where it is another; the object is told, which Blender leaves to us."""
+    now = get_input(modifier, identifier)
+    if (tuple(now) if isinstance(value, tuple) else now) == value:
+        return
+    if _INPUTS_ARE_PROPERTIES:
+        getattr(modifier.properties.inputs, identifier).value = value
+    else:
+        modifier[identifier] = value
+    modifier.id_data.update_tag()
+
+
+# Meshes -----------------------------------------------------------------------
+
+
+def shade_smooth(mesh) -> None:
+    if hasattr(mesh, "shade_smooth"):  # 4.1
+        mesh.shade_smooth()
+    else:
+        mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
+
+
+LOOP_TOTAL_FOLLOWS = VERSION >= (4, 1)  # MeshPolygon.loop_total is read-only, made of loop_start
+
+
+# The add-on -------------------------------------------------------------------
+
+
+def remove_handlers_at_exit(remove: Callable[[], None]) -> None:
+    """In the Python module bpy a handler that is left at exit crashes 4.2 and hangs 4.5."""
+    if not bpy.app.binary_path:
+        atexit.register(remove)

@@ -1,0 +1,332 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seas that are kept open, one for each object, and the filling of the images that show them.
+
+    parameters (evaluated: keyframes and drivers count) + time -> libocean -> float images -> nodes
+
+Blender's data is never held from call to call: objects are found anew, by the node groups that they
+use, and seas by the names of their objects.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import bpy
+import numpy as np
+from bpy.app.handlers import persistent
+
+from . import compat, images, meshes, node_group, properties, sea_text
+from .native import libocean
+
+CHANNELS = {
+    "Displacement": ("dx", "dy", "height", "foam"),
+    # The fourth is not used: a component that is left alone would cost more.
+    "Velocity": ("vx", "vy", "vz", "height"),
+    "Normal": ("nx", "ny", "nz", "height"),
+}
+
+
+# One open sea -----------------------------------------------------------------
+
+
+class OpenSea:
+    """The library's sea of one object, its buffers, and what was shown last."""
+
+    def __init__(self) -> None:
+        self.sea = None
+        self.values: sea_text.SeaValues | None = None
+        self.changes = 0
+        self.state: dict | None = None  # for the panel, read when it is looked at
+        self.buffers: dict[tuple[str, int], np.ndarray] = {}
+        self.shown: dict[str, tuple] = {}  # by image: what it holds
+
+    def follow(self, values: sea_text.SeaValues) -> None:
+        """Makes it the sea of these values. Raises libocean.Error and stays what it was."""
+        if values == self.values:
+            return
+        if self.sea is None or values.structure() != self.values.structure():
+            self._open(values)
+        else:
+            before = self.values.by_name()
+            try:
+                for name, text in values.by_name().items():
+                    if before[name] != text:
+                        self.sea.set(name, text)
+            except libocean.Error:
+                # One after the other is not always allowed where all together are.
+                self._open(values)
+        self.values = values
+        self.state = None
+        self.changes += 1
+
+    def _open(self, values: sea_text.SeaValues) -> None:
+        text = sea_text.write(properties.TABLE, values)
+        opened = libocean.parse(text, base_dir=bpy.path.abspath("//") or None)
+        if self.sea is not None:
+            self.sea.close()
+        self.sea = opened
+
+    def buffer(self, field: str, size: int) -> np.ndarray:
+        if (field, size) not in self.buffers:
+            # Of one size for the viewport and one for renders.
+            kept = {s for _, s in self.buffers} - {size}
+            if len(kept) > 1:
+                self.buffers.clear()
+            self.buffers[field, size] = images.aligned(size)
+        return self.buffers[field, size]
+
+    def show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
+        """Fills the images of these fields with the maps of `time`."""
+        state = (self.changes, time, size)
+        stale = {
+            field: image
+            for field, image in targets.items()
+            if self.shown.get(image.name_full) != state
+        }
+        if not stale:
+            return
+        self.sea.fill(time, [(self.buffer(field, size), CHANNELS[field]) for field in stale])
+        for field, image in stale.items():
+            images.resize(image, size)
+            images.fill(image, self.buffer(field, size))
+            self.shown[image.name_full] = state
+
+
+_seas: dict[str, OpenSea] = {}
+
+
+def sea_of(ob) -> OpenSea:
+    return _seas.setdefault(ob.name_full, OpenSea())
+
+
+def forget() -> None:
+    """What images hold is not known any more, after undo and loading."""
+    for sea in _seas.values():
+        sea.shown.clear()
+
+
+# Objects ----------------------------------------------------------------------
+
+
+def ocean_objects() -> list[bpy.types.Object]:
+    """Every object with an ocean modifier, linked ones first."""
+    groups = [group for group in bpy.data.node_groups if node_group.is_ours(group)]
+    if not groups:
+        return []
+    users = bpy.data.user_map(subset=groups, value_types={"OBJECT"})
+    found = {ob for objects in users.values() for ob in objects if node_group.modifiers(ob)}
+    return sorted(found, key=lambda ob: (ob.library is None, ob.name_full))
+
+
+@dataclasses.dataclass(frozen=True)
+class Moment:
+    """When, and for whom."""
+
+    scene: bpy.types.Scene
+    rendering: bool
+
+    def time(self, settings, values: sea_text.SeaValues) -> float:
+        """Seconds of the sea at the scene's frame, which may be between two."""
+        if settings.use_custom_time:
+            return settings.custom_time
+        frames = self.scene.frame_current_final - float(values.values["first_frame"])
+        return float(values.values["start"]) + frames / float(values.values["fps"])
+
+
+def frame_rate(scene) -> float:
+    return scene.render.fps / scene.render.fps_base
+
+
+def current_values(settings, scene) -> sea_text.SeaValues:
+    values = properties.values_of(settings)
+    if settings.use_scene_frame_rate:
+        rate = frame_rate(scene)
+        values.values["fps"] = repr(rate)
+    return values
+
+
+def _targets(ob, modifier, size: int, *, render: bool, shared: bool) -> dict:
+    """The images of the fields in use, made where they are missing. shared: those of the viewport
+    serve renders too."""
+    settings = ob.libocean
+    wanted = {
+        "Displacement": True,
+        "Velocity": settings.use_velocity,
+        "Normal": settings.use_normal,
+    }
+    targets = {}
+    for field, used in wanted.items():
+        if not used:
+            continue
+        names = [node_group.render_twin(field)] if render else [field]
+        if shared:
+            names = [field, node_group.render_twin(field)]
+        image = node_group.value(modifier, names[0])
+        if image is None or (render and not shared and image == node_group.value(modifier, field)):
+            label = f"{field} render" if render and not shared else field
+            image = images.make(ob, label.lower(), size)
+        node_group.assign(modifier, dict.fromkeys(names, image))
+        targets[field] = image
+    return targets
+
+
+def show(ob, depsgraph, moment: Moment) -> None:
+    """Brings what an object shows up to date."""
+    seen = ob.evaluated_get(depsgraph) if depsgraph else ob
+    settings = seen.libocean
+    values = current_values(settings, moment.scene)
+    sea = sea_of(ob)
+    problem = ""
+    try:
+        sea.follow(values)
+        own = sea.sea.map_resolution()
+        sizes = (settings.viewport_resolution or own, settings.render_resolution or own)
+        shared = sizes[0] == sizes[1]
+        size = sizes[1] if moment.rendering else sizes[0]
+        time = moment.time(settings, values)
+        for modifier in node_group.modifiers(ob):
+            targets = _targets(ob, modifier, size, render=moment.rendering, shared=shared)
+            _set_inputs(ob, seen, modifier, values, sizes)
+            sea.show(time, size, targets)
+    except libocean.Error as failure:
+        problem = str(failure)
+    if ob.libocean.problem != problem:
+        ob.libocean.problem = problem
+
+
+def _set_inputs(ob, seen, modifier, values: sea_text.SeaValues, sizes: tuple[int, int]) -> None:
+    settings = ob.libocean
+    period = float(values.values["patch_size"])
+    # Only the place within a period counts, and in single precision it counts most near 0.
+    place = seen.matrix_world.translation if settings.follow_world else (0.0, 0.0)
+    origin = (place[0] % period, place[1] % period, 0.0)
+    node_group.assign(
+        modifier,
+        {
+            "Tile Size": period,
+            "Half Texel": 0.5 / sizes[0],
+            node_group.render_twin("Half Texel"): 0.5 / sizes[1],
+            "Origin": origin,
+            "Mask": settings.mask,
+            "Use Mask": bool(settings.mask),
+            "Use Foam": settings.use_foam,
+            "Use Velocity": settings.use_velocity,
+            "Use Normal": settings.use_normal,
+        },
+    )
+
+
+def show_all(scene, depsgraph=None, *, rendering: bool = False) -> None:
+    moment = Moment(scene, rendering)
+    for ob in ocean_objects():
+        show(ob, depsgraph, moment)
+
+
+def parameters_changed(ob) -> None:
+    """After a property was set from the user interface or a script."""
+    if not node_group.modifiers(ob):
+        return
+    show(ob, None, Moment(bpy.context.scene, rendering=False))
+    sea = sea_of(ob)
+    if ob.libocean.kind == "PATCH" and sea.sea is not None and ob.mode == "OBJECT":
+        period = float(sea.values.values["patch_size"])
+        meshes.follow_patch(ob.data, period, sea.sea.map_resolution())
+
+
+def state_of(ob) -> list[tuple[str, str]] | None:
+    """What the sea of an object is, for reading: labels and texts."""
+    sea = sea_of(ob)
+    if sea.sea is None:
+        return None
+    if sea.state is None:
+        sea.state = sea.sea.state
+    state = sea.state
+
+    def metres(value: float) -> str:
+        return f"{value:.2f} m"
+
+    return [
+        ("Significant wave height", metres(state["significant_wave_height"]["resolved"])),
+        ("Peak period", f"{state['peak_period']['resolved']:.1f} s"),
+        ("Energy resolved", f"{state['energy_resolved']:.1%}"),
+        ("Shortest wave", metres(state["map_shortest_wave"])),
+    ]
+
+
+# Handlers ---------------------------------------------------------------------
+
+
+def _own_images() -> None:
+    """A copy of an object shows images of its own."""
+    owners: dict[str, str] = {}
+    for ob in ocean_objects():
+        for modifier in node_group.modifiers(ob):
+            for field in node_group.FIELDS:
+                for name in (field, node_group.render_twin(field)):
+                    image = node_group.value(modifier, name)
+                    if image is not None and owners.setdefault(image.name_full, ob.name_full) != (
+                        ob.name_full
+                    ):
+                        node_group.assign(modifier, {name: None})
+
+
+@persistent
+def _frame_changed(scene, depsgraph=None) -> None:
+    rendering = depsgraph is not None and depsgraph.mode == "RENDER"
+    show_all(scene, depsgraph, rendering=rendering)
+
+
+@persistent
+def _depsgraph_updated(scene, depsgraph) -> None:
+    if depsgraph.mode == "RENDER":
+        return
+    if any(isinstance(update.id, bpy.types.Object) for update in depsgraph.updates):
+        _own_images()
+        show_all(scene, depsgraph)
+
+
+@persistent
+def _data_replaced(*_) -> None:
+    forget()
+    show_all(bpy.context.scene)
+
+
+@persistent
+def _lock_interface(scene, *_) -> None:
+    """Blender may not draw what a render in another thread rewrites."""
+    if ocean_objects():
+        scene.render.use_lock_interface = True
+
+
+_HANDLERS = {
+    "frame_change_post": _frame_changed,
+    "depsgraph_update_post": _depsgraph_updated,
+    "load_post": _data_replaced,
+    "undo_post": _data_replaced,
+    "redo_post": _data_replaced,
+    "render_init": _lock_interface,
+}
+
+
+def _remove_handlers() -> None:
+    for name, handler in _HANDLERS.items():
+        handlers = getattr(bpy.app.handlers, name)
+        if handler in handlers:
+            handlers.remove(handler)
+
+
+def register() -> None:
+    for name, handler in _HANDLERS.items():
+        getattr(bpy.app.handlers, name).append(handler)
+    properties.listener = parameters_changed
+    compat.remove_handlers_at_exit(_remove_handlers)
+
+
+def unregister() -> None:
+    _remove_handlers()
+    properties.listener = None
+    for sea in _seas.values():
+        if sea.sea is not None:
+            sea.sea.close()
+    _seas.clear()

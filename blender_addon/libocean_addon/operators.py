@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be done, by menu, by button and by script: bpy.ops.libocean."""
+
+from __future__ import annotations
+
+import bpy
+from bpy_extras import object_utils
+from bpy_extras.io_utils import ExportHelper, ImportHelper
+
+from . import live, node_group, properties, sea_text
+from .native import libocean
+
+DEFAULT_PRESET = "beaufort_5"
+
+
+PRESETS = [
+    (name, name.replace("_", " ").capitalize(), f"The sea of {name.replace('_', ' ')}")
+    for name in libocean.presets()
+]
+
+
+def take_over(ob, sea) -> None:
+    """Puts an open sea into an object."""
+    properties.assign(ob.libocean, sea_text.read(properties.TABLE, sea))
+
+
+def add_modifier(ob, *, on_texels: bool = False):
+    """The ocean modifier on an object that has no sea, or already one."""
+    modifier = ob.modifiers.new("Ocean", "NODES")
+    modifier.node_group = node_group.get(on_texels=on_texels)
+    return modifier
+
+
+def _start_sea(ob, preset: str) -> None:
+    """A sea for an object without one."""
+    if len(ob.libocean.waves) == 0:
+        with libocean.preset(preset) as sea:
+            take_over(ob, sea)
+    live.parameters_changed(ob)
+
+
+class _OnOcean:
+    """Of operators on the active object's sea."""
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        if ob is not None and node_group.modifiers(ob):
+            return True
+        cls.poll_message_set("The active object has no ocean modifier")
+        return False
+
+
+class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
+    """Add a sea"""
+
+    bl_idname = "libocean.add"
+    bl_label = "Ocean"
+    bl_options = {"REGISTER", "UNDO"}
+
+    kind: bpy.props.EnumProperty(
+        name="Kind",
+        items=[("PATCH", "Patch", "One period of the sea, a vertex on each sample")],
+        default="PATCH",
+    )
+    preset: bpy.props.EnumProperty(
+        name="Preset",
+        description="The sea to begin with",
+        items=PRESETS,
+        default=DEFAULT_PRESET,
+    )
+
+    def execute(self, context):
+        with libocean.preset(self.preset) as sea:
+            values = sea_text.read(properties.TABLE, sea)
+        mesh = bpy.data.meshes.new("Ocean")
+        ob = object_utils.object_data_add(context, mesh, operator=self)
+        add_modifier(ob, on_texels=True)
+        with properties.quiet():
+            ob.libocean.kind = self.kind
+        properties.assign(ob.libocean, values)
+        return {"FINISHED"}
+
+
+class AddModifier(bpy.types.Operator):
+    """Displace the selected meshes by a sea"""
+
+    bl_idname = "libocean.add_modifier"
+    bl_label = "Ocean (libocean)"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        if ob is not None and ob.type in {"MESH", "CURVE", "SURFACE", "FONT"}:
+            return True
+        cls.poll_message_set("The active object is no mesh, curve or text")
+        return False
+
+    def execute(self, context):
+        add_modifier(context.object)
+        _start_sea(context.object, DEFAULT_PRESET)
+        return {"FINISHED"}
+
+
+class LoadSea(_OnOcean, bpy.types.Operator, ImportHelper):
+    """Take the sea of a sea file"""
+
+    bl_idname = "libocean.load_sea"
+    bl_label = "Load Sea"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+
+    def execute(self, context):
+        ob = context.object
+        try:
+            with libocean.open(bpy.path.abspath(self.filepath)) as sea:
+                take_over(ob, sea)
+        except libocean.Error as failure:
+            self.report({"ERROR"}, str(failure))
+            return {"CANCELLED"}
+        rate = live.frame_rate(context.scene)
+        if ob.libocean.fps != rate and ob.libocean.use_scene_frame_rate:
+            self.report(
+                {"INFO"},
+                f"The file says {ob.libocean.fps:g} frames a second; the scene's {rate:g} are used",
+            )
+        return {"FINISHED"}
+
+
+class SaveSea(_OnOcean, bpy.types.Operator, ExportHelper):
+    """Write the sea as a file that every libocean tool reads"""
+
+    bl_idname = "libocean.save_sea"
+    bl_label = "Save Sea"
+
+    filename_ext = ".toml"
+    filter_glob: bpy.props.StringProperty(default="*.toml", options={"HIDDEN"})
+
+    def execute(self, context):
+        values = live.current_values(context.object.libocean, context.scene)
+        try:
+            with libocean.parse(sea_text.write(properties.TABLE, values)) as sea:
+                text = sea.text
+            with open(bpy.path.abspath(self.filepath), "w", encoding="utf-8") as file:
+                file.write(text)
+        except (libocean.Error, OSError) as failure:
+            self.report({"ERROR"}, str(failure))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class LoadPreset(_OnOcean, bpy.types.Operator):
+    """Take the sea of a preset"""
+
+    bl_idname = "libocean.load_preset"
+    bl_label = "Sea Preset"
+    bl_options = {"REGISTER", "UNDO"}
+
+    preset: bpy.props.EnumProperty(name="Preset", items=PRESETS)
+
+    def execute(self, context):
+        with libocean.preset(self.preset) as sea:
+            take_over(context.object, sea)
+        return {"FINISHED"}
+
+
+class AddWaves(_OnOcean, bpy.types.Operator):
+    """Add a wave system: a swell beside a wind sea, say"""
+
+    bl_idname = "libocean.add_waves"
+    bl_label = "Add Wave System"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        settings = context.object.libocean
+        with properties.quiet():
+            settings.waves.add().spectrum = "jonswap"
+            settings.active_wave = len(settings.waves) - 1
+        properties.tell(context.object)
+        return {"FINISHED"}
+
+
+class RemoveWaves(_OnOcean, bpy.types.Operator):
+    """Remove the active wave system"""
+
+    bl_idname = "libocean.remove_waves"
+    bl_label = "Remove Wave System"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        settings = context.object.libocean
+        if len(settings.waves) < 2:
+            self.report({"ERROR"}, "A sea has at least one wave system")
+            return {"CANCELLED"}
+        settings.waves.remove(settings.active_wave)
+        settings.active_wave = min(settings.active_wave, len(settings.waves) - 1)
+        properties.tell(context.object)
+        return {"FINISHED"}
+
+
+CLASSES = (AddOcean, AddModifier, LoadSea, SaveSea, LoadPreset, AddWaves, RemoveWaves)
+
+
+def _draw_add(self, _context) -> None:
+    self.layout.operator(AddOcean.bl_idname, icon="MOD_OCEAN")
+
+
+def _draw_modifier(self, _context) -> None:
+    self.layout.operator(AddModifier.bl_idname, icon="MOD_OCEAN")
+
+
+def register() -> None:
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.VIEW3D_MT_mesh_add.append(_draw_add)
+    bpy.types.VIEW3D_MT_object.append(_draw_modifier)
+
+
+def unregister() -> None:
+    bpy.types.VIEW3D_MT_object.remove(_draw_modifier)
+    bpy.types.VIEW3D_MT_mesh_add.remove(_draw_add)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A fresh Blender for each test, and what its meshes are compared with."""
+
+import bpy
+import numpy as np
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def empty_file():
+    """Factory settings switch add-ons off: it is switched on again."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.preferences.addon_enable(module="libocean_addon")
+    yield
+
+
+@pytest.fixture
+def scene():
+    return bpy.context.scene
+
+
+def evaluated_mesh(ob):
+    return ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+
+
+def positions(ob) -> np.ndarray:
+    """(n, 3), as evaluated."""
+    mesh = evaluated_mesh(ob)
+    out = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", out)
+    return out.reshape(-1, 3)
+
+
+def rest(ob) -> np.ndarray:
+    """(n, 3), of the mesh itself."""
+    out = np.empty(3 * len(ob.data.vertices), np.float32)
+    ob.data.vertices.foreach_get("co", out)
+    return out.reshape(-1, 3)
+
+
+def attribute(ob, name: str) -> np.ndarray:
+    found = evaluated_mesh(ob).attributes[name]
+    width = {"FLOAT": 1, "FLOAT_VECTOR": 3}[found.data_type]
+    out = np.empty(width * len(found.data), np.float32)
+    found.data.foreach_get("value" if width == 1 else "vector", out)
+    return out.reshape(-1, width) if width > 1 else out
+
+
+def plane(size: float, vertices: int, name: str = "Plane"):
+    """A grid around the origin, active and selected."""
+    bpy.ops.mesh.primitive_grid_add(
+        x_subdivisions=vertices, y_subdivisions=vertices, size=size, location=(0, 0, 0)
+    )
+    bpy.context.object.name = name
+    return bpy.context.object

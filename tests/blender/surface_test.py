@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The evaluated mesh is libocean's surface: on patches, on other meshes, everywhere in a file."""
+
+import bpy
+import numpy as np
+import pytest
+from conftest import attribute, plane, positions, rest
+from libocean_addon.bundled import libocean
+
+FRAMES = (1, 40, 250)
+ROUND, ODD = 200.0, 137.3  # periods: a vertex's place is exact in one, rounded in the other
+
+SEA = """
+libocean = 1
+[grid]
+resolution = 64
+patch_size = {period}
+[random]
+seed = {seed}
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 14.0
+wind_direction = 30.0
+"""
+
+
+@pytest.fixture
+def load(tmp_path):
+    """load(ob, period, seed): puts a sea into an object; returns the library's."""
+
+    def put(ob, period=ROUND, seed=1):
+        path = tmp_path / f"{period}_{seed}.toml"
+        path.write_text(SEA.format(period=period, seed=seed))
+        bpy.context.view_layer.objects.active = ob
+        assert bpy.ops.libocean.load_sea(filepath=str(path)) == {"FINISHED"}
+        return libocean.open(path)
+
+    return put
+
+
+def significant_wave_height(sea) -> float:
+    return sea.state["significant_wave_height"]["resolved"]
+
+
+def patch(load, period=ROUND, seed=1):
+    bpy.ops.libocean.add(kind="PATCH")
+    ob = bpy.context.object
+    return ob, load(ob, period, seed)
+
+
+def on_samples(field: np.ndarray) -> np.ndarray:
+    """A field at the vertices of a patch: the origin in the middle, the seam on both sides."""
+    n = len(field)
+    index = (np.arange(n + 1) - n // 2) % n
+    return field[np.ix_(index, index)].reshape((n + 1) ** 2, *field.shape[2:])
+
+
+def at_points(sea, field: str, points: np.ndarray, time: float) -> np.ndarray:
+    """A field between its samples, as Blender's linear interpolation has it, in double."""
+    values = getattr(sea.surface(time), field).astype(np.float64)
+    n, period = len(values), float(sea.get("patch_size"))
+    place = points[:, :2].astype(np.float64) / period * n
+    first = np.floor(place).astype(int)
+    across = (place - first)[:, :, None] if values.ndim == 3 else place - first
+    (i, j), (u, v) = first.T, (across[:, 0], across[:, 1])
+
+    def corner(di, dj):
+        return values[(j + dj) % n, (i + di) % n]
+
+    bottom = corner(0, 0) * (1 - u) + corner(1, 0) * u
+    return bottom * (1 - v) + (corner(0, 1) * (1 - u) + corner(1, 1) * u) * v
+
+
+def assert_patch(ob, sea, time, tolerance=1e-5):
+    surface = sea.surface(time)
+    limit = tolerance * significant_wave_height(sea)
+    error = np.abs(positions(ob) - rest(ob) - on_samples(surface.displacement))
+    assert error.max() <= limit
+    assert np.abs(attribute(ob, "velocity") - on_samples(surface.velocity)).max() <= limit
+    assert np.abs(attribute(ob, "ocean_velocity") - on_samples(surface.velocity)).max() <= limit
+    assert np.abs(attribute(ob, "ocean_normal") - on_samples(surface.normal)).max() <= 1e-6
+    assert np.abs(attribute(ob, "foam") - on_samples(surface.foam)).max() <= 1e-6
+
+
+@pytest.mark.parametrize("period", [ROUND, ODD])
+@pytest.mark.parametrize("frame", FRAMES)
+def test_a_patch_is_the_surface(scene, load, frame, period):
+    ob, sea = patch(load, period)
+    scene.frame_set(frame)
+    assert np.ptp(positions(ob)[:, 2]) > 0.5 * significant_wave_height(sea)
+    assert_patch(ob, sea, (frame - 1) / 24)
+
+
+@pytest.mark.parametrize("period", [ROUND, ODD])
+@pytest.mark.parametrize(("periods", "tolerance"), [(0, 2e-5), (50, 1e-3)])
+def test_any_mesh_shows_the_surface_where_it_lies(scene, load, periods, tolerance, period):
+    ob = plane(period, 50)
+    ob.location = (periods * period, -periods * period, 0)
+    assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
+    sea = load(ob, period)
+    for frame in FRAMES:
+        scene.frame_set(frame)
+        world = rest(ob) + np.array(ob.location)
+        want = at_points(sea, "displacement", world, (frame - 1) / 24)
+        error = np.abs(positions(ob) - rest(ob) - want).max()
+        assert error <= tolerance * significant_wave_height(sea)
+
+
+def test_tiles_of_a_grid_meet(scene, load):
+    left, sea = patch(load)
+    right = left.copy()
+    bpy.context.collection.objects.link(right)
+    right.location.x = ROUND
+    scene.frame_set(30)
+    n = 65
+    a, b = (positions(ob).reshape(n, n, 3) + np.array(ob.location) for ob in (left, right))
+    assert np.abs(a[:, -1] - b[:, 0]).max() <= 1e-5 * significant_wave_height(sea)
+
+
+def test_copies_show_seas_of_their_own(scene, load):
+    ob, sea = patch(load)
+    twin = ob.copy()
+    bpy.context.collection.objects.link(twin)
+    bpy.context.view_layer.update()
+    other = load(twin, seed=2)
+    scene.frame_set(10)
+    assert_patch(ob, sea, 9 / 24)
+    assert_patch(twin, other, 9 / 24)
+
+
+def test_undo_and_redo_bring_the_surface_back(scene, load):
+    ob, sea = patch(load)
+    scene.frame_set(10)
+    bpy.ops.ed.undo_push(message="patch")
+    ob.libocean.seed = 7
+    bpy.ops.ed.undo_push(message="seed")
+    changed = positions(ob)
+    bpy.ops.ed.undo()
+    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
+    bpy.ops.ed.redo()
+    assert np.array_equal(positions(bpy.data.objects["Ocean"]), changed)
+
+
+def test_a_saved_file_opens_with_the_same_surface(scene, load, tmp_path):
+    ob, sea = patch(load)
+    scene.frame_set(10)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
+    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
+
+
+def test_a_mask_keeps_the_mesh_where_it_is(scene, load):
+    ob, sea = patch(load)
+    group = ob.vertex_groups.new(name="sea")
+    group.add(range(65 * 32), 1.0, "REPLACE")
+    ob.libocean.mask = "sea"
+    scene.frame_set(10)
+    moved = np.abs(positions(ob) - rest(ob)).max(axis=1)
+    assert moved[65 * 32 :].max() == 0
+    want = on_samples(sea.surface(9 / 24).displacement)[: 65 * 32]
+    got = (positions(ob) - rest(ob))[: 65 * 32]
+    assert np.abs(got - want).max() <= 1e-5 * significant_wave_height(sea)
+    assert attribute(ob, "foam")[65 * 32 :].max() == 0
+
+
+def test_keyframes_and_drivers_move_the_sea(scene, load):
+    ob, sea = patch(load)
+    settings = ob.libocean
+    settings.choppiness = 0.0
+    settings.keyframe_insert("choppiness", frame=1)
+    settings.choppiness = 1.0
+    settings.keyframe_insert("choppiness", frame=25)
+    curve = ob.driver_add("libocean.waves[0].wind_direction").driver
+    curve.expression = "frame * 2"
+    scene.frame_set(25)
+    sea.set("wind_direction", 50)
+    assert_patch(ob, sea, 1.0)
+    scene.frame_set(1)
+    assert np.abs((positions(ob) - rest(ob))[:, :2]).max() == 0
+
+
+def test_a_time_of_its_own(scene, load):
+    ob, sea = patch(load)
+    ob.libocean.use_custom_time = True
+    ob.libocean.custom_time = 12.5
+    assert_patch(ob, sea, 12.5)
+
+
+def test_viewport_and_render_have_resolutions_of_their_own(scene, load):
+    ob, sea = patch(load)
+    ob.libocean.viewport_resolution = 32
+    scene.frame_set(10)
+    coarse = sea.surface(9 / 24, 32).height
+    got = (positions(ob) - rest(ob))[:, 2].reshape(65, 65)[::2, ::2]
+    index = (np.arange(33) - 16) % 32
+    want = coarse[np.ix_(index, index)]
+    assert np.abs(got - want).max() <= 1e-5 * significant_wave_height(sea)
