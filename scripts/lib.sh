@@ -22,6 +22,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         libclang-rt-14-dev valgrind blender)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
+    bpy_packages=(
+        "${build_packages[@]}" blender python3-numpy python3-pytest python3-venv ca-certificates
+        libgl1 libgomp1 libice6 libsm6 libx11-6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1
+        libxxf86vm1)
+    # Long-term releases and what came between; those that the index drops are dropped here.
+    bpy_versions=(4.2.23 4.5.15 5.0.1 5.2.3)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5

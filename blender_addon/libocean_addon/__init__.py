@@ -31,9 +31,9 @@ class MissingLibrary(bpy.types.AddonPreferences):
 def _parts() -> list:
     if native.libocean is None:
         return []
-    from . import live, operators, panels, properties
+    from . import floating, live, operators, panels, properties
 
-    return [properties, operators, panels, live]
+    return [properties, operators, panels, live, floating]
 
 
 def register() -> None:

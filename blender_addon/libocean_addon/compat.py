@@ -81,6 +81,10 @@ def set_input(modifier, identifier: str, value) -> None:
         return
     if _INPUTS_ARE_PROPERTIES:
         getattr(modifier.properties.inputs, identifier).value = value
+    elif isinstance(value, tuple):
+        modifier[identifier][:] = (
+            value  # a new array would be one of doubles, which no socket takes
+        )
     else:
         modifier[identifier] = value
     modifier.id_data.update_tag()

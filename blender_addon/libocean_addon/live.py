@@ -11,6 +11,7 @@ use, and seas by the names of their objects.
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 
 import bpy
 import numpy as np
@@ -38,6 +39,8 @@ class OpenSea:
         self.values: sea_text.SeaValues | None = None
         self.changes = 0
         self.state: dict | None = None  # for the panel, read when it is looked at
+        self.point_sea = None
+        self.point_changes = 0
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
         self.shown: dict[str, tuple] = {}  # by image: what it holds
 
@@ -67,6 +70,16 @@ class OpenSea:
             self.sea.close()
         self.sea = opened
 
+    def for_points(self):
+        """The same sea in another handle: maps and points at the same time would each undo what
+        the library keeps for the other."""
+        if self.point_sea is None or self.point_changes != self.changes:
+            if self.point_sea is not None:
+                self.point_sea.close()
+            self.point_sea = libocean.parse(self.sea.text)
+            self.point_changes = self.changes
+        return self.point_sea
+
     def buffer(self, field: str, size: int) -> np.ndarray:
         if (field, size) not in self.buffers:
             # Of one size for the viewport and one for renders.
@@ -94,6 +107,9 @@ class OpenSea:
 
 
 _seas: dict[str, OpenSea] = {}
+
+followers: list[Callable[[object, Moment], None]] = []
+"""Called with the depsgraph, or None, and the moment after the seas of a scene were shown."""
 
 
 def sea_of(ob) -> OpenSea:
@@ -221,17 +237,30 @@ def show_all(scene, depsgraph=None, *, rendering: bool = False) -> None:
     moment = Moment(scene, rendering)
     for ob in ocean_objects():
         show(ob, depsgraph, moment)
+    for follower in followers:
+        follower(depsgraph, moment)
 
 
 def parameters_changed(ob) -> None:
     """After a property was set from the user interface or a script."""
     if not node_group.modifiers(ob):
         return
-    show(ob, None, Moment(bpy.context.scene, rendering=False))
+    moment = Moment(bpy.context.scene, rendering=False)
+    show(ob, None, moment)
+    for follower in followers:
+        follower(None, moment)
     sea = sea_of(ob)
     if ob.libocean.kind == "PATCH" and sea.sea is not None and ob.mode == "OBJECT":
         period = float(sea.values.values["patch_size"])
         meshes.follow_patch(ob.data, period, sea.sea.map_resolution())
+
+
+def float_pose(ob, body: tuple[float, ...], moment: Moment):
+    """libocean.FloatPose of one body on the sea of an object; None where there is none."""
+    sea = sea_of(ob)
+    if sea.sea is None:
+        return None
+    return sea.for_points().float_pose([body], moment.time(ob.libocean, sea.values))
 
 
 def state_of(ob) -> list[tuple[str, str]] | None:

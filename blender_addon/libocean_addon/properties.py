@@ -45,8 +45,12 @@ def quiet() -> Iterator[None]:
         _silence -= 1
 
 
+def is_quiet() -> bool:
+    return _silence > 0
+
+
 def tell(ob) -> None:
-    if listener is not None and _silence == 0:
+    if listener is not None and not is_quiet():
         listener(ob)
 
 
@@ -68,7 +72,7 @@ def _changed(self, _context) -> None:
 
 def _switched_on(switch: str):
     def changed(self, context) -> None:
-        if _silence == 0:
+        if not is_quiet():
             with quiet():
                 setattr(self, switch, True)
         _changed(self, context)
@@ -94,6 +98,13 @@ def _number_limits(entry: dict[str, Any]) -> dict[str, Any]:
     if entry["type"] == "int":
         limits = {key: max(-(2**31), min(2**31 - 1, value)) for key, value in limits.items()}
     return limits
+
+
+def _middle(entry: dict[str, Any]) -> float:
+    """Where a parameter without a default begins: the middle of its soft range, by ratio where all
+    of it is positive."""
+    low, high = entry["soft_min"], entry["soft_max"]
+    return float(f"{math.sqrt(low * high):.1g}") if low > 0 else (low + high) / 2
 
 
 def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
@@ -125,7 +136,7 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
             description=f"Whether {entry['label'].lower()} is given",
             update=_changed,
         ),
-        key: bpy.props.FloatProperty(**common, default=entry["soft_max"]),
+        key: bpy.props.FloatProperty(**common, default=_middle(entry)),
     }
 
 

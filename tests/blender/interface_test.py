@@ -8,7 +8,7 @@ import json
 import bpy
 import pytest
 from conftest import plane
-from libocean_addon import operators, panels, properties, sea_text
+from libocean_addon import floating, operators, panels, properties, sea_text
 from libocean_addon.bundled import libocean
 
 UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
@@ -39,7 +39,9 @@ def test_every_parameter_is_a_property(ocean, entry):
         assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
-@pytest.mark.parametrize("cls", [*operators.CLASSES, *panels.CLASSES], ids=lambda c: c.__name__)
+@pytest.mark.parametrize(
+    "cls", [*operators.CLASSES, *panels.CLASSES, *floating.CLASSES], ids=lambda c: c.__name__
+)
 def test_every_class_describes_itself(cls):
     assert inspect.getdoc(cls)
     if issubclass(cls, bpy.types.Operator):

@@ -3,6 +3,8 @@
 """Packs the add-on and runs tests in a Blender with a profile of its own, emptied before.
 
 usage: start_blender.py --blender PROGRAM --library LIBOCEAN --profile FOLDER -- PYTEST_ARGUMENT...
+
+PROGRAM is a Blender, or a Python that has Blender as its module bpy.
 """
 
 import argparse
@@ -36,10 +38,11 @@ def main() -> int:
         text=True,
     )
     environment = {f"BLENDER_USER_{name}": str(folder) for name, folder in folders.items()}
+    start = [asked.blender]
+    if not Path(asked.blender).name.startswith("python"):
+        start += ["--background", "--factory-startup", "--python-exit-code", "1", "--python"]
     return subprocess.run(
-        [asked.blender, "--background", "--factory-startup", "--python-exit-code", "1"]
-        + ["--python", HERE / "run_in_blender.py", "--", packed.stdout.strip()]
-        + asked.arguments,
+        [*start, HERE / "run_in_blender.py", "--", packed.stdout.strip(), *asked.arguments],
         env={**os.environ, **environment},
     ).returncode
 

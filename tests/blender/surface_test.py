@@ -96,7 +96,7 @@ def test_a_patch_is_the_surface(scene, load, frame, period):
 @pytest.mark.parametrize(("periods", "tolerance"), [(0, 2e-5), (50, 1e-3)])
 def test_any_mesh_shows_the_surface_where_it_lies(scene, load, periods, tolerance, period):
     ob = plane(period, 50)
-    ob.location = (periods * period, -periods * period, 0)
+    ob.location = ((periods + 0.37) * period, -(periods + 0.81) * period, 0)
     assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
     sea = load(ob, period)
     for frame in FRAMES:

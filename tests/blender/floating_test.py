@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects ride the waves: where the library says, at every frame, in renders too."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from conftest import plane
+from libocean_addon import properties, sea_text
+from libocean_addon.bundled import libocean
+
+
+@pytest.fixture
+def ocean():
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+    ob = bpy.context.object
+    ob.libocean.resolution = 64
+    return ob
+
+
+@pytest.fixture
+def boat(ocean):
+    ob = plane(1.0, 2, "Boat")
+    ob.scale = (20.0, 6.0, 1.0)
+    ob.location = (40.0, -15.0, 0.0)
+    ob.rotation_euler.z = math.radians(30)
+    assert bpy.ops.libocean.add_float(ocean=ocean.name) == {"FINISHED"}
+    return ob
+
+
+def sea_of(ocean):
+    return libocean.parse(sea_text.write(properties.TABLE, properties.values_of(ocean.libocean)))
+
+
+def assert_rides(boat, pose, tilt=True):
+    matrix = np.array(boat.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world)
+    axes = matrix[:3, :3] / np.linalg.norm(matrix[:3, :3], axis=0)
+    assert matrix[2, 3] == pytest.approx(pose.position[0][2], abs=1e-4)
+    if tilt:
+        assert np.abs(axes[:, 0] - pose.forward[0]).max() < 1e-5
+        assert np.abs(axes[:, 2] - pose.up[0]).max() < 1e-5
+    else:
+        assert np.abs(axes[:, 2] - (0, 0, 1)).max() < 1e-6
+
+
+def test_a_boat_lies_where_the_library_says(scene, ocean, boat):
+    assert (boat.libocean_float.length, boat.libocean_float.width) == pytest.approx((20, 6))
+    heights = set()
+    with sea_of(ocean) as sea:
+        for frame in (1, 30, 200, 31):
+            scene.frame_set(frame)
+            pose = sea.float_pose([(40, -15, 30, 20, 6)], (frame - 1) / 24)
+            assert_rides(boat, pose)
+            heights.add(round(float(pose.position[0][2]), 3))
+    assert len(heights) == 4
+    assert tuple(boat.location) == (40.0, -15.0, 0.0)  # its own place stays its own
+
+
+def test_a_boat_under_way(scene, ocean, boat):
+    boat.keyframe_insert("location", frame=1)
+    boat.location = (140.0, 35.0, 0.0)
+    boat.keyframe_insert("location", frame=101)
+    for curve_frame, place in ((1, (40, -15)), (101, (140, 35))):
+        scene.frame_set(curve_frame)
+        with sea_of(ocean) as sea:
+            assert_rides(boat, sea.float_pose([(*place, 30, 20, 6)], (curve_frame - 1) / 24))
+
+
+@pytest.mark.parametrize("mode", ["QUATERNION", "ZXY"])
+def test_any_rotation_mode(scene, ocean, boat, mode):
+    boat.rotation_mode = mode
+    turn = math.radians(-50)
+    if mode == "QUATERNION":
+        boat.rotation_quaternion = (math.cos(turn / 2), 0, 0, math.sin(turn / 2))
+    else:
+        boat.rotation_euler = (0, 0, turn)
+    scene.frame_set(50)
+    with sea_of(ocean) as sea:
+        assert_rides(boat, sea.float_pose([(40, -15, -50, 20, 6)], 49 / 24))
+
+
+def test_a_rotation_by_axis_and_angle_is_converted(scene, ocean, boat):
+    boat.rotation_mode = "AXIS_ANGLE"
+    bpy.ops.libocean.add_float(ocean=ocean.name)
+    assert boat.rotation_mode == "QUATERNION"
+    scene.frame_set(50)
+    with sea_of(ocean) as sea:
+        assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24))
+
+
+def test_without_tilt_it_rises_and_falls(scene, ocean, boat):
+    boat.libocean_float.use_tilt = False
+    scene.frame_set(50)
+    with sea_of(ocean) as sea:
+        assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24), tilt=False)
+
+
+def test_a_change_of_the_sea_moves_the_boat(scene, ocean, boat):
+    scene.frame_set(50)
+    ocean.libocean.waves[0].wind_speed = 20.0
+    with sea_of(ocean) as sea:
+        assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24))
+
+
+def test_a_rendered_frame_has_the_boat_in_place(scene, ocean, boat, tmp_path):
+    seen = {}
+
+    def look(at, *_):
+        graph = bpy.context.evaluated_depsgraph_get()
+        seen[at.frame_current] = boat.evaluated_get(graph).matrix_world.translation.z
+
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 1
+    scene.cycles.use_denoising = False
+    scene.render.resolution_x = scene.render.resolution_y = 8
+    scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    bpy.context.collection.objects.link(scene.camera)
+    scene.frame_start, scene.frame_end = 5, 7
+    scene.render.filepath = str(tmp_path / "frame_")
+    bpy.app.handlers.render_post.append(look)
+    try:
+        bpy.ops.render.render(animation=True)
+    finally:
+        bpy.app.handlers.render_post.remove(look)
+    assert sorted(seen) == [5, 6, 7]
+    with sea_of(ocean) as sea:
+        for frame, height in seen.items():
+            pose = sea.float_pose([(40, -15, 30, 20, 6)], (frame - 1) / 24)
+            assert height == pytest.approx(pose.position[0][2], abs=1e-4)
+
+
+def test_it_can_be_let_go(scene, ocean, boat):
+    assert bpy.ops.libocean.remove_float() == {"FINISHED"}
+    before = tuple(boat.delta_location)
+    scene.frame_set(80)
+    assert tuple(boat.delta_location) == before
+    assert not bpy.ops.libocean.remove_float.poll()
+
+
+def test_which_ocean_must_be_clear(ocean):
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_2")
+    plane(2.0, 2)
+    with pytest.raises(RuntimeError, match="Which ocean"):
+        bpy.ops.libocean.add_float()
+    with pytest.raises(RuntimeError, match="Which ocean"):
+        bpy.ops.libocean.add_float(ocean="nothing")

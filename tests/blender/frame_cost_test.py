@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a played frame costs a vertex, against Blender's own Ocean modifier in the same process."""
+
+import statistics
+import time
+
+import bpy
+import numpy as np
+import pytest
+from conftest import evaluated_mesh
+from libocean_addon import live
+
+FRAMES = range(2, 26)
+LIMIT = 0.35 if bpy.app.version < (4, 2) else 0.20
+LIBRARY_SHARE = 0.25
+
+
+def built_in(side: int):
+    """Blender's modifier with foam and about side x side vertices, its time driven: to set it from
+    a script would build its spectrum again for each frame."""
+    bpy.ops.mesh.primitive_plane_add()
+    ob = bpy.context.object
+    modifier = ob.modifiers.new("Ocean", "OCEAN")
+    modifier.resolution = round(side**0.5)
+    modifier.viewport_resolution = modifier.resolution
+    modifier.use_foam = True
+    modifier.foam_layer_name = "foam"
+    modifier.driver_add("time").driver.expression = "frame / 24"
+    return ob
+
+
+def ours(side: int):
+    bpy.ops.libocean.add(kind="PATCH")
+    bpy.context.object.libocean.resolution = side
+    return bpy.context.object
+
+
+def frame_seconds(scene, ob) -> tuple[float, int]:
+    """The median time of a frame, the evaluated mesh included, and its vertices."""
+    times = []
+    for frame in FRAMES:
+        start = time.perf_counter()
+        scene.frame_set(frame)
+        vertices = len(evaluated_mesh(ob).vertices)
+        times.append(time.perf_counter() - start)
+    return statistics.median(times), vertices
+
+
+def library_seconds(ob, side: int) -> float:
+    """The library's part of such a frame."""
+    sea = live.sea_of(ob).sea
+    buffers = [
+        (np.zeros((side, side, 4), np.float32), channels) for channels in live.CHANNELS.values()
+    ]
+    times = []
+    for frame in FRAMES:
+        start = time.perf_counter()
+        sea.fill((frame + 100) / 24, buffers)
+        times.append(time.perf_counter() - start)
+    return statistics.median(times[1:])  # the first fetches foam up to its time
+
+
+@pytest.mark.parametrize("side", [512, 1024])
+def test_a_played_frame_costs_less_than_blenders_own(scene, side, record_property):
+    theirs = built_in(side)
+    their_seconds, their_vertices = frame_seconds(scene, theirs)
+    bpy.data.objects.remove(theirs)
+    ob = ours(side)
+    seconds, vertices = frame_seconds(scene, ob)
+    share = library_seconds(ob, side) / seconds
+    ratio = seconds / vertices / (their_seconds / their_vertices)
+    print(
+        f"\n{bpy.app.version_string}, {side}: {1e3 * seconds:.1f} ms, {vertices} vertices; "
+        f"Blender's {1e3 * their_seconds:.1f} ms, {their_vertices}; "
+        f"a vertex {ratio:.3f}, the library's share {share:.2f}"
+    )
+    assert ratio <= LIMIT
+    assert share <= LIBRARY_SHARE

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures: another process renders a file as this one does; each frame shows its own time."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from conftest import plane
+
+RENDER = """
+import bpy, sys
+path, frame, picture = sys.argv[sys.argv.index("--") + 1 :]
+bpy.ops.preferences.addon_enable(module="libocean_addon")
+bpy.ops.wm.open_mainfile(filepath=path)
+bpy.context.scene.frame_set(int(frame))
+bpy.context.scene.render.filepath = picture
+bpy.ops.render.render(write_still=True)
+sys.stdout.flush()
+import os
+os._exit(0)
+"""
+
+
+@pytest.fixture
+def shot(scene):
+    """A small sea seen from above, its heights as light."""
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+    ob = bpy.context.object
+    ob.libocean.resolution = 64
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    bpy.context.collection.objects.link(camera)
+    camera.location.z = 100.0
+    camera.data.type = "ORTHO"
+    camera.data.ortho_scale = ob.libocean.patch_size * 0.9
+    scene.camera = camera
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 1
+    scene.cycles.use_denoising = False
+    scene.render.resolution_x = scene.render.resolution_y = 48
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    material = bpy.data.materials.new("Heights")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    place = nodes.new("ShaderNodeNewGeometry")
+    light = nodes.new("ShaderNodeEmission")
+    links.new(place.outputs["Position"], light.inputs["Color"])
+    links.new(light.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+    ob.data.materials.append(material)
+    return ob
+
+
+def pixels(path: Path) -> np.ndarray:
+    image = bpy.data.images.load(str(path))
+    return np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
+
+
+def rendered(scene, path: Path) -> np.ndarray:
+    scene.render.filepath = str(path)
+    bpy.ops.render.render(write_still=True)
+    return pixels(path)
+
+
+def test_a_second_process_renders_the_same_picture(scene, shot, tmp_path):
+    shot.libocean.render_resolution = 32
+    scene.frame_set(17)
+    here = rendered(scene, tmp_path / "here.exr")
+    heights = here[..., 2]
+    assert np.ptp(heights) > 0.5  # metres
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    script = tmp_path / "render.py"
+    script.write_text(RENDER)
+    start = [sys.executable, script]
+    if bpy.app.binary_path:
+        start = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
+    there = tmp_path / "there.exr"
+    subprocess.run([*start, "--", tmp_path / "shot.blend", "17", there], check=True)
+    assert np.array_equal(pixels(there), here)
+
+
+def test_the_render_resolution_is_what_is_rendered(scene, shot, tmp_path):
+    scene.frame_set(17)
+    fine = rendered(scene, tmp_path / "fine.exr")[..., 2]
+    shot.libocean.viewport_resolution = 32
+    again = rendered(scene, tmp_path / "again.exr")[..., 2]
+    assert np.array_equal(again, fine)
+    shot.libocean.render_resolution = 32
+    coarse = rendered(scene, tmp_path / "coarse.exr")[..., 2]
+    assert not np.array_equal(coarse, fine)
+
+
+def test_every_frame_of_an_animation_shows_its_own_time(scene, shot, tmp_path):
+    scene.frame_start, scene.frame_end = 1, 3
+    scene.render.filepath = str(tmp_path / "frame_####.exr")
+    bpy.ops.render.render(animation=True)
+    for frame in (1, 2, 3):
+        scene.frame_set(frame)
+        still = rendered(scene, tmp_path / f"still_{frame}.exr")
+        assert np.array_equal(pixels(tmp_path / f"frame_{frame:04}.exr"), still)
+
+
+def test_objects_of_all_kinds_are_found_among_many(scene, shot):
+    from libocean_addon import live
+
+    other = plane(10.0, 3)
+    bpy.ops.libocean.add_modifier()
+    for number in range(200):
+        bpy.context.collection.objects.link(bpy.data.objects.new(f"Empty {number}", None))
+    assert set(live.ocean_objects()) == {shot, other}
