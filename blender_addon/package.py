@@ -1,24 +1,56 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs the add-on for Blender before 4.2: one zip with the library and its Python wrapper inside.
+"""Packs the add-on: a zip for Blender before 4.2, an extension for later ones.
 
-usage: python3 blender_addon/package.py --library LIBRARY [--output FOLDER]
+usage: python3 blender_addon/package.py --library LIBRARY [--library LIBRARY]... [--output FOLDER]
 
-Prints the path of the zip. The same files give the same bytes.
+Each library, libocean.so or .dll, is for one platform: it gets a zip of its own for old Blenders,
+and a wheel in the one extension. Prints the paths. The same files give the same bytes.
 """
 
 from __future__ import annotations
 
 import argparse
+import base64
+import dataclasses
+import hashlib
+import io
+import json
 import sys
 import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).parent
 NAME = "libocean_addon"
+ADDON = HERE / NAME
 WRAPPER = HERE.parent / "libocean" / "python" / "libocean"
+APACHE = HERE.parent / "LICENSE"
 BUNDLED = f"{NAME}/bundled"
-PLATFORMS = {".so": "linux-x64", ".dll": "windows-x64", ".dylib": "macos-arm64"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Platform:
+    """What a library is for, in the words of Blender and of Python wheels."""
+
+    suffix: str
+    blender: str
+    wheel: str
+
+
+PLATFORMS = (
+    Platform(".so", "linux-x64", "manylinux_2_28_x86_64"),
+    Platform(".dll", "windows-x64", "win_amd64"),
+    Platform(".dylib", "macos-arm64", "macosx_11_0_arm64"),
+)
+
+
+def platform_of(library: Path) -> Platform:
+    """By its name: libocean.so, libocean.so.0.1.0, libocean.dll."""
+    for platform in PLATFORMS:
+        if platform.suffix in library.suffixes:
+            return platform
+    known = ", ".join(platform.suffix for platform in PLATFORMS)
+    raise argparse.ArgumentTypeError(f"{library} is no {known}")
 
 
 def version() -> str:
@@ -27,41 +59,101 @@ def version() -> str:
     return line.split('"')[1]
 
 
-def contents(library: Path, kind: str) -> dict[str, bytes]:
-    """Every file of the zip by its path."""
-    files = {f"{NAME}/{path.name}": path for path in (HERE / NAME).glob("*.py")}
-    files[f"{NAME}/LICENSE"] = HERE / "LICENSE"
-    files |= {f"{BUNDLED}/libocean/{path.name}": path for path in WRAPPER.glob("*.py")}
-    files[f"{BUNDLED}/libocean/LICENSE"] = HERE.parent / "LICENSE"
-    files[f"{BUNDLED}/libocean/libocean{kind}"] = library
-    packed = {name: path.read_bytes() for name, path in files.items()}
-    packed[f"{BUNDLED}/__init__.py"] = b""
-    return packed
-
-
-def write_zip(path: Path, files: dict[str, bytes]) -> None:
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+def zipped(files: dict[str, bytes]) -> bytes:
+    """A zip of these files by their paths; nothing in it depends on when it is made."""
+    memory = io.BytesIO()
+    with zipfile.ZipFile(memory, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, files[name])
+    return memory.getvalue()
+
+
+def addon_files() -> dict[str, bytes]:
+    files = {path.name: path.read_bytes() for path in ADDON.glob("*.py")}
+    files["LICENSE"] = (HERE / "LICENSE").read_bytes()
+    return files
+
+
+def wrapper_files(library: Path) -> dict[str, bytes]:
+    """The Python package libocean with its library inside."""
+    files = {path.name: path.read_bytes() for path in WRAPPER.glob("*.py")}
+    files[f"libocean{platform_of(library).suffix}"] = library.read_bytes()
+    return files
+
+
+def legacy_zip(library: Path) -> bytes:
+    files = {f"{NAME}/{name}": data for name, data in addon_files().items()}
+    for name, data in wrapper_files(library).items():
+        files[f"{BUNDLED}/libocean/{name}"] = data
+    files[f"{BUNDLED}/libocean/LICENSE"] = APACHE.read_bytes()
+    files[f"{BUNDLED}/__init__.py"] = b""
+    return zipped(files)
+
+
+def wheel(library: Path) -> tuple[str, bytes]:
+    """Name and bytes of a wheel for one platform and every Python: the wrapper is plain ctypes."""
+    tag = f"py3-none-{platform_of(library).wheel}"
+    info = f"libocean-{version()}.dist-info"
+    files = {f"libocean/{name}": data for name, data in wrapper_files(library).items()}
+    files[f"{info}/METADATA"] = (
+        f"Metadata-Version: 2.1\nName: libocean\nVersion: {version()}\nRequires-Dist: numpy>=1.22\n"
+    ).encode()
+    files[f"{info}/WHEEL"] = (
+        f"Wheel-Version: 1.0\nGenerator: libocean\nRoot-Is-Purelib: false\nTag: {tag}\n"
+    ).encode()
+    files[f"{info}/LICENSE"] = APACHE.read_bytes()
+    record = ""
+    for name in sorted(files):
+        digest = base64.urlsafe_b64encode(hashlib.sha256(files[name]).digest()).rstrip(b"=")
+        record += f"{name},sha256={digest.decode()},{len(files[name])}\n"
+    files[f"{info}/RECORD"] = f"{record}{info}/RECORD,,\n".encode()
+    return f"libocean-{version()}-{tag}.whl", zipped(files)
+
+
+def extension_zip(libraries: list[Path]) -> bytes:
+    wheels = dict(wheel(library) for library in libraries)
+    manifest = (HERE / "blender_manifest.toml").read_text()
+    filled = {
+        '"@VERSION@"': json.dumps(version()),
+        "@PLATFORMS@": json.dumps([platform_of(library).blender for library in libraries]),
+        "@WHEELS@": json.dumps([f"./wheels/{name}" for name in wheels]),
+    }
+    for mark, text in filled.items():
+        manifest = manifest.replace(mark, text)
+    files = addon_files()
+    files["blender_manifest.toml"] = manifest.encode()
+    files |= {f"wheels/{name}": data for name, data in wheels.items()}
+    return zipped(files)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--library", type=Path, required=True, help="libocean.so, .dll or .dylib")
-    parser.add_argument("--output", type=Path, default=Path(), help="folder for the zip")
+    parser.add_argument(
+        "--library",
+        type=Path,
+        required=True,
+        action="append",
+        help="libocean.so, .dll or .dylib; once for each platform",
+    )
+    parser.add_argument("--output", type=Path, default=Path(), help="folder for the zips")
     asked = parser.parse_args()
-    kind = next((s for s in asked.library.suffixes if s in PLATFORMS), None)  # libocean.so.0.1.0
-    if kind is None:
-        parser.error(f"{asked.library} is no {', '.join(PLATFORMS)}")
-    if not asked.library.is_file():
-        parser.error(f"{asked.library} is not there; build it: scripts/test --only tests")
+    packed = {}
+    for library in asked.library:
+        try:
+            platform = platform_of(library)
+        except argparse.ArgumentTypeError as mistake:
+            parser.error(str(mistake))
+        if not library.is_file():
+            parser.error(f"{library} is not there: build it first")
+        packed[f"{NAME}-{version()}-{platform.blender}.zip"] = legacy_zip(library)
+    packed[f"libocean-{version()}.zip"] = extension_zip(asked.library)
     asked.output.mkdir(parents=True, exist_ok=True)
-    path = asked.output / f"{NAME}-{version()}-{PLATFORMS[kind]}.zip"
-    write_zip(path, contents(asked.library, kind))
-    print(path)
+    for name, data in packed.items():
+        (asked.output / name).write_bytes(data)
+        print(asked.output / name)
     return 0
 
 

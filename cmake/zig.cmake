@@ -13,6 +13,7 @@ elseif(OCEAN_ZIG_TARGET MATCHES "macos")
   set(CMAKE_CXX_FLAGS_INIT "-DFLT_RADIX=2")
 else()
   set(CMAKE_SYSTEM_NAME Linux)
+  set(CMAKE_SHARED_LINKER_FLAGS_INIT "-s")  # libc++ would bring 50 MB of debug information along
 endif()
 string(REGEX MATCH "^[^-]+" CMAKE_SYSTEM_PROCESSOR "${OCEAN_ZIG_TARGET}")
 

@@ -37,12 +37,14 @@ def main() -> int:
         stdout=subprocess.PIPE,
         text=True,
     )
+    legacy, extension = packed.stdout.split()
     environment = {f"BLENDER_USER_{name}": str(folder) for name, folder in folders.items()}
+    environment["OCEAN_EXTENSION"] = str(Path(extension).resolve())
     start = [asked.blender]
     if not Path(asked.blender).name.startswith("python"):
         start += ["--background", "--factory-startup", "--python-exit-code", "1", "--python"]
     return subprocess.run(
-        [*start, HERE / "run_in_blender.py", "--", packed.stdout.strip(), *asked.arguments],
+        [*start, HERE / "run_in_blender.py", "--", legacy, *asked.arguments],
         env={**os.environ, **environment},
     ).returncode
 
