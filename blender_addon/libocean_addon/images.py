@@ -10,13 +10,14 @@ import numpy as np
 MARK = "libocean_field"
 
 
-def make(ob, field: str, size: int):
-    """A blank image of one field of an object: flat and without foam wherever nobody fills it."""
+def make(ob, field: str, size: int, blank: tuple[float, float, float, float]):
+    """An image of one field of an object, of this colour wherever nobody fills it: after loading,
+    without the add-on. Blender's own choice, alpha 1, would be foam everywhere."""
     image = bpy.data.images.new(
         f".{ob.name} {field}", size, size, alpha=True, float_buffer=True, is_data=True
     )
     image.alpha_mode = "CHANNEL_PACKED"
-    image.generated_color = (0.0, 0.0, 0.0, 0.0)  # reloaded, alpha would be 1: foam everywhere
+    image.generated_color = blank
     image[MARK] = field
     return image
 

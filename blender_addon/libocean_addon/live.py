@@ -11,6 +11,7 @@ use, and seas by the names of their objects.
 from __future__ import annotations
 
 import dataclasses
+import threading
 from collections.abc import Callable
 
 import bpy
@@ -27,6 +28,13 @@ CHANNELS = {
     "Normal": ("nx", "ny", "nz", "height"),
 }
 
+# Of a sea at rest.
+BLANKS = {
+    "Displacement": (0.0, 0.0, 0.0, 0.0),
+    "Velocity": (0.0, 0.0, 0.0, 0.0),
+    "Normal": (0.0, 0.0, 1.0, 0.0),
+}
+
 
 # One open sea -----------------------------------------------------------------
 
@@ -35,6 +43,7 @@ class OpenSea:
     """The library's sea of one object, its buffers, and what was shown last."""
 
     def __init__(self) -> None:
+        self.lock = threading.Lock()  # renders run in a thread of their own
         self.sea = None
         self.values: sea_text.SeaValues | None = None
         self.changes = 0
@@ -91,6 +100,10 @@ class OpenSea:
 
     def show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
         """Fills the images of these fields with the maps of `time`."""
+        with self.lock:
+            self._show(time, size, targets)
+
+    def _show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
         state = (self.changes, time, size)
         stale = {
             field: image
@@ -105,6 +118,11 @@ class OpenSea:
             images.fill(image, self.buffer(field, size))
             self.shown[image.name_full] = state
 
+    def close(self) -> None:
+        for handle in (self.sea, self.point_sea):
+            if handle is not None:
+                handle.close()
+
 
 _seas: dict[str, OpenSea] = {}
 
@@ -117,9 +135,13 @@ def sea_of(ob) -> OpenSea:
 
 
 def forget() -> None:
-    """What images hold is not known any more, after undo and loading."""
-    for sea in _seas.values():
-        sea.shown.clear()
+    """After undo and loading: what images hold is not known any more, objects may be gone."""
+    names = {ob.name_full for ob in ocean_objects()}
+    for name in list(_seas):
+        if name in names:
+            _seas[name].shown.clear()
+        else:
+            _seas.pop(name).close()
 
 
 # Objects ----------------------------------------------------------------------
@@ -181,7 +203,7 @@ def _targets(ob, modifier, size: int, *, render: bool, shared: bool) -> dict:
         image = node_group.value(modifier, names[0])
         if image is None or (render and not shared and image == node_group.value(modifier, field)):
             label = f"{field} render" if render and not shared else field
-            image = images.make(ob, label.lower(), size)
+            image = images.make(ob, label.lower(), size, BLANKS[field])
         node_group.assign(modifier, dict.fromkeys(names, image))
         targets[field] = image
     return targets
@@ -285,6 +307,8 @@ def state_of(ob) -> list[tuple[str, str]] | None:
 
 # Handlers ---------------------------------------------------------------------
 
+_locked_by_us: set[str] = set()  # scenes
+
 
 def _own_images() -> None:
     """A copy of an object shows images of its own."""
@@ -324,8 +348,16 @@ def _data_replaced(*_) -> None:
 @persistent
 def _lock_interface(scene, *_) -> None:
     """Blender may not draw what a render in another thread rewrites."""
-    if ocean_objects():
+    if ocean_objects() and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
+        _locked_by_us.add(scene.name_full)
+
+
+@persistent
+def _unlock_interface(scene, *_) -> None:
+    if scene.name_full in _locked_by_us:
+        _locked_by_us.remove(scene.name_full)
+        scene.render.use_lock_interface = False
 
 
 _HANDLERS = {
@@ -335,6 +367,8 @@ _HANDLERS = {
     "undo_post": _data_replaced,
     "redo_post": _data_replaced,
     "render_init": _lock_interface,
+    "render_complete": _unlock_interface,
+    "render_cancel": _unlock_interface,
 }
 
 
@@ -356,6 +390,5 @@ def unregister() -> None:
     _remove_handlers()
     properties.listener = None
     for sea in _seas.values():
-        if sea.sea is not None:
-            sea.sea.close()
+        sea.close()
     _seas.clear()

@@ -60,6 +60,12 @@ def pixels(path: Path) -> np.ndarray:
     return np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
 
 
+def in_another_process(script: Path) -> list:
+    if bpy.app.binary_path:
+        return [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
+    return [sys.executable, script]
+
+
 def rendered(scene, path: Path) -> np.ndarray:
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
@@ -75,11 +81,10 @@ def test_a_second_process_renders_the_same_picture(scene, shot, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     script = tmp_path / "render.py"
     script.write_text(RENDER)
-    start = [sys.executable, script]
-    if bpy.app.binary_path:
-        start = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
     there = tmp_path / "there.exr"
-    subprocess.run([*start, "--", tmp_path / "shot.blend", "17", there], check=True)
+    subprocess.run(
+        [*in_another_process(script), "--", tmp_path / "shot.blend", "17", there], check=True
+    )
     assert np.array_equal(pixels(there), here)
 
 
@@ -102,6 +107,49 @@ def test_every_frame_of_an_animation_shows_its_own_time(scene, shot, tmp_path):
         scene.frame_set(frame)
         still = rendered(scene, tmp_path / f"still_{frame}.exr")
         assert np.array_equal(pixels(tmp_path / f"frame_{frame:04}.exr"), still)
+
+
+def test_the_locked_interface_is_given_back(scene, shot, tmp_path):
+    locked = []
+    look = bpy.app.handlers.render_pre
+    look.append(lambda at, *_: locked.append(at.render.use_lock_interface))
+    try:
+        rendered(scene, tmp_path / "locked.exr")
+    finally:
+        look.pop()
+    assert locked == [True]
+    assert not scene.render.use_lock_interface
+
+
+AT_REST = """
+import os, sys, traceback
+import bpy
+try:
+    bpy.ops.wm.open_mainfile(filepath=sys.argv[sys.argv.index("--") + 1])
+    assert not hasattr(bpy.types.Object, "libocean")
+    bpy.context.scene.frame_set(17)
+    ob = bpy.data.objects["Ocean"]
+    mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    assert all(vertex.co.z == 0.0 for vertex in mesh.vertices)
+    assert all(item.value == 0.0 for item in mesh.attributes["foam"].data)
+    assert all(tuple(item.vector) == (0, 0, 0) for item in mesh.attributes["velocity"].data)
+    assert all(tuple(item.vector) == (0, 0, 1) for item in mesh.attributes["ocean_normal"].data)
+    status = 0
+except BaseException:
+    traceback.print_exc()
+    status = 1
+sys.stdout.flush()
+sys.stderr.flush()
+os._exit(status)
+"""
+
+
+def test_without_the_add_on_the_sea_is_at_rest(scene, shot, tmp_path):
+    scene.frame_set(17)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    script = tmp_path / "look.py"
+    script.write_text(AT_REST)
+    subprocess.run([*in_another_process(script), "--", tmp_path / "shot.blend"], check=True)
 
 
 def test_objects_of_all_kinds_are_found_among_many(scene, shot):
