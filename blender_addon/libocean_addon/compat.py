@@ -60,9 +60,6 @@ def capture(group, geometry, color):
     return node.outputs["Geometry"], captured
 
 
-HAS_MESH_NORMAL_NODE = hasattr(bpy.types, "GeometryNodeSetMeshNormal")  # 4.5
-
-
 # Inputs of a Geometry Nodes modifier ------------------------------------------
 
 _INPUTS_ARE_PROPERTIES = "properties" in bpy.types.NodesModifier.bl_rna.properties  # 5.2

@@ -168,18 +168,10 @@ class AddFloat(bpy.types.Operator):
                 self.report({"INFO"}, f"{ob.name} turns by quaternions now")
             settings = ob.libocean_float
             with properties.quiet():
-                size = [high - low for low, high in zip(*_corners(ob), strict=True)]
-                settings.length, settings.width = size[0], size[1]
+                settings.length, settings.width = ob.dimensions.xy
                 settings.ocean = ocean
             ride(ob, None, live.Moment(context.scene, rendering=False))
         return {"FINISHED"}
-
-
-def _corners(ob) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """The least and the greatest of its bounding box, in its own axes, scaled."""
-    scaled = [[c * s for c, s in zip(corner, ob.scale, strict=True)] for corner in ob.bound_box]
-    columns = list(zip(*scaled, strict=True))
-    return tuple(min(c) for c in columns), tuple(max(c) for c in columns)
 
 
 class RemoveFloat(bpy.types.Operator):

@@ -7,8 +7,6 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
-MARK = "libocean_field"
-
 
 def make(ob, field: str, size: int, blank: tuple[float, float, float, float]):
     """An image of one field of an object, of this colour wherever nobody fills it: after loading,
@@ -18,12 +16,7 @@ def make(ob, field: str, size: int, blank: tuple[float, float, float, float]):
     )
     image.alpha_mode = "CHANNEL_PACKED"
     image.generated_color = blank
-    image[MARK] = field
     return image
-
-
-def is_ours(image) -> bool:
-    return image is not None and MARK in image
 
 
 def resize(image, size: int) -> None:

@@ -134,9 +134,9 @@ def sea_of(ob) -> OpenSea:
     return _seas.setdefault(ob.name_full, OpenSea())
 
 
-def forget() -> None:
-    """After undo and loading: what images hold is not known any more, objects may be gone."""
-    names = {ob.name_full for ob in ocean_objects()}
+def forget(names: set[str]) -> None:
+    """After undo and loading: what images hold is not known any more, and of the seas there are
+    those of the objects with these names."""
     for name in list(_seas):
         if name in names:
             _seas[name].shown.clear()
@@ -255,9 +255,9 @@ def _set_inputs(ob, seen, modifier, values: sea_text.SeaValues, sizes: tuple[int
     )
 
 
-def show_all(scene, depsgraph=None, *, rendering: bool = False) -> None:
+def show_all(oceans, scene, depsgraph=None, *, rendering: bool = False) -> None:
     moment = Moment(scene, rendering)
-    for ob in ocean_objects():
+    for ob in oceans:
         show(ob, depsgraph, moment)
     for follower in followers:
         follower(depsgraph, moment)
@@ -310,10 +310,10 @@ def state_of(ob) -> list[tuple[str, str]] | None:
 _locked_by_us: set[str] = set()  # scenes
 
 
-def _own_images() -> None:
+def _own_images(oceans: list[bpy.types.Object]) -> None:
     """A copy of an object shows images of its own."""
     owners: dict[str, str] = {}
-    for ob in ocean_objects():
+    for ob in oceans:
         for modifier in node_group.modifiers(ob):
             for field in node_group.FIELDS:
                 for name in (field, node_group.render_twin(field)):
@@ -327,7 +327,7 @@ def _own_images() -> None:
 @persistent
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
-    show_all(scene, depsgraph, rendering=rendering)
+    show_all(ocean_objects(), scene, depsgraph, rendering=rendering)
 
 
 @persistent
@@ -335,14 +335,16 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
     if any(isinstance(update.id, bpy.types.Object) for update in depsgraph.updates):
-        _own_images()
-        show_all(scene, depsgraph)
+        oceans = ocean_objects()
+        _own_images(oceans)
+        show_all(oceans, scene, depsgraph)
 
 
 @persistent
 def _data_replaced(*_) -> None:
-    forget()
-    show_all(bpy.context.scene)
+    oceans = ocean_objects()
+    forget({ob.name_full for ob in oceans})
+    show_all(oceans, bpy.context.scene)
 
 
 @persistent

@@ -62,8 +62,7 @@ class _Builder:
     def switch(self, kind: str, condition, off, on):
         made = self.node("GeometryNodeSwitch", input_type=kind)
         self.link(condition, compat.active(made.inputs, "Switch"))
-        if off is not None:
-            self.feed(off, compat.active(made.inputs, "False"))
+        self.feed(off, compat.active(made.inputs, "False"))
         self.feed(on, compat.active(made.inputs, "True"))
         return compat.active(made.outputs, "Output")
 

@@ -93,8 +93,8 @@ def _label(choice: str) -> str:
 
 
 def _number_limits(entry: dict[str, Any]) -> dict[str, Any]:
-    keys = {"min": "min", "max": "max", "soft_min": "soft_min", "soft_max": "soft_max"}
-    limits = {to: entry[key] for key, to in keys.items() if entry.get(key) is not None}
+    keys = ("min", "max", "soft_min", "soft_max")
+    limits = {key: entry[key] for key in keys if entry.get(key) is not None}
     if entry["type"] == "int":
         limits = {key: max(-(2**31), min(2**31 - 1, value)) for key, value in limits.items()}
     return limits

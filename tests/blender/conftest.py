@@ -2,6 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A fresh Blender for each test, and what its meshes are compared with."""
 
+import os
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
 import bpy
 import numpy as np
 import pytest
@@ -54,3 +60,35 @@ def plane(size: float, vertices: int, name: str = "Plane"):
     )
     bpy.context.object.name = name
     return bpy.context.object
+
+
+ANOTHER_PROCESS = """
+import os, sys, traceback
+import bpy
+arguments = sys.argv[sys.argv.index("--") + 1 :]
+try:
+{body}
+    status = 0
+except BaseException:
+    traceback.print_exc()
+    status = 1
+sys.stdout.flush()
+sys.stderr.flush()
+os._exit(status)
+"""
+
+
+def in_another_process(folder: Path, body: str, *arguments, **environment) -> None:
+    """Runs statements in a Blender of their own, which must end well. They find `arguments`."""
+    script = folder / "script.py"
+    script.write_text(ANOTHER_PROCESS.format(body=textwrap.indent(body.strip("\n"), "    ")))
+    start = [sys.executable, script]
+    if bpy.app.binary_path:
+        start = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
+    done = subprocess.run(
+        [*start, "--", *arguments],
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr

@@ -10,37 +10,28 @@ from pathlib import Path
 
 import bpy
 import pytest
+from conftest import in_another_process
 
 pytestmark = pytest.mark.skipif(
     bpy.app.version < (4, 2), reason="Blender before 4.2 has no extensions"
 )
 
 INSTALL = """
-import os, sys, traceback
-import bpy
-try:
-    bpy.ops.extensions.package_install_files(
-        filepath=os.environ["OCEAN_EXTENSION"],
-        repo="user_default",
-        enable_on_install=True,
-        overwrite=True,
-    )
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-    ob = bpy.context.object
-    bpy.context.scene.frame_set(20)
-    mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-    heights = [vertex.co.z for vertex in mesh.vertices]
-    import libocean
-    assert max(heights) - min(heights) > 1.0
-    assert "site-packages" in libocean.__file__, libocean.__file__
-    assert ob.libocean.problem == ""
-    status = 0
-except BaseException:
-    traceback.print_exc()
-    status = 1
-sys.stdout.flush()
-sys.stderr.flush()
-os._exit(status)
+bpy.ops.extensions.package_install_files(
+    filepath=os.environ["OCEAN_EXTENSION"],
+    repo="user_default",
+    enable_on_install=True,
+    overwrite=True,
+)
+bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+ob = bpy.context.object
+bpy.context.scene.frame_set(20)
+mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+heights = [vertex.co.z for vertex in mesh.vertices]
+import libocean
+assert max(heights) - min(heights) > 1.0
+assert "site-packages" in libocean.__file__, libocean.__file__
+assert ob.libocean.problem == ""
 """
 
 
@@ -55,21 +46,10 @@ def test_blenders_tool_finds_it_valid():
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
-def test_it_installs_into_an_empty_profile_and_works(tmp_path):
-    script = tmp_path / "install.py"
-    script.write_text(INSTALL)
+def test_it_installs_into_an_empty_profile_and_works(tmp_path, monkeypatch):
+    for name in list(os.environ):
+        if name.startswith("BLENDER_USER"):
+            monkeypatch.delenv(name)
     profile = tmp_path / "profile"
     profile.mkdir()
-    kept = {
-        name: value for name, value in os.environ.items() if not name.startswith("BLENDER_USER")
-    }
-    start = [sys.executable, script]
-    if bpy.app.binary_path:
-        start = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
-    done = subprocess.run(
-        start,
-        env={**kept, "BLENDER_USER_RESOURCES": str(profile)},
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+    in_another_process(tmp_path, INSTALL, BLENDER_USER_RESOURCES=str(profile))

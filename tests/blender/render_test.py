@@ -2,26 +2,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures: another process renders a file as this one does; each frame shows its own time."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import bpy
 import numpy as np
 import pytest
-from conftest import plane
+from conftest import in_another_process, plane
 
 RENDER = """
-import bpy, sys
-path, frame, picture = sys.argv[sys.argv.index("--") + 1 :]
+path, frame, picture = arguments
 bpy.ops.preferences.addon_enable(module="libocean_addon")
 bpy.ops.wm.open_mainfile(filepath=path)
 bpy.context.scene.frame_set(int(frame))
 bpy.context.scene.render.filepath = picture
 bpy.ops.render.render(write_still=True)
-sys.stdout.flush()
-import os
-os._exit(0)
+"""
+
+AT_REST = """
+bpy.ops.wm.open_mainfile(filepath=arguments[0])
+assert not hasattr(bpy.types.Object, "libocean")
+bpy.context.scene.frame_set(17)
+ob = bpy.data.objects["Ocean"]
+mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+assert all(vertex.co.z == 0.0 for vertex in mesh.vertices)
+assert all(item.value == 0.0 for item in mesh.attributes["foam"].data)
+assert all(tuple(item.vector) == (0, 0, 0) for item in mesh.attributes["velocity"].data)
+assert all(tuple(item.vector) == (0, 0, 1) for item in mesh.attributes["ocean_normal"].data)
 """
 
 
@@ -60,12 +66,6 @@ def pixels(path: Path) -> np.ndarray:
     return np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
 
 
-def in_another_process(script: Path) -> list:
-    if bpy.app.binary_path:
-        return [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
-    return [sys.executable, script]
-
-
 def rendered(scene, path: Path) -> np.ndarray:
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
@@ -79,12 +79,8 @@ def test_a_second_process_renders_the_same_picture(scene, shot, tmp_path):
     heights = here[..., 2]
     assert np.ptp(heights) > 0.5  # metres
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    script = tmp_path / "render.py"
-    script.write_text(RENDER)
     there = tmp_path / "there.exr"
-    subprocess.run(
-        [*in_another_process(script), "--", tmp_path / "shot.blend", "17", there], check=True
-    )
+    in_another_process(tmp_path, RENDER, tmp_path / "shot.blend", "17", there)
     assert np.array_equal(pixels(there), here)
 
 
@@ -121,35 +117,10 @@ def test_the_locked_interface_is_given_back(scene, shot, tmp_path):
     assert not scene.render.use_lock_interface
 
 
-AT_REST = """
-import os, sys, traceback
-import bpy
-try:
-    bpy.ops.wm.open_mainfile(filepath=sys.argv[sys.argv.index("--") + 1])
-    assert not hasattr(bpy.types.Object, "libocean")
-    bpy.context.scene.frame_set(17)
-    ob = bpy.data.objects["Ocean"]
-    mesh = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-    assert all(vertex.co.z == 0.0 for vertex in mesh.vertices)
-    assert all(item.value == 0.0 for item in mesh.attributes["foam"].data)
-    assert all(tuple(item.vector) == (0, 0, 0) for item in mesh.attributes["velocity"].data)
-    assert all(tuple(item.vector) == (0, 0, 1) for item in mesh.attributes["ocean_normal"].data)
-    status = 0
-except BaseException:
-    traceback.print_exc()
-    status = 1
-sys.stdout.flush()
-sys.stderr.flush()
-os._exit(status)
-"""
-
-
 def test_without_the_add_on_the_sea_is_at_rest(scene, shot, tmp_path):
     scene.frame_set(17)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    script = tmp_path / "look.py"
-    script.write_text(AT_REST)
-    subprocess.run([*in_another_process(script), "--", tmp_path / "shot.blend"], check=True)
+    in_another_process(tmp_path, AT_REST, tmp_path / "shot.blend")
 
 
 def test_objects_of_all_kinds_are_found_among_many(scene, shot):
