@@ -38,12 +38,16 @@ Ocean::Ocean(const Ocean& built, OceanOptions options)
       lattice_(built.lattice_),
       modes_(built.modes_),
       modes_right_(built.modes_right_),
-      modes_lent_(true),
-      packed_(built.packed_),
-      packed_right_(built.packed_right_),
-      packed_lent_(true) {
+      modes_lent_(true) {
     built.modes_lent_ = true;
-    built.packed_lent_ = true;
+    for (const auto& [resolution, theirs] : built.kernels_) {
+        if (!theirs.right) continue;
+        KernelOfMap& ours = kernels_[resolution];
+        ours.packed = theirs.packed;
+        ours.right = true;
+        ours.lent = true;
+        theirs.lent = true;
+    }
 }
 
 Ocean::~Ocean() = default;
@@ -72,7 +76,7 @@ void Ocean::dirty(Stage first_stage) {
             [[fallthrough]];
         case Stage::modes:
             modes_right_ = false;
-            packed_right_ = false;
+            for (auto& [resolution, kept] : kernels_) kept.right = false;
             [[fallthrough]];
         case Stage::surface:
         case Stage::foam:
@@ -191,18 +195,20 @@ const SurfaceSettings& Ocean::shown_settings(int resolution) {
 
 MapKernel& Ocean::kernel(int resolution) {
     const Modes& modes = current_modes();
-    if (!packed_right_ || packed_->size() != resolution) {
+    KernelOfMap& kept = kernels_[resolution];
+    if (!kept.right) {
+        ++runs_.packing;
         const SynthesisRequest request = synthesis_request(modes, 0.0, resolution, {});
         // Packed again in place, unless another sea has it too.
-        if (!packed_ || packed_lent_ || !packed_->refill(request, pool_)) {
-            packed_ = std::make_shared<PackedModes>(request, pool_, simd_level());
-            packed_lent_ = false;
+        if (!kept.packed || kept.lent || !kept.packed->refill(request, pool_)) {
+            kept.packed = std::make_shared<PackedModes>(request, pool_, simd_level());
+            kept.lent = false;
         }
-        if (kernel_) kernel_->use(packed_);
-        packed_right_ = true;
+        if (kept.kernel) kept.kernel->use(kept.packed);
+        kept.right = true;
     }
-    if (!kernel_) kernel_ = std::make_unique<MapKernel>(packed_);
-    return *kernel_;
+    if (!kept.kernel) kept.kernel = std::make_unique<MapKernel>(kept.packed);
+    return *kept.kernel;
 }
 
 namespace {
@@ -284,7 +290,8 @@ int Ocean::map_resolution(int asked) const {
 
 void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
     const int foam = channels.contains(Channel::foam) ? kFoamMaps : 0;
-    const bool there = kernel_ && kernel_->resolution() == resolution;
+    const auto kept = kernels_.find(resolution);
+    const bool there = kept != kernels_.end() && kept->second.kernel;
     require_memory(
         (modes_right_ ? 0 : modes_bytes(now_.grid)) +
             (there ? 0 : kernel_bytes(resolution, channels.size())) +

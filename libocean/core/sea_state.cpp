@@ -5,6 +5,8 @@
 #include "ocean/sea_state.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <complex>
@@ -24,11 +26,21 @@ namespace ocean {
 
 namespace {
 
+/// [p]: mean square slope of the modes that a map of 2^p samples holds and one of half as many
+/// does not.
+using SlopeByMap = std::array<double, 32>;
+
+/// Of the mode with that larger wavenumber, in steps of the map's own lattice: the smallest p.
+std::size_t smallest_map(int wavenumber) {
+    return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(wavenumber))) + 1;
+}
+
 /// Sums over one row of modes, or over all of a cascade.
 struct ModeSums {
     double m0 = 0.0;
     double measured = 0.0;  // of m0, what measures the band
     double mean_square_slope = 0.0;
+    SlopeByMap slope_by_map{};
     std::complex<double> direction = 0.0;
     double loop_error = 0.0;  // variance times the square of the speed's error
     double shortest = 0.0;
@@ -74,6 +86,7 @@ ModeSums sum_row(const StateSource& source, std::size_t cascade, const CascadeBa
         sums.m0 += variance;
         if (measures_band(band, parameters.grid.resolution, n, m)) sums.measured += variance;
         sums.mean_square_slope += k * k * variance;
+        sums.slope_by_map[smallest_map(std::max(n, m) * band.divisor)] += k * k * variance;
         sums.loop_error += off * off * variance;
         sums.direction += std::complex<double>(n * (at(0) - at(1) - at(2) + at(3)),
                                                m * (at(0) + at(1) - at(2) - at(3))) /
@@ -93,6 +106,9 @@ void add(ModeSums& total, const ModeSums& row) {
     total.m0 += row.m0;
     total.measured += row.measured;
     total.mean_square_slope += row.mean_square_slope;
+    for (std::size_t p = 0; p < row.slope_by_map.size(); ++p) {
+        total.slope_by_map[p] += row.slope_by_map[p];
+    }
     total.direction += row.direction;
     total.loop_error += row.loop_error;
     total.longest = std::max(total.longest, row.longest);
@@ -127,6 +143,7 @@ ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectru
     const double gain = band_gain(spectrum, source.parameters, band, sums.measured);
     for (double* sum : {&sums.m0, &sums.mean_square_slope, &sums.loop_error}) *sum *= gain;
     sums.direction *= gain;
+    for (double& slope : sums.slope_by_map) slope *= gain;
     for (double& variance : sums.ring) variance *= gain;
     for (double& moment : sums.ring_omega) moment *= gain;
     return sums;
@@ -171,6 +188,16 @@ std::vector<CascadeShare> cascade_shares(std::span<const ModeSums> cascades,
         }
     }
     return shares;
+}
+
+std::vector<MapSlope> map_slopes(const SlopeByMap& slope_by_map) {
+    std::vector<MapSlope> slopes;
+    double sum = 0.0;
+    for (int p = 0; 1 << p <= kMaxResolution; ++p) {
+        sum += slope_by_map[static_cast<std::size_t>(p)];
+        slopes.push_back({1 << p, sum});
+    }
+    return slopes;
 }
 
 std::vector<LoopError> loop_errors(const Parameters& parameters, double longest, double shortest) {
@@ -263,6 +290,7 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     state.peak_period = {period(asked.peak_omega), period(peak)};
     state.peak_wavelength = {wavelength(asked.peak_omega), wavelength(peak)};
     state.mean_square_slope = {asked.mean_square_slope, sums.mean_square_slope};
+    state.map_slopes = map_slopes(sums.slope_by_map);
     state.mean_direction = {degrees(asked.mean_direction), degrees(std::arg(sums.direction))};
     state.directional_spread = {
         degrees(asked.directional_spread),
@@ -326,6 +354,13 @@ std::string sea_state_json(const SeaState& state) {
     single("period", number(state.period));
     single("map_resolution", std::to_string(state.map_resolution));
     single("map_shortest_wave", number(state.map_shortest_wave));
+    result += "  \"map_slopes\": [";
+    for (const MapSlope& map : state.map_slopes) {
+        result += (result.back() == '[' ? "" : ", ") +
+                  ("{\"resolution\": " + std::to_string(map.resolution)) +
+                  ", \"mean_square_slope\": " + number(map.mean_square_slope) + "}";
+    }
+    result += "],\n";
     result += "  \"cascades\": [";
     for (const CascadeShare& share : state.cascades) {
         result += (result.back() == '[' ? "" : ", ") + ("{\"period\": " + number(share.period)) +

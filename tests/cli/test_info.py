@@ -49,6 +49,10 @@ def test_json_has_the_documented_keys(ocean):
         assert isinstance(state[name], (int, float))
     assert state["period"] == 200.0
     assert state["loop_errors"] == []
+    slopes = {entry["resolution"]: entry["mean_square_slope"] for entry in state["map_slopes"]}
+    assert list(slopes) == [2**power for power in range(14)]
+    assert 0.0 < slopes[16] < slopes[64]
+    assert slopes[8192] == pytest.approx(state["mean_square_slope"]["resolved"])
     looped = state_of(ocean, "sea.toml", "--set", "loop_period=8")
     assert looped["loop_error"] > 0.0
     assert set(looped["loop_errors"][0]) == {"wavelength", "speed_error"}

@@ -90,6 +90,27 @@ TEST(SeaState, BandLimitsCountAsAskedFor) {
     EXPECT_GE(state.shortest_wave, 20.0);
 }
 
+TEST(SeaState, SlopesOfACoarserMapAreThoseOfACoarserGrid) {
+    const SeaState state = state_of(test::wind_sea(256, 400.0));
+    ASSERT_EQ(state.map_slopes.size(), 14u);
+    for (const MapSlope& map : state.map_slopes) {
+        if (map.resolution < kMinResolution || map.resolution > 256) continue;
+        const double expected =
+            state_of(test::wind_sea(map.resolution, 400.0)).mean_square_slope.resolved;
+        EXPECT_NEAR(map.mean_square_slope, expected, 1e-9 * expected) << map.resolution;
+    }
+    EXPECT_EQ(state.map_slopes.front().mean_square_slope, 0.0);
+    EXPECT_NEAR(state.map_slopes.back().mean_square_slope, state.mean_square_slope.resolved, 1e-12);
+
+    // 64 samples of 100 m hold what 256 of 400 m do.
+    Parameters cascades = test::wind_sea(64, 400.0);
+    cascades.grid.cascades = 2;
+    cascades.grid.cascade_divisors = {1, 4};
+    const SeaState both = state_of(cascades);
+    EXPECT_NEAR(both.map_slopes[8].mean_square_slope, both.mean_square_slope.resolved, 1e-12);
+    EXPECT_LT(both.map_slopes[7].mean_square_slope, 0.95 * both.mean_square_slope.resolved);
+}
+
 TEST(SeaState, AFlatSeaHasNumbersToo) {
     Parameters parameters = test::wind_sea();
     parameters.waves.front().wind_speed = 0.0;

@@ -339,6 +339,7 @@ TEST(Ocean, EachParameterRunsItsOwnStagesAgainAndNoOthers) {
         const auto ran = [](int a, int b) { return b > a; };
         EXPECT_EQ(ran(before.spectrum, after.spectrum), info.dirties == Stage::spectrum) << name;
         EXPECT_EQ(ran(before.modes, after.modes), info.dirties <= Stage::modes) << name;
+        EXPECT_EQ(ran(before.packing, after.packing), info.dirties <= Stage::modes) << name;
         EXPECT_EQ(ran(before.threshold, after.threshold), info.dirties <= Stage::foam) << name;
         EXPECT_EQ(ran(before.foam_ticks, after.foam_ticks), info.dirties <= Stage::foam) << name;
         EXPECT_EQ(after.surface, before.surface + 1) << name;
@@ -346,6 +347,26 @@ TEST(Ocean, EachParameterRunsItsOwnStagesAgainAndNoOthers) {
         EXPECT_LE(after.modes - before.modes, 1) << name;
         EXPECT_LE(after.threshold - before.threshold, 1) << name;
     }
+}
+
+TEST(Ocean, MapsOfSeveralResolutionsArePackedOnceEach) {
+    Ocean sea(test::wind_sea(128, 200.0), {.threads = 1});
+    const ChannelSet channels = {Channel::height};
+    const Surface fine = sea.evaluate(1.0, channels);
+    const Surface coarse = sea.evaluate(1.0, channels, 32);
+    const Surface again = sea.evaluate(1.0, channels);
+    EXPECT_TRUE(std::ranges::equal(again.channel(Channel::height), fine.channel(Channel::height)));
+    sea.evaluate(2.0, channels, 32);
+    EXPECT_EQ(sea.stage_runs().packing, 2);
+
+    Ocean copy(sea, OceanOptions{.threads = 1});
+    sea.set("waves.0.wind_speed", "4");
+    sea.evaluate(1.0, channels, 32);
+    EXPECT_EQ(sea.stage_runs().packing, 3);
+    const Surface theirs = copy.evaluate(1.0, channels, 32);
+    EXPECT_TRUE(
+        std::ranges::equal(theirs.channel(Channel::height), coarse.channel(Channel::height)));
+    EXPECT_EQ(copy.stage_runs().packing, 0);
 }
 
 TEST(Ocean, RulesBetweenParametersAreCheckedBeforeTheNextAnswer) {

@@ -281,10 +281,6 @@ void MapKernel::use(std::shared_ptr<const PackedModes> modes) {
     state_->set_modes(std::move(modes));
 }
 
-int MapKernel::resolution() const {
-    return state_->task.size;
-}
-
 void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {
     std::span<const MapOutput> left = frame.outputs;
     while (!left.empty()) {

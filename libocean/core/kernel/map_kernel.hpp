@@ -47,7 +47,6 @@ class MapKernel {
     MapKernel(MapKernel&&) noexcept;
     MapKernel& operator=(MapKernel&&) noexcept;
 
-    int resolution() const;
     void run(const KernelFrame& frame, ThreadPool& pool);
 
   private:

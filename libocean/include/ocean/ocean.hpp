@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -49,6 +50,7 @@ struct FrameCost {
 struct StageRuns {
     int spectrum = 0;
     int modes = 0;
+    int packing = 0;     // of the modes for one resolution of maps
     int threshold = 0;   // of the whitecaps
     int surface = 0;     // maps that were asked for
     int foam_ticks = 0;  // whitecap maps of the foam's clock
@@ -146,10 +148,15 @@ class Ocean {
     mutable std::atomic<bool> modes_lent_ = false;
     std::optional<SurfaceSettings> shown_;
     int shown_resolution_ = 0;
-    std::shared_ptr<PackedModes> packed_;  // of modes_, for the last map; kept like them
-    bool packed_right_ = false;
-    mutable std::atomic<bool> packed_lent_ = false;
-    std::unique_ptr<MapKernel> kernel_;  // its arrays outlive the modes
+    /// The modes packed for maps of one resolution, and the arrays of the transform; kept like
+    /// modes_. A map half as large needs a quarter: all of them are kept.
+    struct KernelOfMap {
+        std::shared_ptr<PackedModes> packed;
+        bool right = false;
+        mutable std::atomic<bool> lent = false;
+        std::unique_ptr<MapKernel> kernel;
+    };
+    std::map<int, KernelOfMap> kernels_;
     std::optional<FoamState> foam_;
     int foam_resolution_ = 0;
 

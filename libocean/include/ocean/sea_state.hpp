@@ -33,6 +33,13 @@ struct CascadeShare {
     double slope = 0.0;
 };
 
+/// The slopes that a map shows. A host that draws a coarser one far away makes what is missing
+/// from the sea's mean square slope into roughness.
+struct MapSlope {
+    int resolution = 0;
+    double mean_square_slope = 0.0;
+};
+
 struct SeaState {
     AskedResolved significant_wave_height;  // m
     AskedResolved peak_period;              // s; 0 = flat
@@ -43,9 +50,10 @@ struct SeaState {
     double energy_resolved = 1.0;      // resolved m0 / asked m0; 1 for a flat sea
     double shortest_wave = 0.0;        // m, of the grid within the band limits
     double longest_wave = 0.0;
-    double period = 0.0;             // m
-    int map_resolution = 0;          // of a map when nobody says
-    double map_shortest_wave = 0.0;  // m, that such a map holds
+    double period = 0.0;               // m
+    int map_resolution = 0;            // of a map when nobody says
+    double map_shortest_wave = 0.0;    // m, that such a map holds
+    std::vector<MapSlope> map_slopes;  // of 1, 2, 4 .. 8192 samples a side
     /// One for each cascade, longest period first.
     std::vector<CascadeShare> cascades;
     std::uint64_t memory_bytes = 0;  // modes, spectrum table and one frame of all fields
