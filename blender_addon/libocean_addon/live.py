@@ -18,7 +18,7 @@ import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import compat, images, meshes, node_group, properties, sea_text
+from . import atlas, compat, images, meshes, node_group, properties, sea_text
 from .native import libocean
 
 CHANNELS = {
@@ -89,33 +89,55 @@ class OpenSea:
             self.point_changes = self.changes
         return self.point_sea
 
-    def buffer(self, field: str, size: int) -> np.ndarray:
-        if (field, size) not in self.buffers:
+    def buffer(self, name: str, size: int) -> np.ndarray:
+        """What goes into an image for maps of size x size samples."""
+        if (name, size) not in self.buffers:
             # Of one size for the viewport and one for renders.
             kept = {s for _, s in self.buffers} - {size}
             if len(kept) > 1:
                 self.buffers.clear()
-            self.buffers[field, size] = images.aligned(size)
-        return self.buffers[field, size]
+            shape = (size, size) if name in CHANNELS else atlas.shape(size)
+            self.buffers[name, size] = images.aligned(shape)
+        return self.buffers[name, size]
+
+    def read_state(self) -> dict:
+        if self.state is None:
+            self.state = self.sea.state
+        return self.state
+
+    def lost_slopes(self, samples: int) -> float:
+        """Variance of the slopes of those waves that a map of so many samples a side leaves out."""
+        state = self.read_state()
+        shown = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
+        return max(0.0, state["mean_square_slope"]["asked"] - shown[samples])
 
     def show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
-        """Fills the images of these fields with the maps of `time`."""
+        """Fills these images, by the inputs of the node group, with the maps of `time`."""
         with self.lock:
             self._show(time, size, targets)
 
     def _show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
         state = (self.changes, time, size)
         stale = {
-            field: image
-            for field, image in targets.items()
+            name: image
+            for name, image in targets.items()
             if self.shown.get(image.name_full) != state
         }
         if not stale:
             return
-        self.sea.fill(time, [(self.buffer(field, size), CHANNELS[field]) for field in stale])
-        for field, image in stale.items():
-            images.resize(image, size)
-            images.fill(image, self.buffer(field, size))
+        far = [field for field in CHANNELS if node_group.far_image(field) in stale]
+        fields = [field for field in CHANNELS if field in stale or field in far]
+        self.sea.fill(time, [(self.buffer(field, size), CHANNELS[field]) for field in fields])
+        if far:
+            if "Normal" in far:
+                self.buffer("Normal", size)[..., 3] = self.lost_slopes(size)
+            finest = {field: self.buffer(field, size) for field in far}
+            atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
+            atlas.fill(self.sea, time, size, finest, atlases, self.lost_slopes)
+        for name, image in stale.items():
+            pixels = self.buffer(name, size)
+            images.resize(image, pixels.shape[:2])
+            images.fill(image, pixels)
             self.shown[image.name_full] = state
 
     def close(self) -> None:
@@ -197,16 +219,24 @@ def _targets(ob, modifier, size: int, *, render: bool, shared: bool) -> dict:
     for field, used in wanted.items():
         if not used:
             continue
-        names = [node_group.render_twin(field)] if render else [field]
-        if shared:
-            names = [field, node_group.render_twin(field)]
-        image = node_group.value(modifier, names[0])
-        if image is None or (render and not shared and image == node_group.value(modifier, field)):
-            label = f"{field} render" if render and not shared else field
-            image = images.make(ob, label.lower(), size, BLANKS[field])
-        node_group.assign(modifier, dict.fromkeys(names, image))
-        targets[field] = image
+        shapes = {field: (size, size)}
+        if settings.kind == "HORIZON":
+            shapes[node_group.far_image(field)] = atlas.shape(size)
+        for name, shape in shapes.items():
+            targets[name] = _target(ob, modifier, name, shape, BLANKS[field], render, shared)
     return targets
+
+
+def _target(ob, modifier, name: str, shape, blank, render: bool, shared: bool):
+    names = [node_group.render_twin(name)] if render else [name]
+    if shared:
+        names = [name, node_group.render_twin(name)]
+    image = node_group.value(modifier, names[0])
+    if image is None or (render and not shared and image == node_group.value(modifier, name)):
+        label = f"{name} render" if render and not shared else name
+        image = images.make(ob, label.lower(), shape, blank)
+    node_group.assign(modifier, dict.fromkeys(names, image))
+    return image
 
 
 def show(ob, depsgraph, moment: Moment) -> None:
@@ -226,6 +256,10 @@ def show(ob, depsgraph, moment: Moment) -> None:
         for modifier in node_group.modifiers(ob):
             targets = _targets(ob, modifier, size, render=moment.rendering, shared=shared)
             _set_inputs(ob, seen, modifier, values, sizes)
+            if settings.kind == "HORIZON":
+                samples = float(max(own, *sizes))
+                camera = moment.scene.camera
+                node_group.assign(modifier, {"Samples": samples, "Camera": camera})
             sea.show(time, size, targets)
     except libocean.Error as failure:
         problem = str(failure)
@@ -272,9 +306,21 @@ def parameters_changed(ob) -> None:
     for follower in followers:
         follower(None, moment)
     sea = sea_of(ob)
-    if ob.libocean.kind == "PATCH" and sea.sea is not None and ob.mode == "OBJECT":
-        period = float(sea.values.values["patch_size"])
-        meshes.follow_patch(ob.data, period, sea.sea.map_resolution())
+    if ob.libocean.kind != "MESH" and sea.sea is not None and ob.mode == "OBJECT":
+        _follow(ob, sea)
+
+
+def _follow(ob, sea: OpenSea) -> None:
+    """Makes the mesh that is ours fit the sea."""
+    settings, period = ob.libocean, float(sea.values.values["patch_size"])
+    own = sea.sea.map_resolution()
+    if settings.kind == "PATCH":
+        meshes.follow_patch(ob.data, period, own)
+    else:
+        samples = max(own, settings.viewport_resolution, settings.render_resolution)
+        meshes.follow_horizon(
+            ob.data, period / samples, settings.horizon_vertices, settings.horizon_distance
+        )
 
 
 def float_pose(ob, body: tuple[float, ...], moment: Moment):
@@ -290,9 +336,7 @@ def state_of(ob) -> list[tuple[str, str]] | None:
     sea = sea_of(ob)
     if sea.sea is None:
         return None
-    if sea.state is None:
-        sea.state = sea.sea.state
-    state = sea.state
+    state = sea.read_state()
 
     def metres(value: float) -> str:
         return f"{value:.2f} m"
@@ -315,13 +359,12 @@ def _own_images(oceans: list[bpy.types.Object]) -> None:
     owners: dict[str, str] = {}
     for ob in oceans:
         for modifier in node_group.modifiers(ob):
-            for field in node_group.FIELDS:
-                for name in (field, node_group.render_twin(field)):
-                    image = node_group.value(modifier, name)
-                    if image is not None and owners.setdefault(image.name_full, ob.name_full) != (
-                        ob.name_full
-                    ):
-                        node_group.assign(modifier, {name: None})
+            for name in node_group.image_inputs(modifier.node_group):
+                image = node_group.value(modifier, name)
+                if image is None:
+                    continue
+                if owners.setdefault(image.name_full, ob.name_full) != ob.name_full:
+                    node_group.assign(modifier, {name: None})
 
 
 @persistent

@@ -4,22 +4,27 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from . import compat
+from . import compat, node_group
 
 
-def fill(mesh, vertices: np.ndarray, quads: np.ndarray) -> None:
-    """Makes the mesh that of these vertices (n, 3) and faces (m, 4), smooth, all new."""
+def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
+    """Makes the mesh that of these vertices (n, 3) and faces, smooth, all new. faces: (m, k), one
+    array for each number of corners k."""
     mesh.clear_geometry()
     mesh.vertices.add(len(vertices))
     mesh.vertices.foreach_set("co", np.ascontiguousarray(vertices, dtype=np.float32).ravel())
-    mesh.loops.add(4 * len(quads))
-    mesh.loops.foreach_set("vertex_index", quads.astype(np.int32).ravel())
-    mesh.polygons.add(len(quads))
-    mesh.polygons.foreach_set("loop_start", np.arange(0, 4 * len(quads), 4, dtype=np.int32))
+    corners = np.concatenate([of_one_kind.ravel() for of_one_kind in faces]).astype(np.int32)
+    counts = np.concatenate([np.full(len(f), f.shape[1], np.int32) for f in faces])
+    mesh.loops.add(len(corners))
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(len(counts))
+    mesh.polygons.foreach_set("loop_start", np.cumsum(counts, dtype=np.int32) - counts)
     if not compat.LOOP_TOTAL_FOLLOWS:
-        mesh.polygons.foreach_set("loop_total", np.full(len(quads), 4, dtype=np.int32))
+        mesh.polygons.foreach_set("loop_total", counts)
     mesh.update(calc_edges=True)
     compat.shade_smooth(mesh)
 
@@ -37,12 +42,94 @@ def patch(size: float, samples: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 MAX_SAMPLES = 1024
-_MADE_OF = "libocean_patch"  # custom property of a mesh: what it was made of
+_MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
+
+
+def _follow(mesh, made_of: str, make) -> None:
+    if mesh.get(_MADE_OF) != made_of:
+        make()
+        mesh[_MADE_OF] = made_of
 
 
 def follow_patch(mesh, size: float, samples: int) -> None:
     """Makes a patch's mesh anew where the period or the number of samples is another."""
-    made_of = f"{size!r} {min(samples, MAX_SAMPLES)}"
-    if mesh.get(_MADE_OF) != made_of:
-        fill(mesh, *patch(size, min(samples, MAX_SAMPLES)))
-        mesh[_MADE_OF] = made_of
+    samples = min(samples, MAX_SAMPLES)
+    _follow(mesh, f"patch {size!r} {samples}", lambda: fill(mesh, *patch(size, samples)))
+
+
+# The rings of a horizon -------------------------------------------------------
+
+
+def choose_rings(spacing: float, most_vertices: int, distance: float) -> tuple[int, int]:
+    """Cells along a side of each ring's square, a multiple of eight, and how many rings: out to
+    `distance` from the middle, the first of cells of `spacing`, each of cells twice as large as the
+    one inside it. As few rings as these vertices allow: more cells in each."""
+    rings = 0
+    while True:
+        rings += 1
+        # A ring is three quarters of a square, without its inner edge.
+        side = math.sqrt(most_vertices / (1.0 + 0.75 * (rings - 1)))
+        cells = max(8, int(side - 2.0) // 8 * 8)
+        if cells / 2 * spacing * 2.0 ** (rings - 1) >= distance:
+            return cells, rings
+
+
+def horizon(spacing: float, cells: int, rings: int):
+    """Vertices, levels, quads and pentagons. A vertex's level is the number of its ring, and in the
+    outer quarter of a ring's width how far it has become the next one. Where two rings meet, every
+    vertex of the finer one is a corner of the coarser one's faces: there is no crack."""
+    half = cells // 2
+    hole = half // 2
+    along = np.arange(-half, half + 1)
+    x, y = np.meshgrid(along, along)
+    reach = np.maximum(abs(x), abs(y))
+    becoming = np.clip((reach - 3 * hole / 2) / (hole / 2), 0.0, 1.0)
+    vertices, levels, quads, pentagons = [], [], [], []
+    count = 0
+    finer = number = np.empty((0, 0), int)
+    for ring in range(rings):
+        finer, number = number, np.full(x.shape, -1)
+        new = reach > (hole if ring else -1)
+        number[new] = count + np.arange(new.sum())
+        if ring:
+            shared = reach == hole
+            number[shared] = finer[2 * y[shared] + half, 2 * x[shared] + half]
+        count += new.sum()
+        place = np.stack([x[new], y[new], np.zeros(new.sum())], axis=1)
+        vertices.append(place * (spacing * 2.0**ring))
+        levels.append(ring + (becoming[new] if ring + 1 < rings else np.zeros(new.sum())))
+
+        corners = [number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]]
+        face = np.stack(corners, axis=-1)
+        plain = np.ones(face.shape[:2], bool)
+        if ring:
+            low, high, beside = half - hole - 1, half + hole, slice(half - hole, half + hole)
+            plain[beside, beside] = False
+            # The cells below, above, left and right of the hole, and their edge towards it.
+            for cell, edge, middles in (
+                ((low, beside), 2, finer[0, 1::2]),
+                ((high, beside), 0, finer[-1, 1::2]),
+                ((beside, low), 1, finer[1::2, 0]),
+                ((beside, high), 3, finer[1::2, -1]),
+            ):
+                pentagons.append(np.insert(face[cell], edge + 1, middles, axis=1))
+                plain[cell] = False
+        quads.append(face[plain])
+    return (
+        np.concatenate(vertices),
+        np.concatenate(levels),
+        np.concatenate(quads),
+        np.concatenate(pentagons) if pentagons else np.empty((0, 5), int),
+    )
+
+
+def follow_horizon(mesh, spacing: float, most_vertices: int, distance: float) -> None:
+    """Makes a horizon's mesh anew where one of these is another."""
+
+    def make() -> None:
+        vertices, levels, *faces = horizon(spacing, *choose_rings(spacing, most_vertices, distance))
+        fill(mesh, vertices, *faces)
+        level = mesh.attributes.new(node_group.LEVEL, "FLOAT", "POINT")
+        level.data.foreach_set("value", levels.astype(np.float32))
+
+    _follow(mesh, f"horizon {spacing!r} {most_vertices} {distance!r}", make)

@@ -5,7 +5,7 @@
     position + origin -> / tile size -> + half a texel -> image -> offset, attributes
 
 Each image is read once: a field is evaluated anew by every node that uses it, a captured one is
-not.
+not. The rings of a horizon read coarser maps too: see _Rings.
 """
 
 from __future__ import annotations
@@ -18,11 +18,21 @@ VERSION = 1
 MARK = "libocean"  # custom property of a group: the version that built it
 
 FIELDS = ("Displacement", "Velocity", "Normal")
-"""The images; each has a twin for renders. Foam is the alpha of the first."""
+"""The maps; each image has a twin for renders. Foam is the alpha of the first, and of a horizon's
+third one the variance of the slopes that are left out."""
+
+
+LEVEL = "ocean_level"
+"""Attribute of a horizon's vertices: the ring's number, and how far it has become the next one."""
 
 
 def render_twin(name: str) -> str:
     return f"{name} Render"
+
+
+def far_image(field: str) -> str:
+    """The coarser maps of a horizon, see atlas.py."""
+    return f"{field} Far"
 
 
 class _Builder:
@@ -46,6 +56,27 @@ class _Builder:
         for socket, operand in zip(made.inputs, operands, strict=False):
             self.feed(operand, socket)
         return made.outputs["Vector"]
+
+    def number(self, operation: str, *operands):
+        """Math of numbers; an operand is an output or a value."""
+        made = self.node("ShaderNodeMath", operation=operation)
+        for socket, operand in zip(made.inputs, operands, strict=False):
+            self.feed(operand, socket)
+        return made.outputs["Value"]
+
+    def mix(self, from_, to, share):
+        return self.math("ADD", from_, self.scale(self.math("SUBTRACT", to, from_), share))
+
+    def parts(self, vector):
+        made = self.node("ShaderNodeSeparateXYZ")
+        self.link(vector, made.inputs[0])
+        return made.outputs
+
+    def vector(self, x, y, z):
+        made = self.node("ShaderNodeCombineXYZ")
+        for socket, value in zip(made.inputs, (x, y, z), strict=True):
+            self.feed(value, socket)
+        return made.outputs[0]
 
     def scale(self, vector, factor):
         made = self.node("ShaderNodeVectorMath", operation="SCALE")
@@ -79,16 +110,27 @@ class _Builder:
         )
         self.link(image, made.inputs["Image"])
         self.link(coordinates, made.inputs["Vector"])
-        return made
+        return made.outputs["Color"]
+
+    def alpha(self, color):
+        made = self.node("FunctionNodeSeparateColor")
+        self.link(color, made.inputs["Color"])
+        return made.outputs["Alpha"]
 
 
-def _declare(group) -> None:
+def _declare(group, *, rings: bool) -> None:
     """The group's sockets."""
     socket = compat.add_socket
     socket(group, "Geometry", "NodeSocketGeometry")
     for name in FIELDS:
         socket(group, name, "NodeSocketImage")
         socket(group, render_twin(name), "NodeSocketImage")
+        if rings:
+            socket(group, far_image(name), "NodeSocketImage")
+            socket(group, render_twin(far_image(name)), "NodeSocketImage")
+    if rings:
+        socket(group, "Camera", "NodeSocketObject")
+        socket(group, "Samples", "NodeSocketFloat", default_value=512.0, min_value=1.0)
     socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
     socket(group, "Half Texel", "NodeSocketFloat")
     socket(group, render_twin("Half Texel"), "NodeSocketFloat")
@@ -99,8 +141,142 @@ def _declare(group) -> None:
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
 
 
-def _build(group, interpolation: str) -> None:
-    _declare(group)
+class _Flat:
+    """A mesh that shows the finest map wherever it lies."""
+
+    def __init__(self, b: _Builder, inputs, shown, interpolation: str) -> None:
+        self.b, self.shown, self.interpolation = b, shown, interpolation
+        position = b.node("GeometryNodeInputPosition").outputs[0]
+        place = b.math("DIVIDE", b.math("ADD", position, inputs["Origin"]), inputs["Tile Size"])
+        self.place = b.math("ADD", place, shown("Half Texel", "FLOAT"))
+
+    def start(self, geometry):
+        return geometry
+
+    def color(self, field: str):
+        return self.b.texture(self.shown(field, "IMAGE"), self.place, self.interpolation)
+
+    def normal(self, geometry):
+        """Geometry, normal, and where it is known the slopes' variance that the map leaves out."""
+        return geometry, self.color("Normal"), None
+
+
+class _Rings:
+    """A horizon: rings around the camera, each twice as coarse as the one inside it.
+
+    A ring moves in steps of two of its own cells, so that its vertices stay on samples: the waves
+    pass through the mesh, which never swims along with the camera. Towards its outer edge it turns
+    into the next one (the fraction of LEVEL), in place and in what it shows, so that neither a gap
+    nor a line is seen; geometry clipmaps do so [Losasso and Hoppe 2004].
+    """
+
+    def __init__(self, b: _Builder, inputs, shown) -> None:
+        self.b, self.inputs, self.shown = b, inputs, shown
+        named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
+        named.inputs["Name"].default_value = LEVEL
+        level_and_share = compat.active(named.outputs, "Attribute")
+        self.level = b.number("FLOOR", level_and_share)
+        self.share = b.number("FRACT", level_and_share)
+        self.cells = b.number("POWER", 2.0, self.level)  # of the finest ring in one of this
+        self.texels = b.number("DIVIDE", 0.5, shown("Half Texel", "FLOAT"))
+        self._move()
+        self._choose_maps()
+
+    def _move(self) -> None:
+        """self.moved: where a vertex goes; self.index: where that is, in cells of its ring."""
+        b, inputs = self.b, self.inputs
+        camera = b.node("GeometryNodeObjectInfo", transform_space="RELATIVE")
+        b.link(inputs["Camera"], camera.inputs["Object"])
+        above = b.math("ADD", camera.outputs["Location"], inputs["Origin"])
+        spacing = b.number("DIVIDE", inputs["Tile Size"], inputs["Samples"])
+        cell = b.number("MULTIPLY", spacing, self.cells)
+        level_only = (1.0, 1.0, 0.0)
+        above = b.math("MULTIPLY", b.scale(above, b.number("DIVIDE", 1.0, cell)), level_only)
+
+        def snapped(step: float):
+            return b.scale(b.math("FLOOR", b.scale(above, 1.0 / step)), step)
+
+        steps = b.mix(snapped(2.0), snapped(4.0), self.share)
+        position = b.node("GeometryNodeInputPosition").outputs[0]
+        rest = b.scale(position, b.number("DIVIDE", 1.0, cell))
+        self.index = b.math("ADD", rest, steps)
+        origin = b.math("MULTIPLY", inputs["Origin"], level_only)
+        self.moved = b.math("ADD", position, b.math("SUBTRACT", b.scale(steps, cell), origin))
+
+    def _choose_maps(self) -> None:
+        """Where in the finest map, in the ring's own and in the next one's a vertex is. A map that
+        is coarser than the mesh serves several rings."""
+        b = self.b
+        period = b.number("DIVIDE", self.inputs["Samples"], self.cells)  # in cells
+        fraction = b.math("FRACTION", b.scale(self.index, b.number("DIVIDE", 1.0, period)))
+        finer = b.number("DIVIDE", self.inputs["Samples"], self.texels)
+        spare = b.number("ROUND", b.number("LOGARITHM", finer, 2.0))
+        own = b.number("SUBTRACT", self.level, spare)
+        self.on_finest = b.number("LESS_THAN", own, 0.5)
+        blends = b.number("GREATER_THAN", own, -0.5)
+        half = self.shown("Half Texel", "FLOAT")
+        self.finest = b.math("ADD", fraction, half)
+        self.own = self._in_atlas(fraction, own)
+        self.next = self._in_atlas(fraction, b.number("ADD", own, 1.0))
+        self.blend = b.number("MULTIPLY", self.share, blends)
+
+    def _in_atlas(self, fraction, level):
+        """The texture coordinates of a place in a map of the atlas, laid out as atlas.py says."""
+        b = self.b
+        last = b.number("ROUND", b.number("LOGARITHM", self.texels, 2.0))
+        level = b.number("MINIMUM", b.number("MAXIMUM", level, 1.0), last)
+        size = b.number("DIVIDE", self.texels, b.number("POWER", 2.0, level))
+        before = b.number("SUBTRACT", self.texels, b.number("MULTIPLY", size, 2.0))
+        before = b.number(
+            "ADD", before, b.number("MULTIPLY", b.number("SUBTRACT", level, 1.0), 2.0)
+        )
+        texel = b.math(
+            "ADD", b.scale(fraction, size), b.vector(1.5, b.number("ADD", before, 1.5), 0)
+        )
+        width = b.number("ADD", b.number("MULTIPLY", self.texels, 0.5), 2.0)
+        height = b.number("ADD", self.texels, b.number("MULTIPLY_ADD", last, 2.0, -1.0))
+        return b.math("DIVIDE", texel, b.vector(width, height, 1.0))
+
+    def start(self, geometry):
+        """Puts the rings around the camera and keeps where each vertex looks."""
+        b = self.b
+
+        def kept(geometry, place, number):
+            parts = b.parts(place)
+            value = b.vector(parts[0], parts[1], number)
+            geometry, value = compat.capture(b.group, geometry, value)
+            return geometry, value, b.parts(value)[2]
+
+        geometry, self.finest, self.on_finest = kept(geometry, self.finest, self.on_finest)
+        geometry, self.next, self.blend = kept(geometry, self.next, self.blend)
+        geometry, self.own = compat.capture(b.group, geometry, self.own)
+        placed = b.node("GeometryNodeSetPosition")
+        b.link(geometry, placed.inputs["Geometry"])
+        b.link(self.moved, placed.inputs["Position"])
+        return placed.outputs["Geometry"]
+
+    def color(self, field: str):
+        b = self.b
+        finest = b.texture(self.shown(field, "IMAGE"), self.finest, "Linear")
+        far = self.shown(far_image(field), "IMAGE")
+        own, next_ = (b.texture(far, place, "Linear") for place in (self.own, self.next))
+        shown = b.switch("RGBA", self.on_finest, own, finest)
+        alpha, next_alpha = b.alpha(shown), b.alpha(next_)
+        more = b.number("SUBTRACT", next_alpha, alpha)
+        made = b.node("FunctionNodeCombineColor")
+        parts = b.parts(b.mix(shown, next_, self.blend))
+        for part, name in zip(parts, ("Red", "Green", "Blue"), strict=True):
+            b.link(part, made.inputs[name])
+        b.link(b.number("MULTIPLY_ADD", more, self.blend, alpha), made.inputs["Alpha"])
+        return made.outputs["Color"]
+
+    def normal(self, geometry):
+        geometry, normal = compat.capture(self.b.group, geometry, self.color("Normal"))
+        return geometry, normal, self.b.alpha(normal)
+
+
+def _build(group, kind: str) -> None:
+    _declare(group, rings=kind == "Rings")
     b = _Builder(group)
     inputs = b.node("NodeGroupInput").outputs
     viewport = b.node("GeometryNodeIsViewport").outputs[0]
@@ -109,26 +285,21 @@ def _build(group, interpolation: str) -> None:
         """An input or its twin for renders."""
         return b.switch(kind, viewport, inputs[render_twin(name)], inputs[name])
 
-    position = b.node("GeometryNodeInputPosition").outputs[0]
-    place = b.math("DIVIDE", b.math("ADD", position, inputs["Origin"]), inputs["Tile Size"])
-    place = b.math("ADD", place, shown("Half Texel", "FLOAT"))
+    rings = kind == "Rings"
+    lookup = _Rings(b, inputs, shown) if rings else _Flat(b, inputs, shown, kind)
 
     named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
     b.link(inputs["Mask"], named.inputs["Name"])
     mask = b.switch("FLOAT", inputs["Use Mask"], 1.0, compat.active(named.outputs, "Attribute"))
 
-    displacement = b.texture(shown("Displacement", "IMAGE"), place, interpolation)
-    geometry, offset = compat.capture(group, inputs["Geometry"], displacement.outputs["Color"])
-    parts = b.node("FunctionNodeSeparateColor")
-    b.link(offset, parts.inputs["Color"])
-    foam = b.node("ShaderNodeMath", operation="MULTIPLY")
-    b.link(parts.outputs["Alpha"], foam.inputs[0])
-    b.link(mask, foam.inputs[1])
-    stored = b.store(geometry, "foam", "FLOAT", foam.outputs["Value"])
+    geometry, offset = compat.capture(
+        group, lookup.start(inputs["Geometry"]), lookup.color("Displacement")
+    )
+    foam = b.number("MULTIPLY", b.alpha(offset), mask)
+    stored = b.store(geometry, "foam", "FLOAT", foam)
     geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, stored)
 
-    velocity = b.texture(shown("Velocity", "IMAGE"), place, interpolation)
-    stored, velocity = compat.capture(group, geometry, velocity.outputs["Color"])
+    stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))
     velocity = b.scale(velocity, mask)
     # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
     stored = b.store(stored, "velocity", "FLOAT_VECTOR", velocity)
@@ -136,9 +307,12 @@ def _build(group, interpolation: str) -> None:
     geometry = b.switch("GEOMETRY", inputs["Use Velocity"], geometry, stored)
 
     up = (0.0, 0.0, 1.0)
-    normal = b.texture(shown("Normal", "IMAGE"), place, interpolation).outputs["Color"]
+    stored, normal, slope_variance = lookup.normal(geometry)
     normal = b.math("ADD", b.scale(b.math("SUBTRACT", normal, up), mask), up)
-    stored = b.store(geometry, "ocean_normal", "FLOAT_VECTOR", normal)
+    stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", normal)
+    if slope_variance is not None:
+        slope_variance = b.number("MULTIPLY", slope_variance, mask)
+        stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
     geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)
 
     moved = b.node("GeometryNodeSetPosition")
@@ -153,11 +327,14 @@ def is_ours(group) -> bool:
     return group is not None and MARK in group
 
 
-def get(*, on_texels: bool):
-    """The group: made when there is none. on_texels: for meshes whose vertices lie on samples; they
-    take the nearest one, to the bit."""
-    interpolation = "Closest" if on_texels else "Linear"
-    name = f".libocean.v{VERSION} {interpolation}"
+LOOKUPS = {"MESH": "Linear", "PATCH": "Closest", "HORIZON": "Rings"}
+"""How a kind of mesh reads the images: a patch's vertices lie on samples, and take the nearest one,
+to the bit."""
+
+
+def get(kind: str):
+    """The group for meshes of one kind: made when there is none."""
+    name = f".libocean.v{VERSION} {LOOKUPS[kind]}"
     for group in bpy.data.node_groups:
         if group.name == name and is_ours(group) and group.library is None:
             return group
@@ -165,8 +342,15 @@ def get(*, on_texels: bool):
     group[MARK] = VERSION
     if hasattr(group, "is_modifier"):  # 4.0
         group.is_modifier = True
-    _build(group, interpolation)
+    _build(group, LOOKUPS[kind])
     return group
+
+
+def image_inputs(group) -> list[str]:
+    """The names of the inputs that take images."""
+    names = compat.input_identifiers(group)
+    one = [name for field in FIELDS for name in (field, far_image(field)) if name in names]
+    return [name for both in one for name in (both, render_twin(both))]
 
 
 def modifiers(ob) -> list:

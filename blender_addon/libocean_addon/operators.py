@@ -25,10 +25,10 @@ def take_over(ob, sea) -> None:
     properties.assign(ob.libocean, sea_text.read(properties.TABLE, sea))
 
 
-def add_modifier(ob, *, on_texels: bool = False):
+def add_modifier(ob, kind: str = "MESH"):
     """The ocean modifier on an object that has no sea, or already one."""
     modifier = ob.modifiers.new("Ocean", "NODES")
-    modifier.node_group = node_group.get(on_texels=on_texels)
+    modifier.node_group = node_group.get(kind)
     return modifier
 
 
@@ -61,7 +61,10 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
 
     kind: bpy.props.EnumProperty(
         name="Kind",
-        items=[("PATCH", "Patch", "One period of the sea, a vertex on each sample")],
+        items=[
+            ("PATCH", "Patch", "One period of the sea, a vertex on each sample"),
+            ("HORIZON", "Horizon", "Rings around the scene's camera, coarser from one to the next"),
+        ],
         default="PATCH",
     )
     preset: bpy.props.EnumProperty(
@@ -76,7 +79,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
             values = sea_text.read(properties.TABLE, sea)
         mesh = bpy.data.meshes.new("Ocean")
         ob = object_utils.object_data_add(context, mesh, operator=self)
-        add_modifier(ob, on_texels=True)
+        add_modifier(ob, self.kind)
         with properties.quiet():
             ob.libocean.kind = self.kind
         properties.assign(ob.libocean, values)

@@ -150,6 +150,9 @@ class MeshPanel(_Panel, bpy.types.Panel):
         layout.use_property_split = True
         for name in ("viewport_resolution", "render_resolution"):
             layout.prop(settings, name)
+        if settings.kind == "HORIZON":
+            layout.prop(settings, "horizon_distance")
+            layout.prop(settings, "horizon_vertices")
         column = layout.column(heading="Attributes")
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(settings, name)

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The coarser maps of a horizon in one image: maps of 1/2, 1/4 ... of the samples, down to one,
+stacked from the bottom; each has a border of one texel, which repeats it, all around.
+
+node_group._Rings finds its way by the same rule.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+CHANNELS = {
+    "Displacement": ("dx", "dy", "height", "height"),  # the fourth is foam, which is averaged
+    "Velocity": ("vx", "vy", "vz", "height"),
+    "Normal": ("nx", "ny", "nz", "height"),
+}
+
+_SMALLEST_MAP = 32  # of the library
+
+
+def levels(size: int) -> int:
+    """How many maps coarser than one of size x size there are; size is a power of two."""
+    return round(math.log2(size))
+
+
+def shape(size: int) -> tuple[int, int]:
+    """Rows and columns."""
+    return size - 1 + 2 * levels(size), size // 2 + 2
+
+
+def put(atlas: np.ndarray, size: int, level: int, field: np.ndarray) -> None:
+    """Writes a level's map, of size / 2^level samples a side, with its border."""
+    side = len(field)
+    bottom = size - 2 * side + 2 * (level - 1)
+    block = atlas[bottom : bottom + side + 2, : side + 2]
+    block[1:-1, 1:-1] = field
+    block[1:-1, 0], block[1:-1, -1] = field[:, -1], field[:, 0]
+    block[0], block[-1] = block[-2], block[1]
+
+
+def fill(sea, time: float, size: int, finest: dict, atlases: dict, lost_slopes) -> None:
+    """Fills the atlases of these fields. finest: their maps of size x size samples, (n, n, 4), as
+    images hold them. lost_slopes: of a map's samples a side, the variance of the slopes that it
+    leaves out, which goes where a normal has no fourth component."""
+    above = dict(finest)
+    for level in range(1, levels(size) + 1):
+        side = size >> level
+        below = {field: np.empty((side, side, 4), np.float32) for field in above}
+        if side >= _SMALLEST_MAP:
+            sea.fill(time, [(below[field], CHANNELS[field]) for field in below])
+        else:
+            for field, map_ in below.items():
+                map_[:] = halved(above[field]) if field == "Normal" else cut(above[field])
+        if "Displacement" in below:
+            below["Displacement"][..., 3] = halved(above["Displacement"][..., 3])
+        if "Normal" in below:
+            below["Normal"][..., 3] = lost_slopes(side)
+        for field, map_ in below.items():
+            put(atlases[field], size, level, map_)
+        above = below
+
+
+def halved(field: np.ndarray) -> np.ndarray:
+    """Means of two by two samples; what foam becomes from far away."""
+    rows = field[0::2] + field[1::2]
+    return np.float32(0.25) * (rows[:, 0::2] + rows[:, 1::2])
+
+
+def cut(field: np.ndarray) -> np.ndarray:
+    """The waves of a periodic map that one of half as many samples holds, on that map."""
+    side = len(field) // 2
+    spectrum = np.fft.fft2(field, axes=(0, 1))
+    kept = [k % len(field) for k in range(-(side // 2) + 1, side // 2)]
+    place = [k % side for k in range(-(side // 2) + 1, side // 2)]
+    half = np.zeros((side, side, *field.shape[2:]), complex)
+    half[np.ix_(place, place)] = spectrum[np.ix_(kept, kept)] / 4.0
+    return np.fft.ifft2(half, axes=(0, 1)).real.astype(np.float32)

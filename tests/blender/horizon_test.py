@@ -1,0 +1,233 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rings of a horizon: one closed sheet around the camera, libocean's surface in each."""
+
+from collections import Counter
+
+import bpy
+import numpy as np
+import pytest
+from conftest import attribute, evaluated_mesh, positions, rest
+from libocean_addon import meshes, node_group
+from libocean_addon.bundled import libocean
+
+FRAMES = (1, 40, 250)
+ROUND, ODD = 200.0, 137.3
+# Near the middle, and far away, where the rings have moved by all kinds of steps.
+CAMERAS = ((0.0, 0.0), (37.1, -12.9), (-4321.0, 1234.5))
+
+SEA = """
+libocean = 1
+[grid]
+resolution = 64
+patch_size = {period}
+[[waves]]
+spectrum = "jonswap"
+wind_speed = {wind}
+wind_direction = 30.0
+"""
+
+
+@pytest.fixture
+def horizon(scene, tmp_path):
+    """horizon(period, wind, camera): a small one; returns the object and the library's sea."""
+
+    def make(period=ROUND, wind=14.0, camera=(37.1, -12.9)):
+        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        bpy.context.collection.objects.link(scene.camera)
+        scene.camera.location = (*camera, 5.0)
+        bpy.ops.libocean.add(kind="HORIZON")
+        ob = bpy.context.object
+        path = tmp_path / "sea.toml"
+        path.write_text(SEA.format(period=period, wind=wind))
+        ob.libocean.horizon_vertices = 20000
+        ob.libocean.horizon_distance = 5000.0
+        assert bpy.ops.libocean.load_sea(filepath=str(path)) == {"FINISHED"}
+        return ob, libocean.open(path)
+
+    return make
+
+
+def levels(ob) -> np.ndarray:
+    return attribute(ob, node_group.LEVEL)
+
+
+def on_samples(ob, level: int, spacing: float) -> np.ndarray:
+    """Which vertices of a ring lie on the samples of its map: all but those between two where it
+    meets the finer ring."""
+    index = rest(ob)[:, :2] / (spacing * 2.0**level)
+    return (levels(ob) == level) & (np.abs(index - np.rint(index)).max(axis=1) < 0.25)
+
+
+def want(sea, field: str, ob, camera, level: int, chosen, time: float) -> np.ndarray:
+    """A field at the vertices of one ring that lie on the samples of its map."""
+    period = float(sea.get("patch_size"))
+    size = int(sea.get("resolution")) >> level
+    cell = period / size
+    first = np.floor(np.array(camera) / (2.0 * cell)) * 2.0
+    index = np.rint(rest(ob)[chosen, :2] / cell + first).astype(int) % size
+    maps = getattr(sea.surface(time, size), field)
+    return maps[index[:, 1], index[:, 0]]
+
+
+def at_rest(ob, camera, level: int, chosen, spacing: float) -> np.ndarray:
+    """Where the vertices of one ring are without waves, in the object's space."""
+    cell = spacing * 2.0**level
+    place = rest(ob)[chosen].astype(np.float64)
+    place[:, :2] += np.floor(np.array(camera) / (2.0 * cell)) * 2.0 * cell
+    return place - np.array(ob.location)
+
+
+def assert_rings(ob, sea, camera, time, tolerance=2e-5):
+    limit = tolerance * sea.state["significant_wave_height"]["resolved"]
+    spacing = float(sea.get("patch_size")) / int(sea.get("resolution"))
+    for ring in (0, 1):
+        chosen = on_samples(ob, ring, spacing)
+        assert chosen.sum() > 500
+        displacement = positions(ob)[chosen] - at_rest(ob, camera, ring, chosen, spacing)
+        expected = want(sea, "displacement", ob, camera, ring, chosen, time)
+        error = np.abs(displacement - expected)
+        assert error[:, 2].max() <= limit
+        # Far away a place is rounded more than the waves are.
+        periods = np.abs(positions(ob)[chosen, :2]).max() / float(sea.get("patch_size"))
+        assert error[:, :2].max() <= (limit if periods < 1 else 50 * limit)
+        velocity = want(sea, "velocity", ob, camera, ring, chosen, time)
+        assert np.abs(attribute(ob, "velocity")[chosen] - velocity).max() <= limit
+        normal = want(sea, "normal", ob, camera, ring, chosen, time)
+        assert np.abs(attribute(ob, "ocean_normal")[chosen] - normal).max() <= 2e-5
+    near = levels(ob) == 0
+    foam = want(sea, "foam", ob, camera, 0, near, time)
+    assert np.abs(attribute(ob, "foam")[near] - foam).max() <= 2e-5
+
+
+@pytest.mark.parametrize("camera", CAMERAS)
+@pytest.mark.parametrize("period", [ROUND, ODD])
+def test_each_ring_shows_the_map_of_its_resolution(scene, horizon, period, camera):
+    ob, sea = horizon(period, camera=camera)
+    for frame in FRAMES:
+        scene.frame_set(frame)
+        assert_rings(ob, sea, camera, (frame - 1) / 24)
+
+
+def test_it_stays_in_the_world_while_its_object_moves(scene, horizon):
+    ob, sea = horizon()
+    ob.location = (333.0, -45.0, 0.0)
+    scene.frame_set(10)
+    assert_rings(ob, sea, (37.1, -12.9), 9 / 24)
+
+
+def test_it_is_the_same_after_reload_undo_and_redo(scene, horizon, tmp_path):
+    ob, sea = horizon()
+    scene.frame_set(10)
+    bpy.ops.ed.undo_push(message="horizon")
+    ob.libocean.seed = 7
+    bpy.ops.ed.undo_push(message="seed")
+    changed = positions(ob)
+    bpy.ops.ed.undo()
+    assert_rings(bpy.data.objects["Ocean"], sea, (37.1, -12.9), 9 / 24)
+    bpy.ops.ed.redo()
+    assert np.array_equal(positions(bpy.data.objects["Ocean"]), changed)
+    bpy.ops.ed.undo()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
+    assert_rings(bpy.data.objects["Ocean"], sea, (37.1, -12.9), 9 / 24)
+
+
+def faces_of(mesh) -> list[tuple[int, ...]]:
+    return [tuple(face.vertices) for face in mesh.polygons]
+
+
+def signed_areas(mesh, places: np.ndarray) -> np.ndarray:
+    """Of the faces, seen from above."""
+    areas = []
+    for face in faces_of(mesh):
+        x, y = places[list(face), 0], places[list(face), 1]
+        areas.append(0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+    return np.array(areas)
+
+
+@pytest.mark.parametrize("camera", CAMERAS)
+def test_the_rings_are_one_sheet_without_folds(scene, horizon, camera):
+    ob, _ = horizon(wind=0.0, camera=camera)
+    scene.frame_set(2)
+    mesh, places = evaluated_mesh(ob), positions(ob).astype(np.float64)
+    edges = Counter(
+        frozenset(pair)
+        for face in faces_of(mesh)
+        for pair in zip(face, face[1:] + face[:1], strict=True)
+    )
+    alone = [edge for edge, faces in edges.items() if faces == 1]
+    reach = np.abs(rest(ob)[:, :2]).max(axis=1)
+    assert all(reach[list(edge)].min() == reach.max() for edge in alone)
+    assert max(edges.values()) == 2
+    areas = signed_areas(mesh, places)
+    assert areas.min() > 0.0
+    side = 2.0 * reach.max()
+    assert areas.sum() == pytest.approx(side * side, rel=1e-6)  # nothing covered twice
+    assert len(mesh.vertices) <= 20000
+    assert reach.max() >= 5000.0
+
+
+def test_the_sheet_is_where_the_camera_is_at_every_frame(scene, horizon):
+    ob, sea = horizon()
+    scene.camera.location = (0.0, 0.0, 5.0)
+    scene.camera.keyframe_insert("location", frame=1)
+    scene.camera.location = (900.0, 0.0, 5.0)
+    scene.camera.keyframe_insert("location", frame=11)
+    scene.frame_set(11)
+    assert_rings(ob, sea, (900.0, 0.0), 10 / 24)
+
+
+def test_the_waves_stay_while_the_camera_moves(scene, horizon):
+    ob, _ = horizon()
+    scene.frame_set(10)
+    before = {tuple(p) for p in np.round(positions(ob)[levels(ob) == 0], 2)}
+    scene.camera.location.x += 50.0
+    after = {tuple(p) for p in np.round(positions(ob)[levels(ob) == 0], 2)}
+    assert len(before & after) > 0.3 * len(before)
+    assert len(after - before) > 0.1 * len(before)
+
+
+def test_the_far_sea_is_flat_and_its_slopes_become_roughness(scene, horizon):
+    ob, sea = horizon()
+    scene.frame_set(10)
+    level = levels(ob)
+    lost = attribute(ob, "slope_variance")
+    asked = sea.state["mean_square_slope"]["asked"]
+    shown = {m["resolution"]: m["mean_square_slope"] for m in sea.state["map_slopes"]}
+    for ring in (0, 1, 3):
+        assert lost[level == ring] == pytest.approx(asked - shown[64 >> ring], rel=1e-4)
+    assert lost[level == level.max()] == pytest.approx(asked, rel=1e-4)
+    assert np.abs(positions(ob)[level == level.max(), 2]).max() < 1e-4
+
+
+def test_foam_far_away_is_the_mean_of_foam(scene, horizon):
+    ob, sea = horizon(wind=25.0)
+    scene.frame_set(100)
+    foam, level = attribute(ob, "foam"), levels(ob)
+    mean = sea.surface(99 / 24).foam.mean()
+    assert mean > 0.01
+    assert foam[level >= 6] == pytest.approx(mean, rel=1e-3)
+
+
+def test_a_coarser_map_serves_the_near_rings(scene, horizon):
+    ob, sea = horizon()
+    ob.libocean.viewport_resolution = 32
+    scene.frame_set(10)
+    chosen = on_samples(ob, 1, ROUND / 64)
+    got = positions(ob)[chosen] - at_rest(ob, (37.1, -12.9), 1, chosen, ROUND / 64)
+    expected = want(sea, "displacement", ob, (37.1, -12.9), 1, chosen, 9 / 24)
+    limit = 2e-5 * sea.state["significant_wave_height"]["resolved"]
+    assert np.abs(got - expected).max() <= limit
+
+
+def test_vertices_are_bounded_and_reach_the_horizon():
+    for spacing in (0.02, 0.5, 4.0, 100.0):
+        cells, rings = meshes.choose_rings(spacing, 1_500_000, 30_000.0)
+        vertices, *_ = meshes.horizon(1.0, min(cells, 64), rings)
+        assert cells % 8 == 0
+        assert cells / 2 * spacing * 2 ** (rings - 1) >= 30_000.0
+        count = (cells + 1) ** 2 + (rings - 1) * ((cells + 1) ** 2 - (cells // 2 + 1) ** 2)
+        assert count <= 1_500_000
+        if cells <= 64:
+            assert len(vertices) == count
