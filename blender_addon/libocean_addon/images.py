@@ -20,6 +20,16 @@ def make(ob, field: str, shape: tuple[int, int], blank: tuple[float, float, floa
     return image
 
 
+def let_go(image) -> bool:
+    """Takes an image out of the file again that Blender packed into it, as it offers to do with
+    modified images when it is left. True if it was; what it showed is lost."""
+    if image.packed_file is None:
+        return False
+    image.unpack(method="REMOVE")
+    image.source = "GENERATED"
+    return True
+
+
 def resize(image, shape: tuple[int, int]) -> None:
     height, width = shape
     if tuple(image.size) != (width, height):

@@ -117,6 +117,9 @@ class OpenSea:
             self._show(time, size, targets)
 
     def _show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
+        for image in targets.values():
+            if images.let_go(image):
+                self.shown.pop(image.name_full, None)
         state = (self.changes, time, size)
         stale = {
             name: image

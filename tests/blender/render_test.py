@@ -105,6 +105,20 @@ def test_every_frame_of_an_animation_shows_its_own_time(scene, shot, tmp_path):
         assert np.array_equal(pixels(tmp_path / f"frame_{frame:04}.exr"), still)
 
 
+def test_persistent_data_shows_every_frame_its_own_time(scene, shot, tmp_path):
+    scene.render.use_persistent_data = True
+    scene.frame_start, scene.frame_end = 1, 3
+    scene.render.filepath = str(tmp_path / "frame_####.exr")
+    bpy.ops.render.render(animation=True)
+    scene.render.use_persistent_data = False
+    frames = [pixels(tmp_path / f"frame_{frame:04}.exr") for frame in (1, 2, 3)]
+    assert not np.array_equal(frames[0], frames[2])
+    for frame in (1, 2, 3):
+        scene.frame_set(frame)
+        still = rendered(scene, tmp_path / f"still_{frame}.exr")
+        assert np.array_equal(frames[frame - 1], still)
+
+
 def test_the_locked_interface_is_given_back(scene, shot, tmp_path):
     locked = []
     look = bpy.app.handlers.render_pre

@@ -150,6 +150,22 @@ def test_a_saved_file_opens_with_the_same_surface(scene, load, tmp_path):
     assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
 
 
+def test_images_that_blender_packed_at_the_end_are_let_go(scene, load, tmp_path):
+    """"Save modified images", when Blender is left, packs what shows a sea into the file."""
+    ob, sea = patch(load)
+    scene.frame_set(10)
+    for image in bpy.data.images:
+        image.pack()
+    packed, slim = tmp_path / "packed.blend", tmp_path / "slim.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(packed), compress=False)
+    bpy.ops.wm.open_mainfile(filepath=str(packed))
+    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
+    bpy.ops.wm.save_as_mainfile(filepath=str(slim), compress=False)
+    assert slim.stat().st_size < packed.stat().st_size - 3 * 64 * 64 * 4
+    bpy.ops.wm.open_mainfile(filepath=str(slim))
+    assert_patch(bpy.data.objects["Ocean"], sea, 9 / 24)
+
+
 def test_a_mask_keeps_the_mesh_where_it_is(scene, load):
     ob, sea = patch(load)
     group = ob.vertex_groups.new(name="sea")
