@@ -69,15 +69,24 @@ def _heading(rotation: Matrix) -> float:
 
 def _pose(settings, ocean, rotation: Matrix, location: Vector, moment):
     """Height and rotation of the plane below; None where there is no sea."""
-    anchor = ocean.matrix_world.translation
-    offset = Vector((0.0, 0.0)) if ocean.libocean.follow_world else anchor.xy
-    body = (*(location.xy - offset), _heading(rotation), settings.length, settings.width)
+    to_world = ocean.matrix_world
+    turn, scale = to_world.to_quaternion(), to_world.median_scale
+    if not scale > 0.0:
+        return None
+    local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
+    anchor = to_world.translation if ocean.libocean.follow_world else Vector()
+    body = (
+        *(local + anchor).xy,
+        _heading(turn.to_matrix().inverted() @ rotation),
+        settings.length / scale,
+        settings.width / scale,
+    )
     pose = live.float_pose(ocean, body, moment)
     if pose is None:
         return None
     position, up, forward = (Vector(row[0].tolist()) for row in pose[:3])
-    tilted = Matrix((forward, up.cross(forward), up)).transposed()
-    return position.z + anchor.z, tilted
+    tilted = turn.to_matrix() @ Matrix((forward, up.cross(forward), up)).transposed()
+    return (to_world @ Vector((*local.xy, position.z))).z, tilted
 
 
 def ride(ob, depsgraph, moment) -> None:

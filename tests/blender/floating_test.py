@@ -97,6 +97,19 @@ def test_without_tilt_it_rises_and_falls(scene, ocean, boat):
         assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24), tilt=False)
 
 
+def test_on_an_ocean_that_is_moved_turned_and_scaled(scene, ocean, boat):
+    ocean.location, ocean.rotation_euler.z, ocean.scale = (7, 3, 1.5), math.radians(90), (2, 2, 2)
+    scene.frame_set(50)
+    # A quarter turn takes x to y: in the ocean's own axes the boat is at (-15 - 3, -(40 - 7)) / 2.
+    own = np.array((-18.0, -33.0)) / 2.0 + (7.0, 3.0)
+    with sea_of(ocean) as sea:
+        pose = sea.float_pose([(*own, 30 - 90, 10, 3)], 49 / 24)
+    matrix = np.array(boat.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world)
+    assert matrix[2, 3] == pytest.approx(2.0 * pose.position[0][2] + 1.5, abs=1e-4)
+    x, y, z = pose.up[0]
+    assert np.abs(matrix[:3, 2] / np.linalg.norm(matrix[:3, 2]) - (-y, x, z)).max() < 1e-5
+
+
 def test_a_change_of_the_sea_moves_the_boat(scene, ocean, boat):
     scene.frame_set(50)
     ocean.libocean.waves[0].wind_speed = 20.0
