@@ -75,16 +75,16 @@ def choose_rings(spacing: float, most_vertices: int, distance: float) -> tuple[i
 
 
 def horizon(spacing: float, cells: int, rings: int):
-    """Vertices, levels, quads and pentagons. A vertex's level is the number of its ring, and in the
-    outer quarter of a ring's width how far it has become the next one. Where two rings meet, every
-    vertex of the finer one is a corner of the coarser one's faces: there is no crack."""
+    """Vertices, what node_group.RING says of each, quads and pentagons. A ring becomes the next one
+    in the outer quarter of its half width. Where two rings meet, every vertex of the finer one is a
+    corner of the coarser one's faces: there is no crack."""
     half = cells // 2
     hole = half // 2
     along = np.arange(-half, half + 1)
     x, y = np.meshgrid(along, along)
     reach = np.maximum(abs(x), abs(y))
     becoming = np.clip((reach - 3 * hole / 2) / (hole / 2), 0.0, 1.0)
-    vertices, levels, quads, pentagons = [], [], [], []
+    vertices, ring_of, quads, pentagons = [], [], [], []
     count = 0
     finer = number = np.empty((0, 0), int)
     for ring in range(rings):
@@ -97,7 +97,8 @@ def horizon(spacing: float, cells: int, rings: int):
         count += new.sum()
         place = np.stack([x[new], y[new], np.zeros(new.sum())], axis=1)
         vertices.append(place * (spacing * 2.0**ring))
-        levels.append(ring + (becoming[new] if ring + 1 < rings else np.zeros(new.sum())))
+        share = becoming[new] if ring + 1 < rings else np.zeros(new.sum())
+        ring_of.append(np.stack(np.broadcast_arrays(ring, share, 2.0**ring), axis=1))
 
         corners = [number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]]
         face = np.stack(corners, axis=-1)
@@ -117,7 +118,7 @@ def horizon(spacing: float, cells: int, rings: int):
         quads.append(face[plain])
     return (
         np.concatenate(vertices),
-        np.concatenate(levels),
+        np.concatenate(ring_of),
         np.concatenate(quads),
         np.concatenate(pentagons) if pentagons else np.empty((0, 5), int),
     )
@@ -127,9 +128,11 @@ def follow_horizon(mesh, spacing: float, most_vertices: int, distance: float) ->
     """Makes a horizon's mesh anew where one of these is another."""
 
     def make() -> None:
-        vertices, levels, *faces = horizon(spacing, *choose_rings(spacing, most_vertices, distance))
+        vertices, ring_of, *faces = horizon(
+            spacing, *choose_rings(spacing, most_vertices, distance)
+        )
         fill(mesh, vertices, *faces)
-        level = mesh.attributes.new(node_group.LEVEL, "FLOAT", "POINT")
-        level.data.foreach_set("value", levels.astype(np.float32))
+        attribute = mesh.attributes.new(node_group.RING, "FLOAT_VECTOR", "POINT")
+        attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
 
     _follow(mesh, f"horizon {spacing!r} {most_vertices} {distance!r}", make)

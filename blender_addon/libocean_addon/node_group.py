@@ -22,8 +22,9 @@ FIELDS = ("Displacement", "Velocity", "Normal")
 third one the variance of the slopes that are left out."""
 
 
-LEVEL = "ocean_level"
-"""Attribute of a horizon's vertices: the ring's number, and how far it has become the next one."""
+RING = "ocean_ring"
+"""Attribute of a horizon's vertices: the number of the ring, how far it has become the next one,
+and the size of its cells in cells of the finest."""
 
 
 def render_twin(name: str) -> str:
@@ -33,6 +34,9 @@ def render_twin(name: str) -> str:
 def far_image(field: str) -> str:
     """The coarser maps of a horizon, see atlas.py."""
     return f"{field} Far"
+
+
+_COMPONENTS = ("Red", "Green", "Blue", "Alpha")
 
 
 class _Builder:
@@ -112,10 +116,19 @@ class _Builder:
         self.link(coordinates, made.inputs["Vector"])
         return made.outputs["Color"]
 
-    def alpha(self, color):
+    def color(self, *components):
+        made = self.node("FunctionNodeCombineColor")
+        for value, name in zip(components, _COMPONENTS, strict=True):
+            self.feed(value, made.inputs[name])
+        return made.outputs["Color"]
+
+    def components(self, color) -> list:
         made = self.node("FunctionNodeSeparateColor")
         self.link(color, made.inputs["Color"])
-        return made.outputs["Alpha"]
+        return [made.outputs[name] for name in _COMPONENTS]
+
+    def alpha(self, color):
+        return self.components(color)[3]
 
 
 def _declare(group, *, rings: bool) -> None:
@@ -166,40 +179,42 @@ class _Rings:
 
     A ring moves in steps of two of its own cells, so that its vertices stay on samples: the waves
     pass through the mesh, which never swims along with the camera. Towards its outer edge it turns
-    into the next one (the fraction of LEVEL), in place and in what it shows, so that neither a gap
+    into the next one (the share in RING), in place and in what it shows, so that neither a gap
     nor a line is seen; geometry clipmaps do so [Losasso and Hoppe 2004].
     """
 
     def __init__(self, b: _Builder, inputs, shown) -> None:
         self.b, self.inputs, self.shown = b, inputs, shown
-        named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
-        named.inputs["Name"].default_value = LEVEL
-        level_and_share = compat.active(named.outputs, "Attribute")
-        self.level = b.number("FLOOR", level_and_share)
-        self.share = b.number("FRACT", level_and_share)
-        self.cells = b.number("POWER", 2.0, self.level)  # of the finest ring in one of this
+        named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
+        named.inputs["Name"].default_value = RING
+        self.level, self.share, self.cells = b.parts(compat.active(named.outputs, "Attribute"))
+        # What follows of inputs alone is computed once, not for each vertex.
         self.texels = b.number("DIVIDE", 0.5, shown("Half Texel", "FLOAT"))
+        self.coarser = b.number("DIVIDE", self.texels, inputs["Samples"])  # map than mesh
         self._move()
         self._choose_maps()
 
     def _move(self) -> None:
-        """self.moved: where a vertex goes; self.index: where that is, in cells of its ring."""
+        """self.moved: where a vertex goes; self.place: where that is, in periods."""
         b, inputs = self.b, self.inputs
+        level_only = (1.0, 1.0, 0.0)
         camera = b.node("GeometryNodeObjectInfo", transform_space="RELATIVE")
         b.link(inputs["Camera"], camera.inputs["Object"])
         above = b.math("ADD", camera.outputs["Location"], inputs["Origin"])
         spacing = b.number("DIVIDE", inputs["Tile Size"], inputs["Samples"])
-        cell = b.number("MULTIPLY", spacing, self.cells)
-        level_only = (1.0, 1.0, 0.0)
-        above = b.math("MULTIPLY", b.scale(above, b.number("DIVIDE", 1.0, cell)), level_only)
+        above = b.math("MULTIPLY", above, level_only)
+        cell = b.number("MULTIPLY", self.cells, spacing)
+        per_cell = b.number("DIVIDE", 1.0, cell)
+        above = b.scale(above, per_cell)
 
         def snapped(step: float):
             return b.scale(b.math("FLOOR", b.scale(above, 1.0 / step)), step)
 
         steps = b.mix(snapped(2.0), snapped(4.0), self.share)
         position = b.node("GeometryNodeInputPosition").outputs[0]
-        rest = b.scale(position, b.number("DIVIDE", 1.0, cell))
-        self.index = b.math("ADD", rest, steps)
+        index = b.math("ADD", b.scale(position, per_cell), steps)
+        per_sample = b.number("DIVIDE", 1.0, inputs["Samples"])
+        self.place = b.scale(index, b.number("MULTIPLY", self.cells, per_sample))
         origin = b.math("MULTIPLY", inputs["Origin"], level_only)
         self.moved = b.math("ADD", position, b.math("SUBTRACT", b.scale(steps, cell), origin))
 
@@ -207,49 +222,48 @@ class _Rings:
         """Where in the finest map, in the ring's own and in the next one's a vertex is. A map that
         is coarser than the mesh serves several rings."""
         b = self.b
-        period = b.number("DIVIDE", self.inputs["Samples"], self.cells)  # in cells
-        fraction = b.math("FRACTION", b.scale(self.index, b.number("DIVIDE", 1.0, period)))
-        finer = b.number("DIVIDE", self.inputs["Samples"], self.texels)
-        spare = b.number("ROUND", b.number("LOGARITHM", finer, 2.0))
-        own = b.number("SUBTRACT", self.level, spare)
+        fraction = b.math("FRACTION", self.place)
+        spare = b.number("ROUND", b.number("LOGARITHM", self.coarser, 2.0))  # 0 or less
+        own = b.number("ADD", self.level, spare)
+        divisor = b.number("MULTIPLY", self.cells, self.coarser)
+        self.finest = b.math("ADD", fraction, self.shown("Half Texel", "FLOAT"))
+        self.own = self._in_atlas(fraction, own, divisor)
+        self.next = self._in_atlas(
+            fraction, b.number("ADD", own, 1.0), b.number("MULTIPLY", divisor, 2.0)
+        )
         self.on_finest = b.number("LESS_THAN", own, 0.5)
-        blends = b.number("GREATER_THAN", own, -0.5)
-        half = self.shown("Half Texel", "FLOAT")
-        self.finest = b.math("ADD", fraction, half)
-        self.own = self._in_atlas(fraction, own)
-        self.next = self._in_atlas(fraction, b.number("ADD", own, 1.0))
-        self.blend = b.number("MULTIPLY", self.share, blends)
+        self.blend = b.number("MULTIPLY", self.share, b.number("GREATER_THAN", own, -0.5))
 
-    def _in_atlas(self, fraction, level):
-        """The texture coordinates of a place in a map of the atlas, laid out as atlas.py says."""
+    def _in_atlas(self, fraction, level, divisor):
+        """The texture coordinates of a place in a map of the atlas, laid out as atlas.py says.
+        divisor: 2^level."""
         b = self.b
         last = b.number("ROUND", b.number("LOGARITHM", self.texels, 2.0))
         level = b.number("MINIMUM", b.number("MAXIMUM", level, 1.0), last)
-        size = b.number("DIVIDE", self.texels, b.number("POWER", 2.0, level))
-        before = b.number("SUBTRACT", self.texels, b.number("MULTIPLY", size, 2.0))
-        before = b.number(
-            "ADD", before, b.number("MULTIPLY", b.number("SUBTRACT", level, 1.0), 2.0)
-        )
-        texel = b.math(
-            "ADD", b.scale(fraction, size), b.vector(1.5, b.number("ADD", before, 1.5), 0)
-        )
-        width = b.number("ADD", b.number("MULTIPLY", self.texels, 0.5), 2.0)
+        divisor = b.number("MINIMUM", b.number("MAXIMUM", divisor, 2.0), self.texels)
+        size = b.number("DIVIDE", self.texels, divisor)
+        # Below it are larger maps, of texels - 2 size rows in all, and two rows of border each.
+        constant = b.number("SUBTRACT", self.texels, 0.5)
+        bottom = b.number("MULTIPLY_ADD", b.number("SUBTRACT", level, size), 2.0, constant)
+        texel = b.math("ADD", b.scale(fraction, size), b.vector(1.5, bottom, 0.0))
+        width = b.number("MULTIPLY_ADD", self.texels, 0.5, 2.0)
         height = b.number("ADD", self.texels, b.number("MULTIPLY_ADD", last, 2.0, -1.0))
-        return b.math("DIVIDE", texel, b.vector(width, height, 1.0))
+        per_texel = b.vector(b.number("DIVIDE", 1.0, width), b.number("DIVIDE", 1.0, height), 0.0)
+        return b.math("MULTIPLY", texel, per_texel)
 
     def start(self, geometry):
         """Puts the rings around the camera and keeps where each vertex looks."""
         b = self.b
-
-        def kept(geometry, place, number):
-            parts = b.parts(place)
-            value = b.vector(parts[0], parts[1], number)
-            geometry, value = compat.capture(b.group, geometry, value)
-            return geometry, value, b.parts(value)[2]
-
-        geometry, self.finest, self.on_finest = kept(geometry, self.finest, self.on_finest)
-        geometry, self.next, self.blend = kept(geometry, self.next, self.blend)
-        geometry, self.own = compat.capture(b.group, geometry, self.own)
+        wanted = [(self.finest, self.own), (self.next, (self.on_finest, self.blend))]
+        kept = []
+        for first, second in wanted:
+            x, y, _ = b.parts(first)
+            z, w = second if isinstance(second, tuple) else b.parts(second)[:2]
+            geometry, color = compat.capture(b.group, geometry, b.color(x, y, z, w))
+            kept.append(b.components(color))
+        (x, y, own_x, own_y), (next_x, next_y, self.on_finest, self.blend) = kept
+        self.finest, self.own = b.vector(x, y, 0.0), b.vector(own_x, own_y, 0.0)
+        self.next = b.vector(next_x, next_y, 0.0)
         placed = b.node("GeometryNodeSetPosition")
         b.link(geometry, placed.inputs["Geometry"])
         b.link(self.moved, placed.inputs["Position"])
@@ -263,12 +277,8 @@ class _Rings:
         shown = b.switch("RGBA", self.on_finest, own, finest)
         alpha, next_alpha = b.alpha(shown), b.alpha(next_)
         more = b.number("SUBTRACT", next_alpha, alpha)
-        made = b.node("FunctionNodeCombineColor")
-        parts = b.parts(b.mix(shown, next_, self.blend))
-        for part, name in zip(parts, ("Red", "Green", "Blue"), strict=True):
-            b.link(part, made.inputs[name])
-        b.link(b.number("MULTIPLY_ADD", more, self.blend, alpha), made.inputs["Alpha"])
-        return made.outputs["Color"]
+        mixed = b.parts(b.mix(shown, next_, self.blend))
+        return b.color(*mixed, b.number("MULTIPLY_ADD", more, self.blend, alpha))
 
     def normal(self, geometry):
         geometry, normal = compat.capture(self.b.group, geometry, self.color("Normal"))

@@ -49,7 +49,9 @@ def horizon(scene, tmp_path):
 
 
 def levels(ob) -> np.ndarray:
-    return attribute(ob, node_group.LEVEL)
+    """The number of each vertex's ring, and how far it has become the next one."""
+    number, share, _ = attribute(ob, node_group.RING).T
+    return number + share
 
 
 def on_samples(ob, level: int, spacing: float) -> np.ndarray:

@@ -151,7 +151,7 @@ def test_a_saved_file_opens_with_the_same_surface(scene, load, tmp_path):
 
 
 def test_images_that_blender_packed_at_the_end_are_let_go(scene, load, tmp_path):
-    """"Save modified images", when Blender is left, packs what shows a sea into the file."""
+    """ "Save modified images", when Blender is left, packs what shows a sea into the file."""
     ob, sea = patch(load)
     scene.frame_set(10)
     for image in bpy.data.images:

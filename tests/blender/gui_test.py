@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The user interface as it is drawn: a real window, every panel open, nothing in the console."""
+
+import os
+import shutil
+import subprocess
+import textwrap
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+
+SCREEN = "-screen 0 1400x1900x24 +extension GLX"
+
+STEPS = """
+import os, sys, traceback
+import bpy
+
+bpy.context.preferences.view.show_splash = False
+picture = sys.argv[sys.argv.index("--") + 1]
+bpy.ops.preferences.addon_enable(module="libocean_addon")
+from libocean_addon import panels
+
+for panel in panels.CLASSES:  # all of them open
+    if getattr(panel, "bl_options", None):
+        bpy.utils.unregister_class(panel)
+        panel.bl_options = set()
+        bpy.utils.register_class(panel)
+
+
+def override():
+    window = bpy.context.window_manager.windows[0]
+    area = max(window.screen.areas, key=lambda area: area.width * area.height)
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    return {"window": window, "screen": window.screen, "area": area, "region": region}
+
+
+def in_window(operator, **arguments):
+    with bpy.context.temp_override(**override()):
+        assert operator(**arguments) == {"FINISHED"}
+
+
+def add():
+    in_window(bpy.ops.libocean.add, kind="PATCH", preset="beaufort_6")
+    in_window(bpy.ops.libocean.add_waves)
+
+
+def open_properties():
+    override()["area"].type = "PROPERTIES"
+
+
+def show():  # known once it has been drawn
+    override()["area"].spaces.active.context = "MODIFIER"
+    return 2.0
+
+
+def photograph():
+    with bpy.context.temp_override(**override()):
+        bpy.ops.screen.screenshot(filepath=picture)
+
+
+def leave():
+    bpy.ops.wm.quit_blender()
+
+
+steps = iter([add, open_properties, show, photograph, leave])
+
+
+def next_step():
+    try:
+        return next(steps)() or 0.5
+    except Exception:
+        traceback.print_exc()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(1)
+
+
+bpy.app.timers.register(next_step, first_interval=1.0)
+"""
+
+
+@pytest.mark.skipif(
+    not bpy.app.binary_path or not shutil.which("xvfb-run"), reason="no Blender with a window"
+)
+def test_every_panel_is_drawn_without_a_word_in_the_console(tmp_path):
+    script, picture = (
+        tmp_path / "steps.py",
+        Path(os.environ.get("OCEAN_SCREENSHOT", tmp_path / "p.png")),
+    )
+    script.write_text(textwrap.dedent(STEPS))
+    command = ["xvfb-run", "-a", "-s", SCREEN, bpy.app.binary_path, "--factory-startup"]
+    command += ["--window-geometry", "0", "0", "1400", "1900", "--python", script, "--", picture]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=200)
+    said = done.stdout + done.stderr
+    assert done.returncode == 0, said
+    assert "Traceback" not in said and "rror" not in said, said
+    image = bpy.data.images.load(str(picture))
+    pixels = np.array(image.pixels[:], np.float32)
+    assert image.size[0] > 1000
+    assert np.std(pixels.reshape(-1, 4)[:, :3]) > 0.05
