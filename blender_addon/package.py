@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Packs the add-on: a zip for Blender before 4.2, an extension for later ones.
 
-usage: python3 blender_addon/package.py --library LIBRARY [--library LIBRARY]... [--output FOLDER]
+usage: python3 blender_addon/package.py --library LIBRARY [--library LIBRARY]...
+           [--wheel WHEEL]... [--output FOLDER]
 
 Each library, libocean.so or .dll, is for one platform: it gets a zip of its own for old Blenders,
-and a wheel in the one extension. Prints the paths. The same files give the same bytes.
+and a wheel in the one extension. A wheel of another package, such as OpenEXR, goes as it is into
+the extension where its Python is one of Blender 4.2's or later, and unpacked into the zip of its
+platform. Prints the paths. The same files give the same bytes.
 """
 
 from __future__ import annotations
@@ -36,12 +39,19 @@ class Platform:
     blender: str
     wheel: str
 
+    def takes(self, tags: str) -> bool:
+        """Whether a wheel of these platform tags is for it."""
+        system, machine = self.wheel.split("_")[0], self.wheel.rpartition("_")[2]
+        return any(tag.startswith(system) and tag.endswith(machine) for tag in tags.split("."))
+
 
 PLATFORMS = (
     Platform(".so", "linux-x64", "manylinux_2_28_x86_64"),
     Platform(".dll", "windows-x64", "win_amd64"),
     Platform(".dylib", "macos-arm64", "macosx_11_0_arm64"),
 )
+
+OLDEST_EXTENSION_PYTHON = 311  # cp311, of Blender 4.2
 
 
 def platform_of(library: Path) -> Platform:
@@ -84,16 +94,34 @@ def wrapper_files(library: Path) -> dict[str, bytes]:
     return files
 
 
-def legacy_zip(library: Path) -> bytes:
+def wheel_tags(wheel: Path) -> tuple[str, str]:
+    """Python ("cp311") and platforms of a wheel, by its name."""
+    parts = wheel.stem.split("-")
+    if wheel.suffix != ".whl" or len(parts) < 5 or not parts[-3].startswith("cp"):
+        raise argparse.ArgumentTypeError(f"{wheel} is no wheel for one Python")
+    return parts[-3], parts[-1]
+
+
+def unpacked(wheel: Path) -> dict[str, bytes]:
+    with zipfile.ZipFile(wheel) as archive:
+        return {name: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
+
+
+def legacy_zip(library: Path, wheels: list[Path]) -> bytes:
     files = {f"{NAME}/{name}": data for name, data in addon_files().items()}
     for name, data in wrapper_files(library).items():
         files[f"{BUNDLED}/libocean/{name}"] = data
     files[f"{BUNDLED}/libocean/LICENSE"] = APACHE.read_bytes()
     files[f"{BUNDLED}/__init__.py"] = b""
+    for wheel in wheels:
+        python, platforms = wheel_tags(wheel)
+        if platform_of(library).takes(platforms):
+            for name, data in unpacked(wheel).items():
+                files[f"{BUNDLED}/{python}/{name}"] = data
     return zipped(files)
 
 
-def wheel(library: Path) -> tuple[str, bytes]:
+def library_wheel(library: Path) -> tuple[str, bytes]:
     """Name and bytes of a wheel for one platform and every Python: the wrapper is plain ctypes."""
     tag = f"py3-none-{platform_of(library).wheel}"
     info = f"libocean-{version()}.dist-info"
@@ -113,8 +141,13 @@ def wheel(library: Path) -> tuple[str, bytes]:
     return f"libocean-{version()}-{tag}.whl", zipped(files)
 
 
-def extension_zip(libraries: list[Path]) -> bytes:
-    wheels = dict(wheel(library) for library in libraries)
+def extension_zip(libraries: list[Path], others: list[Path]) -> bytes:
+    wheels = dict(library_wheel(library) for library in libraries)
+    for other in others:
+        python, platforms = wheel_tags(other)
+        known = any(platform_of(library).takes(platforms) for library in libraries)
+        if known and int(python.removeprefix("cp")) >= OLDEST_EXTENSION_PYTHON:
+            wheels[other.name] = other.read_bytes()
     manifest = (HERE / "blender_manifest.toml").read_text()
     filled = {
         '"@VERSION@"': json.dumps(version()),
@@ -138,9 +171,23 @@ def main() -> int:
         action="append",
         help="libocean.so, .dll or .dylib; once for each platform",
     )
+    parser.add_argument(
+        "--wheel",
+        type=Path,
+        default=[],
+        action="append",
+        help="a wheel of OpenEXR; once for each Python and platform",
+    )
     parser.add_argument("--output", type=Path, default=Path(), help="folder for the zips")
     asked = parser.parse_args()
     packed = {}
+    for wheel in asked.wheel:
+        try:
+            wheel_tags(wheel)
+        except argparse.ArgumentTypeError as mistake:
+            parser.error(str(mistake))
+        if not wheel.is_file():
+            parser.error(f"{wheel} is not there: scripts/openexr-wheels fetches it")
     for library in asked.library:
         try:
             platform = platform_of(library)
@@ -148,8 +195,8 @@ def main() -> int:
             parser.error(str(mistake))
         if not library.is_file():
             parser.error(f"{library} is not there: build it first")
-        packed[f"{NAME}-{version()}-{platform.blender}.zip"] = legacy_zip(library)
-    packed[f"libocean-{version()}.zip"] = extension_zip(asked.library)
+        packed[f"{NAME}-{version()}-{platform.blender}.zip"] = legacy_zip(library, asked.wheel)
+    packed[f"libocean-{version()}.zip"] = extension_zip(asked.library, asked.wheel)
     asked.output.mkdir(parents=True, exist_ok=True)
     for name, data in packed.items():
         (asked.output / name).write_bytes(data)

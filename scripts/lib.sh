@@ -19,13 +19,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools python3-numpy python3-pytest python3-openimageio openexr clang
-        libclang-rt-14-dev valgrind blender)
+        libclang-rt-14-dev valgrind blender xvfb xauth)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     bpy_packages=(
-        "${build_packages[@]}" blender python3-numpy python3-pytest python3-venv ca-certificates
-        libgl1 libgomp1 libice6 libsm6 libx11-6 libxext6 libxfixes3 libxi6 libxkbcommon0 libxrender1
-        libxxf86vm1)
+        "${build_packages[@]}" blender xvfb xauth python3-numpy python3-pytest python3-venv
+        ca-certificates libgl1 libgomp1 libice6 libsm6 libx11-6 libxext6 libxfixes3 libxi6 libxkbcommon0
+        libxrender1 libxxf86vm1)
     # Long-term releases and what came between; those that the index drops are dropped here.
     bpy_versions=(4.2.23 4.5.15 5.0.1 5.2.3)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)

@@ -31,9 +31,9 @@ class MissingLibrary(bpy.types.AddonPreferences):
 def _parts() -> list:
     if native.libocean is None:
         return []
-    from . import floating, live, operators, panels, properties
+    from . import bake, floating, live, operators, panels, properties
 
-    return [properties, operators, panels, live, floating]
+    return [properties, operators, bake, panels, live, floating]
 
 
 def register() -> None:

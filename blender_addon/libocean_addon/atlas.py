@@ -12,11 +12,15 @@ import math
 
 import numpy as np
 
-CHANNELS = {
-    "Displacement": ("dx", "dy", "height", "height"),  # the fourth is foam, which is averaged
+FINEST = {
+    "Displacement": ("dx", "dy", "height", "foam"),
+    # The fourth is not used: a component that is left alone would cost more.
     "Velocity": ("vx", "vy", "vz", "height"),
     "Normal": ("nx", "ny", "nz", "height"),
 }
+"""What images hold of the finest map."""
+
+_COARSER = {**FINEST, "Displacement": ("dx", "dy", "height", "height")}  # foam is averaged
 
 _SMALLEST_MAP = 32  # of the library
 
@@ -41,23 +45,30 @@ def put(atlas: np.ndarray, size: int, level: int, field: np.ndarray) -> None:
     block[0], block[-1] = block[-2], block[1]
 
 
-def fill(sea, time: float, size: int, finest: dict, atlases: dict, lost_slopes) -> None:
+def lost_slopes(state: dict, samples: int) -> float:
+    """Variance of the slopes of those waves that a map of so many samples a side leaves out. state:
+    of the sea."""
+    shown = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
+    return max(0.0, state["mean_square_slope"]["asked"] - shown[samples])
+
+
+def fill(sea, time: float, size: int, finest: dict, atlases: dict, state: dict) -> None:
     """Fills the atlases of these fields. finest: their maps of size x size samples, (n, n, 4), as
-    images hold them. lost_slopes: of a map's samples a side, the variance of the slopes that it
-    leaves out, which goes where a normal has no fourth component."""
+    images hold them, foam beside the displacement. The slopes that a map leaves out go where a
+    normal has no fourth component."""
     above = dict(finest)
     for level in range(1, levels(size) + 1):
         side = size >> level
         below = {field: np.empty((side, side, 4), np.float32) for field in above}
         if side >= _SMALLEST_MAP:
-            sea.fill(time, [(below[field], CHANNELS[field]) for field in below])
+            sea.fill(time, [(below[field], _COARSER[field]) for field in below])
         else:
             for field, map_ in below.items():
                 map_[:] = halved(above[field]) if field == "Normal" else cut(above[field])
         if "Displacement" in below:
             below["Displacement"][..., 3] = halved(above["Displacement"][..., 3])
         if "Normal" in below:
-            below["Normal"][..., 3] = lost_slopes(side)
+            below["Normal"][..., 3] = lost_slopes(state, side)
         for field, map_ in below.items():
             put(atlases[field], size, level, map_)
         above = below

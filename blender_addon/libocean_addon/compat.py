@@ -100,6 +100,12 @@ def shade_smooth(mesh) -> None:
 LOOP_TOTAL_FOLLOWS = VERSION >= (4, 1)  # MeshPolygon.loop_total is read-only, made of loop_start
 
 
+# Paths ------------------------------------------------------------------------
+
+RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()
+"""Option of a property that may begin with "//"."""
+
+
 # The add-on -------------------------------------------------------------------
 
 

@@ -3,11 +3,13 @@
 """Objects that ride the waves.
 
 Where an object floats (x, y and heading) stays its own location and rotation, which may be animated
-or driven; the waves move it by its delta transform, which they own.
+or driven; the waves move it by its delta transform, which they own. Baked, the delta transform has
+keyframes and nobody else moves it.
 """
 
 from __future__ import annotations
 
+import contextlib
 import math
 
 import bpy
@@ -60,6 +62,14 @@ class FloatSettings(bpy.types.PropertyGroup):
         update=_changed,
     )
 
+    baked_first: bpy.props.IntProperty(options={"HIDDEN"})
+    baked_last: bpy.props.IntProperty(options={"HIDDEN"}, default=-1)  # no frames: not baked
+
+
+def is_baked(ob) -> bool:
+    """Whether keyframes move it."""
+    return ob.libocean_float.baked_last >= ob.libocean_float.baked_first
+
 
 def _heading(rotation: Matrix) -> float:
     """Degrees counter-clockwise from +x, of the own x axis."""
@@ -91,6 +101,8 @@ def _pose(settings, ocean, rotation: Matrix, location: Vector, moment):
 
 def ride(ob, depsgraph, moment) -> None:
     """Puts an object on the waves of this moment."""
+    if is_baked(ob):
+        return
     ocean = ob.libocean_float.ocean
     seen, sea = (o.evaluated_get(depsgraph) if depsgraph else o for o in (ob, ocean))
     rotation = _own_rotation(seen)
@@ -135,6 +147,22 @@ def _set_delta(ob, location: tuple[float, float, float], rotation: Matrix) -> No
     turn = rotation.to_euler(ob.rotation_mode)
     if ob.delta_rotation_euler != turn:
         ob.delta_rotation_euler = turn
+
+
+def _delta_paths(ob) -> tuple[str, str]:
+    quaternion = ob.rotation_mode == "QUATERNION"
+    return "delta_location", "delta_rotation_quaternion" if quaternion else "delta_rotation_euler"
+
+
+def _free(ob) -> None:
+    """Takes the keyframes of the bake away."""
+    settings = ob.libocean_float
+    for frame in range(settings.baked_first, settings.baked_last + 1):
+        for path in _delta_paths(ob):
+            with contextlib.suppress(RuntimeError):  # somebody has removed it
+                ob.keyframe_delete(path, frame=frame)
+    settings.property_unset("baked_first")
+    settings.property_unset("baked_last")
 
 
 class AddFloat(bpy.types.Operator):
@@ -199,8 +227,67 @@ class RemoveFloat(bpy.types.Operator):
 
     def execute(self, context):
         for ob in context.selected_objects:
+            _free(ob)
             with properties.quiet():
                 ob.libocean_float.ocean = None
+        return {"FINISHED"}
+
+
+class BakeFloat(bpy.types.Operator):
+    """Key how the selected objects float on each frame of the scene, and one more at each end:
+    they move without the add-on"""
+
+    bl_idname = "libocean.bake_float"
+    bl_label = "Bake Floating"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        if any(ob.libocean_float.ocean for ob in context.selected_objects):
+            return True
+        cls.poll_message_set("None of the selected objects floats")
+        return False
+
+    def execute(self, context):
+        scene = context.scene
+        floating = [ob for ob in context.selected_objects if ob.libocean_float.ocean]
+        for ob in floating:
+            _free(ob)
+        now, part = scene.frame_current, scene.frame_subframe
+        first, last = scene.frame_start - 1, scene.frame_end + 1
+        try:
+            for frame in range(first, last + 1):
+                scene.frame_set(frame)  # which puts them on the waves
+                for ob in floating:
+                    for path in _delta_paths(ob):
+                        ob.keyframe_insert(path, frame=frame)
+        finally:
+            for ob in floating:
+                ob.libocean_float.baked_first, ob.libocean_float.baked_last = first, last
+            scene.frame_set(now, subframe=part)
+        return {"FINISHED"}
+
+
+class FreeFloat(bpy.types.Operator):
+    """Remove those keyframes: the waves move the selected objects again"""
+
+    bl_idname = "libocean.free_float"
+    bl_label = "Free Floating"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        if any(is_baked(ob) for ob in context.selected_objects):
+            return True
+        cls.poll_message_set("None of the selected objects has baked floating")
+        return False
+
+    def execute(self, context):
+        for ob in context.selected_objects:
+            if is_baked(ob):
+                _free(ob)
+                if ob.libocean_float.ocean is not None:
+                    ride(ob, None, live.Moment(context.scene, rendering=False))
         return {"FINISHED"}
 
 
@@ -221,10 +308,13 @@ class FloatPanel(bpy.types.Panel):
         self.layout.use_property_split = True
         for name in ("ocean", "length", "width", "use_tilt"):
             self.layout.prop(context.object.libocean_float, name)
+        row = self.layout.row(align=True)
+        row.operator(BakeFloat.bl_idname, text="Bake")
+        row.operator(FreeFloat.bl_idname, text="Free")
         self.layout.operator(RemoveFloat.bl_idname)
 
 
-CLASSES = (FloatSettings, AddFloat, RemoveFloat, FloatPanel)
+CLASSES = (FloatSettings, AddFloat, RemoveFloat, BakeFloat, FreeFloat, FloatPanel)
 
 
 def _draw_float(self, _context) -> None:

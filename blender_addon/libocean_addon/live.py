@@ -5,28 +5,24 @@
     parameters (evaluated: keyframes and drivers count) + time -> libocean -> float images -> nodes
 
 Blender's data is never held from call to call: objects are found anew, by the node groups that they
-use, and seas by the names of their objects.
+use, and seas by the names of their objects. Objects that play a bake are left alone.
 """
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import bpy
 import numpy as np
 from bpy.app.handlers import persistent
 
-from . import atlas, compat, images, meshes, node_group, properties, sea_text
+from . import atlas, baked, compat, images, meshes, node_group, properties, sea_text
 from .native import libocean
 
-CHANNELS = {
-    "Displacement": ("dx", "dy", "height", "foam"),
-    # The fourth is not used: a component that is left alone would cost more.
-    "Velocity": ("vx", "vy", "vz", "height"),
-    "Normal": ("nx", "ny", "nz", "height"),
-}
+CHANNELS = atlas.FINEST
 
 # Of a sea at rest.
 BLANKS = {
@@ -105,12 +101,6 @@ class OpenSea:
             self.state = self.sea.state
         return self.state
 
-    def lost_slopes(self, samples: int) -> float:
-        """Variance of the slopes of those waves that a map of so many samples a side leaves out."""
-        state = self.read_state()
-        shown = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
-        return max(0.0, state["mean_square_slope"]["asked"] - shown[samples])
-
     def show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
         """Fills these images, by the inputs of the node group, with the maps of `time`."""
         with self.lock:
@@ -133,10 +123,10 @@ class OpenSea:
         self.sea.fill(time, [(self.buffer(field, size), CHANNELS[field]) for field in fields])
         if far:
             if "Normal" in far:
-                self.buffer("Normal", size)[..., 3] = self.lost_slopes(size)
+                self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)
             finest = {field: self.buffer(field, size) for field in far}
             atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
-            atlas.fill(self.sea, time, size, finest, atlases, self.lost_slopes)
+            atlas.fill(self.sea, time, size, finest, atlases, self.read_state())
         for name, image in stale.items():
             pixels = self.buffer(name, size)
             images.resize(image, pixels.shape[:2])
@@ -191,10 +181,15 @@ class Moment:
 
     def time(self, settings, values: sea_text.SeaValues) -> float:
         """Seconds of the sea at the scene's frame, which may be between two."""
-        if settings.use_custom_time:
-            return settings.custom_time
-        frames = self.scene.frame_current_final - float(values.values["first_frame"])
-        return float(values.values["start"]) + frames / float(values.values["fps"])
+        return time_at(self.scene.frame_current_final, settings, values)
+
+
+def time_at(frame: float, settings, values: sea_text.SeaValues) -> float:
+    """Seconds of the sea at a frame of the scene."""
+    if settings.use_custom_time:
+        return settings.custom_time
+    frames = frame - float(values.values["first_frame"])
+    return float(values.values["start"]) + frames / float(values.values["fps"])
 
 
 def frame_rate(scene) -> float:
@@ -244,6 +239,12 @@ def _target(ob, modifier, name: str, shape, blank, render: bool, shared: bool):
 
 def show(ob, depsgraph, moment: Moment) -> None:
     """Brings what an object shows up to date."""
+    if ob.libocean.kind == "HORIZON":
+        for modifier in node_group.modifiers(ob):
+            node_group.assign(modifier, {"Camera": moment.scene.camera})
+    modifiers = node_group.live_modifiers(ob)
+    if not modifiers:
+        return
     seen = ob.evaluated_get(depsgraph) if depsgraph else ob
     settings = seen.libocean
     values = current_values(settings, moment.scene)
@@ -256,13 +257,11 @@ def show(ob, depsgraph, moment: Moment) -> None:
         shared = sizes[0] == sizes[1]
         size = sizes[1] if moment.rendering else sizes[0]
         time = moment.time(settings, values)
-        for modifier in node_group.modifiers(ob):
+        for modifier in modifiers:
             targets = _targets(ob, modifier, size, render=moment.rendering, shared=shared)
             _set_inputs(ob, seen, modifier, values, sizes)
             if settings.kind == "HORIZON":
-                samples = float(max(own, *sizes))
-                camera = moment.scene.camera
-                node_group.assign(modifier, {"Samples": samples, "Camera": camera})
+                node_group.assign(modifier, {"Samples": float(samples_of(settings, own))})
             sea.show(time, size, targets)
     except libocean.Error as failure:
         problem = str(failure)
@@ -292,7 +291,23 @@ def _set_inputs(ob, seen, modifier, values: sea_text.SeaValues, sizes: tuple[int
     )
 
 
+_paused = False
+
+
+@contextlib.contextmanager
+def paused() -> Iterator[None]:
+    """Frames pass of which nothing is shown."""
+    global _paused
+    _paused = True
+    try:
+        yield
+    finally:
+        _paused = False
+
+
 def show_all(oceans, scene, depsgraph=None, *, rendering: bool = False) -> None:
+    if _paused:
+        return
     moment = Moment(scene, rendering)
     for ob in oceans:
         show(ob, depsgraph, moment)
@@ -304,10 +319,14 @@ def parameters_changed(ob) -> None:
     """After a property was set from the user interface or a script."""
     if not node_group.modifiers(ob):
         return
+    if baked.follow(ob):
+        sea_of(ob).shown.clear()
     moment = Moment(bpy.context.scene, rendering=False)
     show(ob, None, moment)
     for follower in followers:
         follower(None, moment)
+    if ob.libocean.use_bake:
+        return
     sea = sea_of(ob)
     if ob.libocean.kind != "MESH" and sea.sea is not None and ob.mode == "OBJECT":
         _follow(ob, sea)
@@ -320,7 +339,7 @@ def _follow(ob, sea: OpenSea) -> None:
     if settings.kind == "PATCH":
         meshes.follow_patch(ob.data, period, own)
     else:
-        samples = max(own, settings.viewport_resolution, settings.render_resolution)
+        samples = samples_of(settings, own)
         meshes.follow_horizon(
             ob.data, period / samples, settings.horizon_vertices, settings.horizon_distance
         )
@@ -329,9 +348,23 @@ def _follow(ob, sea: OpenSea) -> None:
 def float_pose(ob, body: tuple[float, ...], moment: Moment):
     """libocean.FloatPose of one body on the sea of an object; None where there is none."""
     sea = sea_of(ob)
+    if ob.libocean.use_bake:  # nobody else asks the library then
+        with contextlib.suppress(libocean.Error):
+            sea.follow(current_values(ob.libocean, moment.scene))
     if sea.sea is None:
         return None
     return sea.for_points().float_pose([body], moment.time(ob.libocean, sea.values))
+
+
+def samples_of(settings, own: int) -> int:
+    """Cells of the finest ring of a horizon in a period. own: the sea's map resolution."""
+    return max(own, settings.viewport_resolution, settings.render_resolution)
+
+
+def map_resolution(ob) -> int | None:
+    """Samples a side that the sea of an object has by itself; None where there is no sea."""
+    sea = sea_of(ob).sea
+    return None if sea is None else sea.map_resolution()
 
 
 def state_of(ob) -> list[tuple[str, str]] | None:
@@ -361,7 +394,7 @@ def _own_images(oceans: list[bpy.types.Object]) -> None:
     """A copy of an object shows images of its own."""
     owners: dict[str, str] = {}
     for ob in oceans:
-        for modifier in node_group.modifiers(ob):
+        for modifier in node_group.live_modifiers(ob):
             for name in node_group.image_inputs(modifier.node_group):
                 image = node_group.value(modifier, name)
                 if image is None:

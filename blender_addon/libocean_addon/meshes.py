@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from . import compat, node_group
+from . import compat, ring_nodes
 
 
 def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
@@ -75,7 +75,7 @@ def choose_rings(spacing: float, most_vertices: int, distance: float) -> tuple[i
 
 
 def horizon(spacing: float, cells: int, rings: int):
-    """Vertices, what node_group.RING says of each, quads and pentagons. A ring becomes the next one
+    """Vertices, what ring_nodes.RING says of each, quads and pentagons. A ring becomes the next one
     in the outer quarter of its half width. Where two rings meet, every vertex of the finer one is a
     corner of the coarser one's faces: there is no crack."""
     half = cells // 2
@@ -132,7 +132,7 @@ def follow_horizon(mesh, spacing: float, most_vertices: int, distance: float) ->
             spacing, *choose_rings(spacing, most_vertices, distance)
         )
         fill(mesh, vertices, *faces)
-        attribute = mesh.attributes.new(node_group.RING, "FLOAT_VECTOR", "POINT")
+        attribute = mesh.attributes.new(ring_nodes.RING, "FLOAT_VECTOR", "POINT")
         attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
 
     _follow(mesh, f"horizon {spacing!r} {most_vertices} {distance!r}", make)

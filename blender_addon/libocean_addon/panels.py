@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import live, node_group, operators, properties, sea_text
+from . import bake, baked, live, node_group, operators, properties, sea_text
 
 _SECTIONS = {
     "water": "Water",
@@ -160,12 +160,41 @@ class MeshPanel(_Panel, bpy.types.Panel):
         layout.prop(settings, "follow_world")
 
 
+class BakePanel(_Panel, bpy.types.Panel):
+    """The sea as files, which play without the add-on"""
+
+    bl_idname = "LIBOCEAN_PT_bake"
+    bl_parent_id = OceanPanel.bl_idname
+    bl_label = "Bake"
+
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        settings = ob.libocean
+        layout.use_property_split = True
+        row = layout.row()
+        row.enabled = baked.exists(ob)
+        row.prop(settings, "use_bake")
+        layout.prop(settings.bake, "directory")
+        layout.prop(settings.bake, "use_custom_range")
+        column = layout.column(align=True)
+        column.active = settings.bake.use_custom_range
+        column.prop(settings.bake, "frame_start")
+        column.prop(settings.bake, "frame_end")
+        row = layout.row(align=True)
+        row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
+        row.operator(bake.FreeBake.bl_idname, text="Free")
+        row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
+        for text, icon in bake.state(ob, context.scene):
+            layout.label(text=text, icon=icon, translate=False)
+
+
 CLASSES = (
     WavesList,
     OceanPanel,
     WavesPanel,
     *(_section_panel(section, label) for section, label in _SECTIONS.items()),
     MeshPanel,
+    BakePanel,
 )
 
 

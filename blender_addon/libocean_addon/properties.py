@@ -19,7 +19,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import sea_text
+from . import compat, sea_text
 from .native import libocean
 
 TABLE: list[dict[str, Any]] = libocean.parameters()
@@ -268,6 +268,42 @@ def _map_resolution(where: str):
     )
 
 
+class OceanBake(bpy.types.PropertyGroup):
+    """Where and what to bake, and the record of the bake that there is"""
+
+    directory: bpy.props.StringProperty(
+        name="Folder",
+        description="Where the next bake goes; empty: ocean_bake and the object's name, beside the "
+        "blend file",
+        subtype="DIR_PATH",
+        options=compat.RELATIVE_PATH,
+    )
+    use_custom_range: bpy.props.BoolProperty(
+        name="Own range",
+        description="Bake the frames below instead of the scene's",
+        options=set(),
+    )
+    frame_start: bpy.props.IntProperty(
+        name="Frames from", description="First frame of the shot", min=0, default=1, options=set()
+    )
+    frame_end: bpy.props.IntProperty(
+        name="To", description="Last frame of the shot", min=0, default=250, options=set()
+    )
+
+    # The record. fields: "displacement,foam"; empty: there is no bake.
+    fields: bpy.props.StringProperty(options={"HIDDEN"})
+    folder: bpy.props.StringProperty(options={"HIDDEN"})
+    first: bpy.props.IntProperty(options={"HIDDEN"})
+    last: bpy.props.IntProperty(options={"HIDDEN"})
+    resolution: bpy.props.IntProperty(options={"HIDDEN"})
+    period: bpy.props.FloatProperty(options={"HIDDEN"})
+    samples: bpy.props.IntProperty(options={"HIDDEN"})
+    slope_variance: bpy.props.FloatProperty(options={"HIDDEN"})
+    frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
+    sea: bpy.props.StringProperty(options={"HIDDEN"})
+    recipes: bpy.props.StringProperty(options={"HIDDEN"})
+
+
 class OceanSettings(bpy.types.PropertyGroup):
     """The sea of an object and how it is shown"""
 
@@ -355,13 +391,20 @@ class OceanSettings(bpy.types.PropertyGroup):
             default=True,
             update=_changed,
         ),
+        "use_bake": bpy.props.BoolProperty(
+            name="Play the bake",
+            description="Show the files of the bake instead of the live sea",
+            options=set(),
+            update=_changed,
+        ),
+        "bake": bpy.props.PointerProperty(type=OceanBake),
         "problem": bpy.props.StringProperty(
             name="Problem", description="Why the sea is not shown as asked", options={"HIDDEN"}
         ),
     }
 
 
-CLASSES = (OceanWaves, OceanSettings)
+CLASSES = (OceanWaves, OceanBake, OceanSettings)
 
 
 def register() -> None:

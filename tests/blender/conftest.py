@@ -78,17 +78,65 @@ os._exit(status)
 """
 
 
-def in_another_process(folder: Path, body: str, *arguments, **environment) -> None:
-    """Runs statements in a Blender of their own, which must end well. They find `arguments`."""
+def start_another_process(folder: Path, body: str, *arguments, **environment) -> subprocess.Popen:
+    """Statements in a Blender of their own, with factory settings. They find `arguments`."""
     script = folder / "script.py"
     script.write_text(ANOTHER_PROCESS.format(body=textwrap.indent(body.strip("\n"), "    ")))
     start = [sys.executable, script]
     if bpy.app.binary_path:
         start = [bpy.app.binary_path, "--background", "--factory-startup", "--python", script]
-    done = subprocess.run(
+    return subprocess.Popen(
         [*start, "--", *arguments],
         env={**os.environ, **environment},
-        capture_output=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
         text=True,
     )
-    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def in_another_process(folder: Path, body: str, *arguments, **environment) -> None:
+    """Runs statements in a Blender of their own, which must end well."""
+    started = start_another_process(folder, body, *arguments, **environment)
+    said, _ = started.communicate()
+    assert started.returncode == 0, said
+
+
+@pytest.fixture
+def shot(scene):
+    """A small sea seen from above, its heights as light."""
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+    ob = bpy.context.object
+    ob.libocean.resolution = 64
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    bpy.context.collection.objects.link(camera)
+    camera.location.z = 100.0
+    camera.data.type = "ORTHO"
+    camera.data.ortho_scale = ob.libocean.patch_size * 0.9
+    scene.camera = camera
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 1
+    scene.cycles.use_denoising = False
+    scene.render.resolution_x = scene.render.resolution_y = 48
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    material = bpy.data.materials.new("Heights")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    place = nodes.new("ShaderNodeNewGeometry")
+    light = nodes.new("ShaderNodeEmission")
+    links.new(place.outputs["Position"], light.inputs["Color"])
+    links.new(light.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
+    ob.data.materials.append(material)
+    return ob
+
+
+def pixels(path: Path) -> np.ndarray:
+    image = bpy.data.images.load(str(path))
+    return np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
+
+
+def rendered(scene, path: Path) -> np.ndarray:
+    scene.render.filepath = str(path)
+    bpy.ops.render.render(write_still=True)
+    return pixels(path)

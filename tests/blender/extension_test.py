@@ -32,6 +32,13 @@ import libocean
 assert max(heights) - min(heights) > 1.0
 assert "site-packages" in libocean.__file__, libocean.__file__
 assert ob.libocean.problem == ""
+
+ob.libocean.resolution = 64
+bpy.ops.wm.save_as_mainfile(filepath=arguments[0])
+bpy.ops.libocean.bake(frame_start=1, frame_end=1)
+import OpenEXR
+assert "site-packages" in OpenEXR.__file__, OpenEXR.__file__
+assert ob.libocean.use_bake
 """
 
 
@@ -52,4 +59,6 @@ def test_it_installs_into_an_empty_profile_and_works(tmp_path, monkeypatch):
             monkeypatch.delenv(name)
     profile = tmp_path / "profile"
     profile.mkdir()
-    in_another_process(tmp_path, INSTALL, BLENDER_USER_RESOURCES=str(profile))
+    in_another_process(
+        tmp_path, INSTALL, tmp_path / "baked.blend", BLENDER_USER_RESOURCES=str(profile)
+    )

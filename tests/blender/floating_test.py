@@ -7,7 +7,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import plane
+from conftest import in_another_process, plane
 from libocean_addon import properties, sea_text
 from libocean_addon.bundled import libocean
 
@@ -159,3 +159,77 @@ def test_which_ocean_must_be_clear(ocean):
         bpy.ops.libocean.add_float()
     with pytest.raises(RuntimeError, match="Which ocean"):
         bpy.ops.libocean.add_float(ocean="nothing")
+
+
+def world(boat) -> np.ndarray:
+    return np.array(boat.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world)
+
+
+@pytest.mark.parametrize("mode", ["XYZ", "QUATERNION"])
+def test_baked_it_moves_as_it_did_and_without_the_add_on(scene, ocean, boat, tmp_path, mode):
+    boat.rotation_mode = mode
+    boat.location.x = 0.0
+    boat.keyframe_insert("location", frame=1)
+    boat.location.x = 9.0
+    boat.keyframe_insert("location", frame=4)
+    scene.frame_start, scene.frame_end = 1, 4
+    live = []
+    for frame in range(6):
+        scene.frame_set(frame)
+        live.append(world(boat))
+    assert bpy.ops.libocean.bake_float() == {"FINISHED"}
+    ocean.libocean.choppiness = 0.0  # which would move it
+    ocean.libocean.seed = 99
+    for frame in range(6):
+        scene.frame_set(frame)
+        assert np.allclose(world(boat), live[frame], atol=1e-5)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "boat.blend"))
+    where = tmp_path / "where.txt"
+    in_another_process(tmp_path, WHERE, tmp_path / "boat.blend", where)
+    assert np.allclose(np.loadtxt(where).reshape(6, 4, 4), live, atol=1e-5)
+
+
+WHERE = """
+bpy.ops.wm.open_mainfile(filepath=arguments[0])
+assert not hasattr(bpy.types.Object, "libocean")
+with open(arguments[1], "w") as file:
+    for frame in range(0, 6):
+        bpy.context.scene.frame_set(frame)
+        for row in bpy.data.objects["Boat"].matrix_world:
+            print(*row, file=file)
+"""
+
+
+def test_freed_it_rides_the_waves_again(scene, ocean, boat):
+    scene.frame_start, scene.frame_end = 1, 4
+    bpy.ops.libocean.bake_float()
+    bpy.ops.libocean.free_float()
+    with sea_of(ocean) as sea:
+        for frame in (2, 50):
+            scene.frame_set(frame)
+            assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], (frame - 1) / 24))
+    assert not bpy.ops.libocean.free_float.poll()
+    bpy.ops.libocean.bake_float()
+    bpy.ops.libocean.remove_float()
+    assert not bpy.ops.libocean.free_float.poll()
+    scene.frame_set(2)
+    stays = world(boat)
+    scene.frame_set(4)
+    assert np.array_equal(world(boat), stays)
+    curves = boat.animation_data.action if boat.animation_data else None
+    assert curves is None or not getattr(curves, "fcurves", ())
+
+
+def test_a_boat_on_a_baked_sea_rides_it(scene, ocean, boat, tmp_path):
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "boat.blend"))
+    bpy.context.view_layer.objects.active = ocean
+    bpy.ops.libocean.bake(frame_start=2, frame_end=2)
+    with sea_of(ocean) as sea:
+        scene.frame_set(3)
+        assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 2 / 24))
+    bpy.ops.wm.save_mainfile()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "boat.blend"))
+    scene, ocean, boat = bpy.context.scene, bpy.data.objects["Ocean"], bpy.data.objects["Boat"]
+    with sea_of(ocean) as sea:
+        scene.frame_set(2)
+        assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 1 / 24))

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, evaluated_mesh, positions, rest
-from libocean_addon import meshes, node_group
+from libocean_addon import meshes, ring_nodes
 from libocean_addon.bundled import libocean
 
 FRAMES = (1, 40, 250)
@@ -50,7 +50,7 @@ def horizon(scene, tmp_path):
 
 def levels(ob) -> np.ndarray:
     """The number of each vertex's ring, and how far it has become the next one."""
-    number, share, _ = attribute(ob, node_group.RING).T
+    number, share, _ = attribute(ob, ring_nodes.RING).T
     return number + share
 
 

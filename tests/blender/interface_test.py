@@ -8,7 +8,7 @@ import json
 import bpy
 import pytest
 from conftest import plane
-from libocean_addon import floating, operators, panels, properties, sea_text
+from libocean_addon import bake, floating, operators, panels, properties, sea_text
 from libocean_addon.bundled import libocean
 
 UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
@@ -40,7 +40,9 @@ def test_every_parameter_is_a_property(ocean, entry):
 
 
 @pytest.mark.parametrize(
-    "cls", [*operators.CLASSES, *panels.CLASSES, *floating.CLASSES], ids=lambda c: c.__name__
+    "cls",
+    [*operators.CLASSES, *panels.CLASSES, *floating.CLASSES, *bake.CLASSES],
+    ids=lambda c: c.__name__,
 )
 def test_every_class_describes_itself(cls):
     assert inspect.getdoc(cls)

@@ -2,12 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures: another process renders a file as this one does; each frame shows its own time."""
 
-from pathlib import Path
-
 import bpy
 import numpy as np
-import pytest
-from conftest import in_another_process, plane
+from conftest import in_another_process, pixels, plane, rendered
 
 RENDER = """
 path, frame, picture = arguments
@@ -29,47 +26,6 @@ assert all(item.value == 0.0 for item in mesh.attributes["foam"].data)
 assert all(tuple(item.vector) == (0, 0, 0) for item in mesh.attributes["velocity"].data)
 assert all(tuple(item.vector) == (0, 0, 1) for item in mesh.attributes["ocean_normal"].data)
 """
-
-
-@pytest.fixture
-def shot(scene):
-    """A small sea seen from above, its heights as light."""
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-    ob = bpy.context.object
-    ob.libocean.resolution = 64
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    bpy.context.collection.objects.link(camera)
-    camera.location.z = 100.0
-    camera.data.type = "ORTHO"
-    camera.data.ortho_scale = ob.libocean.patch_size * 0.9
-    scene.camera = camera
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 1
-    scene.cycles.use_denoising = False
-    scene.render.resolution_x = scene.render.resolution_y = 48
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-    material = bpy.data.materials.new("Heights")
-    material.use_nodes = True
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    nodes.clear()
-    place = nodes.new("ShaderNodeNewGeometry")
-    light = nodes.new("ShaderNodeEmission")
-    links.new(place.outputs["Position"], light.inputs["Color"])
-    links.new(light.outputs[0], nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    ob.data.materials.append(material)
-    return ob
-
-
-def pixels(path: Path) -> np.ndarray:
-    image = bpy.data.images.load(str(path))
-    return np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
-
-
-def rendered(scene, path: Path) -> np.ndarray:
-    scene.render.filepath = str(path)
-    bpy.ops.render.render(write_still=True)
-    return pixels(path)
 
 
 def test_a_second_process_renders_the_same_picture(scene, shot, tmp_path):

@@ -4,7 +4,8 @@
 
 usage: start_blender.py --blender PROGRAM --library LIBOCEAN --profile FOLDER -- PYTEST_ARGUMENT...
 
-PROGRAM is a Blender, or a Python that has Blender as its module bpy.
+PROGRAM is a Blender, or a Python that has Blender as its module bpy. The wheels of OpenEXR that
+scripts/openexr-wheels fetched are packed too.
 """
 
 import argparse
@@ -30,8 +31,10 @@ def main() -> int:
     folders = {name: asked.profile / name.lower() for name in ("CONFIG", "SCRIPTS", "DATAFILES")}
     for folder in folders.values():
         folder.mkdir(parents=True)
+    wheels = sorted((ROOT / "build" / "openexr").glob("*.whl"))
     packed = subprocess.run(
         [sys.executable, ROOT / "blender_addon" / "package.py", "--library", asked.library]
+        + [f"--wheel={wheel}" for wheel in wheels]
         + ["--output", asked.profile],
         check=True,
         stdout=subprocess.PIPE,

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The part of the node group that plays a bake: image sequences by the scene's time, which takes
+neither the add-on nor a handler.
+
+    scene time -> bake's frame, clamped -> floor and ceiling -> two images -> mixed -> (x, y, z)
+"""
+
+from __future__ import annotations
+
+from . import compat, ring_nodes
+
+FIELDS = ("Displacement", "Foam", "Velocity", "Normal")
+
+# The scene's time, in single precision, may fall short of a frame by its last bits.
+_ALMOST = 1e-4
+
+
+def declare(group, kind: str) -> None:
+    """The group's sockets."""
+    socket = compat.add_socket
+    socket(group, "Geometry", "NodeSocketGeometry")
+    for name in FIELDS:
+        for image in (name, f"{name} Far") if kind == "HORIZON" else (name,):
+            socket(group, image, "NodeSocketImage")
+    if kind == "HORIZON":
+        ring_nodes.declare(group)
+        socket(
+            group,
+            "Slope Variance",
+            "NodeSocketFloat",
+            description="Of the slopes that the finest map leaves out",
+        )
+    socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
+    socket(group, "Half Texel", "NodeSocketFloat")
+    socket(group, "Follow World", "NodeSocketBool")
+    socket(group, "First", "NodeSocketFloat", description="The first frame that has files")
+    socket(group, "Last", "NodeSocketFloat", description="The last frame that has files")
+    socket(
+        group,
+        "Frame Length",
+        "NodeSocketFloat",
+        default_value=1.0,
+        min_value=1e-3,
+        description="What a frame lasts where the scene's time is remapped",
+    )
+    socket(group, "Mask", "NodeSocketString")
+    for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
+        socket(group, name, "NodeSocketBool")
+    socket(group, "Geometry", "NodeSocketGeometry", output=True)
+
+
+class BakedFields:
+    """The fields as image sequences, in the files' axes."""
+
+    def __init__(self, builder, inputs) -> None:
+        self.b, self.inputs = builder, inputs
+        b = builder
+        time = b.node("GeometryNodeInputSceneTime").outputs["Frame"]
+        frame = b.number("DIVIDE", time, inputs["Frame Length"])
+        frame = b.number("MAXIMUM", frame, inputs["First"])
+        frame = b.number("MINIMUM", frame, inputs["Last"])
+        self.before = b.number("FLOOR", b.number("ADD", frame, _ALMOST))
+        # On a frame this is the same one: nothing more is read.
+        self.after = b.number("CEIL", b.number("SUBTRACT", frame, _ALMOST))
+        self.fraction = b.number("MAXIMUM", b.number("SUBTRACT", frame, self.before), 0.0)
+
+    def origin(self):
+        b = self.b
+        whole = b.node("GeometryNodeObjectInfo")
+        b.link(b.node("GeometryNodeSelfObject").outputs[0], whole.inputs["Object"])
+        # Only the place within a period counts, and in single precision it counts most near 0.
+        place = b.math("MODULO", whole.outputs["Location"], self.inputs["Tile Size"])
+        place = b.math("MULTIPLY", place, (1.0, 1.0, 0.0))
+        return b.scale(place, self.inputs["Follow World"])
+
+    def half_texel(self):
+        return self.inputs["Half Texel"]
+
+    def _mixed(self, name: str, place, interpolation: str):
+        b = self.b
+        frames = (self.before, self.after)
+        before, after = (
+            b.texture(self.inputs[name], place, interpolation, frame) for frame in frames
+        )
+        return b.mix_colors(before, after, self.fraction)
+
+    def _from_file(self, color, alpha):
+        """The vector, from the axes tnb: (x, z, y)."""
+        x, z, y = self.b.parts(color)
+        return self.b.color(x, y, z, alpha)
+
+    def color(self, field: str, place, interpolation: str):
+        alpha = self.inputs.get("Slope Variance", 1.0)
+        return self._from_file(self._mixed(field, place, interpolation), alpha)
+
+    def far(self, field: str, place):
+        mixed = self._mixed(f"{field} Far", place, "Linear")
+        return self._from_file(mixed, self.b.alpha(mixed))
+
+    def foam(self, _displacement, lookup):
+        return self.b.parts(lookup.color("Foam"))[0]

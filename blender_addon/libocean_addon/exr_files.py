@@ -1,0 +1,295 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The files of a bake: flat EXR images, the same pixels and header strings as `ocean bake` writes.
+No Blender in here: this runs in a thread of its own.
+
+    one frame's label -> strings of the header -> is the file there? -> arrays -> file, all or none
+
+Headers are read by hand, since a reader of images would believe the sizes that a file claims.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+import os
+import struct
+import sys
+import threading
+from decimal import Decimal
+from pathlib import Path
+
+import numpy as np
+
+from . import atlas
+
+STEM = "sea"
+_TEMPORARY = ".baking"
+_UNITS = {"displacement": "m", "foam": "1", "velocity": "m/s", "normal": "1"}
+_FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
+FIELDS = (*_UNITS, *(f"{field}{_FAR}" for field in _UNITS))
+AXES = "tnb"  # (x, z, y), the default of `ocean bake`
+
+
+def load_package():
+    """The package OpenEXR: for this Python among those that the zip for older Blenders carries, or
+    of the extension's wheels. Raises ImportError with a sentence."""
+    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    bundled = Path(__file__).parent / "bundled" / f"cp{python.replace('.', '')}"
+    sys.path.insert(0, str(bundled))
+    try:
+        importlib.import_module("Imath")  # which OpenEXR asks for when it is used
+        return importlib.import_module("OpenEXR")
+    except ImportError as failure:
+        raise ImportError(
+            "To write EXR files takes the Python package OpenEXR, which this copy of the add-on "
+            f"does not have for Python {python}: {failure}"
+        ) from failure
+    finally:
+        sys.path.remove(str(bundled))
+
+
+# Names and headers ------------------------------------------------------------
+
+
+def far(field: str) -> str:
+    return f"{field}{_FAR}"
+
+
+def is_far(field: str) -> bool:
+    return field.endswith(_FAR)
+
+
+def unit(field: str) -> str:
+    return _UNITS[field.removesuffix(_FAR)]
+
+
+def channels(field: str) -> str:
+    """Foam is a number, all else a vector; with the coarser normals goes the variance of the slopes
+    that they leave out."""
+    if field.removesuffix(_FAR) == "foam":
+        return "Y"
+    return "RGBA" if field == far("normal") else "RGB"
+
+
+def path(folder: str | Path, field: str, frame: int) -> Path:
+    """As `ocean bake -o FOLDER/sea.####.exr` names it."""
+    return Path(folder) / f"{STEM}.{field}.{frame:04d}.exr"
+
+
+def shortest(value: float) -> str:
+    """As std::to_chars writes a number: the shorter of 100000 and 1e+05, the first where equal."""
+    negative, digits, exponent = Decimal(repr(float(value))).normalize().as_tuple()
+    sign = "-" * negative
+    text = "".join(map(str, digits))
+    if text == "0":
+        return sign + text
+    power = len(text) - 1 + exponent
+    scientific = f"{text[0]}{'.' * (len(text) > 1)}{text[1:]}e{power:+03d}"
+    if exponent >= 0:
+        plain = str(abs(int(float(value))))
+    else:
+        whole = text[: max(power + 1, 0)]
+        plain = f"{whole or 0}.{text[len(whole) :].rjust(-exponent, '0')}"
+    return sign + (plain if len(plain) <= len(scientific) else scientific)
+
+
+@dataclasses.dataclass(frozen=True)
+class Label:
+    """What a frame's files say of themselves."""
+
+    sea: str
+    frame: int
+    time: float
+    period: float
+    resolution: int
+    version: str
+    backend: str = "cpu"
+
+    def shape(self, field: str) -> tuple[int, int]:
+        """Rows and columns."""
+        return atlas.shape(self.resolution) if is_far(field) else (self.resolution,) * 2
+
+    def strings(self, field: str) -> dict[str, str]:
+        return {
+            "ocean:sea": self.sea,
+            "ocean:frame": str(self.frame),
+            "ocean:time": shortest(self.time),
+            "ocean:axes": "zup" if channels(field) == "Y" else AXES,
+            "ocean:period": shortest(self.period),
+            "ocean:field": field,
+            "ocean:unit": unit(field),
+            "ocean:backend": self.backend,
+            "ocean:version": self.version,
+        }
+
+
+class _FileError(Exception):
+    """Not a file of ours, or not all of it."""
+
+
+_LARGEST_HEADER = 16 << 20
+# Lines in a chunk, by the format's codes 0 .. 5: none, rle, zips, zip, piz, pxr24.
+_LINES = (1, 1, 1, 16, 32, 16)
+
+
+class _Reader:
+    """The beginning of a file, read as far as it is asked for."""
+
+    def __init__(self, file) -> None:
+        self.file = file
+        self.bytes = b""
+        self.position = 0
+
+    def _require(self, count: int) -> None:
+        end = self.position + count
+        while len(self.bytes) < end <= _LARGEST_HEADER and (block := self.file.read(1 << 16)):
+            self.bytes += block
+        if len(self.bytes) < end:
+            raise _FileError
+
+    def take(self, count: int) -> bytes:
+        self._require(count)
+        taken = self.bytes[self.position : self.position + count]
+        self.position += count
+        return taken
+
+    def name(self) -> bytes:
+        taken = b""
+        while len(taken) < 256:
+            if (letter := self.take(1)) == b"\0":
+                return taken
+            taken += letter
+        raise _FileError
+
+    def number(self) -> int:
+        return int.from_bytes(self.take(4), "little")
+
+
+def _attributes(reader: _Reader) -> dict[bytes, bytes]:
+    if reader.take(4) != b"\x76\x2f\x31\x01" or reader.number() != 2:
+        raise _FileError  # 2: a flat single part
+    attributes = {}
+    while name := reader.name():
+        reader.name()  # its type
+        attributes[name] = reader.take(reader.number())
+    return attributes
+
+
+def _channels(names: str) -> bytes:
+    """The attribute of float channels: name, type, linear, sampling."""
+    one = b"".join(
+        name.encode() + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in sorted(names)
+    )
+    return one + b"\0"
+
+
+def _require_whole(file, reader: _Reader, rows: int, compression: int) -> None:
+    """Each chunk that the table behind the header lists begins and ends inside the file."""
+    lines = _LINES[compression] if compression < len(_LINES) else 1
+    chunks = -(-rows // lines)
+    offsets = struct.unpack(f"<{chunks}Q", reader.take(8 * chunks))
+    size = os.fstat(file.fileno()).st_size
+    for number, offset in enumerate(offsets):
+        file.seek(min(offset, size))
+        start = file.read(8)
+        if len(start) < 8:
+            raise _FileError
+        line, length = struct.unpack("<ii", start)
+        if line != number * lines or length <= 0 or offset + 8 + length > size:
+            raise _FileError
+
+
+def is_there(file_path: Path, label: Label, field: str) -> bool:
+    """Whether the file is whole and the one that would be written, whatever its compression."""
+    try:
+        with open(file_path, "rb") as file:
+            reader = _Reader(file)
+            found = _attributes(reader)
+            rows, columns = label.shape(field)
+            wanted = {name.encode(): text.encode() for name, text in label.strings(field).items()}
+            wanted[b"dataWindow"] = struct.pack("<iiii", 0, 0, columns - 1, rows - 1)
+            wanted[b"channels"] = _channels(channels(field))
+            if any(found.get(name) != value for name, value in wanted.items()):
+                return False
+            _require_whole(file, reader, rows, found[b"compression"][0])
+    except (OSError, _FileError, KeyError, IndexError):
+        return False
+    return True
+
+
+# Writing ----------------------------------------------------------------------
+
+
+# The package keeps Python waiting while it writes: not for longer than a blink of the interface.
+_ROWS_AT_A_TIME = 64
+
+
+def _write_image(package, path: Path, label: Label, field: str, values: np.ndarray) -> None:
+    imath = importlib.import_module("Imath")
+    rows, columns = label.shape(field)
+    names = channels(field)
+    split = np.moveaxis(values, 2, 0) if len(names) > 1 else [values]
+    planes = {
+        name: np.ascontiguousarray(plane[::-1]) for name, plane in zip(names, split, strict=True)
+    }
+    header = package.Header(columns, rows)
+    header["channels"] = {name: imath.Channel(imath.PixelType(2)) for name in planes}  # 2: float
+    header["compression"] = imath.Compression(imath.Compression.ZIP_COMPRESSION)
+    strings = {"wrapmodes": "periodic", **label.strings(field)}
+    header.update({name: text.encode() for name, text in strings.items()})
+    image = package.OutputFile(str(path), header)
+    try:
+        for row in range(0, rows, _ROWS_AT_A_TIME):
+            count = min(_ROWS_AT_A_TIME, rows - row)
+            part = {name: plane[row : row + count].tobytes() for name, plane in planes.items()}
+            image.writePixels(part, count)
+    finally:
+        image.close()
+
+
+def write(package, file_path: Path, label: Label, field: str, values: np.ndarray) -> None:
+    """values: (rows, columns, n) or (rows, columns), the bottom row first, in the order of AXES.
+    All or nothing: whoever reads it meanwhile sees no half file."""
+    mark = f"{os.getpid()}-{threading.get_ident()}{_TEMPORARY}"
+    temporary = file_path.with_name(f".{file_path.name}.{mark}")
+    try:
+        _write_image(package, temporary, label, field, values)
+        # The package does not say when the disk ends before the file does.
+        if not is_there(temporary, label, field):
+            raise OSError(f"{file_path} could not be written to its end: is the disk full?")
+        os.replace(temporary, file_path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def remove(folder: str | Path) -> int:
+    """Removes the files of bakes in a folder, whole ones and what killed ones left, and the folder
+    if nothing else is in it. Returns how many."""
+    folder = Path(folder)
+    names = [f"{STEM}.{field}.*.exr" for field in FIELDS]
+    found = [p for name in [*names, f".{STEM}.*{_TEMPORARY}"] for p in folder.glob(name)]
+    for file_path in found:
+        file_path.unlink()
+    if found and not any(folder.iterdir()):
+        folder.rmdir()
+    return len(found)
+
+
+def inventory(
+    folder: str | Path, first: int, last: int, fields: tuple[str, ...]
+) -> tuple[int, int]:
+    """How many frames have a file for each field, and the bytes of all."""
+    wanted = {path("", field, f).name: f for f in range(first, last + 1) for field in fields}
+    seen: dict[int, int] = {}
+    size = 0
+    try:
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                frame = wanted.get(entry.name)
+                if frame is not None:
+                    seen[frame] = seen.get(frame, 0) + 1
+                    size += entry.stat().st_size
+    except OSError:
+        return 0, 0
+    return sum(count == len(fields) for count in seen.values()), size

@@ -1,0 +1,670 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bakes: the files are those of `ocean bake`, what plays is what was live, and a farm needs no
+add-on."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from conftest import (
+    attribute,
+    evaluated_mesh,
+    pixels,
+    plane,
+    positions,
+    rendered,
+    start_another_process,
+)
+
+FIELDS = ("displacement", "foam", "velocity", "normal")
+
+
+@pytest.fixture
+def sea(scene, shot, tmp_path):
+    """A small sea in a saved file, its shot of four frames."""
+    shot.libocean.foam_coverage = "threshold"
+    shot.libocean.foam_threshold = 0.9  # so that a sea of few samples has foam
+    scene.frame_start, scene.frame_end = 2, 5
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    return shot
+
+
+def files(tmp_path: Path) -> Path:
+    return tmp_path / "ocean_bake" / "Ocean"
+
+
+def read_exr(path: Path) -> tuple[dict[str, str], dict[str, np.ndarray]]:
+    """Header and channels as bit patterns; what is half in the file would be another type."""
+    from libocean_addon import exr_files
+
+    image = exr_files.load_package().InputFile(str(path))
+    header = image.header()
+    planes = {name: np.frombuffer(image.channel(name), np.int32) for name in header["channels"]}
+    assert image.isComplete()
+    return {name: str(value) for name, value in header.items()}, planes
+
+
+def shown(ob) -> dict[str, np.ndarray]:
+    """All that the node group gives a mesh."""
+    names = ("foam", "velocity", "ocean_velocity", "ocean_normal")
+    return {"position": positions(ob), **{name: attribute(ob, name) for name in names}}
+
+
+def assert_same(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> None:
+    for name, values in one.items():
+        assert np.array_equal(values, other[name]), name
+
+
+def times(folder: Path) -> dict[str, int]:
+    return {path.name: path.stat().st_mtime_ns for path in folder.iterdir()}
+
+
+def failing(call, **arguments) -> str:
+    """What an operator says that must fail."""
+    with pytest.raises(RuntimeError) as failure:
+        call(**arguments)
+    return str(failure.value)
+
+
+# Files ------------------------------------------------------------------------
+
+
+@pytest.mark.skipif("OCEAN" not in os.environ, reason="OCEAN is not the path of the program")
+def test_the_files_are_those_of_ocean_bake(scene, sea, tmp_path):
+    program = Path(os.environ["OCEAN"]).resolve()
+    sea.libocean.start = 100000.0
+    scene.render.fps, scene.render.fps_base = 30, 1.001
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    bpy.ops.libocean.save_sea(filepath=str(tmp_path / "sea.toml"))
+    subprocess.run(
+        [program, "bake", "sea.toml", "-o", "there/sea.####.exr", "--frames", "1-6"]
+        + ["--type", "float", "--products", ",".join(FIELDS)],
+        cwd=tmp_path,
+        check=True,
+    )
+    theirs = sorted((tmp_path / "there").glob("*.exr"))
+    assert [p.name for p in theirs] == sorted(p.name for p in files(tmp_path).iterdir())
+    for path in theirs:
+        (header, planes), (our_header, ours) = read_exr(path), read_exr(files(tmp_path) / path.name)
+        assert our_header == header
+        assert set(ours) == set(planes)
+        for name, bits in planes.items():
+            assert np.array_equal(ours[name], bits), (path.name, name)
+
+
+def test_numbers_are_written_as_the_program_writes_them(sea):
+    from libocean_addon.exr_files import shortest
+
+    written = "0 690 1e+05 12.5 0.041666666666666664 1e-04 0.001 -0.5 1.5e-07 -1e+05"
+    assert " ".join(shortest(float(text)) for text in written.split()) == written
+
+
+def test_unused_fields_are_not_baked(sea, tmp_path):
+    sea.libocean.use_foam = False
+    sea.libocean.use_velocity = False
+    bpy.ops.libocean.bake(frame_start=3, frame_end=3)
+    fields = {path.name.split(".")[1] for path in files(tmp_path).iterdir()}
+    assert fields == {"displacement", "normal"}
+    assert "foam" not in evaluated_mesh(sea).attributes
+
+
+def test_what_is_there_is_kept(sea, tmp_path):
+    bpy.ops.libocean.bake()
+    before = times(files(tmp_path))
+    (files(tmp_path) / "sea.foam.0003.exr").unlink()
+    bpy.ops.libocean.bake()
+    after = times(files(tmp_path))
+    changed = {name for name in after if before[name] != after[name]}
+    assert changed == {"sea.foam.0003.exr"}
+    bpy.ops.libocean.bake(overwrite=True)
+    again = times(files(tmp_path))
+    assert all(again[name] != after[name] for name in after)
+
+
+def test_another_sea_is_written_again_and_shown(scene, sea, tmp_path):
+    bpy.ops.libocean.bake()
+    before = times(files(tmp_path))
+    scene.frame_set(4)
+    shown(sea)
+    sea.libocean.choppiness = 0.5
+    bpy.ops.libocean.bake()
+    after = times(files(tmp_path))
+    assert all(before[name] != after[name] for name in before)
+    baked = shown(sea)
+    sea.libocean.use_bake = False
+    assert_same(shown(sea), baked)
+
+
+def test_a_broken_file_never_counts(sea, tmp_path):
+    bpy.ops.libocean.bake()
+    whole = {name: (files(tmp_path) / name).read_bytes() for name in times(files(tmp_path))}
+    damage = {
+        "sea.displacement.0001.exr": lambda data: data[:-1],
+        "sea.displacement.0002.exr": lambda data: data[:1000],
+        "sea.displacement.0003.exr": lambda _: b"",
+        "sea.displacement.0004.exr": lambda _: whole["sea.displacement.0005.exr"],
+        "sea.velocity.0001.exr": lambda _: whole["sea.normal.0001.exr"],
+        "sea.normal.0002.exr": lambda data: data.replace(b"choppiness = 1", b"choppiness = 2"),
+    }
+    for name, change in damage.items():
+        (files(tmp_path) / name).write_bytes(change(whole[name]))
+    (files(tmp_path) / ".sea.foam.0006.exr.1-1.baking").write_bytes(b"killed")
+    (files(tmp_path) / "sea.foam.0006.exr").unlink()
+    bpy.ops.libocean.bake()
+    for name, data in whole.items():
+        assert (files(tmp_path) / name).read_bytes() == data, name
+
+
+def test_a_write_that_fails_leaves_nothing(sea, tmp_path, monkeypatch):
+    """A disk that fills up: the package ends a file early and says nothing."""
+    from libocean_addon import exr_files
+
+    package = exr_files.load_package()
+    output_file = package.OutputFile
+
+    class CutOff:
+        def __init__(self, path, header):
+            self.path, self.image = path, output_file(path, header)
+
+        def writePixels(self, *rows):  # noqa: N802
+            self.image.writePixels(*rows)
+
+        def close(self):
+            self.image.close()
+            os.truncate(self.path, os.path.getsize(self.path) - 100)
+
+    monkeypatch.setattr(package, "OutputFile", CutOff)
+    assert "is the disk full?" in failing(bpy.ops.libocean.bake)
+    assert list(files(tmp_path).iterdir()) == []
+    assert not sea.libocean.use_bake
+
+
+# Playing ----------------------------------------------------------------------
+
+
+def test_a_bake_shows_what_was_live(scene, sea):
+    live = {}
+    for frame in (1, 2, 4, 6):
+        scene.frame_set(frame)
+        live[frame] = shown(sea)
+    scene.frame_set(3)
+    bpy.ops.libocean.bake()
+    assert sea.libocean.use_bake
+    assert scene.frame_current == 3
+    assert live[4]["foam"].max() > 0.1
+    for frame, values in live.items():
+        scene.frame_set(frame)
+        assert_same(shown(sea), values)
+    # Beyond the files it stands still.
+    scene.frame_set(40)
+    assert_same(shown(sea), live[6])
+    scene.frame_set(-3)
+    assert_same(shown(sea), live[1])
+
+
+def test_between_frames_it_lies_between(scene, sea):
+    bpy.ops.libocean.bake()
+    scene.frame_set(3)
+    before = shown(sea)
+    scene.frame_set(4)
+    after = shown(sea)
+    scene.frame_set(3, subframe=0.25)
+    for name, values in shown(sea).items():
+        expected = 0.75 * before[name] + 0.25 * after[name]
+        assert np.allclose(values, expected, atol=2e-5), name
+
+
+def test_a_mesh_of_its_own_plays_it_too(scene, tmp_path):
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    ob = plane(40.0, 20)
+    bpy.ops.libocean.add_modifier()
+    ob.libocean.resolution = 64
+    ob.location = (-1234.5, 77.0, 3.0)
+    scene.frame_set(3)
+    live = shown(ob)
+    bpy.ops.libocean.bake(frame_start=3, frame_end=3)
+    for name, values in shown(ob).items():
+        assert np.allclose(values, live[name], atol=1e-5), name
+    # Anchored to the world as a live one is, which moves with the object.
+    ob.location.x += 10.0
+    bpy.context.view_layer.update()
+    moved = shown(ob)
+    assert not np.allclose(moved["position"], live["position"], atol=1e-2)
+    ob.libocean.use_bake = False
+    bpy.context.view_layer.update()
+    for name, values in shown(ob).items():
+        assert np.allclose(values, moved[name], atol=1e-5), name
+
+
+def test_a_horizon_plays_around_the_camera(scene, tmp_path):
+    scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    bpy.context.collection.objects.link(scene.camera)
+    for frame, x in ((2, 0.0), (5, 777.0)):
+        scene.camera.location.x = x
+        scene.camera.keyframe_insert("location", frame=frame)
+    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_8")
+    ob = bpy.context.object
+    ob.libocean.resolution, ob.libocean.horizon_vertices = 64, 20000
+    scene.frame_start, scene.frame_end = 2, 5
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+
+    def now() -> dict[str, np.ndarray]:
+        return {**shown(ob), "slope_variance": attribute(ob, "slope_variance")}
+
+    live = {}
+    for frame in (2, 4, 5):
+        scene.frame_set(frame)
+        live[frame] = now()
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    names = {path.name.split(".")[1] for path in files(tmp_path).iterdir()}
+    assert names == {*FIELDS, *(f"{field}_far" for field in FIELDS)}
+    for frame, values in live.items():
+        scene.frame_set(frame)
+        for name, baked in now().items():
+            assert np.allclose(baked, values[name], atol=2e-6, rtol=1e-6), name
+    header, planes = read_exr(files(tmp_path) / "sea.normal_far.0004.exr")
+    assert set(planes) == set("RGBA")
+    assert eval(header["ocean:field"]) == b"normal_far"
+    bpy.ops.libocean.bake()  # all of them are there
+    assert bpy.ops.libocean.free_bake() == {"FINISHED"}
+    scene.frame_set(4)
+    assert_same(now(), live[4])
+
+
+def test_nothing_is_asked_of_the_library_while_it_plays(scene, sea, monkeypatch):
+    from libocean_addon import live
+
+    bpy.ops.libocean.bake()
+    monkeypatch.setattr(live.OpenSea, "follow", lambda *_: pytest.fail("the sea was asked"))
+    scene.frame_set(4)
+    sea.libocean.choppiness = 0.25
+    assert sea.libocean.use_bake
+
+
+def test_a_keyframed_sea_is_baked_frame_by_frame(scene, sea):
+    for frame, value in ((2, 0.0), (5, 1.5)):
+        sea.libocean.choppiness = value
+        sea.libocean.keyframe_insert("choppiness", frame=frame)
+    live = {}
+    for frame in (2, 3, 5):
+        scene.frame_set(frame)
+        live[frame] = shown(sea)
+    scene.frame_set(4, subframe=0.5)
+    bpy.ops.libocean.bake()
+    assert scene.frame_current_final == 4.5
+    for frame, values in live.items():
+        scene.frame_set(frame)
+        assert_same(shown(sea), values)
+
+
+def test_own_and_remapped_time_is_baked_as_shown(scene, sea):
+    scene.render.frame_map_old, scene.render.frame_map_new = 100, 150
+    live = {}
+    for frame in (2, 3):
+        scene.frame_set(frame)
+        live[frame] = shown(sea)
+    bpy.ops.libocean.bake()
+    for frame, values in live.items():
+        scene.frame_set(frame)
+        assert_same(shown(sea), values)
+
+
+def test_own_time_is_baked_as_shown(scene, sea):
+    sea.libocean.use_custom_time = True
+    for frame, value in ((2, 7.0), (5, 3.0)):
+        sea.libocean.custom_time = value
+        sea.libocean.keyframe_insert("custom_time", frame=frame)
+    scene.frame_set(4)
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    scene.frame_set(4)
+    assert_same(shown(sea), live)
+
+
+def test_an_animated_period_is_refused(scene, sea, tmp_path):
+    for frame, value in ((2, 100.0), (5, 200.0)):
+        sea.libocean.patch_size = value
+        sea.libocean.keyframe_insert("patch_size", frame=frame)
+    assert "a bake has one of each" in failing(bpy.ops.libocean.bake)
+    assert not files(tmp_path).exists()
+
+
+# Live and baked ---------------------------------------------------------------
+
+
+def test_the_switch_changes_between_live_and_baked(scene, sea):
+    scene.frame_set(4)
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    sea.libocean.choppiness = 0.0
+    scene.frame_set(4)
+    assert_same(shown(sea), live)
+    sea.libocean.use_bake = False
+    assert not np.array_equal(shown(sea)["position"], live["position"])
+    sea.libocean.choppiness = 1.0
+    assert_same(shown(sea), live)
+    sea.libocean.use_bake = True
+    assert_same(shown(sea), live)
+
+
+def test_without_a_bake_the_switch_stays_off(sea):
+    sea.libocean.use_bake = True
+    assert not sea.libocean.use_bake
+
+
+def test_free_returns_to_live(scene, sea, tmp_path):
+    scene.frame_set(4)
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    bpy.ops.libocean.free_bake()
+    assert_same(shown(sea), live)
+    scene.frame_set(5)
+    assert not np.array_equal(shown(sea)["position"], live["position"])
+    assert len(times(files(tmp_path))) == 6 * 4
+    assert not bpy.ops.libocean.free_bake.poll()
+    assert not [image for image in bpy.data.images if image.source == "SEQUENCE"]
+
+
+def test_free_deletes_its_own_files_only(sea, tmp_path):
+    bpy.ops.libocean.bake()
+    other = files(tmp_path) / "notes.txt"
+    other.write_text("mine")
+    bpy.ops.libocean.free_bake(delete_files=True)
+    assert list(files(tmp_path).iterdir()) == [other]
+
+
+def test_a_copy_plays_the_same_bake(scene, sea, tmp_path):
+    scene.frame_set(4)
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    bpy.ops.object.duplicate()
+    copy = bpy.context.object
+    assert copy != sea
+    scene.frame_set(4)
+    assert_same(shown(copy), live)
+    bpy.ops.libocean.free_bake(delete_files=True)
+    assert_same(shown(sea), live)
+    assert len(times(files(tmp_path))) == 6 * 4
+
+
+def test_a_bake_of_another_object_is_not_overwritten(sea, tmp_path):
+    bpy.ops.libocean.bake()
+    bpy.ops.object.duplicate()
+    bpy.context.object.libocean.seed = 7
+    folder = str(files(tmp_path))
+    assert "choose another folder" in failing(bpy.ops.libocean.bake, directory=folder)
+
+
+def test_undo_and_redo(scene, sea):
+    scene.frame_set(4)
+    bpy.ops.ed.undo_push(message="before")
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    bpy.ops.ed.undo_push(message="bake")
+    bpy.ops.ed.undo()
+    ob = bpy.data.objects["Ocean"]
+    assert not ob.libocean.use_bake
+    assert_same(shown(ob), live)
+    bpy.ops.ed.redo()
+    ob = bpy.data.objects["Ocean"]
+    assert ob.libocean.use_bake
+    assert_same(shown(ob), live)
+
+
+def test_a_file_with_a_bake_is_opened_again(scene, sea, tmp_path):
+    scene.frame_set(4)
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    bpy.ops.wm.save_mainfile()
+    elsewhere = tmp_path / "elsewhere"
+    shutil.copytree(tmp_path / "ocean_bake", elsewhere / "ocean_bake")
+    shutil.copy(tmp_path / "shot.blend", elsewhere)
+    shutil.rmtree(tmp_path / "ocean_bake")
+    bpy.ops.wm.open_mainfile(filepath=str(elsewhere / "shot.blend"))
+    ob = bpy.data.objects["Ocean"]
+    bpy.context.scene.frame_set(4)
+    assert_same(shown(ob), live)
+    ob.libocean.use_bake = False
+    assert_same(shown(ob), live)
+
+
+def test_saved_elsewhere_it_still_knows_its_files(scene, sea, tmp_path):
+    scene.frame_set(4)
+    live = shown(sea)
+    bpy.ops.libocean.bake()
+    (tmp_path / "version_2").mkdir()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "version_2" / "shot.blend"))
+    sea.libocean.follow_world = False
+    sea.libocean.use_bake = False
+    sea.libocean.use_bake = True
+    assert sea.libocean.problem == ""
+    assert_same(shown(sea), live)
+
+
+def test_baked_into_another_folder_it_plays_that(scene, sea, tmp_path):
+    from libocean_addon import baked
+
+    bpy.ops.libocean.bake()
+    shutil.rmtree(files(tmp_path))
+    sea.libocean.choppiness = 0.5
+    sea.libocean.bake.directory = "//second"
+    bpy.ops.libocean.bake()
+    assert baked.folder_path(sea) == tmp_path / "second"
+    scene.frame_set(4)
+    playing = shown(sea)
+    sea.libocean.use_bake = False
+    assert_same(shown(sea), playing)
+
+
+def test_missing_files_are_told(sea, tmp_path):
+    bpy.ops.libocean.bake()
+    sea.libocean.use_bake = False
+    shutil.rmtree(files(tmp_path))
+    sea.libocean.use_bake = True
+    assert "files of the bake" in sea.libocean.problem
+
+
+def test_an_unsaved_file_has_no_folder_for_it(scene):
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+    bpy.context.object.libocean.resolution = 32
+    assert "Save the blend file first" in failing(bpy.ops.libocean.bake)
+
+
+def test_a_folder_that_cannot_be_made_is_told(sea, tmp_path):
+    (tmp_path / "file").write_text("")
+    asked = str(tmp_path / "file" / "bake")
+    assert "cannot be made" in failing(bpy.ops.libocean.bake, directory=asked)
+    assert not sea.libocean.use_bake
+
+
+def test_what_the_library_refuses_is_told(sea, tmp_path):
+    sea.libocean.render_resolution = 48
+    assert "power of two" in failing(bpy.ops.libocean.bake)
+    assert not sea.libocean.use_bake
+
+
+def test_the_panel_says_what_is_baked(scene, sea):
+    from libocean_addon import bake
+
+    bpy.ops.libocean.bake()
+
+    def said() -> str:
+        return "\n".join(text for text, _ in bake.state(sea, scene))
+
+    assert "6 of 6 frames" in said()
+    assert "another sea" not in said()
+    sea.libocean.choppiness = 0.75
+    assert "another sea" in said()
+    sea.libocean.choppiness = 1.0
+    assert "another sea" not in said()
+    scene.frame_end = 9
+    assert "stands still" in said()
+    scene.render.fps = 25
+    assert "another sea" in said()
+
+
+def test_the_panel_compares_a_keyframed_sea_at_its_frame(scene, sea):
+    from libocean_addon import bake
+
+    for frame, value in ((2, 0.0), (5, 1.5)):
+        sea.libocean.choppiness = value
+        sea.libocean.keyframe_insert("choppiness", frame=frame)
+    bpy.ops.libocean.bake()
+    for frame in (2, 4):
+        scene.frame_set(frame)
+        assert not any("another sea" in text for text, _ in bake.state(sea, scene))
+    sea.libocean.seed = 5
+    assert any("another sea" in text for text, _ in bake.state(sea, scene))
+
+
+def test_the_object_keeps_the_sea_that_its_files_name(sea, tmp_path):
+    bpy.ops.libocean.bake()
+    header, _ = read_exr(files(tmp_path) / "sea.displacement.0003.exr")
+    assert header["ocean:sea"] == str(sea.libocean.bake.sea.encode())
+
+
+def test_a_missing_package_is_told(sea, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "OpenEXR", None)
+    assert "takes the Python package OpenEXR" in failing(bpy.ops.libocean.bake)
+    assert not files(tmp_path).exists()
+
+
+# Stopping ---------------------------------------------------------------------
+
+
+def test_a_stopped_bake_keeps_what_is_finished_and_goes_on(scene, sea, tmp_path):
+    from libocean_addon import bake
+
+    planned = bake.Bake(bpy.context, sea, "//ocean_bake/Ocean/", (2, 5), overwrite=False)
+    job = planned.job
+
+    def stop_after_two() -> None:
+        if job.done == 2:
+            job.stop.set()
+
+    job.run(stop_after_two)
+    assert job.done == 2
+    assert not sea.libocean.use_bake
+    finished = times(files(tmp_path))
+    assert {name.split(".")[2] for name in finished} == {"0001", "0002"}
+    bpy.ops.libocean.bake()
+    after = times(files(tmp_path))
+    assert len(after) == 6 * 4
+    assert {name: after[name] for name in finished} == finished
+
+
+IN_A_WINDOW = """
+import json
+
+bpy.ops.preferences.addon_enable(module="libocean_addon")
+folder = arguments[0]
+bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, "shot.blend"))
+bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+ob = bpy.context.object
+ob.libocean.resolution = 256
+scene = bpy.context.scene
+said = {}
+
+
+def invoke(last):
+    scene.frame_start, scene.frame_end = 1, last
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        said.setdefault("invoked", []).append(list(bpy.ops.libocean.bake("INVOKE_DEFAULT")))
+
+
+def steps():
+    from libocean_addon import bake
+
+    invoke(2000)
+    while bake._running.job.done < 3:
+        yield
+    said["state"] = bake.state(ob, scene)[0][0]
+    window = bpy.context.window_manager.windows[0]
+    window.event_simulate(type="ESC", value="PRESS", x=300, y=300)
+    yield
+    window.event_simulate(type="ESC", value="RELEASE", x=300, y=300)
+    while bake._running is not None:
+        yield
+    said["after_escape"] = ob.libocean.use_bake
+    said["files"] = len(os.listdir(os.path.join(folder, "ocean_bake", "Ocean")))
+    invoke(2)
+    while bake._running is not None:
+        yield
+    said["after_the_end"] = ob.libocean.use_bake
+    with open(os.path.join(folder, "said.json"), "w") as file:
+        json.dump(said, file)
+    os._exit(0)
+
+
+running = steps()
+bpy.app.timers.register(lambda: next(running, None) or 0.05, first_interval=1.0)
+"""
+
+
+@pytest.mark.skipif(not bpy.app.binary_path, reason="the Python module bpy has no windows")
+@pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="no display can be made")
+def test_escape_stops_it_in_the_interface(tmp_path):
+    script = tmp_path / "script.py"
+    prelude = "import bpy, os, sys\narguments = sys.argv[sys.argv.index('--') + 1 :]\n"
+    script.write_text(prelude + IN_A_WINDOW)
+    display = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24 +extension GLX"]
+    window = [bpy.app.binary_path, "--factory-startup", "--enable-event-simulate"]
+    subprocess.run(
+        [*display, *window, "--python", script, "--", tmp_path], timeout=120, capture_output=True
+    )
+    said = json.loads((tmp_path / "said.json").read_text())
+    assert said["invoked"] == [["RUNNING_MODAL"], ["RUNNING_MODAL"]]
+    assert "of 2002 frames; ESC stops" in said["state"]
+    assert said["after_escape"] is False
+    assert 3 * 4 <= said["files"] < 2002 * 4
+    assert said["after_the_end"] is True
+
+
+# A farm -----------------------------------------------------------------------
+
+RENDER = """
+bpy.ops.wm.open_mainfile(filepath=arguments[0])
+assert not hasattr(bpy.types.Object, "libocean")
+assert not any("libocean" in name for name in sys.modules)
+bpy.context.scene.render.filepath = "//out/f_####"
+bpy.context.scene.render.use_overwrite = False
+bpy.context.scene.render.use_placeholder = True
+bpy.ops.render.render(animation=True)
+"""
+
+
+@pytest.mark.parametrize("kind", ["OPEN_EXR", "PNG"])
+def test_a_farm_renders_it_without_the_add_on(scene, sea, tmp_path, kind):
+    settings = scene.render.image_settings
+    settings.file_format = kind
+    settings.color_depth = "32" if kind == "OPEN_EXR" else "16"
+    suffix = ".exr" if kind == "OPEN_EXR" else ".png"
+    live = {}
+    for frame in range(2, 6):
+        scene.frame_set(frame)
+        live[frame] = rendered(scene, tmp_path / f"live_{frame}{suffix}")
+    assert not np.array_equal(live[2], live[3])
+    bpy.ops.libocean.bake()
+    bpy.ops.wm.save_mainfile()
+    farm = tmp_path / "farm"
+    farm.mkdir()
+    shutil.move(tmp_path / "shot.blend", farm)
+    shutil.move(tmp_path / "ocean_bake", farm)
+    nodes = []
+    for number in range(2):
+        (tmp_path / f"node_{number}").mkdir()
+        nodes.append(
+            start_another_process(tmp_path / f"node_{number}", RENDER, farm / "shot.blend")
+        )
+    for node in nodes:
+        out, _ = node.communicate(timeout=300)
+        assert node.returncode == 0, out
+    for frame, expected in live.items():
+        assert np.array_equal(pixels(farm / "out" / f"f_{frame:04}{suffix}"), expected)
