@@ -31,9 +31,19 @@ class MissingLibrary(bpy.types.AddonPreferences):
 def _parts() -> list:
     if native.libocean is None:
         return []
-    from . import bake, floating, live, operators, panels, properties
+    from . import (
+        bake,
+        floating,
+        live,
+        manual,
+        material,
+        operators,
+        panels,
+        properties,
+        records,
+    )
 
-    return [properties, operators, bake, panels, live, floating]
+    return [properties, material, operators, records, bake, panels, live, floating, manual]
 
 
 def register() -> None:

@@ -49,6 +49,8 @@ def lost_slopes(state: dict, samples: int) -> float:
     """Variance of the slopes of those waves that a map of so many samples a side leaves out. state:
     of the sea."""
     shown = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
+    if samples not in shown:
+        return 0.0  # which the library refuses
     return max(0.0, state["mean_square_slope"]["asked"] - shown[samples])
 
 

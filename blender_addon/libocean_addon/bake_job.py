@@ -51,7 +51,7 @@ class Job:
     first_sea: str = ""
     """The resolved sea file of the first frame."""
     slope_variance: float = 0.0
-    """What the finest map of a horizon leaves out of the first frame's."""
+    """Of the waves that the first frame's map leaves out."""
 
     def run(self, tell: Callable[[], None] = lambda: None) -> None:
         """Writes what is missing; tell is called after each frame. What went wrong is in
@@ -73,7 +73,7 @@ class Job:
                     self.first_sea = self.first_sea or resolved
                 if not self._bake(sea, resolved, frame):
                     return
-                if self.done == 0 and any(map(exr_files.is_far, self.fields)):
+                if self.done == 0:
                     self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
                 self.done += 1
                 tell()

@@ -166,6 +166,7 @@ def _set_inputs(ob, modifier) -> bool:
             "First": float(record.first),
             "Last": float(record.last),
             "Frame Length": record.frame_length,
+            "Slope Variance": record.slope_variance,
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
             "Use Foam": settings.use_foam and "foam" in fields,
@@ -174,10 +175,7 @@ def _set_inputs(ob, modifier) -> bool:
         },
     )
     if node_group.kind_of(modifier.node_group) == "HORIZON":
-        node_group.assign(
-            modifier,
-            {"Samples": float(record.samples), "Slope Variance": record.slope_variance},
-        )
+        node_group.assign(modifier, {"Samples": float(record.samples)})
     there = [images[name] for name in images if FILES[name] in fields]
     return None not in there
 

@@ -12,6 +12,8 @@ from . import compat, ring_nodes
 
 FIELDS = ("Displacement", "Foam", "Velocity", "Normal")
 
+LOST_SLOPES = "Of the waves that the finest map leaves out"
+
 # The scene's time, in single precision, may fall short of a frame by its last bits.
 _ALMOST = 1e-4
 
@@ -25,12 +27,7 @@ def declare(group, kind: str) -> None:
             socket(group, image, "NodeSocketImage")
     if kind == "HORIZON":
         ring_nodes.declare(group)
-        socket(
-            group,
-            "Slope Variance",
-            "NodeSocketFloat",
-            description="Of the slopes that the finest map leaves out",
-        )
+    socket(group, "Slope Variance", "NodeSocketFloat", description=LOST_SLOPES)
     socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
     socket(group, "Half Texel", "NodeSocketFloat")
     socket(group, "Follow World", "NodeSocketBool")
@@ -91,12 +88,14 @@ class BakedFields:
         return self.b.color(x, y, z, alpha)
 
     def color(self, field: str, place, interpolation: str):
-        alpha = self.inputs.get("Slope Variance", 1.0)
-        return self._from_file(self._mixed(field, place, interpolation), alpha)
+        return self._from_file(self._mixed(field, place, interpolation), self.lost_slopes())
 
     def far(self, field: str, place):
         mixed = self._mixed(f"{field} Far", place, "Linear")
         return self._from_file(mixed, self.b.alpha(mixed))
+
+    def lost_slopes(self):
+        return self.inputs["Slope Variance"]
 
     def foam(self, _displacement, lookup):
         return self.b.parts(lookup.color("Foam"))[0]

@@ -100,6 +100,27 @@ def shade_smooth(mesh) -> None:
 LOOP_TOTAL_FOLLOWS = VERSION >= (4, 1)  # MeshPolygon.loop_total is read-only, made of loop_start
 
 
+# Materials --------------------------------------------------------------------
+
+GLOSSY = (
+    "ShaderNodeBsdfGlossy" if VERSION < (4, 0) else "ShaderNodeBsdfAnisotropic"
+)  # one node from then on
+
+
+def use_nodes(owner) -> None:
+    """Of a material or world: always from 5.0 on, which warns when it is told so."""
+    if VERSION < (5, 0):
+        owner.use_nodes = True
+
+
+def refract_in_eevee(material) -> None:
+    """What is behind it is seen through it."""
+    if hasattr(material, "use_raytrace_refraction"):  # 4.2
+        material.use_raytrace_refraction = True
+    else:
+        material.use_screen_refraction = True
+
+
 # Paths ------------------------------------------------------------------------
 
 RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()

@@ -275,12 +275,15 @@ def _set_inputs(ob, seen, modifier, values: sea_text.SeaValues, sizes: tuple[int
     # Only the place within a period counts, and in single precision it counts most near 0.
     place = seen.matrix_world.translation if settings.follow_world else (0.0, 0.0)
     origin = (place[0] % period, place[1] % period, 0.0)
+    state = sea_of(ob).read_state()
     node_group.assign(
         modifier,
         {
             "Tile Size": period,
             "Half Texel": 0.5 / sizes[0],
             node_group.render_twin("Half Texel"): 0.5 / sizes[1],
+            "Slope Variance": atlas.lost_slopes(state, sizes[0]),
+            node_group.render_twin("Slope Variance"): atlas.lost_slopes(state, sizes[1]),
             "Origin": origin,
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),

@@ -15,6 +15,7 @@ from __future__ import annotations
 import bpy
 
 from . import baked_nodes, compat, ring_nodes
+from .baked_nodes import LOST_SLOPES
 from .node_builder import Builder
 
 VERSION = 1
@@ -51,6 +52,8 @@ def _declare(group, kind: str) -> None:
     socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
     socket(group, "Half Texel", "NodeSocketFloat")
     socket(group, render_twin("Half Texel"), "NodeSocketFloat")
+    socket(group, "Slope Variance", "NodeSocketFloat", description=LOST_SLOPES)
+    socket(group, render_twin("Slope Variance"), "NodeSocketFloat", description=LOST_SLOPES)
     socket(group, "Origin", "NodeSocketVector")
     socket(group, "Mask", "NodeSocketString")
     for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
@@ -85,6 +88,9 @@ class _LiveFields:
     def foam(self, displacement, _lookup):
         return self.b.alpha(displacement)
 
+    def lost_slopes(self):
+        return self.shown("Slope Variance", "FLOAT")
+
 
 class _Flat:
     """A mesh that shows the finest map wherever it lies."""
@@ -104,8 +110,8 @@ class _Flat:
         return self.fields.color(field, self.place, self.interpolation)
 
     def normal(self, geometry):
-        """Geometry, normal, and where it is known the slopes' variance that the map leaves out."""
-        return geometry, self.color("Normal"), None
+        """Geometry, normal, and the variance of the slopes that the map leaves out."""
+        return geometry, self.color("Normal"), self.fields.lost_slopes()
 
 
 def _build(group, kind: str, *, baked: bool) -> None:
@@ -143,9 +149,8 @@ def _build(group, kind: str, *, baked: bool) -> None:
     stored, normal, slope_variance = lookup.normal(geometry)
     normal = b.math("ADD", b.scale(b.math("SUBTRACT", normal, up), mask), up)
     stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", normal)
-    if slope_variance is not None:
-        slope_variance = b.number("MULTIPLY", slope_variance, mask)
-        stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
+    slope_variance = b.number("MULTIPLY", slope_variance, mask)
+    stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
     geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)
 
     moved = b.node("GeometryNodeSetPosition")

@@ -8,7 +8,7 @@ import bpy
 from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import live, node_group, properties, sea_text
+from . import live, material, node_group, properties, sea_text
 from .native import libocean
 
 DEFAULT_PRESET = "beaufort_5"
@@ -61,6 +61,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
 
     kind: bpy.props.EnumProperty(
         name="Kind",
+        description="What the mesh is",
         items=[
             ("PATCH", "Patch", "One period of the sea, a vertex on each sample"),
             ("HORIZON", "Horizon", "Rings around the scene's camera, coarser from one to the next"),
@@ -73,6 +74,12 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
         items=PRESETS,
         default=DEFAULT_PRESET,
     )
+    use_material: bpy.props.BoolProperty(
+        name="Material",
+        description="Give it a material of sea water with foam",
+        default=True,
+    )
+    water_type: material.water_type_property()
 
     def execute(self, context):
         with libocean.preset(self.preset) as sea:
@@ -83,6 +90,8 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
         with properties.quiet():
             ob.libocean.kind = self.kind
         properties.assign(ob.libocean, values)
+        if self.use_material:
+            material.assign(ob, material.make(self.water_type))
         return {"FINISHED"}
 
 
@@ -162,7 +171,7 @@ class LoadPreset(_OnOcean, bpy.types.Operator):
     bl_label = "Sea Preset"
     bl_options = {"REGISTER", "UNDO"}
 
-    preset: bpy.props.EnumProperty(name="Preset", items=PRESETS)
+    preset: bpy.props.EnumProperty(name="Preset", description="The sea to take", items=PRESETS)
 
     def execute(self, context):
         with libocean.preset(self.preset) as sea:

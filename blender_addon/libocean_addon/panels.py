@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import bake, baked, live, node_group, operators, properties, sea_text
+from . import bake, baked, live, material, node_group, operators, properties, records, sea_text
 
 _SECTIONS = {
     "water": "Water",
@@ -69,6 +69,9 @@ class OceanPanel(_Panel, bpy.types.Panel):
         row.operator_menu_enum(operators.LoadPreset.bl_idname, "preset", text="Preset")
         row.operator(operators.LoadSea.bl_idname, text="Load", icon="IMPORT")
         row.operator(operators.SaveSea.bl_idname, text="Save", icon="EXPORT")
+        layout.operator_menu_enum(
+            material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
+        )
         if settings.problem:
             layout.label(text=settings.problem, icon="ERROR", translate=False)
         if context.scene.unit_settings.scale_length != 1.0:
@@ -106,6 +109,7 @@ class WavesPanel(_Panel, bpy.types.Panel):
         if settings.active_wave >= len(settings.waves):
             return
         system = settings.waves[settings.active_wave]
+        layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
         layout.use_property_split = True
         for entry in properties.entries(waves=True):
             _draw_parameter(layout, system, entry)

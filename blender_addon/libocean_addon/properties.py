@@ -312,7 +312,11 @@ class OceanSettings(bpy.types.PropertyGroup):
         "exact": _EXACT,
         "take_lines": bpy.props.StringProperty(options={"HIDDEN"}),
         "waves": bpy.props.CollectionProperty(type=OceanWaves),
-        "active_wave": bpy.props.IntProperty(name="Active wave system", min=0),
+        "active_wave": bpy.props.IntProperty(
+            name="Active wave system",
+            description="The wave system whose values the panel shows",
+            min=0,
+        ),
         "kind": bpy.props.EnumProperty(
             name="Kind",
             description="What the object's mesh is",
@@ -397,7 +401,9 @@ class OceanSettings(bpy.types.PropertyGroup):
             options=set(),
             update=_changed,
         ),
-        "bake": bpy.props.PointerProperty(type=OceanBake),
+        "bake": bpy.props.PointerProperty(
+            type=OceanBake, name="Bake", description="What to bake, and the bake that there is"
+        ),
         "problem": bpy.props.StringProperty(
             name="Problem", description="Why the sea is not shown as asked", options={"HIDDEN"}
         ),

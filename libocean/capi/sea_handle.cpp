@@ -17,6 +17,7 @@
 #include "ocean/sea_state.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/version.hpp"
+#include "ocean/water_types.hpp"
 
 using namespace ocean;
 using namespace ocean::capi;
@@ -143,4 +144,8 @@ ocean_result ocean_preset(const char* name, char* out, size_t* size) {
     return guarded([&] {
         copy_text(name != nullptr ? find_preset(name).toml : preset_names_json(), out, size);
     });
+}
+
+ocean_result ocean_water_types_json(char* out, size_t* size) {
+    return guarded([&] { copy_text(water_types_json(), out, size); });
 }

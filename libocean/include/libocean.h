@@ -154,6 +154,11 @@ OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* s
 /* The sea file of a preset ("beaufort_6"); with name = NULL the names of all, a JSON array.
  * NOT_FOUND, BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
+/* Jerlov's optical types of sea water, clearest first, a JSON array: name ("jerlov_ii"), label,
+ * help, ior; absorption and scattering [1/m], albedo of the water below its surface, each a list of
+ * red, green, blue of linear Rec. 709; anisotropy, the mean cosine of scattering; foam_albedo.
+ * BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_water_types_json(char* out, size_t* size);
 
 /* Samples a side of a map where a request says 0: grid.resolution, and up to four times that for
  * several cascades. */

@@ -104,7 +104,7 @@ def in_another_process(folder: Path, body: str, *arguments, **environment) -> No
 @pytest.fixture
 def shot(scene):
     """A small sea seen from above, its heights as light."""
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6", use_material=False)
     ob = bpy.context.object
     ob.libocean.resolution = 64
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))

@@ -4,11 +4,23 @@
 
 import inspect
 import json
+import re
+from pathlib import Path
 
 import bpy
 import pytest
 from conftest import plane
-from libocean_addon import bake, floating, operators, panels, properties, sea_text
+from libocean_addon import (
+    bake,
+    floating,
+    manual,
+    material,
+    operators,
+    panels,
+    properties,
+    records,
+    sea_text,
+)
 from libocean_addon.bundled import libocean
 
 UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
@@ -39,20 +51,75 @@ def test_every_parameter_is_a_property(ocean, entry):
         assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
-@pytest.mark.parametrize(
-    "cls",
-    [*operators.CLASSES, *panels.CLASSES, *floating.CLASSES, *bake.CLASSES],
-    ids=lambda c: c.__name__,
-)
+PARTS = (properties, material, operators, records, bake, panels, floating)
+CLASSES = [cls for part in PARTS for cls in part.CLASSES]
+OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
+GROUPS = [cls for cls in CLASSES if issubclass(cls, bpy.types.PropertyGroup)]
+
+
+def by_name(classes):
+    return pytest.mark.parametrize("cls", classes, ids=lambda cls: cls.__name__)
+
+
+def operator_of(cls):
+    return getattr(bpy.ops.libocean, cls.bl_idname.split(".")[1])
+
+
+def own_properties(cls) -> list:
+    """As registered: those of the class itself, none of Blender's helpers."""
+    known = cls.bl_rna.properties
+    if issubclass(cls, bpy.types.Operator):
+        known = operator_of(cls).get_rna_type().properties
+    return [known[name] for name in cls.__dict__.get("__annotations__", ())]
+
+
+@by_name(CLASSES)
 def test_every_class_describes_itself(cls):
     assert inspect.getdoc(cls)
+    assert not inspect.getdoc(cls).split("\n")[0].endswith(".")  # Blender adds its own
     if issubclass(cls, bpy.types.Operator):
         assert cls.bl_label
         assert cls.bl_idname.startswith("libocean.")
-        assert not inspect.getdoc(cls).endswith(".")  # Blender adds its own
         assert cls is operators.SaveSea or "UNDO" in cls.bl_options
+        assert cls is operators.AddOcean or hasattr(cls, "poll")
     if issubclass(cls, bpy.types.Panel):
+        assert cls.bl_label
         assert cls.poll.__func__
+
+
+@by_name(OPERATORS + GROUPS)
+def test_every_property_says_what_it_is(cls):
+    for prop in own_properties(cls):
+        if prop.is_hidden:
+            continue
+        assert prop.name, prop.identifier
+        assert prop.description or prop.type == "COLLECTION", prop.identifier
+        assert not prop.description.endswith("."), prop.identifier
+
+
+@by_name([cls for cls in OPERATORS if cls is not operators.AddOcean])
+def test_an_operator_that_cannot_run_says_why(cls):
+    assert not operator_of(cls).poll()
+    with pytest.raises(RuntimeError, match=r"active object|[Ss]elect|No ocean"):
+        operator_of(cls)()
+
+
+@by_name(OPERATORS + GROUPS)
+def test_f1_leads_to_a_section_of_the_documentation(cls):
+    from bl_operators.wm import WM_OT_doc_view_manual
+
+    readme = Path(__file__).parents[2] / "blender_addon" / "README.md"
+    headings = re.findall(r"^#+ (.+)$", readme.read_text(), re.MULTILINE)
+    anchors = {"#" + heading.lower().replace(" ", "-") for heading in headings}
+    if cls in OPERATORS:
+        asked = [f"bpy.ops.{cls.bl_idname}"]
+    else:
+        asked = [f"bpy.types.{cls.__name__}.{p.identifier}" for p in own_properties(cls)]
+    for identifier in asked:
+        url = WM_OT_doc_view_manual._lookup_rna_url(identifier)
+        assert url is not None, identifier
+        assert url.startswith(manual.MANUAL)
+        assert url[len(manual.MANUAL) :] in anchors
 
 
 def test_every_preset_comes_back_from_properties_as_it_was(ocean):

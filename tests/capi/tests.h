@@ -25,6 +25,7 @@
     TEST(resolved_text_gives_the_same_sea)                \
     TEST(presets_open)                                    \
     TEST(records_of_a_buoy_are_listed)                    \
+    TEST(water_types_are_listed)                          \
     TEST(interleaved_outputs_hold_the_planar_maps)        \
     TEST(axes_turn_whole_vectors_only)                    \
     TEST(a_finer_map_passes_through_the_coarse_samples)   \

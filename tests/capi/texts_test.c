@@ -32,6 +32,11 @@ static ocean_result preset_names(const ocean_sea* sea, char* out, size_t* size) 
     return ocean_preset(NULL, out, size);
 }
 
+static ocean_result water_types(const ocean_sea* sea, char* out, size_t* size) {
+    (void)sea;
+    return ocean_water_types_json(out, size);
+}
+
 /* The whole text, to be freed by the caller. */
 static char* whole_text(text_function function, const ocean_sea* sea) {
     size_t size = 0;
@@ -44,7 +49,8 @@ static char* whole_text(text_function function, const ocean_sea* sea) {
 }
 
 void texts_say_their_size_and_never_overrun(void) {
-    const text_function functions[] = {sea_text, state, parameters, records, preset, preset_names};
+    const text_function functions[] = {sea_text, state,        parameters, records,
+                                       preset,   preset_names, water_types};
     ocean_sea* sea = open_small_sea(NULL);
     for (size_t i = 0; i < sizeof(functions) / sizeof(functions[0]); ++i) {
         size_t needed = 12345;
@@ -114,5 +120,13 @@ void records_of_a_buoy_are_listed(void) {
     CHECK(json[0] == '[');
     CHECK(strstr(json, "\"significant_wave_height\"") != NULL);
     CHECK_RESULT(OCEAN_BAD_FILE, ocean_records_json("no such buoy", NULL, &size));
+    free(json);
+}
+
+void water_types_are_listed(void) {
+    char* json = whole_text(water_types, NULL);
+    CHECK(json[0] == '[');
+    CHECK(strstr(json, "\"jerlov_i\"") != NULL && strstr(json, "\"jerlov_9c\"") != NULL);
+    CHECK(strstr(json, "\"absorption\": [0.277, 0.0724, 0.0572]") != NULL);
     free(json);
 }

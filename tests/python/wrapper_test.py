@@ -234,6 +234,15 @@ def test_presets_and_parameters_are_listed():
             sea.get(f"{section}.{parameter['key']}")
 
 
+def test_water_types_are_listed():
+    types = {entry["name"]: entry for entry in libocean.water_types()}
+    assert list(types)[0] == "jerlov_i" and list(types)[-1] == "jerlov_9c" and len(types) == 10
+    assert types["jerlov_ii"]["absorption"] == [0.277, 0.0724, 0.0572]
+    for entry in types.values():
+        assert entry["label"] and entry["help"] and entry["ior"] == 1.333
+        assert all(0 < albedo < 0.1 for albedo in entry["albedo"])
+
+
 def test_threads_share_a_sea_and_several_seas_agree(sea):
     heights = {}
 

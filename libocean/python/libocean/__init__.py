@@ -43,6 +43,7 @@ __all__ = [
     "presets",
     "records",
     "version",
+    "water_types",
 ]
 
 version: str = library.ocean_version().decode()
@@ -90,3 +91,10 @@ def parameters() -> list[dict[str, Any]]:
 def records(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
     """What a file of measured spectra holds, record by record."""
     return json.loads(text_of("ocean_records_json", os.fsencode(path)))
+
+
+def water_types() -> list[dict[str, Any]]:
+    """What sea water does to light, by Jerlov's types, clearest first: name, label, help, ior;
+    absorption and scattering in 1/m, albedo of the water below its surface, each as red, green and
+    blue of linear Rec. 709; anisotropy, the mean cosine of scattering; foam_albedo."""
+    return json.loads(text_of("ocean_water_types_json"))

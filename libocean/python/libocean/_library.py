@@ -105,6 +105,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_state_json": [c_void_p, *_TEXT],
     "ocean_records_json": [c_char_p, *_TEXT],
     "ocean_preset": [c_char_p, *_TEXT],
+    "ocean_water_types_json": _TEXT,
     "ocean_map_resolution": [c_void_p, POINTER(c_int32)],
     "ocean_evaluate": [c_void_p, POINTER(Request)],
     "ocean_query": [c_void_p, c_double, *_LISTS],

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""F1 on a button or a value of the add-on opens the section of its documentation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+
+MANUAL = Path(__file__).with_name("README.md").as_uri()
+
+# The first that fits; Blender asks in lower case.
+_SECTIONS = (
+    ("bpy.ops.libocean.add_material*", "#material"),
+    ("bpy.ops.libocean.*bake*", "#bake"),
+    ("bpy.ops.libocean.*", "#from-scripts"),
+    ("bpy.types.oceanbake*", "#bake"),
+    ("bpy.types.oceansettings*", "#use"),
+    ("bpy.types.oceanwaves*", "#use"),
+    ("bpy.types.floatsettings*", "#use"),
+)
+
+
+def manual_map():
+    return MANUAL, _SECTIONS
+
+
+def register() -> None:
+    bpy.utils.register_manual_map(manual_map)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_manual_map(manual_map)

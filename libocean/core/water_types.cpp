@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The table of Jerlov's water types, and what follows from its two coefficients.
+//
+// Jerlov classified waters by the attenuation of daylight, K_d. Absorption and scattering of the
+// types are later work:
+// - IB to 5C: measured, [Williamson and Hollins 2022], their table at 1 nm, read at 610, 550, 465.
+// - I, IA, 7C and 9C, which they have not: from K_d by a bio-optical model, [Solonenko and Mobley
+//   2015] tables 4 to 8, a value each 25 nm. b between them linear; a likewise after that of pure
+//   water [Pope and Fry 1997] was taken off, which is far from linear near 600 nm, and then added.
+// Both tables as transcribed, their defects marked, by github.com/tishibashi-cpu/jerlov.
+// Not taken: [Solonenko and Mobley 2015] for the others. Their b of II and III is 2.5 and 4 times
+// the measured one, which would make those seas far too bright, and their rows of 5C from 600 nm on
+// repeat those from 300 nm: where a renderer has a red absorption of 4.6 1/m, it is probably that.
+//
+// Checked by WaterTypes.AttenuateDaylightAsJerlovMeasured against K_d of [Jerlov 1976].
+#include "ocean/water_types.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/parameter_table.hpp"
+
+namespace ocean {
+
+namespace {
+
+constexpr WaterType kTypes[] = {
+    {"jerlov_i",
+     "Jerlov I",
+     "The clearest ocean: deep blue.",
+     {0.272, 0.0620, 0.0182},
+     {0.00115, 0.00170, 0.00336}},
+    {"jerlov_ia",
+     "Jerlov IA",
+     "Very clear ocean.",
+     {0.272, 0.0622, 0.0214},
+     {0.00272, 0.00354, 0.00574}},
+    {"jerlov_ib",
+     "Jerlov IB",
+     "Clear ocean, of warm seas.",
+     {0.273, 0.0655, 0.0383},
+     {0.117, 0.122, 0.132}},
+    {"jerlov_ii",
+     "Jerlov II",
+     "Ocean with some plankton: blue.",
+     {0.277, 0.0724, 0.0572},
+     {0.168, 0.177, 0.192}},
+    {"jerlov_iii",
+     "Jerlov III",
+     "Ocean rich in plankton: blue-green.",
+     {0.287, 0.0878, 0.101},
+     {0.277, 0.287, 0.305}},
+    {"jerlov_1c",
+     "Jerlov 1C",
+     "Clear coastal water: green-blue.",
+     {0.294, 0.0988, 0.131},
+     {0.413, 0.427, 0.451}},
+    {"jerlov_3c",
+     "Jerlov 3C",
+     "Coastal water: green.",
+     {0.314, 0.128, 0.180},
+     {0.624, 0.644, 0.679}},
+    {"jerlov_5c",
+     "Jerlov 5C",
+     "Turbid coastal water: green.",
+     {0.333, 0.159, 0.270},
+     {1.16, 1.19, 1.26}},
+    {"jerlov_7c",
+     "Jerlov 7C",
+     "Very turbid coastal water: yellow-green.",
+     {0.345, 0.195, 0.449},
+     {1.97, 2.35, 3.13}},
+    {"jerlov_9c",
+     "Jerlov 9C",
+     "Harbours and estuaries: olive.",
+     {0.426, 0.348, 0.802},
+     {2.62, 3.12, 4.16}},
+};
+
+template <typename Function>
+Rgb each_channel(const Function& function) {
+    return {function(std::size_t{0}), function(std::size_t{1}), function(std::size_t{2})};
+}
+
+}  // namespace
+
+std::span<const WaterType> water_types() {
+    return kTypes;
+}
+
+Rgb WaterType::backscattering() const {
+    return each_channel([this](std::size_t c) {
+        const double of_water = 0.005826 * std::pow(400.0 / kRgbWavelengths[c], 4.322);
+        return 0.5 * of_water + kParticleBackscatter * std::max(0.0, scattering[c] - of_water);
+    });
+}
+
+Rgb WaterType::irradiance_reflectance() const {
+    const Rgb back = backscattering();
+    return each_channel([&](std::size_t c) { return 0.33 * back[c] / absorption[c]; });
+}
+
+Rgb WaterType::water_leaving_albedo() const {
+    const Rgb below = irradiance_reflectance();
+    return each_channel([&](std::size_t c) { return 0.55 * below[c] / (1.0 - 0.48 * below[c]); });
+}
+
+std::string water_types_json() {
+    std::string result = "[\n";
+    for (const WaterType& type : kTypes) {
+        if (result.size() > 2) result += ",\n";
+        const auto text = [&result](std::string_view key, std::string_view value) {
+            result += "\"" + std::string(key) + "\": \"" + std::string(value) + "\", ";
+        };
+        const auto number = [&result](std::string_view key, double value) {
+            result += "\"" + std::string(key) + "\": " + to_text(ParameterValue{value}) + ", ";
+        };
+        const auto rgb = [&result](std::string_view key, const Rgb& value) {
+            result += "\"" + std::string(key) + "\": [";
+            for (const double channel : value) {
+                result += (result.back() == '[' ? "" : ", ") + to_text(ParameterValue{channel});
+            }
+            result += "], ";
+        };
+        result += "  {";
+        text("name", type.name);
+        text("label", type.label);
+        text("help", type.help);
+        rgb("absorption", type.absorption);
+        rgb("scattering", type.scattering);
+        rgb("albedo", type.water_leaving_albedo());
+        number("ior", kWaterIor);
+        number("anisotropy", kScatteringAnisotropy);
+        result += "\"foam_albedo\": " + to_text(ParameterValue{kFoamAlbedo}) + "}";
+    }
+    return result + "\n]\n";
+}
+
+}  // namespace ocean

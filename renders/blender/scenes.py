@@ -1,0 +1,227 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pictures of the Blender add-on, made from nothing through its operators.
+
+usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
+
+The add-on must be installed. SCENE is open_sea or dusk; PICTURE ends in .jpg or .png. Beside the
+picture the scene is saved as PICTURE.blend when PICTURE.blend is there already or --save is given.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import bpy
+from mathutils import Vector
+
+HERE = Path(__file__).parent
+
+
+def enable_addon() -> None:
+    import addon_utils  # of Blender, found once bpy is there
+
+    for module in ("bl_ext.user_default.libocean", "libocean_addon"):
+        if addon_utils.enable(module) is not None:
+            return
+    sys.exit("the libocean add-on is not installed: see blender_addon/README.md")
+
+
+def can_denoise() -> bool:
+    import _cycles  # of Blender; Debian builds it without a denoiser
+
+    return bool(getattr(_cycles, "with_openimagedenoise", False))
+
+
+# The world --------------------------------------------------------------------
+
+
+def sky(scene, *, elevation: float, azimuth: float, strength: float, dust: float) -> None:
+    """A clear sky with a sun. Degrees; azimuth counter-clockwise from +x."""
+    world = bpy.data.worlds.new("Sky")
+    scene.world = world
+    if bpy.app.version < (5, 0):
+        world.use_nodes = True
+    nodes = world.node_tree.nodes
+    texture = nodes.new("ShaderNodeTexSky")
+    kinds = texture.bl_rna.properties["sky_type"].enum_items.keys()
+    texture.sky_type = next(k for k in ("MULTIPLE_SCATTERING", "NISHITA") if k in kinds)
+    texture.sun_elevation = math.radians(elevation)
+    texture.sun_rotation = math.radians(90.0 - azimuth)  # Blender's is clockwise from +y
+    texture.sun_intensity = 0.6
+    aerosols = "dust_density" if hasattr(texture, "dust_density") else "aerosol_density"
+    setattr(texture, aerosols, dust)
+    background = nodes["Background"]
+    background.inputs["Strength"].default_value = strength
+    world.node_tree.links.new(texture.outputs["Color"], background.inputs["Color"])
+
+
+def camera(scene, place, target, lens: float):
+    data = bpy.data.cameras.new("Camera")
+    ob = bpy.data.objects.new("Camera", data)
+    scene.collection.objects.link(ob)
+    ob.location = place
+    ob.rotation_euler = (Vector(target) - Vector(place)).to_track_quat("-Z", "Y").to_euler()
+    data.lens = lens
+    data.clip_end = 1e5
+    scene.camera = ob
+    return ob
+
+
+# A buoy -----------------------------------------------------------------------
+
+
+def paint(name: str, color, *, metallic=0.0, roughness=0.4):
+    material = bpy.data.materials.new(name)
+    if bpy.app.version < (5, 0):
+        material.use_nodes = True
+    shader = material.node_tree.nodes["Principled BSDF"]
+    shader.inputs["Base Color"].default_value = (*color, 1.0)
+    shader.inputs["Metallic"].default_value = metallic
+    shader.inputs["Roughness"].default_value = roughness
+    return material
+
+
+def rod(start, end, radius: float):
+    start, end = Vector(start), Vector(end)
+    bpy.ops.mesh.primitive_cylinder_add(
+        radius=radius, depth=(end - start).length, location=(start + end) / 2, vertices=16
+    )
+    ob = bpy.context.object
+    ob.rotation_euler = (end - start).to_track_quat("Z", "Y").to_euler()
+    return ob
+
+
+def drum(bottom: float, top: float, radius: float, bevel: float = 0.03):
+    bpy.ops.mesh.primitive_cylinder_add(
+        radius=radius, depth=top - bottom, location=(0, 0, (top + bottom) / 2), vertices=64
+    )
+    ob = bpy.context.object
+    edges = ob.modifiers.new("Bevel", "BEVEL")
+    edges.width, edges.segments, edges.limit_method = bevel, 3, "ANGLE"
+    return ob
+
+
+def discus_buoy():
+    """A weather buoy with a hull of 3 m, its waterline at 0: disc, tripod, sensors, lamp."""
+    yellow = paint("Yellow", (0.72, 0.38, 0.01))
+    red = paint("Bottom", (0.25, 0.02, 0.015), roughness=0.6)
+    steel = paint("Steel", (0.45, 0.46, 0.48), metallic=0.9, roughness=0.35)
+    white = paint("White", (0.75, 0.75, 0.72))
+    dark = paint("Panel", (0.01, 0.012, 0.02), roughness=0.15)
+    parts = []
+
+    def part(ob, material):
+        ob.data.materials.append(material)
+        parts.append(ob)
+
+    part(drum(-0.55, 0.12, 1.42, 0.12), red)
+    part(drum(0.12, 0.55, 1.5, 0.06), yellow)
+    part(drum(0.55, 0.62, 0.55), yellow)
+    part(drum(0.62, 1.05, 0.42), white)
+    for turn in range(4):
+        angle = math.radians(45 + 90 * turn)
+        foot = (1.15 * math.cos(angle), 1.15 * math.sin(angle), 0.55)
+        head = (0.22 * math.cos(angle), 0.22 * math.sin(angle), 2.75)
+        part(rod(foot, head, 0.035), steel)
+    for height, radius in ((1.35, 0.83), (2.1, 0.5)):
+        corners = [
+            (
+                radius * math.cos(math.radians(45 + 90 * t)),
+                radius * math.sin(math.radians(45 + 90 * t)),
+                height,
+            )
+            for t in range(4)
+        ]
+        for first, second in zip(corners, corners[1:] + corners[:1], strict=True):
+            part(rod(first, second, 0.022), steel)
+    for turn in range(4):
+        angle = math.radians(90 * turn)
+        bpy.ops.mesh.primitive_cube_add(
+            size=1.0, location=(0.62 * math.cos(angle), 0.62 * math.sin(angle), 1.7)
+        )
+        panel = bpy.context.object
+        panel.scale = (0.03, 0.62, 0.5)
+        panel.rotation_euler = (0.0, -0.22, angle)
+        part(panel, dark)
+    part(drum(2.75, 2.81, 0.42, 0.02), white)
+    part(rod((0, 0, 2.8), (0, 0, 3.9), 0.03), steel)
+    part(rod((-0.35, 0, 3.55), (0.35, 0, 3.55), 0.02), steel)
+    for x in (-0.35, 0.35):
+        part(rod((x, 0, 3.45), (x, 0, 3.75), 0.06), dark)
+    part(rod((0.22, 0.15, 2.8), (0.22, 0.15, 3.15), 0.09), white)
+    part(rod((-0.2, -0.15, 2.8), (-0.2, -0.15, 3.05), 0.08), yellow)
+    bpy.ops.object.select_all(action="DESELECT")
+    for ob in parts:
+        ob.select_set(True)
+    bpy.context.view_layer.objects.active = parts[0]
+    bpy.ops.object.convert(target="MESH")
+    bpy.ops.object.join()
+    buoy = bpy.context.object
+    buoy.name = "Buoy"
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+    return buoy
+
+
+def afloat(buoy, ocean, place, heading: float) -> None:
+    buoy.location = (*place, 0.0)
+    buoy.rotation_euler.z = math.radians(heading)
+    bpy.ops.object.select_all(action="DESELECT")
+    buoy.select_set(True)
+    bpy.ops.libocean.add_float(ocean=ocean.name)
+    buoy.libocean_float.length = buoy.libocean_float.width = 3.0
+
+
+# The scenes -------------------------------------------------------------------
+
+
+def open_sea(scene) -> None:
+    """Beaufort 6 by day: whitecaps to the horizon, a weather buoy 16 m away."""
+    sky(scene, elevation=38.0, azimuth=150.0, strength=0.12, dust=1.0)
+    camera(scene, (0.0, 0.0, 4.2), (30.0, 5.0, 2.2), 32.0)
+    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_6", water_type="jerlov_ib")
+    ocean = bpy.context.object
+    settings = ocean.libocean
+    settings.horizon_vertices = 1500000
+    settings.patch_size = 1200.0
+    settings.resolution = 1024
+    settings.cascades = 3
+    settings.waves[0].wind_direction = 200.0
+    afloat(discus_buoy(), ocean, (17.0, 0.5), 25.0)
+    scene.frame_set(73)
+
+
+def dusk(scene) -> None:
+    """What buoy 41010 measured on 8 June 2020, with the sun on the horizon."""
+    sky(scene, elevation=2.2, azimuth=25.0, strength=0.25, dust=2.0)
+    camera(scene, (0.0, 0.0, 2.2), (30.0, 8.0, 1.9), 45.0)
+    bpy.ops.libocean.add(kind="HORIZON", water_type="jerlov_ib")
+    ocean = bpy.context.object
+    ocean.libocean.horizon_vertices = 1500000
+    bpy.ops.libocean.load_sea(filepath=str(HERE.parent / "buoy_41010.toml"))
+    afloat(discus_buoy(), ocean, (24.0, 3.0), -20.0)
+    scene.frame_set(40)
+
+
+SCENES = {"open_sea": open_sea, "dusk": dusk}
+
+
+def main() -> None:
+    name, picture, *more = sys.argv[sys.argv.index("--") + 1 :]
+    samples, percent = (int(text) for text in (*more, *("256", "100")[len(more) :]))
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    enable_addon()
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = samples
+    scene.cycles.use_denoising = can_denoise()
+    scene.render.resolution_x, scene.render.resolution_y = 1600, 800
+    scene.render.resolution_percentage = percent
+    SCENES[name](scene)
+    scene.render.image_settings.file_format = "PNG" if picture.endswith(".png") else "JPEG"
+    scene.render.image_settings.quality = 92
+    scene.render.filepath = str(Path(picture).resolve())
+    bpy.ops.render.render(write_still=True)
+
+
+main()

@@ -1,0 +1,328 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The material against optics: tiny renders of flat water whose light is known in closed form."""
+
+import math
+
+import bpy
+import numpy as np
+import pytest
+from conftest import plane, positions
+from libocean_addon import compat, material
+from libocean_addon.bundled import libocean
+
+IOR = 1.333
+EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
+
+
+def fresnel(degrees: float, ior: float = IOR) -> float:
+    """Of unpolarised light on a smooth dielectric; ior: of the far side over the near side."""
+    cosine = math.cos(math.radians(degrees))
+    inside = 1 - (1 - cosine**2) / ior**2
+    if inside <= 0:
+        return 1.0
+    inside = math.sqrt(inside)
+    parallel = (ior * cosine - inside) / (ior * cosine + inside)
+    crossed = (cosine - ior * inside) / (cosine + ior * inside)
+    return (parallel**2 + crossed**2) / 2
+
+
+@pytest.fixture(autouse=True)
+def studio(scene):
+    """A parallel view of 8 pixels a side."""
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(camera)
+    camera.data.type = "ORTHO"
+    camera.data.ortho_scale = 1.0
+    camera.data.clip_end = 1000.0
+    scene.camera = camera
+    scene.world = bpy.data.worlds.new("World")
+    compat.use_nodes(scene.world)
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 64
+    scene.cycles.use_denoising = False
+    scene.cycles.use_adaptive_sampling = False
+    scene.render.resolution_x = scene.render.resolution_y = 8
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    light_all_round(scene, (1.0, 1.0, 1.0))
+
+
+def light_all_round(scene, above, below=None) -> None:
+    """The same light from everywhere, or one from above and another from below."""
+    tree = scene.world.node_tree
+    tree.nodes.clear()
+    background = tree.nodes.new("ShaderNodeBackground")
+    background.inputs["Color"].default_value = (*above, 1.0)
+    shown = background.outputs[0]
+    if below is not None:
+        place = tree.nodes.new("ShaderNodeTexCoord")
+        parts = tree.nodes.new("ShaderNodeSeparateXYZ")
+        up = tree.nodes.new("ShaderNodeMath")
+        up.operation = "GREATER_THAN"
+        up.inputs[1].default_value = 0.0
+        other = tree.nodes.new("ShaderNodeBackground")
+        other.inputs["Color"].default_value = (*below, 1.0)
+        mix = tree.nodes.new("ShaderNodeMixShader")
+        tree.links.new(place.outputs["Generated"], parts.inputs[0])
+        tree.links.new(parts.outputs["Z"], up.inputs[0])
+        tree.links.new(up.outputs[0], mix.inputs[0])
+        tree.links.new(other.outputs[0], mix.inputs[1])
+        tree.links.new(background.outputs[0], mix.inputs[2])
+        shown = mix.outputs[0]
+    tree.links.new(shown, tree.nodes.new("ShaderNodeOutputWorld").inputs["Surface"])
+
+
+def look(scene, degrees: float, *, below: bool = False) -> None:
+    """At the origin, so many degrees from the vertical, from the side of -y."""
+    angle = math.radians(180.0 - degrees if below else degrees)
+    scene.camera.rotation_euler = (angle, 0.0, 0.0)
+    scene.camera.location = (0.0, -50.0 * math.sin(angle), 50.0 * math.cos(angle))
+
+
+def picture(scene, tmp_path) -> np.ndarray:
+    """(height, width, 3), linear."""
+    scene.render.filepath = str(tmp_path / "picture.exr")
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath)
+    pixels = np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
+    bpy.data.images.remove(image)
+    return pixels[..., :3]
+
+
+def seen(scene, tmp_path) -> np.ndarray:
+    return picture(scene, tmp_path).mean(axis=(0, 1))
+
+
+def water(ob, water_type: str = material.DEFAULT_TYPE, **inputs):
+    """Gives an object a material; inputs: by their names with _ for a space."""
+    underwater = inputs.pop("underwater", False)
+    made = material.make(water_type, underwater=underwater)
+    ob.data.materials.clear()
+    ob.data.materials.append(made)
+    node = next(n for n in made.node_tree.nodes if n.type == "GROUP")
+    for name, value in inputs.items():
+        node.inputs[name.replace("_", " ")].default_value = value
+    return made
+
+
+def put(ob, name: str, values) -> None:
+    """An attribute on every point: a number, or a vector."""
+    vector = np.ndim(values) > 0
+    found = ob.data.attributes.new(name, "FLOAT_VECTOR" if vector else "FLOAT", "POINT")
+    flat = np.tile(np.atleast_1d(np.asarray(values, np.float32)), len(ob.data.vertices))
+    found.data.foreach_set("vector" if vector else "value", flat)
+
+
+BLACK = (0.0, 0.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 60.0, 80.0])
+def test_reflection_is_fresnels(scene, tmp_path, degrees):
+    water(plane(200.0, 2), Water_Colour=BLACK)
+    look(scene, degrees)
+    assert seen(scene, tmp_path) == pytest.approx(fresnel(degrees), rel=0.02)
+
+
+def test_the_body_shines_through_what_the_surface_lets_pass(scene, tmp_path):
+    water(plane(200.0, 2), "jerlov_ii")
+    look(scene, 0.0)
+    albedo = np.array(material.WATER_TYPES["jerlov_ii"]["albedo"])
+    expected = fresnel(0.0) + (1.0 - fresnel(0.0)) * albedo
+    assert seen(scene, tmp_path) == pytest.approx(expected, rel=0.02)
+
+
+def test_the_normals_of_the_sea_are_those_of_the_light(scene, tmp_path):
+    ob = plane(200.0, 2)
+    water(ob, Water_Colour=BLACK)
+    tilt = math.radians(20.0)
+    put(ob, "ocean_normal", (0.0, -math.sin(tilt), math.cos(tilt)))
+    look(scene, 70.0)
+    assert seen(scene, tmp_path) == pytest.approx(fresnel(50.0), rel=0.02)
+
+
+def test_short_waves_take_the_mirror_from_the_far_sea(scene, tmp_path):
+    ob = plane(200.0, 2)
+    water(ob, Water_Colour=BLACK, Roughness=0.0)
+    put(ob, "slope_variance", 0.03)
+    look(scene, 80.0)
+    deviation, grazing = math.sqrt(0.015), 1.0 - math.cos(math.radians(80.0))
+    fit = 0.02 + 0.98 * grazing ** (5.0 * math.exp(-2.69 * deviation)) / (
+        1.0 + 22.7 * deviation**1.5
+    )
+    got = seen(scene, tmp_path)
+    # What is thrown down into the next wave is lost.
+    assert (got < fit).all() and (got > 0.7 * fit).all()
+    assert (got < 0.7 * fresnel(80.0)).all()
+
+
+def test_full_foam_has_the_albedo_of_foam(scene, tmp_path):
+    ob = plane(200.0, 2)
+    water(ob)
+    put(ob, "foam", 1.0)
+    look(scene, 30.0)
+    albedo = material.WATER_TYPES[material.DEFAULT_TYPE]["foam_albedo"]
+    assert picture(scene, tmp_path) == pytest.approx(albedo, rel=0.02)
+
+
+def test_thin_foam_breaks_up_into_flakes_of_the_same_cover(scene, tmp_path):
+    ob = plane(200.0, 2)
+    water(ob, Water_Colour=BLACK)
+    put(ob, "foam", 0.4 ** (1 / 3))
+    look(scene, 0.0)
+    scene.camera.data.ortho_scale = 10.0
+    scene.render.resolution_x = scene.render.resolution_y = 64
+    scene.cycles.samples = 16
+    cover = (picture(scene, tmp_path)[..., 1] - fresnel(0.0)) / 0.55
+    assert cover.mean() == pytest.approx(0.4, abs=0.1)
+    assert np.quantile(cover, 0.9) > 0.6 and np.quantile(cover, 0.1) < 0.05
+
+
+@pytest.mark.parametrize("force", [4, 6, 10])
+def test_foam_covers_as_much_of_the_sea_as_is_seen_white(force):
+    with libocean.preset(f"beaufort_{force}") as sea:
+        foam = sea.surface(30.0, resolution=256, fields=["foam"]).foam
+        seen_white = 3.84e-6 * float(sea.get("wind_speed")) ** 3.41
+    assert np.mean(foam.astype(float) ** 3) == pytest.approx(seen_white, rel=0.4)
+
+
+def test_light_through_water_follows_beer_and_lambert(scene, tmp_path):
+    length = 2.0
+    bpy.ops.mesh.primitive_cube_add(size=length)
+    box = bpy.context.object
+    light = plane(50.0, 2, "Light")
+    light.location.z = -5.0
+    lamp = bpy.data.materials.new("Lamp")
+    compat.use_nodes(lamp)
+    tree = lamp.node_tree
+    tree.nodes.clear()
+    emission = tree.nodes.new("ShaderNodeEmission")
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(emission.outputs[0], output.inputs["Surface"])
+    light.data.materials.append(lamp)
+    light_all_round(scene, (0.0, 0.0, 0.0))
+    look(scene, 0.0)
+    scene.cycles.samples = 256
+
+    nothing = (0.0, 0.0, 0.0)
+    smooth = {"underwater": True, "Roughness": 0.0, "Scattering": nothing}
+    water(box, "jerlov_9c", Absorption=nothing, **smooth)
+    clear = seen(scene, tmp_path)
+    assert clear == pytest.approx((1.0 - fresnel(0.0)) ** 2, rel=0.02)
+    water(box, "jerlov_9c", **smooth)
+    absorbed = np.array(material.WATER_TYPES["jerlov_9c"]["absorption"])
+    assert seen(scene, tmp_path) / clear == pytest.approx(np.exp(-length * absorbed), rel=0.02)
+
+
+@pytest.mark.parametrize("degrees", [30.0, 60.0])
+def test_from_below_the_sky_is_in_snells_window(scene, tmp_path, degrees):
+    made = water(plane(200.0, 2), underwater=True, Roughness=0.0)
+    tree = made.node_tree
+    for link in [link for link in tree.links if link.to_socket.name == "Volume"]:
+        tree.links.remove(link)
+    light_all_round(scene, (1.0, 0.0, 0.0), below=(0.0, 1.0, 0.0))
+    look(scene, degrees, below=True)
+    mirrored = fresnel(degrees, 1.0 / IOR)
+    assert (mirrored == 1.0) == (degrees > 48.6)
+    assert seen(scene, tmp_path) == pytest.approx([1.0 - mirrored, mirrored, 0.0], abs=0.01)
+
+
+def test_deep_water_from_below_mirrors_outside_snells_window(scene, tmp_path):
+    water(plane(200.0, 2), Water_Colour=BLACK)
+    light_all_round(scene, (1.0, 0.0, 0.0), below=(0.0, 1.0, 0.0))
+    look(scene, 60.0, below=True)
+    assert seen(scene, tmp_path) == pytest.approx([0.0, 1.0, 0.0], abs=0.02)
+
+
+def test_under_water_a_patch_is_closed_and_water_is_all_round(scene, tmp_path):
+    bpy.ops.libocean.add(preset="beaufort_1")
+    ob = bpy.context.object
+    bpy.ops.libocean.add_material(water_type="jerlov_ib", underwater=True)
+    assert min(positions(ob)[:, 2]) < -99.0
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    scene.collection.objects.link(sun)
+    scene.camera.data.type = "PERSP"
+    scene.camera.location = (0.37, 0.21, -5.0)
+    scene.camera.rotation_euler = (math.radians(90.0), 0.0, 0.0)
+    scene.cycles.samples = 256
+    red, green, blue = seen(scene, tmp_path)
+    assert 0.0 < red < green < blue < 1.0
+    bpy.ops.libocean.add_material(water_type="jerlov_ib")
+    assert min(positions(ob)[:, 2]) > -1.0
+
+
+def test_eevee_shows_foam_on_water(scene, tmp_path):
+    scene.render.engine = EEVEE
+    look(scene, 30.0)
+    ob = plane(200.0, 2)
+    water(ob)
+    dark = seen(scene, tmp_path)
+    put(ob, "foam", 1.0)
+    bright = seen(scene, tmp_path)
+    assert (dark > 0.005).all() and (dark < 0.2).all()
+    assert bright == pytest.approx(0.55, rel=0.1)
+
+
+def test_a_new_ocean_is_of_water(scene):
+    bpy.ops.libocean.add(preset="beaufort_4")
+    ob = bpy.context.object
+    assert ob.material_slots[0].material.name == "Ocean Jerlov II"
+    bpy.ops.libocean.add(preset="beaufort_4", use_material=False)
+    assert not bpy.context.object.material_slots
+
+
+@pytest.mark.parametrize("name", material.WATER_TYPES)
+def test_every_water_is_made_of_the_library_s_numbers(name):
+    made = material.make(name, underwater=True)
+    node = next(n for n in made.node_tree.nodes if n.type == "GROUP")
+    kind = material.WATER_TYPES[name]
+    for label in ("Absorption", "Scattering"):
+        assert tuple(node.inputs[label].default_value) == pytest.approx(kind[label.lower()])
+    assert tuple(node.inputs["Water Colour"].default_value)[:3] == pytest.approx(kind["albedo"])
+    assert node.inputs["Transparency"].default_value == 1.0
+    assert node.node_tree == material.get_group()
+
+
+def test_one_click_gives_every_selected_ocean_the_material():
+    bpy.ops.libocean.add(preset="beaufort_2", use_material=False)
+    first = bpy.context.object
+    bpy.ops.libocean.add(preset="beaufort_2", use_material=False)
+    second = bpy.context.object
+    second.libocean.use_foam = False
+    old = bpy.data.materials.new("Old")
+    second.data.materials.append(old)
+    second.data.materials.append(old)
+    first.select_set(True)
+    assert bpy.ops.libocean.add_material(water_type="jerlov_3c", underwater=True) == {"FINISHED"}
+    made = first.material_slots[0].material
+    assert made.name == "Ocean Jerlov 3C"
+    assert [slot.material for slot in second.material_slots] == [made, old]
+    assert second.libocean.use_foam
+
+
+def test_what_is_no_ocean_takes_no_ocean_material():
+    plane(10.0, 3)
+    assert not bpy.ops.libocean.add_material.poll()
+    with pytest.raises(RuntimeError, match="No ocean"):
+        bpy.ops.libocean.add_material()
+
+
+def test_undo_brings_the_old_material_back():
+    bpy.ops.libocean.add(preset="beaufort_2")
+    bpy.ops.ed.undo_push(message="before")
+    bpy.ops.libocean.add_material(water_type="jerlov_i")
+    bpy.ops.ed.undo_push(message="after")
+    assert bpy.context.object.material_slots[0].material.name == "Ocean Jerlov I"
+    bpy.ops.ed.undo()
+    assert bpy.context.object.material_slots[0].material.name == "Ocean Jerlov II"
+
+
+def test_all_that_can_be_tuned_says_what_it_is():
+    group = material.get_group()
+    sockets = (
+        group.inputs
+        if hasattr(group, "inputs")
+        else [item for item in group.interface.items_tree if item.in_out == "INPUT"]
+    )
+    assert len(sockets) == 10
+    assert all(socket.description for socket in sockets)

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A measured record becomes a wave system, from a script as from the list."""
+
+from pathlib import Path
+
+import bpy
+import pytest
+from libocean_addon import live, properties, records
+from libocean_addon.bundled import libocean
+
+SPECTRA = Path(__file__).parents[1] / "data" / "spectra"
+BUOY = str(SPECTRA / "ndbc_41010.data_spec")
+MODEL = str(SPECTRA / "swan_nz_west_coast.spec")
+
+
+@pytest.fixture
+def ocean():
+    bpy.ops.libocean.add(preset="beaufort_2", use_material=False)
+    return bpy.context.object
+
+
+def height_of(ob) -> float:
+    return live.sea_of(ob).sea.state["significant_wave_height"]["asked"]
+
+
+@pytest.mark.parametrize("path", [BUOY, MODEL])
+def test_the_sea_is_as_high_as_the_record(ocean, path):
+    record = libocean.records(path)[-1]
+    assert bpy.ops.libocean.pick_record(filepath=path, record=record["time"]) == {"FINISHED"}
+    system = ocean.libocean.waves[0]
+    assert system.spectrum == "measured" and system.measured_record
+    assert ocean.libocean.problem == ""
+    assert height_of(ocean) == pytest.approx(record["significant_wave_height"], rel=0.01)
+
+
+def test_without_a_time_it_is_the_first_record(ocean):
+    bpy.ops.libocean.pick_record(filepath=BUOY)
+    first = libocean.records(BUOY)[0]
+    assert height_of(ocean) == pytest.approx(first["significant_wave_height"], rel=0.01)
+
+
+def test_a_record_from_the_list_is_that_record(ocean):
+    bpy.ops.libocean.pick_record(filepath=MODEL, choice="3")
+    chosen = libocean.records(MODEL)[3]
+    assert height_of(ocean) == pytest.approx(chosen["significant_wave_height"], rel=0.01)
+
+
+def test_the_active_wave_system_alone_becomes_the_record(ocean):
+    bpy.ops.libocean.add_waves()
+    ocean.libocean.waves[1].significant_wave_height = 3.0
+    before = properties.values_of(ocean.libocean).waves[0]
+    bpy.ops.libocean.pick_record(filepath=BUOY)
+    after = properties.values_of(ocean.libocean)
+    assert after.waves[0] == before
+    assert after.waves[1].values["spectrum"] == "measured"
+    assert after.waves[1].values["significant_wave_height"] == ""
+    assert ocean.libocean.active_wave == 1
+
+
+def test_the_record_needs_its_file_no_more(ocean, tmp_path):
+    copy = tmp_path / "model.spec"
+    copy.write_bytes(Path(MODEL).read_bytes())
+    bpy.ops.libocean.pick_record(filepath=str(copy))
+    copy.unlink()
+    ocean.libocean.choppiness = 0.5
+    assert ocean.libocean.problem == ""
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({"filepath": BUOY, "record": "1999-01-01T00:00"}, "1999"),
+        ({"filepath": str(SPECTRA / "nowhere.spec")}, "nowhere"),
+        ({"filepath": __file__}, "records_test"),
+    ],
+)
+def test_what_cannot_be_read_is_refused_and_changes_nothing(ocean, arguments, sentence):
+    before = properties.values_of(ocean.libocean)
+    with pytest.raises(RuntimeError, match=sentence):
+        bpy.ops.libocean.pick_record(**arguments)
+    assert properties.values_of(ocean.libocean) == before
+
+
+def test_the_list_says_time_place_height_and_period():
+    labels = [records._label(record) for record in libocean.records(BUOY)]
+    assert labels[0] == "2020-06-08 03:50  41010  1.1 m  5.6 s"
+    assert len(set(labels)) == len(labels)
