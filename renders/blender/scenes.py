@@ -4,8 +4,7 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea or dusk; PICTURE ends in .jpg or .png. Beside the
-picture the scene is saved as PICTURE.blend when PICTURE.blend is there already or --save is given.
+The add-on must be installed. SCENE is open_sea or dusk; PICTURE ends in .jpg or .png.
 """
 
 import math
@@ -175,18 +174,20 @@ def afloat(buoy, ocean, place, heading: float) -> None:
 # The scenes -------------------------------------------------------------------
 
 
-def open_sea(scene) -> None:
-    """Beaufort 6 by day: whitecaps to the horizon, a weather buoy 16 m away."""
-    sky(scene, elevation=38.0, azimuth=150.0, strength=0.12, dust=1.0)
-    camera(scene, (0.0, 0.0, 4.2), (30.0, 5.0, 2.2), 32.0)
-    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_6", water_type="jerlov_ib")
+def ocean_of(sea_file: Path):
+    """Rings to the horizon, of this sea."""
+    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_0", water_type="jerlov_ib")
     ocean = bpy.context.object
-    settings = ocean.libocean
-    settings.horizon_vertices = 1500000
-    settings.patch_size = 1200.0
-    settings.resolution = 1024
-    settings.cascades = 3
-    settings.waves[0].wind_direction = 200.0
+    ocean.libocean.horizon_vertices = 1500000
+    bpy.ops.libocean.load_sea(filepath=str(sea_file))
+    return ocean
+
+
+def open_sea(scene) -> None:
+    """Beaufort 7 by day: whitecaps to the horizon, a weather buoy 17 m away."""
+    sky(scene, elevation=32.0, azimuth=120.0, strength=0.1, dust=0.6)
+    camera(scene, (0.0, 0.0, 5.2), (30.0, 5.0, 2.6), 30.0)
+    ocean = ocean_of(HERE / "open_sea.toml")
     afloat(discus_buoy(), ocean, (17.0, 0.5), 25.0)
     scene.frame_set(73)
 
@@ -195,10 +196,7 @@ def dusk(scene) -> None:
     """What buoy 41010 measured on 8 June 2020, with the sun on the horizon."""
     sky(scene, elevation=2.2, azimuth=25.0, strength=0.25, dust=2.0)
     camera(scene, (0.0, 0.0, 2.2), (30.0, 8.0, 1.9), 45.0)
-    bpy.ops.libocean.add(kind="HORIZON", water_type="jerlov_ib")
-    ocean = bpy.context.object
-    ocean.libocean.horizon_vertices = 1500000
-    bpy.ops.libocean.load_sea(filepath=str(HERE.parent / "buoy_41010.toml"))
+    ocean = ocean_of(HERE.parent / "buoy_41010.toml")
     afloat(discus_buoy(), ocean, (24.0, 3.0), -20.0)
     scene.frame_set(40)
 
