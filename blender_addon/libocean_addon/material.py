@@ -94,9 +94,7 @@ def _body_group():
     down = t.node("GeometryNodeExtrudeMesh")
     t.feed(inputs["Geometry"], down.inputs["Mesh"])
     # Unlinked, it would be the normals.
-    under = t.node("ShaderNodeCombineXYZ")
-    under.inputs["Z"].default_value = -1.0
-    t.feed(under.outputs[0], down.inputs["Offset"])
+    t.feed(t.vector(0.0, 0.0, -1.0), down.inputs["Offset"])
     t.feed(inputs["Depth"], down.inputs["Offset Scale"])
     down.inputs["Individual"].default_value = False
     turned = t.node("GeometryNodeFlipFaces")

@@ -26,16 +26,16 @@ class Builder:
     def link(self, output, socket) -> None:
         self.group.links.new(output, socket)
 
-    def math(self, operation: str, *operands):
-        """Vector math; an operand is an output or a value."""
+    def math(self, operation: str, *operands, result: str = "Vector"):
+        """Vector math; an operand is an output or a value. result: "Value" where it is a number."""
         made = self.node("ShaderNodeVectorMath", operation=operation)
         for socket, operand in zip(made.inputs, operands, strict=False):
             self.feed(operand, socket)
-        return made.outputs["Vector"]
+        return made.outputs[result]
 
-    def number(self, operation: str, *operands):
-        """Math of numbers; an operand is an output or a value."""
-        made = self.node("ShaderNodeMath", operation=operation)
+    def number(self, operation: str, *operands, clamp: bool = False):
+        """Math of numbers; an operand is an output or a value. clamp: to 0 .. 1."""
+        made = self.node("ShaderNodeMath", operation=operation, use_clamp=clamp)
         for socket, operand in zip(made.inputs, operands, strict=False):
             self.feed(operand, socket)
         return made.outputs["Value"]

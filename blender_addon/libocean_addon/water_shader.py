@@ -16,6 +16,7 @@ import bpy
 
 from . import compat
 from .native import libocean
+from .node_builder import Builder
 
 GROUP = "Ocean Water"
 VERSION = 1
@@ -32,41 +33,8 @@ _NOISE = {"Detail": 8.0, "Roughness": 0.85}
 _NOISE_DEVIATION = 0.0446  # of this noise, measured in 3.4 and 5.2; its mean is 0.5
 
 
-class Tree:
-    """Short words for what a shader is made of. An operand is an output or a value."""
-
-    def __init__(self, group) -> None:
-        self.group = group
-
-    def node(self, kind: str, **settings):
-        made = self.group.nodes.new(kind)
-        for key, value in settings.items():
-            setattr(made, key, value)
-        return made
-
-    def feed(self, value, socket) -> None:
-        if isinstance(value, bpy.types.NodeSocket):
-            self.group.links.new(value, socket)
-        else:
-            socket.default_value = value
-
-    def math(self, operation: str, *operands, clamp: bool = False):
-        made = self.node("ShaderNodeMath", operation=operation, use_clamp=clamp)
-        for socket, operand in zip(made.inputs, operands, strict=False):
-            self.feed(operand, socket)
-        return made.outputs["Value"]
-
-    def vector(self, operation: str, *operands, result: str = "Vector"):
-        made = self.node("ShaderNodeVectorMath", operation=operation)
-        for socket, operand in zip(made.inputs, operands, strict=False):
-            self.feed(operand, socket)
-        return made.outputs[result]
-
-    def scaled(self, vector, factor):
-        made = self.node("ShaderNodeVectorMath", operation="SCALE")
-        self.feed(vector, made.inputs["Vector"])
-        self.feed(factor, made.inputs["Scale"])
-        return made.outputs["Vector"]
+class Tree(Builder):
+    """Words for shaders beside those that all nodes share."""
 
     def shader(self, kind: str, *, settings: dict | None = None, **inputs):
         made = self.node(kind, **(settings or {}))
@@ -74,7 +42,7 @@ class Tree:
             self.feed(value, made.inputs[name])
         return made.outputs[0]
 
-    def mix(self, factor, off, on):
+    def mix_shaders(self, factor, off, on):
         made = self.node("ShaderNodeMixShader")
         for socket, value in zip(made.inputs, (factor, off, on), strict=True):
             self.feed(value, socket)
@@ -140,30 +108,29 @@ def _normal(t: Tree):
     geometry = t.node("ShaderNodeNewGeometry").outputs
     stored = t.node("ShaderNodeAttribute", attribute_name="ocean_normal").outputs["Vector"]
     # An attribute that is absent reads 0.
-    there = t.math("GREATER_THAN", t.vector("LENGTH", stored, result="Value"), 0.5)
+    there = t.number("GREATER_THAN", t.math("LENGTH", stored, result="Value"), 0.5)
     # Made a unit vector when it is turned, which 0 cannot be.
-    missing = t.node("ShaderNodeCombineXYZ")
-    t.feed(t.math("SUBTRACT", 1.0, there), missing.inputs["Z"])
+    missing = t.vector(0.0, 0.0, t.number("SUBTRACT", 1.0, there))
     turned = t.node(
         "ShaderNodeVectorTransform",
         vector_type="NORMAL",
         convert_from="OBJECT",
         convert_to="WORLD",
     )
-    t.feed(t.vector("ADD", stored, missing.outputs[0]), turned.inputs[0])
+    t.feed(t.math("ADD", stored, missing), turned.inputs[0])
     # Shaders turn the mesh's normal round on the back, not an attribute.
-    facing = t.math("MULTIPLY_ADD", geometry["Backfacing"], -2.0, 1.0)
-    own = t.scaled(t.vector("NORMALIZE", turned.outputs[0]), facing)
-    difference = t.vector("SUBTRACT", own, geometry["Normal"])
-    return t.vector("NORMALIZE", t.vector("ADD", geometry["Normal"], t.scaled(difference, there)))
+    facing = t.number("MULTIPLY_ADD", geometry["Backfacing"], -2.0, 1.0)
+    own = t.scale(t.math("NORMALIZE", turned.outputs[0]), facing)
+    difference = t.math("SUBTRACT", own, geometry["Normal"])
+    return t.math("NORMALIZE", t.math("ADD", geometry["Normal"], t.scale(difference, there)))
 
 
 def _slopes(t: Tree, roughness):
     """Mean square slope of all that is too short for the mesh: alpha^2 of Beckmann's distribution,
     whose slopes are Gaussian as the sea's are. Blender's roughness is the root of alpha."""
     stored = t.node("ShaderNodeAttribute", attribute_name="slope_variance").outputs["Fac"]
-    own = t.math("POWER", roughness, 4.0)
-    return t.math("ADD", own, t.math("MAXIMUM", stored, 0.0))
+    own = t.number("POWER", roughness, 4.0)
+    return t.number("ADD", own, t.number("MAXIMUM", stored, 0.0))
 
 
 def _reflectance(t: Tree, ior, normal, slopes):
@@ -175,15 +142,19 @@ def _reflectance(t: Tree, ior, normal, slopes):
     t.feed(ior, fresnel.inputs["IOR"])
     t.feed(normal, fresnel.inputs["Normal"])
     geometry = t.node("ShaderNodeNewGeometry").outputs
-    cosine = t.vector("DOT_PRODUCT", normal, geometry["Incoming"], result="Value")
-    grazing = t.math("SUBTRACT", 1.0, cosine, clamp=True)
-    deviation = t.math("SQRT", t.math("MULTIPLY", slopes, 0.5))
-    exponent = t.math("MULTIPLY", 5.0, t.math("EXPONENT", t.math("MULTIPLY", deviation, -2.69)))
-    loss = t.math("MULTIPLY_ADD", t.math("POWER", deviation, 1.5), 22.7, 1.0)
-    rough = t.math("DIVIDE", t.math("POWER", grazing, exponent), loss)
-    change = t.math("MULTIPLY", t.math("SUBTRACT", rough, t.math("POWER", grazing, 5.0)), 0.98)
-    from_above = t.math("SUBTRACT", 1.0, geometry["Backfacing"])
-    return t.math("ADD", fresnel.outputs[0], t.math("MULTIPLY", change, from_above), clamp=True)
+    cosine = t.math("DOT_PRODUCT", normal, geometry["Incoming"], result="Value")
+    grazing = t.number("SUBTRACT", 1.0, cosine, clamp=True)
+    deviation = t.number("SQRT", t.number("MULTIPLY", slopes, 0.5))
+    exponent = t.number(
+        "MULTIPLY", 5.0, t.number("EXPONENT", t.number("MULTIPLY", deviation, -2.69))
+    )
+    loss = t.number("MULTIPLY_ADD", t.number("POWER", deviation, 1.5), 22.7, 1.0)
+    rough = t.number("DIVIDE", t.number("POWER", grazing, exponent), loss)
+    change = t.number(
+        "MULTIPLY", t.number("SUBTRACT", rough, t.number("POWER", grazing, 5.0)), 0.98
+    )
+    from_above = t.number("SUBTRACT", 1.0, geometry["Backfacing"])
+    return t.number("ADD", fresnel.outputs[0], t.number("MULTIPLY", change, from_above), clamp=True)
 
 
 def _foam(t: Tree, inputs):
@@ -192,27 +163,27 @@ def _foam(t: Tree, inputs):
     O'Muircheartaigh (1980) saw white, 0.0025 .. 0.27, within 35 % from Beaufort 4 to 10.
     Noise breaks it up."""
     stored = t.node("ShaderNodeAttribute", attribute_name="foam").outputs["Fac"]
-    share = t.math("POWER", t.math("MAXIMUM", stored, 0.0), 3.0)
-    cover = t.math("MULTIPLY", share, inputs["Foam Amount"], clamp=True)
+    share = t.number("POWER", t.number("MAXIMUM", stored, 0.0), 3.0)
+    cover = t.number("MULTIPLY", share, inputs["Foam Amount"], clamp=True)
     place = t.node("ShaderNodeNewGeometry").outputs["Position"]
     # Flakes do not change as waves lift them.
-    place = t.vector("MULTIPLY", place, (1.0, 1.0, 0.0))
+    place = t.math("MULTIPLY", place, (1.0, 1.0, 0.0))
     noise = t.node("ShaderNodeTexNoise")
-    size = t.math("DIVIDE", 1.0, t.math("MAXIMUM", inputs["Foam Scale"], 1e-3))
+    size = t.number("DIVIDE", 1.0, t.number("MAXIMUM", inputs["Foam Scale"], 1e-3))
     t.feed(place, noise.inputs["Vector"])
     t.feed(size, noise.inputs["Scale"])
     for name, value in _NOISE.items():
         noise.inputs[name].default_value = value
     # Gaussian noise to a threshold that takes all values of 0 .. 1 alike: its distribution
     # function, by the logistic one.
-    away = t.math("SUBTRACT", noise.outputs[0], 0.5)
-    tail = t.math("EXPONENT", t.math("MULTIPLY", away, -1.702 / _NOISE_DEVIATION))
-    threshold = t.math("DIVIDE", 1.0, t.math("ADD", 1.0, tail))
-    begins = t.math("MULTIPLY", threshold, 1.0 - _FLAKE_EDGE)
+    away = t.number("SUBTRACT", noise.outputs[0], 0.5)
+    tail = t.number("EXPONENT", t.number("MULTIPLY", away, -1.702 / _NOISE_DEVIATION))
+    threshold = t.number("DIVIDE", 1.0, t.number("ADD", 1.0, tail))
+    begins = t.number("MULTIPLY", threshold, 1.0 - _FLAKE_EDGE)
     edge = t.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
     t.feed(cover, edge.inputs["Value"])
     t.feed(begins, edge.inputs["From Min"])
-    t.feed(t.math("ADD", begins, _FLAKE_EDGE), edge.inputs["From Max"])
+    t.feed(t.number("ADD", begins, _FLAKE_EDGE), edge.inputs["From Max"])
     return edge.outputs[0]
 
 
@@ -221,20 +192,18 @@ def _volume(t: Tree, inputs):
     density of its strongest channel."""
 
     def strongest(coefficients):
-        parts = t.node("ShaderNodeSeparateXYZ")
-        t.feed(coefficients, parts.inputs[0])
-        x, y, z = parts.outputs
-        most = t.math("MAXIMUM", t.math("MAXIMUM", x, y), z)
-        return t.math("MAXIMUM", most, 1e-6)
+        x, y, z = t.parts(coefficients)
+        most = t.number("MAXIMUM", t.number("MAXIMUM", x, y), z)
+        return t.number("MAXIMUM", most, 1e-6)
 
     absorbed, scattered = inputs["Absorption"], inputs["Scattering"]
     most = strongest(absorbed)
-    passed = t.vector("SUBTRACT", (1.0, 1.0, 1.0), t.scaled(absorbed, t.math("DIVIDE", 1.0, most)))
+    passed = t.math("SUBTRACT", (1.0, 1.0, 1.0), t.scale(absorbed, t.number("DIVIDE", 1.0, most)))
     absorption = t.shader("ShaderNodeVolumeAbsorption", Color=passed, Density=most)
     most = strongest(scattered)
     scattering = t.shader(
         "ShaderNodeVolumeScatter",
-        Color=t.scaled(scattered, t.math("DIVIDE", 1.0, most)),
+        Color=t.scale(scattered, t.number("DIVIDE", 1.0, most)),
         Density=most,
         Anisotropy=inputs["Anisotropy"],
     )
@@ -250,7 +219,7 @@ def _build(group) -> None:
     inputs = t.node("NodeGroupInput").outputs
     normal = _normal(t)
     slopes = _slopes(t, inputs["Roughness"])
-    roughness = t.math("POWER", slopes, 0.25)
+    roughness = t.number("POWER", slopes, 0.25)
     reflectance = _reflectance(t, inputs["IOR"], normal, slopes)
 
     body = t.shader("ShaderNodeBsdfDiffuse", Color=inputs["Water Colour"], Normal=normal)
@@ -261,7 +230,7 @@ def _build(group) -> None:
         Roughness=roughness,
         Normal=normal,
     )
-    deep = t.mix(reflectance, body, mirror)
+    deep = t.mix_shaders(reflectance, body, mirror)
     clear = t.shader(
         "ShaderNodeBsdfGlass",
         settings={"distribution": "BECKMANN"},
@@ -271,14 +240,14 @@ def _build(group) -> None:
         Normal=normal,
     )
     # Glass would keep lamps and the sun from all that is below: their light passes straight on.
-    passed = t.math("SUBTRACT", 1.0, reflectance)
+    passed = t.number("SUBTRACT", 1.0, reflectance)
     unbent = t.shader("ShaderNodeBsdfTransparent", Color=passed)
-    clear = t.mix(t.node("ShaderNodeLightPath").outputs["Is Shadow Ray"], clear, unbent)
-    water = t.mix(inputs["Transparency"], deep, clear)
+    clear = t.mix_shaders(t.node("ShaderNodeLightPath").outputs["Is Shadow Ray"], clear, unbent)
+    water = t.mix_shaders(inputs["Transparency"], deep, clear)
     foam = t.shader("ShaderNodeBsdfDiffuse", Color=inputs["Foam Colour"], Normal=normal)
 
     output = t.node("NodeGroupOutput")
-    t.feed(t.mix(_foam(t, inputs), water, foam), output.inputs["Surface"])
+    t.feed(t.mix_shaders(_foam(t, inputs), water, foam), output.inputs["Surface"])
     t.feed(_volume(t, inputs), output.inputs["Volume"])
     for number, made in enumerate(group.nodes):
         made.location = (220 * (number // 5), -260 * (number % 5))

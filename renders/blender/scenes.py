@@ -20,8 +20,9 @@ HERE = Path(__file__).parent
 def enable_addon() -> None:
     import addon_utils  # of Blender, found once bpy is there
 
+    there = {module.__name__ for module in addon_utils.modules()}
     for module in ("bl_ext.user_default.libocean", "libocean_addon"):
-        if addon_utils.enable(module) is not None:
+        if module in there and addon_utils.enable(module) is not None:
             return
     sys.exit("the libocean add-on is not installed: see blender_addon/README.md")
 
@@ -185,8 +186,8 @@ def ocean_of(sea_file: Path):
 
 def open_sea(scene) -> None:
     """Beaufort 7 by day: whitecaps to the horizon, a weather buoy 17 m away."""
-    sky(scene, elevation=32.0, azimuth=120.0, strength=0.1, dust=0.6)
-    camera(scene, (0.0, 0.0, 5.2), (30.0, 5.0, 2.6), 30.0)
+    sky(scene, elevation=32.0, azimuth=120.0, strength=0.16, dust=0.6)
+    camera(scene, (0.0, 0.0, 4.4), (30.0, 5.0, 2.3), 30.0)
     ocean = ocean_of(HERE / "open_sea.toml")
     afloat(discus_buoy(), ocean, (17.0, 0.5), 25.0)
     scene.frame_set(73)

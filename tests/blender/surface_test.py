@@ -203,6 +203,18 @@ def test_a_time_of_its_own(scene, load):
     assert_patch(ob, sea, 12.5)
 
 
+def test_slopes_that_the_map_leaves_out_are_told(scene, load):
+    ob, sea = patch(load)
+    state = sea.state
+    shown = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
+    for resolution in (64, 32):
+        ob.libocean.viewport_resolution = resolution
+        scene.frame_set(10)
+        lost = state["mean_square_slope"]["asked"] - shown[resolution]
+        assert lost > 0.001
+        assert attribute(ob, "slope_variance") == pytest.approx(lost, rel=1e-5)
+
+
 def test_viewport_and_render_have_resolutions_of_their_own(scene, load):
     ob, sea = patch(load)
     ob.libocean.viewport_resolution = 32
