@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import bpy
 
-from . import native
+from . import native, translations
+from .compat import tr_label
 
 bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
     "name": "Ocean (libocean)",
@@ -25,12 +26,13 @@ class MissingLibrary(bpy.types.AddonPreferences):
     bl_idname = __package__
 
     def draw(self, _context) -> None:
-        self.layout.label(text="libocean is missing: " + native.problem, icon="ERROR")
+        text = tr_label("libocean is missing: {}", native.problem)
+        self.layout.label(text=text, icon="ERROR", translate=False)
 
 
 def _parts() -> list:
     if native.libocean is None:
-        return []
+        return [translations]
     from . import (
         bake,
         floating,
@@ -43,7 +45,18 @@ def _parts() -> list:
         records,
     )
 
-    return [properties, material, operators, records, bake, panels, live, floating, manual]
+    return [
+        translations,
+        properties,
+        material,
+        operators,
+        records,
+        bake,
+        panels,
+        live,
+        floating,
+        manual,
+    ]
 
 
 def register() -> None:

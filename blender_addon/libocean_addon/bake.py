@@ -14,7 +14,19 @@ from pathlib import Path
 
 import bpy
 
-from . import atlas, bake_job, baked, compat, exr_files, live, node_group, properties, sea_text
+from . import (
+    atlas,
+    bake_job,
+    baked,
+    compat,
+    exr_files,
+    live,
+    node_group,
+    operators,
+    properties,
+    sea_text,
+)
+from .compat import tr, tr_label
 from .native import libocean
 
 
@@ -56,7 +68,10 @@ def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -
     before.add((resolution, *(values.values[name] for name in names)))
     if len(before) > 1:
         raise BakeError(
-            "The patch size, the resolution or the cascades are animated: a bake has one of each"
+            tr(
+                "The patch size, the resolution or the cascades are animated: "
+                "a bake has one of each"
+            )
         )
 
 
@@ -93,15 +108,17 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
 
 def _made_folder(ob, asked: str, recipes: dict[str, str]) -> Path:
     if asked.startswith("//") and not bpy.data.filepath:
-        raise BakeError("Save the blend file first: the bake's folder is relative to it")
+        raise BakeError(tr("Save the blend file first: the bake's folder is relative to it"))
     path = baked.absolute(asked)
     for other in baked.others_in(ob, path):
         if json.loads(other.libocean.bake.recipes) != recipes:
-            raise BakeError(f"The bake of {other.name} is in {asked}: choose another folder")
+            text = tr("The bake of {} is in {}: choose another folder", other.name, asked)
+            raise BakeError(text)
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as failure:
-        raise BakeError(f"The folder {path} cannot be made: {failure.strerror}") from failure
+        text = tr("The folder {} cannot be made: {}", path, failure.strerror)
+        raise BakeError(text) from failure
     return path
 
 
@@ -110,11 +127,18 @@ class Bake:
 
     def __init__(self, context, ob, folder: str, shot: tuple[int, int], *, overwrite: bool) -> None:
         if shot[1] < shot[0]:
-            raise BakeError(f"The last frame, {shot[1]}, comes before the first, {shot[0]}")
+            text = tr("The last frame, {}, comes before the first, {}", *reversed(shot))
+            raise BakeError(text)
         try:
             package = exr_files.load_package()
         except ImportError as failure:
-            raise BakeError(str(failure)) from failure
+            text = tr(
+                "To write EXR files takes the Python package OpenEXR, which this copy of the "
+                "add-on does not have for Python {}: {}",
+                exr_files.PYTHON,
+                failure,
+            )
+            raise BakeError(text) from failure
         self.object_name = ob.name
         self.folder = folder
         self.range = with_margins(*shot)
@@ -143,7 +167,8 @@ class Bake:
         job = self.job
         ob = bpy.data.objects.get(self.object_name)
         if ob is None or not node_group.modifiers(ob):
-            raise BakeError(f"{self.object_name} is gone; its files are in {self.folder}")
+            text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
+            raise BakeError(text)
         settings, record = ob.libocean, ob.libocean.bake
         with properties.quiet():
             # Live first: playing, the folder would be that of the bake before.
@@ -160,7 +185,9 @@ class Bake:
             settings.use_bake = True
         properties.tell(ob)
         kept = job.done - job.written
-        return f"{job.done} frames in {self.folder}: {job.written} written, {kept} were there"
+        return tr(
+            "{} frames in {}: {} written, {} were there", job.done, self.folder, job.written, kept
+        )
 
 
 # For the panel ----------------------------------------------------------------
@@ -174,18 +201,23 @@ def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     record = ob.libocean.bake
     fields = record.fields.split(",")
     there, size = _inventory(str(baked.folder_path(ob)), record.first, record.last, tuple(fields))
-    lines = [(f"{there} of {record.last - record.first + 1} frames, {_bytes(size)}", "FILE_CACHE")]
+    count = record.last - record.first + 1
+    lines = [(tr_label("{} of {} frames, {}", there, count, _bytes(size)), "FILE_CACHE")]
     values = live.current_values(ob.libocean, scene)
     if baked.is_other_sea(ob, scene, values):
-        lines.append(("The bake is of another sea than the parameters say: bake again", "ERROR"))
+        text = tr_label("The bake is of another sea than the parameters say: bake again")
+        lines.append((text, "ERROR"))
     if abs(record.frame_length - baked.frame_length(scene)) > 1e-6:
-        lines.append(("The bake is for another time remapping: bake again", "ERROR"))
+        text = tr_label("The bake is for another time remapping: bake again")
+        lines.append((text, "ERROR"))
     lacking = [field for field in baked.wanted_fields(ob.libocean) if field not in fields]
     if lacking:
-        lines.append((f"Not in the bake: {', '.join(lacking)}", "ERROR"))
+        lines.append((tr_label("Not in the bake: {}", ", ".join(lacking)), "ERROR"))
     first, last = with_margins(*asked_range(ob, scene))
     if first < record.first or last > record.last:
-        text = f"Frames {record.first} to {record.last}: the sea stands still beyond them"
+        text = tr_label(
+            "Frames {} to {}: the sea stands still beyond them", record.first, record.last
+        )
         lines.append((text, "INFO"))
     return lines
 
@@ -194,15 +226,22 @@ def state(ob, scene) -> list[tuple[str, str]]:
     """Lines of text about the bake of an object, with icons."""
     if _running is not None and _running.object_name == ob.name:
         job = _running.job
-        return [(f"{job.done} of {len(job.frames)} frames; ESC stops", "TIME")]
+        return [(tr_label("{} of {} frames; ESC stops", job.done, len(job.frames)), "TIME")]
     lines = _of_the_bake(ob, scene) if baked.exists(ob) else []
     resolution = ob.libocean.render_resolution or live.map_resolution(ob)
     if resolution:
         first, last = with_margins(*asked_range(ob, scene))
         most = size_estimate(ob, resolution, max(last - first + 1, 0))
-        where = baked.asked_folder(ob)
-        text = f"Frames {first} to {last} of {resolution} x {resolution} samples: {_bytes(most)}"
-        lines.append((f"{text} at most, in {where}", "DISK_DRIVE"))
+        text = tr_label(
+            "Frames {} to {} of {} x {} samples: {} at most, in {}",
+            first,
+            last,
+            resolution,
+            resolution,
+            _bytes(most),
+            baked.asked_folder(ob),
+        )
+        lines.append((text, "DISK_DRIVE"))
     return lines
 
 
@@ -223,24 +262,31 @@ def _inventory(folder: str, first: int, last: int, fields: tuple[str, ...]) -> t
 
 # Operators --------------------------------------------------------------------
 
+
+def _words(failure: Exception) -> str:
+    """What stopped a job."""
+    if isinstance(failure, exr_files.NotWholeError):
+        path = failure.args[0]
+        return tr("{} could not be written to its end: is the disk full?", path)
+    return str(failure) or type(failure).__name__
+
+
 _running: Bake | None = None
 """The one that a user waits for: there is one status bar."""
 
 
-class _OnOcean:
+class _OnOwnOcean(operators.OnOcean):
     @classmethod
     def poll(cls, context) -> bool:
-        ob = context.object
-        if ob is None or not node_group.modifiers(ob):
-            cls.poll_message_set("The active object has no ocean modifier")
+        if not super().poll(context):
             return False
-        if ob.library is not None:
-            cls.poll_message_set("The object is linked: bake it in its own file")
-            return False
-        return True
+        if context.object.library is None:
+            return True
+        cls.poll_message_set(tr("The object is linked: bake it in its own file"))
+        return False
 
 
-class BakeOcean(_OnOcean, bpy.types.Operator):
+class BakeOcean(_OnOwnOcean, bpy.types.Operator):
     """Write the sea of each frame as files, and play those: rendering them takes neither the
     add-on nor the library. Files of the same sea that are there are kept. ESC stops it"""
 
@@ -271,7 +317,7 @@ class BakeOcean(_OnOcean, bpy.types.Operator):
         last = last if self.frame_end < 0 else self.frame_end
         folder = self.directory or baked.asked_folder(ob)
         if _running is not None:
-            self.report({"ERROR"}, f"A bake of {_running.object_name} is under way")
+            self.report({"ERROR"}, tr("A bake of {} is under way", _running.object_name))
             return None
         try:
             return Bake(context, ob, folder, (first, last), overwrite=self.overwrite)
@@ -281,11 +327,12 @@ class BakeOcean(_OnOcean, bpy.types.Operator):
 
     def _finish(self, bake: Bake) -> set[str]:
         job = bake.job
-        if job.failure:
-            self.report({"ERROR"}, f"After {job.done} frames: {job.failure}")
+        if job.failure is not None:
+            self.report({"ERROR"}, tr("After {} frames: {}", job.done, _words(job.failure)))
             return {"CANCELLED"}
         if job.done < len(job.frames):
-            self.report({"WARNING"}, f"Stopped; {job.done} of {len(job.frames)} frames are there")
+            text = tr("Stopped; {} of {} frames are there", job.done, len(job.frames))
+            self.report({"WARNING"}, text)
             return {"CANCELLED"}
         try:
             self.report({"INFO"}, bake.finish())
@@ -331,9 +378,13 @@ class BakeOcean(_OnOcean, bpy.types.Operator):
             return {"PASS_THROUGH"}
         elif self._thread.is_alive():
             context.window_manager.progress_update(job.done)
-            context.workspace.status_text_set(
-                f"Baking {bake.object_name}: {job.done} of {len(job.frames)} frames; ESC stops it"
+            text = tr_label(
+                "Baking {}: {} of {} frames; ESC stops it",
+                bake.object_name,
+                job.done,
+                len(job.frames),
             )
+            context.workspace.status_text_set(text)
             return {"PASS_THROUGH"}
         self._end(context)
         return self._finish(bake)
@@ -354,7 +405,7 @@ class BakeOcean(_OnOcean, bpy.types.Operator):
             context.workspace.status_text_set(None)
 
 
-class FreeBake(_OnOcean, bpy.types.Operator):
+class FreeBake(_OnOwnOcean, bpy.types.Operator):
     """Show the live sea again and forget the bake"""
 
     bl_idname = "libocean.free_bake"
@@ -371,7 +422,7 @@ class FreeBake(_OnOcean, bpy.types.Operator):
             return False
         if baked.exists(context.object):
             return True
-        cls.poll_message_set("The active object has no bake")
+        cls.poll_message_set(tr("The active object has no bake"))
         return False
 
     def invoke(self, context, event):
@@ -391,12 +442,13 @@ class FreeBake(_OnOcean, bpy.types.Operator):
         if not self.delete_files:
             return {"FINISHED"}
         if others:
-            self.report({"WARNING"}, f"The files stay: {others[0].name} plays them too")
+            text = tr("The files stay: {} plays them too", others[0].name)
+            self.report({"WARNING"}, text)
             return {"FINISHED"}
         try:
-            self.report({"INFO"}, f"{exr_files.remove(path)} files removed")
+            self.report({"INFO"}, tr("{} files removed", exr_files.remove(path)))
         except OSError as failure:
-            self.report({"ERROR"}, f"Not all files could be removed: {failure}")
+            self.report({"ERROR"}, tr("Not all files could be removed: {}", failure))
         return {"FINISHED"}
 
 

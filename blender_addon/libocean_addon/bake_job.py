@@ -47,7 +47,7 @@ class Job:
     """Frames that are there."""
     written: int = 0
     """Frames of which a file was not there before."""
-    failure: str = ""
+    failure: Exception | None = None
     first_sea: str = ""
     """The resolved sea file of the first frame."""
     slope_variance: float = 0.0
@@ -59,7 +59,7 @@ class Job:
         try:
             self._run(tell)
         except Exception as failure:  # of the library, the disk, OpenEXR: a thread has no caller
-            self.failure = str(failure) or type(failure).__name__
+            self.failure = failure
 
     def _run(self, tell: Callable[[], None]) -> None:
         sea, text = None, ""

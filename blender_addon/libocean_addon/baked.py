@@ -16,6 +16,7 @@ from pathlib import Path
 import bpy
 
 from . import baked_nodes, exr_files, node_group, properties, sea_text
+from .compat import tr
 
 # Names of the fields in files, by those of the node group's inputs.
 FILES = {name: name.lower() for name in baked_nodes.FIELDS}
@@ -195,6 +196,6 @@ def follow(ob) -> bool:
         _change_group(modifier, to_baked=settings.use_bake)
     if settings.use_bake:
         there = [_set_inputs(ob, modifier) for modifier in modifiers]
-        missing = f"The files of the bake are not in {settings.bake.folder}"
+        missing = tr("The files of the bake are not in {}", settings.bake.folder)
         settings.problem = "" if all(there) else missing
     return bool(changed)

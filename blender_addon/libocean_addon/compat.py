@@ -127,6 +127,31 @@ RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()
 """Option of a property that may begin with "//"."""
 
 
+# Languages --------------------------------------------------------------------
+
+_report_text = getattr(bpy.app.translations, "pgettext_rpt", None)  # 4.1
+if _report_text is None:
+    _report_text = bpy.app.translations.pgettext_tip
+
+
+def tr(text: str, *values) -> str:
+    """What a report says, in the user's language; the values go into its placeholders. Texts of
+    the library come as values: they stay English."""
+    return _report_text(text).format(*values)
+
+
+def tr_label(text: str, *values) -> str:
+    """The same for what is drawn."""
+    return bpy.app.translations.pgettext_iface(text).format(*values)
+
+
+def in_context(context: str) -> dict[str, str]:
+    """Settings of a property whose name and choices are looked up in a context; before 4.0 there is
+    no such setting, and the context is "*"."""
+    known = "translation_context" in bpy.props.EnumProperty.__doc__
+    return {"translation_context": context} if known else {}
+
+
 # The add-on -------------------------------------------------------------------
 
 

@@ -29,22 +29,17 @@ _UNITS = {"displacement": "m", "foam": "1", "velocity": "m/s", "normal": "1"}
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
 FIELDS = (*_UNITS, *(f"{field}{_FAR}" for field in _UNITS))
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
+PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
 
 def load_package():
     """The package OpenEXR: for this Python among those that the zip for older Blenders carries, or
-    of the extension's wheels. Raises ImportError with a sentence."""
-    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    bundled = Path(__file__).parent / "bundled" / f"cp{python.replace('.', '')}"
+    of the extension's wheels. Raises ImportError."""
+    bundled = Path(__file__).parent / "bundled" / f"cp{PYTHON.replace('.', '')}"
     sys.path.insert(0, str(bundled))
     try:
         importlib.import_module("Imath")  # which OpenEXR asks for when it is used
         return importlib.import_module("OpenEXR")
-    except ImportError as failure:
-        raise ImportError(
-            "To write EXR files takes the Python package OpenEXR, which this copy of the add-on "
-            f"does not have for Python {python}: {failure}"
-        ) from failure
     finally:
         sys.path.remove(str(bundled))
 
@@ -221,6 +216,10 @@ def is_there(file_path: Path, label: Label, field: str) -> bool:
 # Writing ----------------------------------------------------------------------
 
 
+class NotWholeError(Exception):
+    """The file, its one argument, could not be written to its end."""
+
+
 # The package keeps Python waiting while it writes: not for longer than a blink of the interface.
 _ROWS_AT_A_TIME = 64
 
@@ -257,7 +256,7 @@ def write(package, file_path: Path, label: Label, field: str, values: np.ndarray
         _write_image(package, temporary, label, field, values)
         # The package does not say when the disk ends before the file does.
         if not is_there(temporary, label, field):
-            raise OSError(f"{file_path} could not be written to its end: is the disk full?")
+            raise NotWholeError(file_path)
         os.replace(temporary, file_path)
     finally:
         temporary.unlink(missing_ok=True)

@@ -16,6 +16,7 @@ import bpy
 from mathutils import Matrix, Vector
 
 from . import live, node_group, properties
+from .compat import tr
 
 
 def _is_ocean(_self, ob) -> bool:
@@ -180,7 +181,7 @@ class AddFloat(bpy.types.Operator):
     def poll(cls, context) -> bool:
         if any(not node_group.modifiers(ob) for ob in context.selected_objects):
             return True
-        cls.poll_message_set("Select the objects that shall float")
+        cls.poll_message_set(tr("Select the objects that shall float"))
         return False
 
     def _find(self, context):
@@ -194,7 +195,8 @@ class AddFloat(bpy.types.Operator):
     def execute(self, context):
         ocean = self._find(context)
         if ocean is None:
-            self.report({"ERROR"}, "Which ocean? Make it the active object, or give its name")
+            text = tr("Which ocean? Make it the active object, or give its name")
+            self.report({"ERROR"}, text)
             return {"CANCELLED"}
         for ob in context.selected_objects:
             if node_group.modifiers(ob):
@@ -202,7 +204,7 @@ class AddFloat(bpy.types.Operator):
             if ob.rotation_mode == "AXIS_ANGLE":
                 # The one mode without a delta that can be set: Blender converts the rotation.
                 ob.rotation_mode = "QUATERNION"
-                self.report({"INFO"}, f"{ob.name} turns by quaternions now")
+                self.report({"INFO"}, tr("{} turns by quaternions now", ob.name))
             settings = ob.libocean_float
             with properties.quiet():
                 settings.length, settings.width = ob.dimensions.xy
@@ -211,19 +213,23 @@ class AddFloat(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class RemoveFloat(bpy.types.Operator):
-    """Let the selected objects float no more; they stay where they are"""
-
-    bl_idname = "libocean.remove_float"
-    bl_label = "Stop Floating"
-    bl_options = {"REGISTER", "UNDO"}
+class _OnFloating:
+    """Of operators on what floats among the selected objects."""
 
     @classmethod
     def poll(cls, context) -> bool:
         if any(ob.libocean_float.ocean for ob in context.selected_objects):
             return True
-        cls.poll_message_set("None of the selected objects floats")
+        cls.poll_message_set(tr("None of the selected objects floats"))
         return False
+
+
+class RemoveFloat(_OnFloating, bpy.types.Operator):
+    """Let the selected objects float no more; they stay where they are"""
+
+    bl_idname = "libocean.remove_float"
+    bl_label = "Stop Floating"
+    bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context):
         for ob in context.selected_objects:
@@ -233,20 +239,13 @@ class RemoveFloat(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class BakeFloat(bpy.types.Operator):
+class BakeFloat(_OnFloating, bpy.types.Operator):
     """Key how the selected objects float on each frame of the scene, and one more at each end:
     they move without the add-on"""
 
     bl_idname = "libocean.bake_float"
     bl_label = "Bake Floating"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        if any(ob.libocean_float.ocean for ob in context.selected_objects):
-            return True
-        cls.poll_message_set("None of the selected objects floats")
-        return False
 
     def execute(self, context):
         scene = context.scene
@@ -279,7 +278,7 @@ class FreeFloat(bpy.types.Operator):
     def poll(cls, context) -> bool:
         if any(is_baked(ob) for ob in context.selected_objects):
             return True
-        cls.poll_message_set("None of the selected objects has baked floating")
+        cls.poll_message_set(tr("None of the selected objects has baked floating"))
         return False
 
     def execute(self, context):

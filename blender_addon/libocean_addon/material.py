@@ -11,6 +11,7 @@ import math
 import bpy
 
 from . import compat, node_group
+from .compat import tr
 from .water_shader import DEFAULT_TYPE, WATER_TYPES, Tree, get_group
 
 _ITEMS = [(name, entry["label"], entry["help"]) for name, entry in WATER_TYPES.items()]
@@ -166,13 +167,13 @@ class AddMaterial(bpy.types.Operator):
     def poll(cls, context) -> bool:
         if _oceans(context):
             return True
-        cls.poll_message_set("No ocean is selected")
+        cls.poll_message_set(tr("No ocean is selected"))
         return False
 
     def execute(self, context):
         oceans = [ob for ob in _oceans(context) if ob.data.library is None]
         if not oceans:
-            self.report({"ERROR"}, "Linked data takes no other material")
+            self.report({"ERROR"}, tr("Linked data takes no other material"))
             return {"CANCELLED"}
         material = make(self.water_type, foam=self.foam, underwater=self.underwater)
         for ob in oceans:

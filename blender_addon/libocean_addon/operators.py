@@ -9,6 +9,7 @@ from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from . import live, material, node_group, properties, sea_text
+from .compat import tr
 from .native import libocean
 
 DEFAULT_PRESET = "beaufort_5"
@@ -40,7 +41,7 @@ def _start_sea(ob, preset: str) -> None:
     live.parameters_changed(ob)
 
 
-class _OnOcean:
+class OnOcean:
     """Of operators on the active object's sea."""
 
     @classmethod
@@ -48,7 +49,7 @@ class _OnOcean:
         ob = context.object
         if ob is not None and node_group.modifiers(ob):
             return True
-        cls.poll_message_set("The active object has no ocean modifier")
+        cls.poll_message_set(tr("The active object has no ocean modifier"))
         return False
 
 
@@ -107,7 +108,7 @@ class AddModifier(bpy.types.Operator):
         ob = context.object
         if ob is not None and ob.type in {"MESH", "CURVE", "SURFACE", "FONT"}:
             return True
-        cls.poll_message_set("The active object is no mesh, curve or text")
+        cls.poll_message_set(tr("The active object is no mesh, curve or text"))
         return False
 
     def execute(self, context):
@@ -116,7 +117,7 @@ class AddModifier(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class LoadSea(_OnOcean, bpy.types.Operator, ImportHelper):
+class LoadSea(OnOcean, bpy.types.Operator, ImportHelper):
     """Take the sea of a sea file"""
 
     bl_idname = "libocean.load_sea"
@@ -135,14 +136,16 @@ class LoadSea(_OnOcean, bpy.types.Operator, ImportHelper):
             return {"CANCELLED"}
         rate = live.frame_rate(context.scene)
         if ob.libocean.fps != rate and ob.libocean.use_scene_frame_rate:
-            self.report(
-                {"INFO"},
-                f"The file says {ob.libocean.fps:g} frames a second; the scene's {rate:g} are used",
+            text = tr(
+                "The file says {:g} frames a second; the scene's {:g} are used",
+                ob.libocean.fps,
+                rate,
             )
+            self.report({"INFO"}, text)
         return {"FINISHED"}
 
 
-class SaveSea(_OnOcean, bpy.types.Operator, ExportHelper):
+class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
     """Write the sea as a file that every libocean tool reads"""
 
     bl_idname = "libocean.save_sea"
@@ -164,7 +167,7 @@ class SaveSea(_OnOcean, bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-class LoadPreset(_OnOcean, bpy.types.Operator):
+class LoadPreset(OnOcean, bpy.types.Operator):
     """Take the sea of a preset"""
 
     bl_idname = "libocean.load_preset"
@@ -179,7 +182,7 @@ class LoadPreset(_OnOcean, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class AddWaves(_OnOcean, bpy.types.Operator):
+class AddWaves(OnOcean, bpy.types.Operator):
     """Add a wave system: a swell beside a wind sea, say"""
 
     bl_idname = "libocean.add_waves"
@@ -195,7 +198,7 @@ class AddWaves(_OnOcean, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class RemoveWaves(_OnOcean, bpy.types.Operator):
+class RemoveWaves(OnOcean, bpy.types.Operator):
     """Remove the active wave system"""
 
     bl_idname = "libocean.remove_waves"
@@ -205,7 +208,7 @@ class RemoveWaves(_OnOcean, bpy.types.Operator):
     def execute(self, context):
         settings = context.object.libocean
         if len(settings.waves) < 2:
-            self.report({"ERROR"}, "A sea has at least one wave system")
+            self.report({"ERROR"}, tr("A sea has at least one wave system"))
             return {"CANCELLED"}
         settings.waves.remove(settings.active_wave)
         settings.active_wave = min(settings.active_wave, len(settings.waves) - 1)

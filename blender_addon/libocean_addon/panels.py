@@ -6,7 +6,18 @@ from __future__ import annotations
 
 import bpy
 
-from . import bake, baked, live, material, node_group, operators, properties, records, sea_text
+from . import (
+    bake,
+    baked,
+    live,
+    material,
+    node_group,
+    operators,
+    properties,
+    records,
+    sea_text,
+    translations,
+)
 
 _SECTIONS = {
     "water": "Water",
@@ -20,9 +31,9 @@ _SECTIONS = {
 def _draw_parameter(layout, group, entry) -> None:
     key = entry["key"]
     if not sea_text.is_optional(entry):
-        layout.prop(group, key)
+        layout.prop(group, key, text=entry["label"], text_ctxt=translations.SEA)
         return
-    row = layout.row(heading=entry["label"], translate=True)
+    row = layout.row(heading=entry["label"], heading_ctxt=translations.SEA)
     row.prop(group, f"use_{key}", text="")
     value = row.row()
     value.active = getattr(group, f"use_{key}")
@@ -86,7 +97,7 @@ class OceanPanel(_Panel, bpy.types.Panel):
         box = layout.box().column(align=True)
         for label, text in state:
             row = box.row()
-            row.label(text=label)
+            row.label(text=label, text_ctxt=translations.SEA)
             row.label(text=text, translate=False)
 
 
@@ -183,7 +194,7 @@ class BakePanel(_Panel, bpy.types.Panel):
         column = layout.column(align=True)
         column.active = settings.bake.use_custom_range
         column.prop(settings.bake, "frame_start")
-        column.prop(settings.bake, "frame_end")
+        column.prop(settings.bake, "frame_end", text="To", text_ctxt=translations.SEA)
         row = layout.row(align=True)
         row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
         row.operator(bake.FreeBake.bl_idname, text="Free")

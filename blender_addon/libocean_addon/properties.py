@@ -19,7 +19,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from . import compat, sea_text
+from . import compat, sea_text, translations
 from .native import libocean
 
 TABLE: list[dict[str, Any]] = libocean.parameters()
@@ -110,7 +110,12 @@ def _middle(entry: dict[str, Any]) -> float:
 def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
     """The Blender properties of one parameter, by name."""
     key, kind = entry["key"], entry["type"]
-    common = {"name": entry["label"], "description": _description(entry), "update": _changed}
+    common = {
+        "name": entry["label"],
+        "description": _description(entry),
+        "update": _changed,
+        **compat.in_context(translations.SEA),
+    }
     if kind == "text":
         subtype = "FILE_PATH" if key in ("file", "take") else "NONE"
         return {key: bpy.props.StringProperty(**common, subtype=subtype)}
@@ -135,6 +140,7 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
             name=f"Use {entry['label']}",
             description=f"Whether {entry['label'].lower()} is given",
             update=_changed,
+            **compat.in_context(translations.SEA),
         ),
         key: bpy.props.FloatProperty(**common, default=_middle(entry)),
     }

@@ -13,7 +13,7 @@ import os
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from . import live, node_group, operators, properties, sea_text
+from . import live, operators, properties, sea_text
 from .native import libocean
 
 
@@ -54,7 +54,7 @@ def _choices(self, _context):
     return _items
 
 
-class PickRecord(bpy.types.Operator, ImportHelper):
+class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
     """Make the active wave system one that was measured: a record of a buoy or a wave model"""
 
     bl_idname = "libocean.pick_record"
@@ -77,14 +77,6 @@ class PickRecord(bpy.types.Operator, ImportHelper):
         items=_choices,
         options={"HIDDEN", "SKIP_SAVE"},
     )
-
-    @classmethod
-    def poll(cls, context) -> bool:
-        ob = context.object
-        if ob is None or not node_group.modifiers(ob):
-            cls.poll_message_set("The active object has no ocean modifier")
-            return False
-        return True
 
     def invoke(self, context, event):
         if not self.filepath:

@@ -94,7 +94,7 @@ def rod(start, end, radius: float):
 
 def drum(bottom: float, top: float, radius: float, bevel: float = 0.03):
     bpy.ops.mesh.primitive_cylinder_add(
-        radius=radius, depth=top - bottom, location=(0, 0, (top + bottom) / 2), vertices=64
+        radius=radius, depth=top - bottom, location=(0, 0, (top + bottom) / 2), vertices=256
     )
     ob = bpy.context.object
     edges = ob.modifiers.new("Bevel", "BEVEL")
@@ -207,7 +207,7 @@ SCENES = {"open_sea": open_sea, "dusk": dusk}
 
 def main() -> None:
     name, picture, *more = sys.argv[sys.argv.index("--") + 1 :]
-    samples, percent = (int(text) for text in (*more, *("256", "100")[len(more) :]))
+    samples, percent = (int(text) for text in (*more, *("128", "100")[len(more) :]))
     bpy.ops.wm.read_factory_settings(use_empty=True)
     enable_addon()
     scene = bpy.context.scene

@@ -1,0 +1,268 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The words of the interface in other languages, by the English ones in the sources.
+
+Blender looks up itself what it draws: names of properties, choices, panels and operators. What is
+made of parts (reports, states) is looked up by compat.tr and compat.tr_label. Tool tips are in
+English for now, and so is what the library itself says. Names of data, which scripts look for, and
+proper names (Beaufort 5, Jerlov II) are not translated.
+"""
+
+from __future__ import annotations
+
+import bpy
+
+SEA = "libocean"
+"""Context of the sea's terms: in "*" Blender's own words come first, for "Fetch" those of fetching
+something. They are in "*" too, where older versions look up a property's choices."""
+
+GERMAN = {
+    SEA: {
+        # Parameters of the sea file.
+        "Depth": "Wassertiefe",
+        "Gravity": "Schwerebeschleunigung",
+        "Surface tension": "Oberflächenspannung",
+        "Density": "Dichte",
+        "Resolution": "Auflösung",
+        "Patch size": "Kachelgröße",
+        "Cascades": "Kaskaden",
+        "Cascade divisors": "Kaskadenteiler",
+        "Choppiness": "Kammschärfe",
+        "Shortest wavelength": "Kürzeste Wellenlänge",
+        "Longest wavelength": "Längste Wellenlänge",
+        "Foam lifetime": "Lebensdauer des Schaums",
+        "Foam step": "Zeitschritt des Schaums",
+        "Foam coverage": "Schaumbedeckung",
+        "Foam threshold": "Schaumschwelle",
+        "Foam width": "Breite der Schaumschwelle",
+        "Start": "Startzeit",
+        "First frame": "Erstes Bild",
+        "Frame rate": "Bildrate",
+        "Loop period": "Schleifendauer",
+        "Glide": "Angleichzeit",
+        "Take": "Aufnahme",
+        "Seed": "Startwert",
+        "Spectrum": "Spektrum",
+        "Wind speed": "Windgeschwindigkeit",
+        "Wind direction": "Windrichtung",
+        "Fetch": "Wirklänge (Fetch)",
+        "Peak enhancement": "Überhöhungsfaktor",
+        "Spreading": "Richtungsverteilung",
+        "Swell": "Dünung",
+        "Opposing waves": "Gegenläufige Wellen",
+        "Significant wave height": "Signifikante Wellenhöhe",
+        "Peak period": "Peakperiode",
+        "Amplitude": "Amplitude",
+        "Alignment": "Ausrichtung am Wind",
+        "Cut-off wavelength": "Grenzwellenlänge",
+        "Spectrum file": "Spektrumsdatei",
+        "Record": "Messung",
+        "Place": "Ort",
+        "Estimator": "Schätzverfahren",
+        # Their switches.
+        "Use Depth": "Wassertiefe angeben",
+        "Use Wind direction": "Windrichtung angeben",
+        "Use Significant wave height": "Signifikante Wellenhöhe angeben",
+        "Use Peak period": "Peakperiode angeben",
+        # Their choices.
+        "Monahan": "Monahan",
+        "Threshold": "Schwelle",
+        "Phillips": "Phillips",
+        "Pierson moskowitz": "Pierson-Moskowitz",
+        "Jonswap": "JONSWAP",
+        "Tma": "TMA",
+        "Measured": "Gemessen",
+        "Cosine squared": "Kosinus-Quadrat",
+        "Mitsuyasu": "Mitsuyasu",
+        "Hasselmann": "Hasselmann",
+        "Donelan banner": "Donelan-Banner",
+        "Maximum entropy": "Maximale Entropie",
+        "Fourier": "Fourier",
+        # What the sea is.
+        "Energy resolved": "Aufgelöste Energie",
+        "Shortest wave": "Kürzeste Welle",
+        # The range of a bake.
+        "To": "Bis",
+    },
+    "Operator": {
+        "Ocean": "Ozean",
+        "Ocean (libocean)": "Ozean (libocean)",
+        "Load Sea": "Seegang laden",
+        "Save Sea": "Seegang speichern",
+        "Sea Preset": "Seegangsvorgabe",
+        "Add Wave System": "Wellensystem hinzufügen",
+        "Remove Wave System": "Wellensystem entfernen",
+        "Measured Waves": "Gemessene Wellen",
+        "Ocean Material": "Ozeanmaterial",
+        "Bake Ocean": "Ozean backen",
+        "Free Bake": "Gebackenes freigeben",
+        "Float on Ocean": "Auf dem Ozean schwimmen",
+        "Stop Floating": "Nicht mehr schwimmen",
+        "Bake Floating": "Schwimmen backen",
+        "Free Floating": "Schwimmen freigeben",
+        "Preset": "Vorgabe",
+        "Load": "Laden",
+        "Save": "Speichern",
+        "Material": "Material",
+        "Bake": "Backen",
+        "Free": "Freigeben",
+    },
+    "*": {
+        # Panels.
+        "Ocean (libocean)": "Ozean (libocean)",
+        "Waves": "Wellen",
+        "Water": "Wasser",
+        "Grid": "Raster",
+        "Surface": "Oberfläche",
+        "Time": "Zeit",
+        "Random": "Zufall",
+        "Mesh": "Mesh",
+        "Bake": "Backen",
+        "Float (libocean)": "Schwimmen (libocean)",
+        "Attributes": "Attribute",
+        # The sea of an object.
+        "Active wave system": "Aktives Wellensystem",
+        "Kind": "Art",
+        "Patch": "Kachel",
+        "Horizon": "Horizont",
+        "Distance": "Entfernung",
+        "Vertices": "Punkte",
+        "Viewport resolution": "Auflösung in der Ansicht",
+        "Render resolution": "Auflösung beim Rendern",
+        "Scene's frame rate": "Bildrate der Szene",
+        "Own time": "Eigene Zeit",
+        "Foam": "Schaum",
+        "Velocity": "Geschwindigkeit",
+        "Normal": "Normale",
+        "Mask": "Maske",
+        "Anchor to the world": "In der Welt verankern",
+        "Play the bake": "Gebackenes abspielen",
+        "Preset": "Vorgabe",
+        "Material": "Material",
+        "The sea takes a Blender unit for a metre": (
+            "Die See nimmt eine Blender-Einheit für einen Meter"
+        ),
+        "libocean is missing: {}": "libocean fehlt: {}",
+        # Material.
+        "Under water": "Unter Wasser",
+        "Water Colour": "Wasserfarbe",
+        "Foam Colour": "Schaumfarbe",
+        "Foam Amount": "Schaummenge",
+        "Foam Scale": "Schaumgröße",
+        "Roughness": "Rauheit",
+        "IOR": "Brechungsindex",
+        "Transparency": "Transparenz",
+        "Absorption": "Absorption",
+        "Scattering": "Streuung",
+        "Anisotropy": "Anisotropie",
+        "Volume": "Volumen",
+        # Bake.
+        "Folder": "Ordner",
+        "Own range": "Eigener Bereich",
+        "Frames from": "Bilder von",
+        "Last frame": "Letztes Bild",
+        "Overwrite": "Überschreiben",
+        "Delete files": "Dateien löschen",
+        "{} of {} frames, {}": "{} von {} Bildern, {}",
+        "{} of {} frames; ESC stops": "{} von {} Bildern; ESC hält an",
+        "Baking {}: {} of {} frames; ESC stops it": (
+            "{} wird gebacken: {} von {} Bildern; ESC hält an"
+        ),
+        "Frames {} to {} of {} x {} samples: {} at most, in {}": (
+            "Bilder {} bis {} mit {} x {} Stützstellen: höchstens {}, in {}"
+        ),
+        "Frames {} to {}: the sea stands still beyond them": (
+            "Bilder {} bis {}: außerhalb steht die See still"
+        ),
+        "Not in the bake: {}": "Nicht mitgebacken: {}",
+        "The bake is for another time remapping: bake again": (
+            "Gebacken für eine andere Zeitneuzuordnung: neu backen"
+        ),
+        "The bake is of another sea than the parameters say: bake again": (
+            "Gebacken ist eine andere See als die der Parameter: neu backen"
+        ),
+        "The files of the bake are not in {}": "Die gebackenen Dateien sind nicht in {}",
+        # Float.
+        "Length": "Länge",
+        "Width": "Breite",
+        "Tilt": "Neigung",
+        "Ocean": "Ozean",
+        # Why something cannot be done.
+        "None of the selected objects floats": "Keines der gewählten Objekte schwimmt",
+        "None of the selected objects has baked floating": (
+            "Keines der gewählten Objekte hat gebackenes Schwimmen"
+        ),
+        "No ocean is selected": "Kein Ozean ist gewählt",
+        "Select the objects that shall float": "Wählen Sie die Objekte, die schwimmen sollen",
+        "The active object has no bake": "Vom aktiven Objekt ist nichts gebacken",
+        "The active object has no ocean modifier": "Das aktive Objekt hat keinen Ozean-Modifikator",
+        "The active object is no mesh, curve or text": (
+            "Das aktive Objekt ist weder Mesh noch Kurve noch Text"
+        ),
+        "The object is linked: bake it in its own file": (
+            "Das Objekt ist verknüpft: backen Sie es in seiner eigenen Datei"
+        ),
+        # Reports.
+        "{} could not be written to its end: is the disk full?": (
+            "{} konnte nicht zu Ende geschrieben werden: ist der Datenträger voll?"
+        ),
+        "{} files removed": "{} Dateien entfernt",
+        "{} frames in {}: {} written, {} were there": (
+            "{} Bilder in {}: {} geschrieben, {} waren schon da"
+        ),
+        "{} is gone; its files are in {}": "{} gibt es nicht mehr; die Dateien sind in {}",
+        "{} turns by quaternions now": "{} dreht sich jetzt mit Quaternionen",
+        "A bake of {} is under way": "{} wird gerade gebacken",
+        "A sea has at least one wave system": "Eine See hat mindestens ein Wellensystem",
+        "After {} frames: {}": "Nach {} Bildern: {}",
+        "Linked data takes no other material": "Verknüpfte Daten nehmen kein anderes Material an",
+        "Not all files could be removed: {}": "Nicht alle Dateien konnten entfernt werden: {}",
+        "Save the blend file first: the bake's folder is relative to it": (
+            "Speichern Sie zuerst die Blend-Datei: der Ordner ist relativ zu ihr"
+        ),
+        "Stopped; {} of {} frames are there": "Angehalten; {} von {} Bildern sind da",
+        "The bake of {} is in {}: choose another folder": (
+            "{} ist schon nach {} gebacken: wählen Sie einen anderen Ordner"
+        ),
+        "The file says {:g} frames a second; the scene's {:g} are used": (
+            "Die Datei sagt {:g} Bilder je Sekunde; es gelten die {:g} der Szene"
+        ),
+        "The files stay: {} plays them too": "Die Dateien bleiben: {} spielt sie auch ab",
+        "The folder {} cannot be made: {}": "Der Ordner {} kann nicht angelegt werden: {}",
+        "The last frame, {}, comes before the first, {}": (
+            "Das letzte Bild, {}, kommt vor dem ersten, {}"
+        ),
+        "The patch size, the resolution or the cascades are animated: a bake has one of each": (
+            "Kachelgröße, Auflösung oder Kaskaden sind animiert: gebacken wird nur je ein Wert"
+        ),
+        "To write EXR files takes the Python package OpenEXR, which this copy of the add-on does "
+        "not have for Python {}: {}": (
+            "EXR-Dateien zu schreiben braucht das Python-Paket OpenEXR, das dieser Kopie des "
+            "Add-ons für Python {} fehlt: {}"
+        ),
+        "Which ocean? Make it the active object, or give its name": (
+            "Welcher Ozean? Machen Sie ihn zum aktiven Objekt, oder nennen Sie seinen Namen"
+        ),
+    },
+}
+
+
+def _by_context(language: dict[str, dict[str, str]]) -> dict[tuple[str, str], str]:
+    """As Blender takes it."""
+    contexts = {**language, "*": {**language[SEA], **language["*"]}}
+    return {
+        (context, english): translated
+        for context, texts in contexts.items()
+        for english, translated in texts.items()
+    }
+
+
+TABLE = {"de_DE": _by_context(GERMAN)}
+
+
+def register() -> None:
+    bpy.app.translations.register(__package__, TABLE)
+
+
+def unregister() -> None:
+    bpy.app.translations.unregister(__package__)

@@ -1,0 +1,217 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whatever the interface says has a German word, and Blender finds it."""
+
+import ast
+import re
+import string
+import unittest.mock
+from pathlib import Path
+
+import bpy
+import libocean_addon
+import pytest
+from conftest import plane
+from libocean_addon import (
+    bake,
+    compat,
+    floating,
+    live,
+    material,
+    operators,
+    panels,
+    properties,
+    records,
+    sea_text,
+    translations,
+    water_shader,
+)
+
+GERMAN = translations.TABLE["de_DE"]
+PARTS = (properties, material, operators, records, bake, panels, floating)
+CLASSES = [cls for part in PARTS for cls in part.CLASSES]
+OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
+SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
+PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) ")  # of presets and types of water
+
+
+# What is to be translated -------------------------------------------------------
+
+
+def own_properties(cls) -> list:
+    known = cls.bl_rna.properties
+    if cls in OPERATORS:
+        known = getattr(bpy.ops.libocean, cls.bl_idname.split(".")[1]).get_rna_type().properties
+    return [known[name] for name in cls.__dict__.get("__annotations__", ())]
+
+
+def labels_of(cls) -> set[tuple[str, str]]:
+    """(context, label) of a class, its properties and their choices."""
+    found = set()
+    if hasattr(cls, "bl_label"):
+        found.add(("Operator" if cls in OPERATORS else "*", cls.bl_label))
+    for prop in own_properties(cls):
+        # A collection that is no more than drawn as a list has no name.
+        if not prop.is_hidden and prop.type != "COLLECTION":
+            found.add((prop.translation_context, prop.name))
+        if prop.type == "ENUM":
+            found |= {(prop.translation_context, item.name) for item in prop.enum_items}
+    return {(context, label) for context, label in found if not PROPER_NAME.match(label)}
+
+
+def calls(path: Path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Call):
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else node.func
+            yield name.id if isinstance(name, ast.Name) else name, node
+
+
+def texts_in(path: Path) -> set[tuple[str, str]]:
+    """(context, text) of what a source says beside labels of classes and properties."""
+    found = set()
+    for name, call in calls(path):
+        if name in ("tr", "tr_label"):
+            assert isinstance(call.args[0], ast.Constant), ast.unparse(call)
+            found.add(("*", call.args[0].value))
+        for keyword in call.keywords:
+            if keyword.arg in ("text", "heading") and isinstance(keyword.value, ast.Constant):
+                is_button = name in ("operator", "operator_menu_enum")
+                found.add(("Operator" if is_button else "*", keyword.value.value))
+    return {(context, text) for context, text in found if text}
+
+
+def sockets_of_the_water() -> set[tuple[str, str]]:
+    names = compat.input_identifiers(water_shader.get_group())
+    return {("*", name) for name in [*names, "Surface", "Volume"]}
+
+
+def states() -> set[tuple[str, str]]:
+    bpy.ops.libocean.add(use_material=False)
+    return {(translations.SEA, label) for label, _ in live.state_of(bpy.context.object)}
+
+
+# The table ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("cls", CLASSES, ids=lambda cls: cls.__name__)
+def test_every_label_is_translated(cls):
+    assert labels_of(cls) - GERMAN.keys() == set()
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
+def test_every_text_is_translated(path):
+    assert texts_in(path) - GERMAN.keys() == set()
+
+
+def test_every_state_and_socket_is_translated():
+    assert (states() | sockets_of_the_water()) - GERMAN.keys() == set()
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
+def test_nothing_is_said_untranslated(path):
+    """What is reported, or drawn, is no bare text: only what a variable holds, or tr."""
+    for name, call in calls(path):
+        if name in ("report", "poll_message_set", "status_text_set", "BakeError"):
+            said = [node for node in call.args if isinstance(node, (ast.Constant, ast.JoinedStr))]
+            assert all(node.value is None for node in said), ast.unparse(call)
+        for keyword in call.keywords:
+            if keyword.arg in ("text", "heading"):
+                assert not isinstance(keyword.value, (ast.JoinedStr, ast.BinOp)), ast.unparse(call)
+
+
+def test_no_translation_is_of_something_gone():
+    written = {(context, text) for context, texts in translations.GERMAN.items() for text in texts}
+    used = states() | sockets_of_the_water()
+    for cls in CLASSES:
+        used |= labels_of(cls)
+    for path in SOURCES:
+        used |= texts_in(path)
+    # The sea's terms are those of properties, whose context is "*" in old versions.
+    used |= {(translations.SEA, text) for context, text in used if context == "*"}
+    assert written - used == set()
+
+
+@pytest.mark.parametrize("key", GERMAN, ids=lambda key: key[1])
+def test_a_translation_has_the_same_placeholders(key):
+    def fields(text: str) -> list:
+        return [field[1:] for field in string.Formatter().parse(text) if field[1] is not None]
+
+    assert fields(GERMAN[key]) == fields(key[1])
+
+
+# In Blender ---------------------------------------------------------------------
+
+
+@pytest.fixture
+def german():
+    if "de_DE" not in bpy.app.translations.locales:
+        pytest.skip("this build of Blender has no languages")
+    view = bpy.context.preferences.view
+    view.language = "de_DE"
+    for switch in ("interface", "tooltips", "reports"):
+        if hasattr(view, f"use_translate_{switch}"):
+            setattr(view, f"use_translate_{switch}", True)
+    yield
+    view.language = "en_US"
+
+
+def test_panels_and_operators_have_german_names(german):
+    look_up = bpy.app.translations.pgettext_iface
+    assert look_up(panels.WavesPanel.bl_label) == "Wellen"
+    assert look_up(floating.FloatPanel.bl_label) == "Schwimmen (libocean)"
+    assert look_up(operators.LoadSea.bl_label, "Operator") == "Seegang laden"
+
+
+@pytest.mark.parametrize("entry", properties.TABLE, ids=lambda entry: entry["key"])
+def test_blenders_own_words_do_not_come_before_the_seas(german, entry):
+    found = bpy.app.translations.pgettext_iface(entry["label"], translations.SEA)
+    assert found == translations.GERMAN[translations.SEA][entry["label"]]
+
+
+@pytest.mark.parametrize("entry", properties.TABLE, ids=lambda entry: entry["key"])
+def test_the_panel_asks_for_the_seas_words(entry):
+    bpy.ops.libocean.add(use_material=False)
+    settings = bpy.context.object.libocean
+    group = settings.waves[0] if entry["section"] == "waves" else settings
+    layout = unittest.mock.MagicMock()
+    panels._draw_parameter(layout, group, entry)
+    label, context = entry["label"], translations.SEA
+    if sea_text.is_optional(entry):
+        layout.row.assert_called_once_with(heading=label, heading_ctxt=context)
+    else:
+        layout.prop.assert_called_once_with(group, entry["key"], text=label, text_ctxt=context)
+
+
+def test_an_operator_that_fails_says_so_in_german(german):
+    bpy.ops.libocean.add(use_material=False)
+    with pytest.raises(RuntimeError, match="Eine See hat mindestens ein Wellensystem"):
+        bpy.ops.libocean.remove_waves()
+    with pytest.raises(RuntimeError, match="Das letzte Bild, 3, kommt vor dem ersten, 5"):
+        bpy.ops.libocean.bake(directory="/nowhere", frame_start=5, frame_end=3)
+
+
+def test_an_operator_that_cannot_run_says_why_in_german(german):
+    plane(10.0, 3)
+    with pytest.raises(RuntimeError, match="Das aktive Objekt hat keinen Ozean-Modifikator"):
+        bpy.ops.libocean.load_sea()
+
+
+def test_the_state_of_a_bake_is_told_in_german(german, scene):
+    bpy.ops.libocean.add(use_material=False)
+    (text, _icon) = bake.state(bpy.context.object, scene)[-1]
+    assert re.match(r"Bilder 0 bis 251 mit 512 x 512 Stützstellen: höchstens [\d.]+ GB, in ", text)
+
+
+def test_the_words_go_with_the_add_on(german):
+    bpy.ops.preferences.addon_disable(module="libocean_addon")
+    assert bpy.app.translations.pgettext_iface("Load Sea", "Operator") == "Load Sea"
+    bpy.ops.preferences.addon_enable(module="libocean_addon")
+    assert bpy.app.translations.pgettext_iface("Load Sea", "Operator") == "Seegang laden"
+
+
+def test_what_the_library_says_stays_as_it_is(german, tmp_path):
+    bpy.ops.libocean.add(use_material=False)
+    path = tmp_path / "bad.toml"
+    path.write_text("libocean = 1\n[grid]\npatch_size = -3\n")
+    with pytest.raises(RuntimeError, match="patch_size"):
+        bpy.ops.libocean.load_sea(filepath=str(path))
