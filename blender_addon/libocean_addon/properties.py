@@ -80,6 +80,27 @@ def _switched_on(switch: str):
     return changed
 
 
+def _named_anew(lines: str):
+    """For the name of what a sea keeps a copy of, as lines of its file: the copy is of what was
+    named before."""
+
+    def changed(self, _context) -> None:
+        if not is_quiet():
+            setattr(self, lines, "")
+        _changed(self, _context)
+
+    return changed
+
+
+# Parameters that name a file, or a part of one, and the property with the copy.
+_COPIES = {
+    "take": "take_lines",
+    "file": "measured_record",
+    "record": "measured_record",
+    "place": "measured_record",
+}
+
+
 def _to_power_of_two(self, context) -> None:
     power = 1 << round(math.log2(self.resolution))
     if power != self.resolution:
@@ -118,6 +139,7 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
     }
     if kind == "text":
         subtype = "FILE_PATH" if key in ("file", "take") else "NONE"
+        common["update"] = _named_anew(_COPIES[key]) if key in _COPIES else _changed
         return {key: bpy.props.StringProperty(**common, subtype=subtype)}
     if kind == "enum":
         items = [(choice, _label(choice), "") for choice in entry["choices"]]

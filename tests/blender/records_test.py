@@ -46,6 +46,14 @@ def test_a_record_from_the_list_is_that_record(ocean):
     assert height_of(ocean) == pytest.approx(chosen["significant_wave_height"], rel=0.01)
 
 
+def test_another_record_can_be_typed_in(ocean):
+    first, *_, last = libocean.records(BUOY)
+    bpy.ops.libocean.pick_record(filepath=BUOY, record=first["time"])
+    ocean.libocean.waves[0].record = last["time"]
+    assert ocean.libocean.problem == ""
+    assert height_of(ocean) == pytest.approx(last["significant_wave_height"], rel=0.01)
+
+
 def test_the_active_wave_system_alone_becomes_the_record(ocean):
     bpy.ops.libocean.add_waves()
     ocean.libocean.waves[1].significant_wave_height = 3.0

@@ -196,6 +196,29 @@ def test_keyframes_and_drivers_move_the_sea(scene, load):
     assert np.abs((positions(ob) - rest(ob))[:, :2]).max() == 0
 
 
+def test_a_take_is_played_kept_and_let_go(scene, load, tmp_path):
+    ob, _ = patch(load)
+
+    def sideways(frame: int) -> float:
+        scene.frame_set(frame)
+        return np.abs((positions(ob) - rest(ob))[:, :2]).max()
+
+    free = sideways(60)
+    take = tmp_path / "rising.take"
+    take.write_text("0 choppiness 0\n4 choppiness 1\n")
+    ob.libocean.take = str(take)
+    assert ob.libocean.problem == ""
+    assert sideways(60) < 0.1 * free
+    assert sideways(240) > 0.5 * free
+    # A saved sea has it inside.
+    bpy.ops.libocean.save_sea(filepath=str(tmp_path / "sea.toml"))
+    take.unlink()
+    bpy.ops.libocean.load_sea(filepath=str(tmp_path / "sea.toml"))
+    assert sideways(60) < 0.1 * free
+    ob.libocean.take = ""
+    assert sideways(60) == pytest.approx(free, rel=1e-6)
+
+
 def test_a_time_of_its_own(scene, load):
     ob, sea = patch(load)
     ob.libocean.use_custom_time = True
