@@ -28,8 +28,20 @@ _SECTIONS = {
 }
 
 
+def is_used(group, entry) -> bool:
+    """Whether the spectrum, say, that is chosen has this parameter."""
+    chosen = {
+        getattr(group, other["key"])
+        for other in properties.TABLE
+        if other["section"] == entry["section"] and other["type"] == "enum"
+    }
+    return "used_by" not in entry or not chosen.isdisjoint(entry["used_by"])
+
+
 def _draw_parameter(layout, group, entry) -> None:
     key = entry["key"]
+    layout = layout.column()
+    layout.active = is_used(group, entry)
     if not sea_text.is_optional(entry):
         layout.prop(group, key, text=entry["label"], text_ctxt=translations.SEA)
         return

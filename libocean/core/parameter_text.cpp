@@ -186,6 +186,20 @@ std::string parameters_markdown() {
     return result;
 }
 
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+    std::vector<std::string_view> parts;
+    while (true) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + separator.size());
+    }
+}
+
+}  // namespace
+
 std::string parameters_json() {
     const Parameters defaults;
     std::string result = "[\n";
@@ -208,13 +222,15 @@ std::string parameters_json() {
                       ", \"soft_min\": " + json_number(info.soft_min) +
                       ", \"soft_max\": " + json_number(info.soft_max) + ", ";
         }
-        if (!info.choices().empty()) {
-            result += "\"choices\": [";
-            for (const std::string_view word : info.choices()) {
+        const auto words = [&result](std::string_view key, const auto& list) {
+            result += "\"" + std::string(key) + "\": [";
+            for (const std::string_view word : list) {
                 result += (result.back() == '[' ? "\"" : ", \"") + std::string(word) + "\"";
             }
             result += "], ";
-        }
+        };
+        if (!info.choices().empty()) words("choices", info.choices());
+        if (!info.used_by.empty()) words("used_by", split(info.used_by, ", "));
         result += "\"default\": " + json_value(info, value_of(defaults, {&info, 0})) + "}";
     }
     return result + "\n]\n";

@@ -51,6 +51,25 @@ def test_every_parameter_is_a_property(ocean, entry):
         assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
+def test_what_the_spectrum_does_not_use_is_grey(ocean):
+    system = ocean.libocean.waves[0]
+    entries = {entry["key"]: entry for entry in properties.entries(waves=True)}
+
+    def used() -> set[str]:
+        return {key for key, entry in entries.items() if panels.is_used(system, entry)}
+
+    system.spectrum = "jonswap"
+    assert {"fetch", "spreading", "wind_speed"} <= used()
+    assert not {"amplitude", "file"} & used()
+    system.spectrum = "measured"
+    assert {"file", "estimator", "wind_speed"} <= used()
+    assert not {"fetch", "amplitude"} & used()
+    (threshold,) = (e for e in properties.TABLE if e["key"] == "foam_threshold")
+    assert not panels.is_used(ocean.libocean, threshold)
+    ocean.libocean.foam_coverage = "threshold"
+    assert panels.is_used(ocean.libocean, threshold)
+
+
 PARTS = (properties, material, operators, records, bake, panels, floating)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]

@@ -225,6 +225,7 @@ TEST(ParameterTable, MarkdownAndJsonListEveryParameter) {
         EXPECT_TRUE(contains(markdown, "." + std::string(info.key) + "`")) << info.key;
         EXPECT_TRUE(contains(json, "\"key\": \"" + std::string(info.key) + "\"")) << info.key;
     }
+    EXPECT_TRUE(contains(json, R"("used_by": ["jonswap", "tma"])"));
 }
 
 }  // namespace

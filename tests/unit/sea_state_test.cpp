@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -120,6 +122,38 @@ TEST(SeaState, AFlatSeaHasNumbersToo) {
     EXPECT_EQ(sea_state_json(state).find("nan"), std::string::npos);
     EXPECT_EQ(sea_state_json(state).find("inf"), std::string::npos);
     ASSERT_EQ(state.warnings.size(), 1u);
+}
+
+TEST(SeaState, ParametersCountForTheSpectraThatTheTableSaysUseThem) {
+    const auto numbers = [](const Parameters& parameters) {
+        const SeaState state = state_of(parameters);
+        return std::array{state.significant_wave_height.asked, state.mean_square_slope.asked,
+                          state.directional_spread.asked};
+    };
+    int tried = 0;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (!info.per_wave_system() || info.used_by.empty() || info.type() == "text") continue;
+        if (info.key == "estimator") continue;  // of measured directions
+        for (const std::string_view kind : {"phillips", "pierson_moskowitz", "jonswap", "tma"}) {
+            Parameters parameters = test::wind_sea(64, 200.0);
+            parameters.water.depth = 20.0;            // of tma
+            parameters.waves.front().opposing = 0.0;  // so that directions have a mean
+            set_parameter(parameters, "waves.0.spectrum", kind);
+            const auto before = numbers(parameters);
+            const std::string_view other = info.type() == "enum"  ? "mitsuyasu"
+                                           : info.type() == "int" ? "10"
+                                                                  : "4000";
+            set_parameter(parameters, info.path(),
+                          info.max < 4000.0 && info.type() == "float" ? "7" : other);
+            const auto after = numbers(parameters);
+            const bool counts = !std::ranges::equal(
+                before, after, [](double a, double b) { return std::abs(a - b) < 1e-6 * a; });
+            EXPECT_EQ(counts, info.used_by.find(kind) != std::string_view::npos)
+                << info.key << ", " << kind;
+            ++tried;
+        }
+    }
+    EXPECT_EQ(tried, 6 * 4);
 }
 
 TEST(SeaState, MoreMemoryThanThereIsIsSaidBeforehand) {

@@ -47,6 +47,9 @@ struct ParameterInfo {
     double soft_max;
     ParameterClass change;
     Stage dirties;
+    /// Choices of another parameter of the section: without one of them this one does nothing.
+    /// "jonswap, tma"; empty: it always counts.
+    std::string_view used_by = "";
 
     bool per_wave_system() const { return section == "waves"; }
     /// "water.depth", or "waves.N.wind_speed" with the system's number.
