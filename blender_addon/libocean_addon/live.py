@@ -331,7 +331,8 @@ def parameters_changed(ob) -> None:
     if ob.libocean.use_bake:
         return
     sea = sea_of(ob)
-    if ob.libocean.kind != "MESH" and sea.sea is not None and ob.mode == "OBJECT":
+    ours = ob.libocean.kind != "MESH" and ob.data.library is None
+    if ours and sea.sea is not None and ob.mode == "OBJECT":
         _follow(ob, sea)
 
 
@@ -340,11 +341,11 @@ def _follow(ob, sea: OpenSea) -> None:
     settings, period = ob.libocean, float(sea.values.values["patch_size"])
     own = sea.sea.map_resolution()
     if settings.kind == "PATCH":
-        meshes.follow_patch(ob.data, period, own)
+        meshes.follow_patch(ob, period, own)
     else:
         samples = samples_of(settings, own)
         meshes.follow_horizon(
-            ob.data, period / samples, settings.horizon_vertices, settings.horizon_distance
+            ob, period / samples, settings.horizon_vertices, settings.horizon_distance
         )
 
 

@@ -45,16 +45,20 @@ MAX_SAMPLES = 1024
 _MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
 
 
-def _follow(mesh, made_of: str, make) -> None:
-    if mesh.get(_MADE_OF) != made_of:
-        make()
-        mesh[_MADE_OF] = made_of
+def _follow(ob, made_of: str, make) -> None:
+    """make: takes the mesh. Of objects that share one and then differ each gets its own."""
+    if ob.data.get(_MADE_OF) == made_of:
+        return
+    if ob.data.users > 1:
+        ob.data = ob.data.copy()
+    make(ob.data)
+    ob.data[_MADE_OF] = made_of
 
 
-def follow_patch(mesh, size: float, samples: int) -> None:
+def follow_patch(ob, size: float, samples: int) -> None:
     """Makes a patch's mesh anew where the period or the number of samples is another."""
     samples = min(samples, MAX_SAMPLES)
-    _follow(mesh, f"patch {size!r} {samples}", lambda: fill(mesh, *patch(size, samples)))
+    _follow(ob, f"patch {size!r} {samples}", lambda mesh: fill(mesh, *patch(size, samples)))
 
 
 # The rings of a horizon -------------------------------------------------------
@@ -124,10 +128,10 @@ def horizon(spacing: float, cells: int, rings: int):
     )
 
 
-def follow_horizon(mesh, spacing: float, most_vertices: int, distance: float) -> None:
+def follow_horizon(ob, spacing: float, most_vertices: int, distance: float) -> None:
     """Makes a horizon's mesh anew where one of these is another."""
 
-    def make() -> None:
+    def make(mesh) -> None:
         vertices, ring_of, *faces = horizon(
             spacing, *choose_rings(spacing, most_vertices, distance)
         )
@@ -135,4 +139,4 @@ def follow_horizon(mesh, spacing: float, most_vertices: int, distance: float) ->
         attribute = mesh.attributes.new(ring_nodes.RING, "FLOAT_VECTOR", "POINT")
         attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
 
-    _follow(mesh, f"horizon {spacing!r} {most_vertices} {distance!r}", make)
+    _follow(ob, f"horizon {spacing!r} {most_vertices} {distance!r}", make)

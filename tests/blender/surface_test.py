@@ -129,6 +129,19 @@ def test_copies_show_seas_of_their_own(scene, load):
     assert_patch(twin, other, 9 / 24)
 
 
+def test_copies_that_share_a_mesh_part_when_their_periods_do(scene, load):
+    ob, sea = patch(load)
+    twin = ob.copy()
+    bpy.context.collection.objects.link(twin)
+    bpy.context.view_layer.update()
+    assert twin.data == ob.data
+    other = load(twin, period=ODD, seed=2)
+    assert twin.data != ob.data
+    scene.frame_set(10)
+    assert_patch(ob, sea, 9 / 24)
+    assert_patch(twin, other, 9 / 24)
+
+
 def test_undo_and_redo_bring_the_surface_back(scene, load):
     ob, sea = patch(load)
     scene.frame_set(10)
