@@ -3,7 +3,7 @@
 """The coarser maps of a horizon in one image: maps of 1/2, 1/4 ... of the samples, down to one,
 stacked from the bottom; each has a border of one texel, which repeats it, all around.
 
-node_group._Rings finds its way by the same rule.
+ring_nodes.Rings finds its way by the same rule.
 """
 
 from __future__ import annotations
@@ -77,9 +77,13 @@ def fill(sea, time: float, size: int, finest: dict, atlases: dict, state: dict) 
 
 
 def halved(field: np.ndarray) -> np.ndarray:
-    """Means of two by two samples; what foam becomes from far away."""
-    rows = field[0::2] + field[1::2]
-    return np.float32(0.25) * (rows[:, 0::2] + rows[:, 1::2])
+    """A periodic map on every other sample: means of each and, at half its weight, the two beside
+    it, so that nothing moves. What foam becomes from far away."""
+    for axis in (0, 1):
+        even, odd = (np.swapaxes(field, 0, axis)[first::2] for first in (0, 1))
+        beside = np.float32(0.25) * (odd + np.roll(odd, 1, axis=0))
+        field = np.swapaxes(np.float32(0.5) * even + beside, 0, axis)
+    return field
 
 
 def cut(field: np.ndarray) -> np.ndarray:

@@ -109,12 +109,11 @@ class Rings:
     def start(self, geometry):
         """Puts the rings around the camera and keeps where each vertex looks."""
         b = self.b
-        wanted = [(self.finest, self.own), (self.next, (self.on_finest, self.blend))]
+        both = (self.finest, self.own), (self.next, b.vector(self.on_finest, self.blend, 0.0))
         kept = []
-        for first, second in wanted:
-            x, y, _ = b.parts(first)
-            z, w = second if isinstance(second, tuple) else b.parts(second)[:2]
-            geometry, color = compat.capture(b.group, geometry, b.color(x, y, z, w))
+        for first, second in both:
+            color = b.color(*b.parts(first)[:2], *b.parts(second)[:2])
+            geometry, color = compat.capture(b.group, geometry, color)
             kept.append(b.components(color))
         (x, y, own_x, own_y), (next_x, next_y, self.on_finest, self.blend) = kept
         self.finest, self.own = b.vector(x, y, 0.0), b.vector(own_x, own_y, 0.0)

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, evaluated_mesh, positions, rest
-from libocean_addon import meshes, ring_nodes
+from libocean_addon import atlas, meshes, ring_nodes
 from libocean_addon.bundled import libocean
 
 FRAMES = (1, 40, 250)
@@ -210,6 +210,16 @@ def test_foam_far_away_is_the_mean_of_foam(scene, horizon):
     mean = sea.surface(99 / 24).foam.mean()
     assert mean > 0.01
     assert foam[level >= 6] == pytest.approx(mean, rel=1e-3)
+
+
+def test_what_is_averaged_stays_in_its_place():
+    one = np.zeros((8, 8), np.float32)
+    one[0, 4] = 1.0
+    half = atlas.halved(one)
+    assert half[0, 2] == 0.25
+    assert half.sum() == 0.25
+    one = np.roll(one, 1, axis=1)
+    assert np.array_equal(atlas.halved(one)[0], np.float32([0, 0, 0.125, 0.125]))
 
 
 def test_a_coarser_map_serves_the_near_rings(scene, horizon):
