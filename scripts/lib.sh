@@ -19,11 +19,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools python3-numpy python3-pytest python3-openimageio openexr clang
-        libclang-rt-14-dev valgrind blender xvfb xauth)
+        libclang-rt-14-dev valgrind blender libegl1 xvfb xauth)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     bpy_packages=(
-        "${build_packages[@]}" blender xvfb xauth python3-numpy python3-pytest python3-venv
+        "${build_packages[@]}" blender libegl1 xvfb xauth python3-numpy python3-pytest python3-venv
         ca-certificates libgl1 libgomp1 libice6 libsm6 libx11-6 libxext6 libxfixes3 libxi6 libxkbcommon0
         libxrender1 libxxf86vm1)
     # Long-term releases and what came between; those that the index drops are dropped here.
