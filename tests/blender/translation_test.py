@@ -175,11 +175,12 @@ def test_the_panel_asks_for_the_seas_words(entry):
     group = settings.waves[0] if entry["section"] == "waves" else settings
     layout = unittest.mock.MagicMock()
     panels._draw_parameter(layout, group, entry)
+    drawn = layout.column.return_value
     label, context = entry["label"], translations.SEA
     if sea_text.is_optional(entry):
-        layout.row.assert_called_once_with(heading=label, heading_ctxt=context)
+        drawn.row.assert_called_once_with(heading=label, heading_ctxt=context)
     else:
-        layout.prop.assert_called_once_with(group, entry["key"], text=label, text_ctxt=context)
+        drawn.prop.assert_called_once_with(group, entry["key"], text=label, text_ctxt=context)
 
 
 def test_an_operator_that_fails_says_so_in_german(german):
