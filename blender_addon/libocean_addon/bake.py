@@ -15,7 +15,6 @@ from pathlib import Path
 import bpy
 
 from . import (
-    atlas,
     bake_job,
     baked,
     compat,
@@ -55,9 +54,7 @@ def size_estimate(ob, resolution: int, frames: int) -> int:
     """Bytes at most."""
     samples = 0
     for field in baked.wanted_fields(ob.libocean):
-        rows, columns = (resolution, resolution)
-        if exr_files.is_far(field):
-            rows, columns = atlas.shape(resolution)
+        rows, columns = exr_files.shape(field, resolution)
         samples += rows * columns * len(exr_files.channels(field))
     return frames * 4 * samples
 

@@ -23,7 +23,7 @@ def declare(group, kind: str) -> None:
     socket = compat.add_socket
     socket(group, "Geometry", "NodeSocketGeometry")
     for name in FIELDS:
-        for image in (name, f"{name} Far") if kind == "HORIZON" else (name,):
+        for image in (name, ring_nodes.far_image(name)) if kind == "HORIZON" else (name,):
             socket(group, image, "NodeSocketImage")
     if kind == "HORIZON":
         ring_nodes.declare(group)
@@ -91,7 +91,7 @@ class BakedFields:
         return self._from_file(self._mixed(field, place, interpolation), self.lost_slopes())
 
     def far(self, field: str, place):
-        mixed = self._mixed(f"{field} Far", place, "Linear")
+        mixed = self._mixed(ring_nodes.far_image(field), place, "Linear")
         return self._from_file(mixed, self.b.alpha(mixed))
 
     def lost_slopes(self):

@@ -59,6 +59,11 @@ def unit(field: str) -> str:
     return _UNITS[field.removesuffix(_FAR)]
 
 
+def shape(field: str, resolution: int) -> tuple[int, int]:
+    """Rows and columns of a field's files."""
+    return atlas.shape(resolution) if is_far(field) else (resolution, resolution)
+
+
 def channels(field: str) -> str:
     """Foam is a number, all else a vector; with the coarser normals goes the variance of the slopes
     that they leave out."""
@@ -100,10 +105,6 @@ class Label:
     resolution: int
     version: str
     backend: str = "cpu"
-
-    def shape(self, field: str) -> tuple[int, int]:
-        """Rows and columns."""
-        return atlas.shape(self.resolution) if is_far(field) else (self.resolution,) * 2
 
     def strings(self, field: str) -> dict[str, str]:
         return {
@@ -201,7 +202,7 @@ def is_there(file_path: Path, label: Label, field: str) -> bool:
         with open(file_path, "rb") as file:
             reader = _Reader(file)
             found = _attributes(reader)
-            rows, columns = label.shape(field)
+            rows, columns = shape(field, label.resolution)
             wanted = {name.encode(): text.encode() for name, text in label.strings(field).items()}
             wanted[b"dataWindow"] = struct.pack("<iiii", 0, 0, columns - 1, rows - 1)
             wanted[b"channels"] = _channels(channels(field))
@@ -226,7 +227,7 @@ _ROWS_AT_A_TIME = 64
 
 def _write_image(package, path: Path, label: Label, field: str, values: np.ndarray) -> None:
     imath = importlib.import_module("Imath")
-    rows, columns = label.shape(field)
+    rows, columns = shape(field, label.resolution)
     names = channels(field)
     split = np.moveaxis(values, 2, 0) if len(names) > 1 else [values]
     planes = {

@@ -43,7 +43,7 @@ class OpenSea:
         self.sea = None
         self.values: sea_text.SeaValues | None = None
         self.changes = 0
-        self.state: dict | None = None  # for the panel, read when it is looked at
+        self.state: dict | None = None  # read_state()
         self.point_sea = None
         self.point_changes = 0
         self.buffers: dict[tuple[str, int], np.ndarray] = {}

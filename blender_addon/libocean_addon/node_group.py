@@ -17,6 +17,7 @@ import bpy
 from . import baked_nodes, compat, ring_nodes
 from .baked_nodes import LOST_SLOPES
 from .node_builder import Builder
+from .ring_nodes import far_image
 
 VERSION = 1
 MARK = "libocean"  # custom property of a group: the version that built it
@@ -27,16 +28,9 @@ FIELDS = ("Displacement", "Velocity", "Normal")
 """The maps; each image has a twin for renders. Foam is the alpha of the first, and of a horizon's
 third one the variance of the slopes that are left out."""
 
-KINDS = ("MESH", "PATCH", "HORIZON")
-
 
 def render_twin(name: str) -> str:
     return f"{name} Render"
-
-
-def far_image(field: str) -> str:
-    """The coarser maps of a horizon, see atlas.py."""
-    return f"{field} Far"
 
 
 def _declare(group, kind: str) -> None:

@@ -121,12 +121,4 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
 
 CLASSES = (PickRecord,)
 
-
-def register() -> None:
-    for cls in CLASSES:
-        bpy.utils.register_class(cls)
-
-
-def unregister() -> None:
-    for cls in reversed(CLASSES):
-        bpy.utils.unregister_class(cls)
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

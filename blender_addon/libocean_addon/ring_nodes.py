@@ -15,6 +15,11 @@ RING = "ocean_ring"
 and the size of its cells in cells of the finest."""
 
 
+def far_image(field: str) -> str:
+    """The input for the coarser maps of a field, see atlas.py."""
+    return f"{field} Far"
+
+
 def declare(group) -> None:
     """The sockets that only a horizon has."""
     compat.add_socket(group, "Camera", "NodeSocketObject")
