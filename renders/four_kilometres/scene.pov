@@ -9,10 +9,7 @@
 global_settings { assumed_gamma 1.0 }
 
 #declare Period = 4000;
-#declare Samples = 2048;
-// What sea.png.txt says: height = base + scale * code / 65536.
-#declare Base = -21.94829297065735;
-#declare Scale = 44.79062843322754;
+#include "sea.png.inc"
 
 camera {
     orthographic
@@ -34,8 +31,8 @@ light_source { <-3, 1.6, -2>*1e6 rgb <1.75, 1.55, 1.25> parallel point_at <0, 0,
 height_field {
     png "sea.png" smooth
     water_level 0
-    scale <Period, Scale, Period>
-    translate Base*y
+    scale <Period, Ocean_Scale, Period>
+    translate Ocean_Base*y
     texture {
         pigment {
             pigment_pattern { Whitecaps }

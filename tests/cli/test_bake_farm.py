@@ -479,7 +479,7 @@ def test_a_dry_run_tells_and_writes_nothing(ocean):
     assert size <= plan["bytes"] <= 1.1 * size
     assert plan["free_bytes"] == pytest.approx(shutil.disk_usage(ocean.folder).free, rel=0.5)
     assert 0 < plan["memory_bytes"] < 1 << 30
-    for output in ("out/s.png", "out/s.inc"):
+    for output in ("out/s.png", "out/s.inc", "out/s.df3"):
         done = ocean("bake", "sea.toml", "-o", output, "-n", "--json")
         names = done.stdout.splitlines()
         ocean.good("bake", "sea.toml", "-o", output)
@@ -570,4 +570,4 @@ def test_a_pipe_gets_no_manifest(ocean):
     reader = subprocess.Popen(["cat", "s.png"], cwd=ocean.folder, stdout=subprocess.PIPE)
     ocean.good("bake", "sea.toml", "-o", "s.png")
     assert reader.communicate(timeout=30)[0].startswith(b"\x89PNG")
-    assert set(ocean.manifest("s.manifest.json")) == {"s.png.txt"}
+    assert set(ocean.manifest("s.manifest.json")) == {"s.png.txt", "s.png.inc"}

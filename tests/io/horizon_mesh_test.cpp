@@ -6,6 +6,7 @@
 // the mean of the slopes that an eye would see.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "../../libocean/io/mesh/map_pyramid.hpp"
@@ -61,6 +62,9 @@ TEST(VisibleSlope, LimitsAndContinuity) {
 Surface wave_level(int n, int waves, double amplitude) {
     using enum Channel;
     Surface surface(Lattice{n, kPeriod}, 0.0, {dx, dy, height, nx, ny, nz, slope_x, slope_y});
+    for (int c = 0; c < kChannelCount; ++c) {
+        std::ranges::fill(surface.channel(static_cast<Channel>(c)), 0.0f);
+    }
     const double k = kTwoPi * waves / kPeriod;
     const double a = waves < n / 2 ? amplitude : 0.0;
     for (int j = 0; j < n; ++j) {

@@ -3,6 +3,7 @@
 //
 // Writes what test_povray.py renders: make_povray_samples FOLDER. Six sine waves of known height,
 // flat and choppy, as a height_field and as patch meshes.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -52,6 +53,9 @@ void add_wave(Surface& surface, const Wave& wave, double choppiness) {
 Surface make_sample(double choppiness) {
     using enum Channel;
     Surface surface(Lattice{kSamples, kPeriod}, 3.5, {dx, dy, height, nx, ny, nz});
+    for (int c = 0; c < kChannelCount; ++c) {
+        std::ranges::fill(surface.channel(static_cast<Channel>(c)), 0.0f);
+    }
     for (const Wave& wave : kWaves) add_wave(surface, wave, choppiness);
     for (std::size_t at = 0; at < surface.channel(nz).size(); ++at) {
         const double x = surface.channel(nx)[at], y = surface.channel(ny)[at];

@@ -35,6 +35,7 @@ std::uint64_t most_text_bytes(const BakePlan& plan) {
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     constexpr std::uint64_t kSmallFile = 4096;
+    if (plan.format == BakeFormat::df3) return io::df3_bytes(file.resolution);
     if (plan.format == BakeFormat::exr) return most_exr_bytes(plan, file);
     if (plan.format == BakeFormat::mesh2) return most_text_bytes(plan);
     if (utf8_path(file.path).extension() == ".txt") return kSmallFile;

@@ -5,6 +5,7 @@
 // hashes are those of what the disk holds, and a disk that lies is found out.
 #include "bake_frame.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -54,6 +55,12 @@ std::filesystem::path native(const BakeFile& file) {
     return utf8_path(file.path);
 }
 
+/// "sea_0001.df3" -> "sea_0001_far1.df3".
+std::string far_path(const std::string& path, std::size_t level) {
+    const std::size_t dot = path.rfind('.');
+    return path.substr(0, dot) + "_far" + std::to_string(level) + path.substr(dot);
+}
+
 /// A device or a pipe has nothing to keep, and nothing to read back.
 bool is_regular(const BakeFile& file) {
     std::error_code error;
@@ -94,8 +101,9 @@ ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int frame, int
     entry.product = file.product;
     entry.recipe = file.recipe;
     hash_file(file, entry);
-    const bool image = !file.header.empty() || native(file).extension() != ".txt";
-    if (image && plan.format != BakeFormat::mesh2) entry.pixels_sha256 = hash_pixels(file, threads);
+    const bool height_field =
+        plan.format == BakeFormat::height_field && native(file).extension() == ".png";
+    if (!file.header.empty() || height_field) entry.pixels_sha256 = hash_pixels(file, threads);
     return entry;
 }
 
@@ -109,11 +117,26 @@ std::vector<BakeFile> files_of_frame(const BakePlan& plan, int frame) {
         for (const FieldInfo* field : plan.products)
             files.push_back(exr_file(plan, {field}, frame));
     } else {
-        const bool mesh = plan.format == BakeFormat::mesh2;
         const std::string path = plan.pattern.file(frame);
         const std::string recipe = sha256_hex(recipe_text(plan, frame));
-        files.push_back({path, mesh ? "mesh" : "height", {}, "", recipe});
-        if (!mesh) files.push_back({path + ".txt", "height", {}, "", recipe});
+        const auto add = [&](const std::string& file, const char* product) {
+            files.push_back({file, product, {}, "", recipe, plan.resolution});
+        };
+        switch (plan.format) {
+            case BakeFormat::mesh2:
+                add(path, "mesh");
+                break;
+            case BakeFormat::height_field:
+                add(path, "height");
+                add(path + ".txt", "height");
+                add(path + ".inc", "height");
+                break;
+            default:
+                for (const int resolution : plan.resolutions()) {
+                    add(files.empty() ? path : far_path(path, files.size()), "map");
+                    files.back().resolution = resolution;
+                }
+        }
     }
     return files;
 }
@@ -157,15 +180,80 @@ bool FrameBaker::keep(const std::vector<BakeFile>& files, int frame) {
 void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
     const BakePlan& plan = bake_.plan;
     const double time = plan.sea.time_of(frame);
-    std::vector<Surface> levels;
-    for (const int resolution : plan.resolutions()) {
-        levels.push_back(ocean_.evaluate(time, plan.channels, resolution));
-    }
+    const std::vector<Surface> levels = make_levels(time);
     const io::Frame labelled{levels.front(), plan.sea_text, frame, time, plan.backend};
     if (plan.format == BakeFormat::mesh2) {
         write_mesh(files.front(), labelled, levels);
+    } else if (plan.format == BakeFormat::df3) {
+        write_maps(files, frame, levels);
     } else {
         write_images(files, labelled);
+    }
+}
+
+std::vector<Surface> FrameBaker::make_levels(double time) {
+    const BakePlan& plan = bake_.plan;
+    std::vector<Surface> levels;
+    if (plan.format == BakeFormat::height_field) return {shown_heights(time)};
+    for (const int resolution : plan.resolutions()) {
+        if (levels.empty() || !plan.has_foam()) {
+            levels.push_back(ocean_.evaluate(time, plan.channels, resolution));
+            continue;
+        }
+        // Foam has a past on each map; what it looks like from far away is its mean.
+        Surface level(Lattice{resolution, levels.front().period()}, time, plan.channels);
+        std::vector<MapOutput> outputs = outputs_of(level);
+        std::erase_if(outputs, [](const MapOutput& output) {
+            return output.channels().contains(Channel::foam);
+        });
+        ocean_.evaluate_into(time, outputs, resolution);
+        io::average_foam(levels.back(), level);
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+Surface FrameBaker::shown_heights(double time) {
+    const BakePlan& plan = bake_.plan;
+    if (plan.sea.at(time).surface.choppiness == 0.0) {
+        return ocean_.evaluate(time, plan.channels, plan.resolution);
+    }
+    const Lattice map{plan.resolution, plan.sea.parameters.grid.patch_size};
+    Surface surface(map, time, plan.channels);
+    const auto n = static_cast<std::size_t>(plan.resolution);
+    const double spacing = map.period / plan.resolution;
+    // Twice as fine where the library has such maps.
+    const QueryOptions options{.refine = 4 * plan.resolution <= kMaxResolution ? 2 : 1,
+                               .foam = false,
+                               .resolution = plan.resolution};
+    std::size_t folded = 0;
+    std::vector<WorldPoint> row(n);
+    std::vector<QuerySample> samples(n);
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t i = 0; i < n; ++i) {
+            row[i] = {static_cast<double>(i) * spacing, static_cast<double>(j) * spacing};
+        }
+        ocean_.query(time, row, samples, options);
+        for (std::size_t i = 0; i < n; ++i) {
+            surface.channel(Channel::height)[j * n + i] = static_cast<float>(samples[i].height);
+            folded += samples[i].folded ? 1 : 0;
+        }
+    }
+    if (folded > 0) {
+        bake_.console.warning(format_text(
+            "at %g s %zu of %zu points lie where the crests have folded over: they take the top "
+            "sheet",
+            time, folded, n * n));
+    }
+    return surface;
+}
+
+void FrameBaker::write_maps(const std::vector<BakeFile>& files, int frame,
+                            std::span<const Surface> levels) {
+    for (std::size_t level = 0; level < files.size(); ++level) {
+        const InterruptWatch::Hold whole = bake_.interrupts.hold();
+        io::write_df3(levels[level], files[level].path);
+        record(files[level], frame);
     }
 }
 

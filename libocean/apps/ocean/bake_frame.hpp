@@ -24,6 +24,7 @@ struct BakeFile {
     std::vector<const FieldInfo*> fields;  // of an EXR
     std::string header;                    // of an EXR, byte for byte
     std::string recipe;                    // SHA-256 of all that decides the content
+    int resolution = 0;                    // of the map of a DF3 file
 };
 
 /// In the order in which they are written.
@@ -55,6 +56,11 @@ class FrameBaker {
     void make(const std::vector<BakeFile>& files, int frame);
 
   private:
+    std::vector<Surface> make_levels(double time);
+    /// The heights at places of the world, as a format without overhangs shows them: the
+    /// displacement inverted, of folds the top sheet.
+    Surface shown_heights(double time);
+    void write_maps(const std::vector<BakeFile>& files, int frame, std::span<const Surface> levels);
     void write_images(const std::vector<BakeFile>& files, const io::Frame& frame);
     void write_mesh(const BakeFile& file, const io::Frame& frame, std::span<const Surface> levels);
     void record(const BakeFile& file, int frame);

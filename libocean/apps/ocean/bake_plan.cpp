@@ -28,8 +28,9 @@ BakeFormat find_format(const OutputPattern& pattern, const std::string& output) 
     if (extension == ".exr") return BakeFormat::exr;
     if (extension == ".png") return BakeFormat::height_field;
     if (extension == ".inc") return BakeFormat::mesh2;
-    const std::string allowed = "allowed are .exr, .png (height_field) and .inc (mesh2)";
-    for (const char* later : {".vdb", ".df3", ".obj", ".ply", ".pc2"}) {
+    if (extension == ".df3") return BakeFormat::df3;
+    const std::string allowed = "allowed are .exr, .df3, .png (height_field) and .inc (mesh2)";
+    for (const char* later : {".vdb", ".obj", ".ply", ".pc2"}) {
         if (extension == later) {
             throw Error(ErrorKind::unsupported,
                         "-o " + output + ": " + later + " comes with a later version; " + allowed);
@@ -149,6 +150,7 @@ ChannelSet find_channels(const BakePlan& plan) {
                              Channel::nx, Channel::ny, Channel::nz};
     if (plan.view) return mesh | ChannelSet{Channel::slope_x, Channel::slope_y};
     if (plan.format == BakeFormat::mesh2) return mesh;
+    if (plan.format == BakeFormat::df3) return io::df3_channels();
     ChannelSet channels;
     for (const FieldInfo* product : plan.products) channels = channels | product->set();
     return channels;
@@ -166,7 +168,8 @@ void settle_names(BakePlan& plan) {
 
 std::vector<int> BakePlan::resolutions() const {
     std::vector<int> levels = {resolution};
-    while (view && levels.back() > kMinResolution) levels.push_back(levels.back() / 2);
+    while ((view || far_maps) && levels.back() > kMinResolution)
+        levels.push_back(levels.back() / 2);
     return levels;
 }
 

@@ -32,7 +32,7 @@ struct BakeOptions {
     std::string eye, heading, field_of_view, horizon, mesh_columns, mesh_rows, slope_variance;
 };
 
-enum class BakeFormat { exr, height_field, mesh2 };
+enum class BakeFormat { exr, height_field, mesh2, df3 };
 
 struct BakePlan {
     Sea sea;
@@ -48,11 +48,12 @@ struct BakePlan {
     io::ExrOptions exr;
     std::optional<io::View> view;  // a mesh to the horizon instead of one period
     bool slope_variance_given = false;
+    bool far_maps = false;  // coarser maps beside that of each frame, a DF3 file each
     Backend backend = Backend::cpu;
     int resolution = 0;  // of the finest map
     ChannelSet channels;
 
-    /// The maps of one frame: one, or for a view R, R/2, ... 32 samples.
+    /// The maps of one frame: one, or for a view and with far maps R, R/2, ... 32 samples.
     std::vector<int> resolutions() const;
     /// Bytes for what all frames share.
     std::uint64_t modes_memory() const;

@@ -24,6 +24,7 @@ struct Context {
 
 void add_info_command(CLI::App& app, Context& context);
 void add_bake_command(CLI::App& app, Context& context);
+void add_povray_command(CLI::App& app, Context& context);
 void add_query_command(CLI::App& app, Context& context);
 void add_gauge_command(CLI::App& app, Context& context);
 void add_spectrum_command(CLI::App& app, Context& context);

@@ -76,6 +76,7 @@ int run(int argc, char** argv) {
     add_run_options(app, options, "JSON lines on standard error; `info` prints JSON");
     add_info_command(app, context);
     add_bake_command(app, context);
+    add_povray_command(app, context);
     add_query_command(app, context);
     add_gauge_command(app, context);
     add_spectrum_command(app, context);

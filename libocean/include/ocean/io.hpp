@@ -5,6 +5,7 @@
 // Every file is written under a temporary name beside its own and renamed when it is whole.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/sea.hpp"
+#include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean::io {
@@ -108,26 +111,61 @@ void write_file_atomically(const std::string& path, std::string_view bytes);
 /// the current one. Temporaries of writers that still live are kept. Returns how many it removed.
 int remove_abandoned_temporaries(const std::string& directory);
 
-/// 16-bit grey height_field of the undisplaced heights, (N+1)^2 with the wrapped seam, top row far.
-/// `path` + ".txt" says lo, hi, unit, quantum and POV-Ray's scale and base:
-/// height = base + scale * code / 65536. The heights fill a quarter of the codes, so each is right
-/// to (hi - lo) / 32768. Needs channel height. Throws Error output.
+/// 16-bit grey height_field of the channel height, whatever its samples are labels of, (N+1)^2 with
+/// the wrapped seam, top row far. `path` + ".txt" says lo, hi, unit, quantum and POV-Ray's scale
+/// and base, `path` + ".inc" the latter for scenes: height = base + scale * code / 65536. The
+/// heights fill three quarters of the codes, so each is right to (hi - lo) / 98304. Needs channel
+/// height. Throws Error output.
 void write_height_field(const Frame& frame, const std::string& path);
 /// The 16-bit codes of such a file, rows from the top, little-endian. Throws Error bad_file.
 void read_height_field(const std::string& path, const ByteSink& sink);
+
+/// Maps along the z axis of a DF3 file: height, dx, dz, two of the normal, foam. See df3.cpp.
+inline constexpr int kDf3Slices = 6;
+/// What write_df3 needs: dx, dy, height, nx, ny, nz, foam.
+ChannelSet df3_channels();
+std::uint64_t df3_bytes(int resolution);
+/// A map as POV-Ray's density_file: heights to 2.4e-7 m, offsets to half a step of the
+/// patch mesh's grid, which keeps the seam of copies free of cracks. Throws Error output,
+/// invalid_value for a length that is not finite or beyond 1024 m.
+void write_df3(const Surface& surface, const std::string& path);
+/// Fills the foam of a map with that of one of twice the resolution: means of each sample and, at
+/// half its weight, of those beside it, so that nothing moves. What foam becomes from far away.
+void average_foam(const Surface& fine, Surface& coarse);
+
+/// Of the folders that `ocean povray` writes: ocean.inc refuses any other.
+inline constexpr int kPovrayDataVersion = 1;
+
+/// A folder of frames for POV-Ray. References must outlive it.
+struct PovrayFolder {
+    const Sea& sea;
+    const SeaState& state;
+    std::string_view format;  // "df3", "mesh2" or "height_field"
+    std::vector<int> maps;    // samples a side of each frame's maps, the finest first
+    std::vector<int> frames;  // at least one
+
+    /// Whether POV-Ray's own frame_number can be theirs.
+    bool frames_are_consecutive() const;
+};
+/// The include file that tells a scene all of that, each parameter by its name:
+/// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
+std::string povray_declarations(const PovrayFolder& folder);
 
 /// Triangles with a normal at each vertex, z up, metres.
 struct Mesh {
     std::vector<float> positions;  // x, y, z of each vertex
     std::vector<float> normals;
+    std::vector<float> foam;     // of each vertex, 0 .. 1; empty where there is none
     std::vector<int> triangles;  // three vertex numbers each, counter-clockwise from above
 };
 
 /// One period of the displaced surface, (N+1)^2 vertices with the seam closed. Vertices lie on a
 /// grid of a power of two (2^-16 m, coarser for large patches), which keeps the seam of copies that
 /// lie a period apart free of cracks when the period lies on it too, as every whole number does.
-/// Needs dx, dy, height, nx, ny, nz.
+/// Needs dx, dy, height, nx, ny, nz; takes foam too.
 Mesh make_patch_mesh(const Surface& surface);
+/// Its triangles alone, which are the same for all maps of so many samples a side.
+std::vector<int> patch_triangles(int resolution);
 
 /// Where a picture is taken from: what of the sea a mesh must show, and how finely.
 struct View {
@@ -160,9 +198,11 @@ double mean_visible_slope(double slope_rms, double elevation_slope);
 /// Needs dx, dy, height, nx, ny, nz, slope_x, slope_y. Throws Error invalid_value.
 Mesh make_horizon_mesh(std::span<const Surface> levels, const View& view);
 
+/// Triangles as the face_indices of a mesh2.
+std::string povray_faces(std::span<const int> triangles);
 /// A POV-Ray include file that declares `Ocean_Surface` as a mesh2 in POV-Ray's axes (x, z, y), and
-/// Ocean_Time, Ocean_Period, Ocean_Frame_Number; with a view also its camera: Ocean_Eye,
-/// Ocean_Forward, Ocean_View_Angle. Throws Error output.
+/// Ocean_Time, Ocean_Period, Ocean_Frame_Number; foam is the u of its uv. With a view also its
+/// camera: Ocean_Eye, Ocean_Forward, Ocean_View_Angle. Throws Error output.
 void write_mesh2(const Mesh& mesh, const Frame& frame, const std::string& path,
                  const View* view = nullptr);
 

@@ -120,6 +120,7 @@ struct LinearPlanes {
 class Surface {
   public:
     Surface() = default;
+    /// The maps are not filled: not with zeros either.
     Surface(Lattice lattice, double time, ChannelSet channels);
 
     int resolution() const { return lattice_.resolution; }

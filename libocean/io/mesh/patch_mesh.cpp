@@ -30,8 +30,10 @@ double largest_offset(const Surface& surface) {
     return largest;
 }
 
+}  // namespace
+
 // The quads (i, j) as two triangles each, with the diagonal of POV-Ray's height_field.
-std::vector<int> grid_triangles(int n) {
+std::vector<int> patch_triangles(int n) {
     std::vector<int> triangles;
     triangles.reserve(6 * static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
     const int width = n + 1;
@@ -45,8 +47,6 @@ std::vector<int> grid_triangles(int n) {
     return triangles;
 }
 
-}  // namespace
-
 Mesh make_patch_mesh(const Surface& surface) {
     require_channels(surface, {Channel::dx, Channel::dy, Channel::height, Channel::nx, Channel::ny,
                                Channel::nz});
@@ -55,6 +55,7 @@ Mesh make_patch_mesh(const Surface& surface) {
     const double step = grid_step(surface.period() + largest_offset(surface));
     const auto snap = [step](double value) { return std::nearbyint(value / step) * step; };
 
+    const bool foam = surface.has(Channel::foam);
     Mesh mesh;
     mesh.positions.reserve(3 * (n + 1) * (n + 1));
     mesh.normals.reserve(3 * (n + 1) * (n + 1));
@@ -73,9 +74,10 @@ Mesh make_patch_mesh(const Surface& surface) {
             for (const Channel channel : {Channel::nx, Channel::ny, Channel::nz}) {
                 mesh.normals.push_back(surface.channel(channel)[at]);
             }
+            if (foam) mesh.foam.push_back(surface.channel(Channel::foam)[at]);
         }
     }
-    mesh.triangles = grid_triangles(surface.resolution());
+    mesh.triangles = patch_triangles(surface.resolution());
     return mesh;
 }
 

@@ -18,14 +18,15 @@
 namespace ocean::io {
 namespace {
 
-// Collects text and hands it on in large pieces.
+// Collects text; with a file, hands it on in large pieces.
 class TextWriter {
   public:
-    explicit TextWriter(OutputFile& file) : file_(file) { buffer_.reserve(kPiece + 4096); }
+    TextWriter() = default;
+    explicit TextWriter(OutputFile& file) : file_(&file) { buffer_.reserve(kPiece + 4096); }
 
     TextWriter& operator<<(std::string_view text) {
         buffer_ += text;
-        if (buffer_.size() >= kPiece) flush();
+        if (file_ != nullptr && buffer_.size() >= kPiece) flush();
         return *this;
     }
     template <typename Number>
@@ -33,7 +34,8 @@ class TextWriter {
         char text[48];
         return *this << std::string_view(text, std::to_chars(text, text + sizeof text, value).ptr);
     }
-    // Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves a tenth of the file.
+    // -1 .. 1. Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves a tenth of the
+    // file.
     TextWriter& unit_number(float value) {
         const long scaled = std::lround(value * 10000.0f);
         if (scaled < 0) *this << "-";
@@ -47,13 +49,14 @@ class TextWriter {
         return *this << std::string_view(text, sizeof text);
     }
     void flush() {
-        file_.write(buffer_);
+        file_->write(buffer_);
         buffer_.clear();
     }
+    const std::string& text() const { return buffer_; }
 
   private:
     static constexpr std::size_t kPiece = std::size_t{1} << 20;
-    OutputFile& file_;
+    OutputFile* file_ = nullptr;
     std::string buffer_;
 };
 
@@ -114,14 +117,22 @@ void write_vectors(TextWriter& out, const Mesh& mesh) {
         out.unit_number(n[1]) << ">";
     }
     out << "\n}\n";
+    if (mesh.foam.empty()) return;
+    out << "uv_vectors { ";
+    out.number(count);
+    for (const float foam : mesh.foam) {
+        out << ",\n<";
+        out.unit_number(foam) << ",0>";
+    }
+    out << "\n}\n";
 }
 
-void write_faces(TextWriter& out, const Mesh& mesh) {
-    const std::size_t count = mesh.triangles.size() / 3;
+void write_faces(TextWriter& out, std::span<const int> triangles) {
+    const std::size_t count = triangles.size() / 3;
     out << "face_indices { ";
     out.number(count);
     for (std::size_t f = 0; f < count; ++f) {
-        const int* corner = &mesh.triangles[3 * f];
+        const int* corner = &triangles[3 * f];
         out << ",\n<";
         out.number(corner[0]) << ",";
         out.number(corner[1]) << ",";
@@ -131,6 +142,12 @@ void write_faces(TextWriter& out, const Mesh& mesh) {
 }
 
 }  // namespace
+
+std::string povray_faces(std::span<const int> triangles) {
+    TextWriter out;
+    write_faces(out, triangles);
+    return out.text();
+}
 
 void write_mesh2(const Mesh& mesh, const Frame& frame, const std::string& path, const View* view) {
     if (mesh.positions.empty() || mesh.normals.size() != mesh.positions.size() ||
@@ -143,7 +160,7 @@ void write_mesh2(const Mesh& mesh, const Frame& frame, const std::string& path, 
     if (view != nullptr) write_view(out, *view);
     out << "\n#declare Ocean_Surface = mesh2 {\n";
     write_vectors(out, mesh);
-    write_faces(out, mesh);
+    write_faces(out, mesh.triangles);
     // A sheet is not a solid, but an inside lets it cut others; off the axis, so that the test ray
     // does not run along vertices and edges.
     out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version "

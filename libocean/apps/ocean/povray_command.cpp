@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean povray`: a folder that POV-Ray renders as it is. Its frames are baked like any others;
+// around them lie the macros, the sea's parameters, a scene and the settings of its animation.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "bake_run.hpp"
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/seafile.hpp"
+#include "povray_files.hpp"
+#include "text.hpp"
+#include "write_output.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr int kLargestMap = 2048;
+
+struct PovrayOptions {
+    BakeOptions bake;
+    std::string folder;
+    std::string format = "df3";
+    bool near_only = false;
+};
+
+std::string extension_of(const std::string& format) {
+    if (format == "df3") return ".df3";
+    if (format == "mesh2") return ".inc";
+    return ".png";
+}
+
+BakePlan make_povray_plan(PovrayOptions& options) {
+    if (options.folder.empty()) options.folder = ".";
+    options.bake.output = options.folder + "/sea_####" + extension_of(options.format);
+    const bool chosen = !options.bake.resolution.empty();
+    if (!chosen) {
+        // Beyond the largest map a mesh is more than POV-Ray parses in a reasonable time.
+        const Sea sea = open_sea(options.bake.sea);
+        const int usual = default_map_resolution(sea.parameters.grid);
+        options.bake.resolution = std::to_string(std::min(usual, kLargestMap));
+    }
+    BakePlan plan = make_bake_plan(options.bake);
+    if (plan.resolution > kLargestMap) {
+        throw Error(ErrorKind::invalid_value,
+                    format_text("--resolution = %d: allowed is at most %d, of which POV-Ray makes "
+                                "a mesh of 2 GiB",
+                                plan.resolution, kLargestMap));
+    }
+    plan.far_maps = plan.format == BakeFormat::df3 && !options.near_only;
+    if (plan.format == BakeFormat::mesh2) plan.channels = plan.channels | ChannelSet{Channel::foam};
+    return plan;
+}
+
+/// What POV-Ray needs to make a mesh of a frame's map: measured, 500 bytes and 12 us a vertex.
+void warn_of_cost(const BakePlan& plan, Console& console) {
+    if (plan.format == BakeFormat::height_field) return;
+    const double vertices = static_cast<double>(plan.mesh_vertices());
+    console.report("povray",
+                   "POV-Ray will need about " +
+                       bytes_text(static_cast<std::uint64_t>(500.0 * vertices)) +
+                       format_text(" and %.0f s to read a mesh of it", std::ceil(12e-6 * vertices)),
+                   format_text("\"povray_memory_bytes\": %.0f, \"povray_parse_seconds\": %.1f",
+                               500.0 * vertices, 12e-6 * vertices));
+}
+
+std::string animation_settings(const io::PovrayFolder& folder, int fps) {
+    const bool own_numbers = folder.frames_are_consecutive();
+    const int first = own_numbers ? folder.frames.front() : 1;
+    const int last = own_numbers ? folder.frames.back() : static_cast<int>(folder.frames.size());
+    std::string text =
+        "; All frames of this folder: povray ocean.ini\n"
+        "; One of them: povray ocean.ini +SF2 +EF2; another size: povray ocean.ini +W640 +H360\n"
+        "Input_File_Name=scene.pov\n"
+        "Library_Path=.\n"
+        "Width=960\nHeight=540\n"
+        "Antialias=on\nAntialias_Threshold=0.1\nAntialias_Depth=2\n"
+        "Display=off\n";
+    text += format_text("Initial_Frame=%d\nFinal_Frame=%d\n", first, last);
+    text += format_text("; clock is in seconds, at %d frames a second\n", fps);
+    const Sea& sea = folder.sea;
+    text += format_text("Initial_Clock=%.9g\nFinal_Clock=%.9g\n",
+                        sea.time_of(folder.frames.front()), sea.time_of(folder.frames.back()));
+    return text;
+}
+
+struct FolderFile {
+    std::string name;
+    std::string text;
+    bool users = false;  // theirs to change: kept where it is
+};
+
+std::vector<FolderFile> folder_files(const BakePlan& plan, const PovrayOptions& options,
+                                     const Context& context) {
+    const Sea& sea = plan.sea;
+    const SeaState state = Ocean(sea.parameters, {.threads = context.options.threads}).state();
+    io::PovrayFolder folder{sea, state, options.format, plan.resolutions(), {}};
+    // Those of all shards: their folders are one.
+    folder.frames = options.bake.frames.empty() ? std::vector<int>{sea.parameters.time.first_frame}
+                                                : parse_frames(options.bake.frames);
+    const int fps = static_cast<int>(std::lround(sea.parameters.time.fps));
+    std::vector<FolderFile> files = {
+        {"ocean.inc", std::string(kOceanInc)},
+        {"ocean_parameters.inc", io::povray_declarations(folder)},
+        {"ocean.ini", animation_settings(folder, fps)},
+        {"sea.toml", plan.sea_text},
+        {"scene.pov", std::string(kScenePov), true},
+    };
+    if (plan.format == BakeFormat::df3) {
+        files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
+    }
+    return files;
+}
+
+void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
+                  const Context& context) {
+    make_folder(folder);
+    for (const FolderFile& file : files) {
+        const std::string path = folder + "/" + file.name;
+        std::error_code error;
+        if (file.users && std::filesystem::exists(utf8_path(path), error)) {
+            context.console.note(path + " is there already: kept as it is");
+            continue;
+        }
+        const InterruptWatch::Hold whole = context.interrupts.hold();
+        write_output(path, file.text);
+        context.console.data(path + "\n");
+    }
+}
+
+void run(PovrayOptions& options, const Context& context) {
+    BakePlan plan = make_povray_plan(options);
+    warn_of_cost(plan, context.console);
+    const std::vector<FolderFile> files = folder_files(plan, options, context);
+    if (!options.bake.dry_run) {
+        write_folder(files, options.folder, context);
+    } else {
+        for (const FolderFile& file : files) {
+            context.console.data(options.folder + "/" + file.name + "\n");
+        }
+    }
+    run_bake(plan, options.bake.dry_run, context);
+}
+
+void add_options(CLI::App& command, PovrayOptions& options) {
+    BakeOptions& bake = options.bake;
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* group,
+                         const char* help) {
+        return command.add_option(name, value, help)->type_name(type)->group(group);
+    };
+    const auto flag = [&](const char* name, bool& value, const char* group, const char* help) {
+        command.add_flag(name, value, help)->group(group);
+    };
+    add_sea_argument(command, bake.sea);
+    add("--fps", bake.fps, "RATE", "Sea", "Frames per second, in place of the sea's time.fps");
+    const char* output = "Output";
+    add("-o,--output", options.folder, "DIR", output, "The folder, made where it is missing")
+        ->required();
+    add("--frames", bake.frames, "RANGES", output,
+        "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame");
+    add("--format", options.format, "FORMAT", output,
+        "df3 (exact, small, all macros), mesh2 (text) or height_field (16-bit PNG, no overhangs); "
+        "default df3")
+        ->check(CLI::IsMember({"df3", "mesh2", "height_field"}));
+    add("--resolution", bake.resolution, "R", output,
+        "Samples along a side, a power of two up to 2048; default: the sea's grid");
+    flag("--near-only", options.near_only, output,
+         "Leave out the coarser maps, a third more data, that draw the sea to the horizon");
+    add("--shard", bake.shard, "I/N", output, "Only the I-th of N parts of the frames");
+    flag("--skip-existing", bake.skip_existing, output, "Keep complete frames of the same sea");
+    flag("--keep-going", bake.keep_going, output, "Go on with the other frames when one fails");
+    flag("-n,--dry-run", bake.dry_run, output,
+         "Print the files and how much room they need; write nothing");
+}
+
+}  // namespace
+
+void add_povray_command(CLI::App& app, Context& context) {
+    CLI::App* command =
+        app.add_subcommand("povray", "Write a folder that POV-Ray renders as it is");
+    auto options = std::make_shared<PovrayOptions>();
+    add_options(*command, *options);
+    add_run_options(*command, context.options, "Progress, warnings and errors as JSON lines");
+    command->footer(
+        "Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never\n"
+        "written over; ocean.inc holds the macros, ocean_parameters.inc what the sea is, and\n"
+        "sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.");
+    command->callback([options, &context] { run(*options, context); });
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One time of the sea as POV-Ray's density_file, the only binary that POV-Ray 3.7 reads: three
+// 16-bit sizes, then voxels of 32 bits, all big-endian. A slice along z is a map of one quantity:
+//
+//     0 height [m]   1 dx [m]   2 dz [m]   3 normal p   4 normal q   5 foam
+//
+// in POV-Ray's axes, x east, y up, z north. Read with `interpolate 1`, sample i of N lies at i/N,
+// slice k at k/6, and maps repeat. A length is (code - 2^31) / 2^21 m. The normal is its
+// stereographic projection from below, which has no edge where crests fold over:
+//     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
+// each of p and q (code - 2^31) / 2^28. Foam is code / (2^32 - 1).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "../file/output_file.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr double kZero = 2147483648.0;
+constexpr double kLargestCode = 4294967295.0;
+constexpr double kCodesPerMetre = 2097152.0;
+constexpr double kCodesPerProjection = 268435456.0;
+// A normal that points straight down has no projection: it is tilted by 14 degrees.
+constexpr double kLargestProjection = 7.99;
+
+[[noreturn]] void refuse(const char* what, double value) {
+    throw Error(ErrorKind::invalid_value, std::string(what) + " of the surface is " +
+                                              std::to_string(value) +
+                                              "; a DF3 file holds finite lengths, -1024 .. 1024 m");
+}
+
+// Positions on the two edges of a period must be the same floats but for the period, or copies show
+// cracks: offsets lie on a grid that single precision holds as far as the period and they reach.
+class Offsets {
+  public:
+    explicit Offsets(const Surface& surface) {
+        double reach = surface.period();
+        for (const Channel channel : {Channel::dx, Channel::dy}) {
+            for (const float offset : surface.channel(channel)) {
+                reach = std::max(reach, surface.period() + std::abs(double{offset}));
+            }
+        }
+        // Refused below if it is not finite.
+        if (std::isfinite(reach)) step_ = std::ldexp(1.0, std::max(8, std::ilogb(reach) + 1) - 24);
+    }
+    double snapped(double offset) const { return std::nearbyint(offset / step_) * step_; }
+
+  private:
+    double step_ = 1.0;
+};
+
+std::uint32_t length_code(const char* what, double metres) {
+    // Written so that NaN fails as well.
+    if (!(std::abs(metres) < 1024.0)) refuse(what, metres);
+    return static_cast<std::uint32_t>(std::nearbyint(metres * kCodesPerMetre) + kZero);
+}
+
+std::uint32_t projection_code(double along, double up) {
+    const double projected =
+        std::clamp(along / std::max(1.0 + up, 1e-9), -kLargestProjection, kLargestProjection);
+    return static_cast<std::uint32_t>(std::nearbyint(projected * kCodesPerProjection) + kZero);
+}
+
+std::uint32_t share_code(double share) {
+    return static_cast<std::uint32_t>(std::nearbyint(std::clamp(share, 0.0, 1.0) * kLargestCode));
+}
+
+std::uint32_t voxel(const Surface& surface, const Offsets& offsets, int slice, std::size_t at) {
+    using enum Channel;
+    const auto value = [&](Channel channel) {
+        return static_cast<double>(surface.channel(channel)[at]);
+    };
+    switch (slice) {
+        case 0:
+            return length_code("the height", value(height));
+        case 1:
+            return length_code("the displacement", offsets.snapped(value(dx)));
+        case 2:
+            return length_code("the displacement", offsets.snapped(value(dy)));
+        case 3:
+            return projection_code(value(nx), value(nz));
+        case 4:
+            return projection_code(value(ny), value(nz));
+        default:
+            return share_code(value(foam));
+    }
+}
+
+void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
+    for (int shift = 8 * (count - 1); shift >= 0; shift -= 8) {
+        bytes += static_cast<char>((value >> shift) & 0xffu);
+    }
+}
+
+}  // namespace
+
+ChannelSet df3_channels() {
+    using enum Channel;
+    return {dx, dy, height, nx, ny, nz, foam};
+}
+
+std::uint64_t df3_bytes(int resolution) {
+    const auto n = static_cast<std::uint64_t>(resolution);
+    return 6 + n * n * kDf3Slices * sizeof(std::uint32_t);
+}
+
+void write_df3(const Surface& surface, const std::string& path) {
+    if ((surface.channels() | df3_channels()).size() != surface.channels().size()) {
+        throw Error(ErrorKind::invalid_value,
+                    "a DF3 file needs displacement, height, normal and foam");
+    }
+    const auto n = static_cast<std::size_t>(surface.resolution());
+    const Offsets offsets(surface);
+    OutputFile file(path);
+    std::string bytes;
+    bytes.reserve(n * sizeof(std::uint32_t));
+    for (const std::size_t size : {n, n, std::size_t{kDf3Slices}}) {
+        append_big_endian(bytes, static_cast<std::uint32_t>(size), 2);
+    }
+    file.write(bytes);
+    for (int slice = 0; slice < kDf3Slices; ++slice) {
+        for (std::size_t j = 0; j < n; ++j) {
+            bytes.clear();
+            for (std::size_t i = 0; i < n; ++i) {
+                append_big_endian(bytes, voxel(surface, offsets, slice, j * n + i), 4);
+            }
+            file.write(bytes);
+        }
+    }
+    file.commit();
+}
+
+void average_foam(const Surface& fine, Surface& coarse) {
+    const int n = coarse.resolution();
+    if (fine.resolution() != 2 * n || !fine.has(Channel::foam) || !coarse.has(Channel::foam)) {
+        throw Error(ErrorKind::invalid_value, "foam is averaged on a map of half the resolution");
+    }
+    const auto from = fine.channel(Channel::foam);
+    const auto to = coarse.channel(Channel::foam);
+    const auto row = [&](int j, int i) {
+        const int wide = 2 * n;
+        const auto at = [&](int k) {
+            return from[static_cast<std::size_t>(((j + wide) % wide) * wide + (k + wide) % wide)];
+        };
+        return 0.5f * at(2 * i) + 0.25f * (at(2 * i - 1) + at(2 * i + 1));
+    };
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            to[static_cast<std::size_t>(j * n + i)] =
+                0.5f * row(2 * j, i) + 0.25f * (row(2 * j - 1, i) + row(2 * j + 1, i));
+        }
+    }
+}
+
+}  // namespace ocean::io

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: a DF3 file holds each length to half a quantum, offsets on the grid that single precision
+// keeps, normals to 1e-8 in folds too, foam exactly; big-endian, the slices in their order. Foam of
+// a coarser map keeps its mean and its place. What POV-Ray makes of it: tests/povray.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "ocean/error.hpp"
+#include "ocean/io.hpp"
+#include "sample_surface.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+std::uint64_t big_endian(const std::string& bytes, std::size_t at, int count) {
+    std::uint64_t value = 0;
+    for (int i = 0; i < count; ++i) {
+        value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
+    }
+    return value;
+}
+
+/// What POV-Ray reads: code / (2^32 - 1).
+double read_voxel(const std::string& bytes, int n, int slice, int j, int i) {
+    const auto at = static_cast<std::size_t>((slice * n + j) * n + i);
+    return static_cast<double>(big_endian(bytes, 6 + 4 * at, 4)) / 4294967295.0;
+}
+double metres(double value) {
+    return (value * 4294967295.0 - 2147483648.0) / 2097152.0;
+}
+double projection(double value) {
+    return (value * 4294967295.0 - 2147483648.0) / 268435456.0;
+}
+
+/// Unit normals all around, some of them downwards.
+Surface tilted_surface(int n) {
+    Surface surface = test::sample_surface(n);
+    for (std::size_t at = 0; at < static_cast<std::size_t>(n * n); ++at) {
+        const double turn = 0.37 * static_cast<double>(at);
+        const double tilt = 2.4 * static_cast<double>(at % 17) / 17.0;  // to 137 degrees
+        surface.channel(Channel::nx)[at] = static_cast<float>(std::sin(tilt) * std::cos(turn));
+        surface.channel(Channel::ny)[at] = static_cast<float>(std::sin(tilt) * std::sin(turn));
+        surface.channel(Channel::nz)[at] = static_cast<float>(std::cos(tilt));
+        surface.channel(Channel::foam)[at] = static_cast<float>(at % 5) / 4.0f;
+    }
+    return surface;
+}
+
+TEST(Df3, HoldsTheMapsInPovRaysAxes) {
+    const TemporaryFolder folder;
+    const int n = 32;
+    const Surface surface = tilted_surface(n);
+    io::write_df3(surface, folder.file("s.df3"));
+    const std::string bytes = test::read_bytes(folder.file("s.df3"));
+    ASSERT_EQ(bytes.size(), io::df3_bytes(n));
+    EXPECT_EQ(big_endian(bytes, 0, 2), 32u);
+    EXPECT_EQ(big_endian(bytes, 2, 2), 32u);
+    EXPECT_EQ(big_endian(bytes, 4, 2), 6u);
+    const double grid = std::ldexp(1.0, -16);  // of a period of 100 m
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            const auto at = static_cast<std::size_t>(j * n + i);
+            const auto truth = [&](Channel channel) {
+                return double{surface.channel(channel)[at]};
+            };
+            const auto voxel = [&](int slice) { return read_voxel(bytes, n, slice, j, i); };
+            EXPECT_NEAR(metres(voxel(0)), truth(Channel::height), 2.5e-7);
+            EXPECT_NEAR(metres(voxel(1)), truth(Channel::dx), 0.5001 * grid);
+            EXPECT_NEAR(metres(voxel(2)), truth(Channel::dy), 0.5001 * grid);
+            EXPECT_NEAR(std::remainder(metres(voxel(1)), grid), 0.0, 1e-9);
+            const double p = projection(voxel(3)), q = projection(voxel(4));
+            const double scale = 1.0 / (1.0 + p * p + q * q);
+            EXPECT_NEAR(2.0 * p * scale, truth(Channel::nx), 1e-7);
+            EXPECT_NEAR(2.0 * q * scale, truth(Channel::ny), 1e-7);
+            EXPECT_NEAR((1.0 - p * p - q * q) * scale, truth(Channel::nz), 1e-7);
+            EXPECT_NEAR(voxel(5), truth(Channel::foam), 2e-10);
+        }
+    }
+}
+
+TEST(Df3, RefusesWhatItCannotHold) {
+    const TemporaryFolder folder;
+    const auto refused = [&](Channel channel, float value) {
+        Surface surface = tilted_surface(32);
+        surface.channel(channel)[77] = value;
+        EXPECT_THROW(io::write_df3(surface, folder.file("s.df3")), Error) << value;
+        EXPECT_EQ(folder.entries(), 0u);
+    };
+    refused(Channel::height, 1024.0f);
+    refused(Channel::dx, -1500.0f);
+    refused(Channel::dy, std::nanf(""));
+    refused(Channel::height, INFINITY);
+    const Surface none(Lattice{32, 10.0}, 0.0, {Channel::height});
+    EXPECT_THROW(io::write_df3(none, folder.file("s.df3")), Error);
+}
+
+TEST(Df3, FullDiskIsAnOutputError) {
+    try {
+        io::write_df3(tilted_surface(128), "/dev/full");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::output);
+    }
+}
+
+TEST(AverageFoam, KeepsTheMeanAndThePlace) {
+    Surface fine(Lattice{64, 10.0}, 0.0, {Channel::foam});
+    Surface coarse(Lattice{32, 10.0}, 0.0, {Channel::foam});
+    std::ranges::fill(fine.channel(Channel::foam), 0.0f);
+    fine.channel(Channel::foam)[10 * 64 + 20] = 1.0f;  // on a sample of the coarse map
+    fine.channel(Channel::foam)[0] = 1.0f;             // and at the seam
+    io::average_foam(fine, coarse);
+    double sum = 0.0;
+    for (const float foam : coarse.channel(Channel::foam)) sum += foam;
+    EXPECT_NEAR(sum / 1024.0, 2.0 / 4096.0, 1e-9);
+    EXPECT_EQ(coarse.channel(Channel::foam)[5 * 32 + 10], 0.25f);
+    EXPECT_EQ(coarse.channel(Channel::foam)[0], 0.25f);
+    Surface odd(Lattice{64, 10.0}, 0.0, {Channel::foam});
+    EXPECT_THROW(io::average_foam(fine, odd), Error);
+}
+
+}  // namespace
+}  // namespace ocean

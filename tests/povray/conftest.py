@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs `ocean povray` and POV-Ray itself in folders of their own."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+OCEAN = os.environ.get("OCEAN", "")
+
+
+def pytest_collection_modifyitems(items):
+    if shutil.which("povray") is None:
+        for item in items:
+            item.add_marker(pytest.mark.skip(reason="povray is not installed"))
+
+
+def sea_text(resolution=128, period=100.0, choppiness=0.8, wind=7.0, more="", waves=""):
+    return f"""libocean = 1
+[grid]
+resolution = {resolution}
+patch_size = {period}
+[surface]
+choppiness = {choppiness}
+{more}
+[[waves]]
+spectrum = "pierson_moskowitz"
+wind_speed = {wind}
+wind_direction = 25.0
+{waves}
+"""
+
+
+class Folder:
+    """A folder that `ocean povray` wrote."""
+
+    def __init__(self, path: Path, sea: str, *arguments):
+        self.path = path
+        path.mkdir(parents=True, exist_ok=True)
+        (path / "its_sea.toml").write_text(sea)
+        done = ocean(path, "povray", "its_sea.toml", "-o", ".", *arguments)
+        assert done.returncode == 0, done.stderr
+
+    def run(self, scene: str, *arguments, width=8, height=8, good=True) -> str:
+        """What POV-Ray says of a scene, which begins with ocean.inc."""
+        return povray(
+            self.path,
+            '#version 3.7;\n#include "ocean.inc"\n' + scene,
+            *arguments,
+            width=width,
+            height=height,
+            good=good,
+        )
+
+
+def ocean(folder: Path, *arguments, **options):
+    return subprocess.run(
+        [OCEAN, *map(str, arguments)], cwd=folder, capture_output=True, text=True, **options
+    )
+
+
+def povray(folder: Path, scene: str, *arguments, width=8, height=8, good=True) -> str:
+    """Renders to out.png, 16 bits a channel, linear."""
+    (folder / "test.pov").write_text(scene)
+    done = subprocess.run(
+        [
+            "povray",
+            "test.pov",
+            "+Oout.png",
+            f"+W{width}",
+            f"+H{height}",
+            "-D",
+            "-A",
+            "+FN16",
+            "File_Gamma=1.0",
+            "+WT2",
+            *map(str, arguments),
+        ],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+    )
+    assert (done.returncode == 0) == good, done.stderr[-3000:]
+    return done.stderr
+
+
+@pytest.fixture(scope="session")
+def choppy(tmp_path_factory):
+    return Folder(tmp_path_factory.mktemp("choppy"), sea_text())
