@@ -9,13 +9,13 @@ the file. Choppy meshes are probed with trace() at their vertices, seams with ra
 
 import os
 import re
-import shutil
 import subprocess
 import tomllib
 
 import numpy
 import OpenImageIO as oiio
 import pytest
+from conftest import povray as run_povray
 
 N, PERIOD = 128, 100.0
 LO, HI = -3.0, 3.0  # of the rendered grey values; the sea stays inside
@@ -27,7 +27,6 @@ WAVES = [  # as in make_povray_samples.cpp
     (9, -7, 0.1, 5.0),
     (14, 3, 0.05, 0.7),
 ]
-pytestmark = pytest.mark.skipif(shutil.which("povray") is None, reason="povray is not installed")
 
 
 def sea(choppiness=0.0):
@@ -65,22 +64,8 @@ def folder(tmp_path_factory):
 
 
 def povray(folder, scene, width=8, height=8):
-    (folder / "scene.pov").write_text("#version 3.7;\nglobal_settings{assumed_gamma 1.0}\n" + scene)
-    command = [
-        "povray",
-        "scene.pov",
-        "+Oout.png",
-        f"+W{width}",
-        f"+H{height}",
-        "-D",
-        "-A",
-        "+FN16",
-        "File_Gamma=1.0",
-        "+WT2",
-    ]
-    result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    assert result.returncode == 0, result.stderr[-2000:]
-    return result.stderr
+    head = "#version 3.7;\nglobal_settings{assumed_gamma 1.0}\n"
+    return run_povray(folder, head + scene, width=width, height=height)
 
 
 def render(folder, declare, texture):

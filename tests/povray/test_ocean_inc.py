@@ -86,7 +86,7 @@ def test_a_picture_shows_the_heights(upright, upright_field, form):
         folder, macro, own = upright, "Ocean_Mesh()", 2.0**-17
     else:
         macro = f"Ocean_Isosurface(<0, -4, 0>, <{PERIOD}, 4, {PERIOD}>)"
-        folder, own = upright, 5e-4  # its accuracy
+        folder, own = upright, 4e-3  # its accuracy
     truth = surface(folder).height
     error = seen_from_above(folder, macro, HEIGHT) * (HIGH - LOW) + LOW - truth
     assert numpy.abs(error[1:, 1:]).max() <= 0.5 * QUANTUM + own + 2e-6
@@ -212,6 +212,23 @@ def test_a_thing_floats_on_the_plane_that_fits_best(choppy):
     assert numpy.abs(bow - origin - numpy.asarray(pose.forward)[0][swap]).max() < 0.03
     assert numpy.abs(up - origin - numpy.asarray(pose.up)[0][swap]).max() < 0.03
     assert abs(numpy.dot(bow - origin, side - origin)) < 1e-4
+
+
+def test_the_macros_make_the_faces_where_no_file_has_them(tmp_path):
+    """As for maps beyond 1024 samples."""
+    folder = Folder(tmp_path, sea_text(resolution=32))
+    scene = """Ocean_Load("sea_0001")
+#declare Sea = Ocean_Mesh()
+#declare Random = seed(2);
+#for (K, 1, 500)
+    #local Normal = <0, 0, 0>;
+    #local Hit = trace(Sea, <5 + 90*rand(Random), 50, 5 + 90*rand(Random)>, -y, Normal);
+    #debug concat("V ", str(Hit.y, 0, 9), "\\n")
+#end"""
+    with_file = floats_of(folder.run(scene))
+    (tmp_path / "faces.inc").unlink()
+    assert numpy.array_equal(floats_of(folder.run(scene)), with_file)
+    assert numpy.std(with_file) > 0.05
 
 
 def test_functions_at_labels_are_the_maps(choppy):
@@ -422,7 +439,8 @@ def test_the_waves_of_a_pool_gather_light(tmp_path):
 
 
 def parse_seconds(log):
-    return float(re.search(r"Parse Time:.*\(([\d.]+) seconds\)", log).group(1))
+    """Of the processor: other work on the machine counts for less."""
+    return float(re.search(r"Parse Time:[^%]*?([\d.]+) CPU-seconds", log).group(1))
 
 
 def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):

@@ -113,7 +113,8 @@ std::vector<FolderFile> folder_files(const BakePlan& plan, const PovrayOptions& 
         {"sea.toml", plan.sea_text},
         {"scene.pov", std::string(kScenePov), true},
     };
-    if (plan.format == BakeFormat::df3) {
+    // Of larger maps the macros make them: the text would be 220 MB at 2048.
+    if (plan.format == BakeFormat::df3 && plan.resolution <= 1024) {
         files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
     }
     return files;
