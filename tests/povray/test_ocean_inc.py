@@ -534,6 +534,14 @@ def test_every_public_macro_is_in_the_table_at_the_top(choppy):
         assert re.search(rf"^//   .*\b{macro}\(", text[len(head) :], re.MULTILINE), macro
 
 
+def test_a_folder_without_far_maps_says_so_to_the_horizon(tmp_path):
+    folder = Folder(tmp_path, sea_text(resolution=64), "--near-only")
+    scene = 'Ocean_Load("sea_0001")\nobject { Ocean_View(<0, 9, 0>, <9, 8, 0>, 50, 0.2) }'
+    log = re.sub(r"\s+", " ", folder.run(scene, good=False))
+    assert "Ocean_View needs the coarser maps, which --near-only left out" in log
+    folder.run('Ocean_Load("sea_0001")\nobject { Ocean_Mesh() }')
+
+
 @pytest.mark.parametrize("format_", ["df3", "mesh2", "height_field"])
 def test_the_scene_of_every_format_renders(tmp_path, format_):
     Folder(tmp_path, sea_text(resolution=32), "--format", format_)
@@ -598,6 +606,7 @@ def test_bad_exports_are_refused_in_a_line(tmp_path):
 
     assert "at most 2048" in line("-o", "f", "--resolution", "4096", code=2)
     assert "--format" in line("-o", "f", "--format", "obj", code=2)
+    assert "--near-only" in line("-o", "f", "--format", "mesh2", "--near-only", code=2)
     assert not (tmp_path / "f").exists()
     (tmp_path / "file").write_text("")
     assert "file" in line("-o", "file", code=1)

@@ -11,7 +11,8 @@
 namespace ocean::app {
 
 void add_bake_command(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("bake", "Write frames of a sea: EXR, PNG, POV-Ray mesh");
+    CLI::App* command =
+        app.add_subcommand("bake", "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh");
     auto options = std::make_shared<BakeOptions>();
     add_bake_options(*command, *options);
     add_run_options(*command, context.options, "Progress, warnings and errors as JSON lines");

@@ -30,7 +30,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
         "A baked file in place of SEA: the sea, and all options below that are not given");
     add("--fps", options.fps, "RATE", "Sea", "Frames per second, in place of the sea's time.fps");
     add("-o,--output", options.output, "FILE", "Output",
-        "out/sea.####.exr; .exr, .png (height_field) or .inc (mesh2)")
+        "out/sea.####.exr; .exr, .df3, .png (height_field) or .inc (mesh2)")
         ->required();
     add("--frames", options.frames, "RANGES", "Output",
         "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame");

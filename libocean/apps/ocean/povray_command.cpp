@@ -40,6 +40,10 @@ std::string extension_of(const std::string& format) {
 BakePlan make_povray_plan(PovrayOptions& options) {
     if (options.folder.empty()) options.folder = ".";
     options.bake.output = options.folder + "/sea_####" + extension_of(options.format);
+    if (options.near_only && options.format != "df3") {
+        throw Error(ErrorKind::invalid_value,
+                    "--near-only: only --format df3 has coarser maps to leave out");
+    }
     const bool chosen = !options.bake.resolution.empty();
     if (!chosen) {
         // Beyond the largest map a mesh is more than POV-Ray parses in a reasonable time.
