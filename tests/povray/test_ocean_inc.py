@@ -379,6 +379,24 @@ def test_the_far_sea_does_not_repeat(tmp_path):
     assert 0.5 * truth < heights.std() < 1.5 * truth
 
 
+def test_the_copies_of_the_far_sea_fade_into_each_other(choppy):
+    """No step where one triangle of copies meets the next, and the variance of the sea."""
+    log = choppy.run(
+        f"""Ocean_Load("sea_0001")
+Ocean_Load_Far_Maps_()
+#for (K, 0, 9999)
+    #local Way = 0.03*K;
+    #debug concat("V ", str(Ocean_Seen_((500 + Way)/{PERIOD}, (90 + 0.7*Way)/{PERIOD}, 0, 0, 0, 1)
+                            *Ocean_Metre_, 0, 6), "\n")
+#end"""
+    )
+    heights = floats_of(log)
+    truth = surface(choppy)
+    steepest = numpy.abs(truth.slope).max()
+    assert numpy.abs(numpy.diff(heights)).max() < 2 * steepest * 0.03 * 1.22
+    assert heights.std() == pytest.approx(truth.height.std(), rel=0.25)
+
+
 # ---- Under water ---------------------------------------------------------------------------------
 
 
