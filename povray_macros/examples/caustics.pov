@@ -15,4 +15,4 @@ intersection {
     hollow
     Ocean_Caustics()
 }
-box { <-20, -2, -20>, <40, -1.61, 40> pigment { checker rgb <0.6, 0.68, 0.70> rgb <0.5, 0.6, 0.64> scale 0.4 } finish { ambient 0 emission 0.06 diffuse 0.85 } }
+box { <-20, -2, -20>, <40, -1.59, 40> pigment { checker rgb <0.6, 0.68, 0.70> rgb <0.5, 0.6, 0.64> scale 0.4 } finish { ambient 0 emission 0.06 diffuse 0.85 } }

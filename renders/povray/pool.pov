@@ -3,13 +3,13 @@
 //
 // A pool of 9 m by 9 m, 1.8 m deep, in the morning sun: the waves gather light on its floor.
 //   ocean povray renders/povray/pool.toml -o build/pool --near-only
-//   povray renders/povray/pool.pov +Lbuild/pool +W1280 +H720 +A0.08 +AM2 +R3
+//   povray renders/povray/pool.pov +Lbuild/pool +W1280 +H720 +A0.2 +AM2 +R2
 #version 3.7;
 #include "ocean.inc"
 global_settings {
     assumed_gamma 1.0
     max_trace_level 12
-    photons { count 3000000 autostop 0 jitter 0.4 }
+    photons { count 1500000 autostop 0 jitter 0.4 }
 }
 Ocean_Load("sea_0001")
 
@@ -36,24 +36,25 @@ sky_sphere {
 
 intersection {
     object { Ocean_Block(4) }
-    box { <Low, -Depth, Low>, <High, 1, High> }
+    // The basin's walls lie within the water: a gap of air would be a mirror.
+    box { <Low, -Depth, Low> - 0.01, <High, 1, High> + 0.01 }
     Ocean_Clear_Material("jerlov_ib")
     hollow
     Ocean_Caustics()
 }
 
 // Tiles of 15 cm with joints.
-#declare Joint = 0.035;
 #declare Tiled = texture {
     pigment {
         boxed
-        color_map { [0 rgb 0.42] [0.018 rgb <0.60, 0.72, 0.74>] [1 rgb <0.66, 0.78, 0.80>] }
+        color_map { [0.06 rgb 0.34] [0.09 rgb <0.60, 0.72, 0.74>] [1 rgb <0.66, 0.78, 0.80>] }
         scale 0.5
         translate 0.5
         warp { repeat x }
         warp { repeat y }
         warp { repeat z }
         scale 0.15
+        translate 0.075  // the basin's faces cut tiles in their middle
     }
     finish { diffuse 0.8 ambient 0 emission 0.10 }
 }
@@ -61,10 +62,9 @@ intersection {
     pigment { granite color_map { [0 rgb <0.62, 0.57, 0.50>] [1 rgb <0.74, 0.70, 0.64>] } scale 0.4 }
     finish { diffuse 0.75 ambient 0 emission 0.16 }
 }
-#declare Edge = 0.003;  // the basin is a little larger than its water
 difference {
     box { <Low - 0.4, -Depth - 0.3, Low - 0.4>, <High + 0.4, 0.16, High + 0.4> }
-    box { <Low - Edge, -Depth - Edge, Low - Edge>, <High + Edge, 1, High + Edge> }
+    box { <Low, -Depth, Low>, <High, 1, High> }
     texture { Tiled }
 }
 difference {
