@@ -22,7 +22,11 @@ Ocean_Sky(0.4)
 #if (strcmp(Ocean_Format, "df3") = 0 & Ocean_Maps > 1)
     object { Ocean_View(Eye, Target, View_Angle, 1) Ocean_Material("jerlov_ii") no_reflection }
 #else
-    #declare Tile = object { Ocean_Sheet_() }
+    #if (strcmp(Ocean_Format, "height_field") = 0)
+        #declare Tile = Ocean_Height_Field()
+    #else
+        #declare Tile = Ocean_Mesh()
+    #end
     object {
         Ocean_Tiles(Tile, 60, 60)
         translate -30*Ocean_Period*(x + z)

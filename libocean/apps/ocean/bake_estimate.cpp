@@ -29,8 +29,9 @@ std::uint64_t most_exr_bytes(const BakePlan& plan, const BakeFile& file) {
 std::uint64_t most_text_bytes(const BakePlan& plan) {
     // The longest numbers: "-1.2345678e-05", "-.1234", "2147483647", and what stands around three.
     constexpr std::uint64_t kFloat = 14, kUnit = 6, kIndex = 10, kAround = 5, kHead = 4096;
-    return kHead +
-           plan.mesh_vertices() * (3 * kFloat + 3 * kUnit + 2 * 3 * kIndex + (1 + 1 + 2) * kAround);
+    const std::uint64_t foam = plan.has_foam() ? kUnit + 2 + kAround : 0;  // "<.1234,0>"
+    return kHead + plan.mesh_vertices() *
+                       (3 * kFloat + 3 * kUnit + 2 * 3 * kIndex + (1 + 1 + 2) * kAround + foam);
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {

@@ -225,6 +225,7 @@ BakePlan make_bake_plan(const BakeOptions& typed) {
     plan.resolution = find_resolution(options.resolution, plan.sea.parameters.grid);
     plan.channels = find_channels(plan);
     settle_names(plan);
+    plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
     plan.sea_text = write_sea(plan.sea);
     return plan;

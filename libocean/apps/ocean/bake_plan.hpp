@@ -40,6 +40,7 @@ struct BakePlan {
     BakeFormat format = BakeFormat::exr;
     OutputPattern pattern;
     std::vector<int> frames;                 // of this shard
+    std::string shard;                       // as typed; "" = all
     std::vector<const FieldInfo*> products;  // of an EXR
     bool skip_existing = false;
     bool keep_going = false;

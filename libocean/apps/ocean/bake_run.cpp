@@ -234,7 +234,7 @@ void run_bake(BakePlan& plan, bool dry_run, const Context& context) {
     settle_slope_variance(plan, context);
     if (dry_run) return show_plan(plan, crew, context.console);
     if (plan.frames.empty()) {
-        context.console.begin(0, "--shard is empty: there are fewer frames", "");
+        context.console.begin(0, "--shard " + plan.shard + " is empty: there are fewer frames", "");
         return context.console.finish();
     }
     bake_all(plan, crew, context);

@@ -4,6 +4,7 @@
 // `ocean povray`: a folder that POV-Ray renders as it is. Its frames are baked like any others;
 // around them lie the macros, the sea's parameters, a scene and the settings of its animation.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -44,14 +45,8 @@ BakePlan make_povray_plan(PovrayOptions& options) {
         throw Error(ErrorKind::invalid_value,
                     "--near-only: only --format df3 has coarser maps to leave out");
     }
-    const bool chosen = !options.bake.resolution.empty();
-    if (!chosen) {
-        // Beyond the largest map a mesh is more than POV-Ray parses in a reasonable time.
-        const Sea sea = open_sea(options.bake.sea);
-        const int usual = default_map_resolution(sea.parameters.grid);
-        options.bake.resolution = std::to_string(std::min(usual, kLargestMap));
-    }
     BakePlan plan = make_bake_plan(options.bake);
+    if (options.bake.resolution.empty()) plan.resolution = std::min(plan.resolution, kLargestMap);
     if (plan.resolution > kLargestMap) {
         throw Error(ErrorKind::invalid_value,
                     format_text("--resolution = %d: allowed is at most %d, of which POV-Ray makes "
