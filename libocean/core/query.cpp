@@ -51,8 +51,9 @@ void set_normal(QuerySample& sample, double choppiness, const ExcursionSample& e
 }
 
 /// Of the lattice of labels on which folds are looked for: two samples to each of the shown map.
-int fold_resolution(const Modes& modes, const QueryOptions& options) {
-    return std::min(2 * shown_resolution(modes, options), spline_resolution(modes, options));
+int fold_resolution(int grid_resolution, const QueryOptions& options) {
+    return std::min(2 * shown_resolution(grid_resolution, options),
+                    spline_resolution(grid_resolution, options));
 }
 
 }  // namespace
@@ -204,12 +205,13 @@ SurfaceQuery::SurfaceQuery(const Modes& modes, const SurfaceSettings& settings, 
                            double time, const QueryOptions& options, ThreadPool& pool,
                            FoamMap foam) {
     require_finite_time(time);
-    const int shown = shown_resolution(modes, options);
-    const int fine = spline_resolution(modes, options);
+    const int shown = shown_resolution(modes.lattice.resolution, options);
+    const int fine = spline_resolution(modes.lattice.resolution, options);
     const Modes filtered = spline_modes(modes, shown, fine);
     SplineMap position = make_spline_map(filtered, time, kPosition, fine, pool);
     SplineMap velocity = make_spline_map(filtered, time, kVelocity, fine, pool);
-    FoldIndex folds(position, settings.choppiness, fold_resolution(modes, options), pool);
+    FoldIndex folds(position, settings.choppiness,
+                    fold_resolution(modes.lattice.resolution, options), pool);
     std::optional<WaveSum> exact;
     if (options.exact) {
         exact.emplace(modes, water, shown);
@@ -261,8 +263,12 @@ WorldPoint SurfaceQuery::shown(WorldPoint label) const {
 
 std::uint64_t SurfaceQuery::bytes(const Modes& modes, const QueryOptions& options) {
     const std::uint64_t sums = options.exact ? WaveSum::bytes(modes, 1) : 0;
-    return all_modes_bytes(modes) + spline_bytes(modes, options, 2) +
-           FoldIndex::bytes(fold_resolution(modes, options)) + sums;
+    return map_bytes(grid_of(modes), options) + sums;
+}
+
+std::uint64_t SurfaceQuery::map_bytes(const Grid& grid, const QueryOptions& options) {
+    return modes_bytes(grid) + spline_bytes(grid.resolution, options, 2) +
+           FoldIndex::bytes(fold_resolution(grid.resolution, options));
 }
 
 }  // namespace ocean

@@ -82,8 +82,8 @@ OrbitalVelocity::OrbitalVelocity(const Modes& modes, const Water& water, double 
         throw Error(ErrorKind::invalid_value, "z must be a finite number of metres");
     }
     require_finite_time(time);
-    const int shown = shown_resolution(modes, options);
-    const int fine = spline_resolution(modes, options);
+    const int shown = shown_resolution(modes.lattice.resolution, options);
+    const int fine = spline_resolution(modes.lattice.resolution, options);
     State state{modes.lattice.period, {}, {}, {}};
     z = std::min(z, 0.0);
     if (options.exact) {
@@ -110,7 +110,7 @@ void OrbitalVelocity::sample(std::span<const WorldPoint> points,
 
 std::uint64_t OrbitalVelocity::bytes(const Modes& modes, const QueryOptions& options) {
     if (options.exact) return WaveSum::bytes(modes, 2);
-    return 2 * all_modes_bytes(modes) + spline_bytes(modes, options, 1);
+    return 2 * modes_bytes(grid_of(modes)) + spline_bytes(modes.lattice.resolution, options, 1);
 }
 
 std::array<double, 3> OrbitalVelocity::sample(WorldPoint point) const {

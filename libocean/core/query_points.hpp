@@ -21,13 +21,13 @@
 namespace ocean {
 
 /// Samples of the map whose waves a query shows.
-inline int shown_resolution(const Modes& modes, const QueryOptions& options) {
-    return options.resolution > 0 ? options.resolution : modes.lattice.resolution;
+inline int shown_resolution(int grid_resolution, const QueryOptions& options) {
+    return options.resolution > 0 ? options.resolution : grid_resolution;
 }
 
 /// Samples of the spline between which a query interpolates. Throws Error invalid_value.
-inline int spline_resolution(const Modes& modes, const QueryOptions& options) {
-    const int shown = shown_resolution(modes, options);
+inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
+    const int shown = shown_resolution(grid_resolution, options);
     require_map_resolution(shown);
     const int finest = std::max(kMaxResolution / (2 * shown), 1);
     if (!is_power_of_two(options.refine) || options.refine > finest) {
@@ -39,15 +39,17 @@ inline int spline_resolution(const Modes& modes, const QueryOptions& options) {
     return std::min(2 * shown * options.refine, kMaxResolution);
 }
 
-inline std::uint64_t all_modes_bytes(const Modes& modes) {
-    return modes_bytes({modes.lattice.resolution,
-                        modes.lattice.period,
-                        static_cast<int>(modes.cascades.size()),
-                        {}});
+/// As much of the grid of such modes as tells their size.
+inline Grid grid_of(const Modes& modes) {
+    return {modes.lattice.resolution,
+            modes.lattice.period,
+            static_cast<int>(modes.cascades.size()),
+            {}};
 }
+
 /// Of so many splines, and of the maps that the last of them is made from.
-inline std::uint64_t spline_bytes(const Modes& modes, const QueryOptions& options, int splines) {
-    const int fine = spline_resolution(modes, options);
+inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines) {
+    const int fine = spline_resolution(grid_resolution, options);
     return static_cast<std::uint64_t>(splines) * SplineMap::bytes_per_sample() *
                Lattice{fine, 1.0}.size() +
            surface_bytes(fine, 3);

@@ -487,6 +487,20 @@ def test_a_dry_run_tells_and_writes_nothing(ocean):
         assert size <= events(done)[0]["bytes"]
 
 
+def test_a_dry_run_counts_the_maps_that_invert_a_choppy_height_field(ocean):
+    bake = ["bake", "sea.toml", "-o", "s.png", "--set", "resolution=512", "--threads", "1"]
+    announced = events(ocean(*bake, "-n", "--json"))[0]["memory_bytes"]
+    run = "import resource, subprocess, sys; subprocess.run(sys.argv[1:], check=True); "
+    run += "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
+    done = subprocess.run(
+        ["/usr/bin/python3", "-c", run, OCEAN, *bake],
+        cwd=ocean.folder, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    used = 1024 * int(done.stdout.splitlines()[-1])
+    program = 64 << 20
+    assert announced / 4 < used < announced + program
+
+
 def test_a_dry_run_says_what_would_be_kept(ocean):
     ocean.good("bake", "sea.toml", "--frames", "1-3", "-o", "s.####.exr", "--products", "height")
     before = ocean.hashes(".")

@@ -3,13 +3,19 @@
 """Runs `ocean povray` and POV-Ray itself in folders of their own."""
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
 
+import numpy
+import OpenImageIO as oiio
 import pytest
 
+import libocean
+
 OCEAN = os.environ.get("OCEAN", "")
+N, PERIOD = 128, 100.0  # of the sea that sea_text gives
 
 
 def pytest_collection_modifyitems(items):
@@ -18,7 +24,7 @@ def pytest_collection_modifyitems(items):
             item.add_marker(pytest.mark.skip(reason="povray is not installed"))
 
 
-def sea_text(resolution=128, period=100.0, choppiness=0.8, wind=7.0, more="", waves=""):
+def sea_text(resolution=N, period=PERIOD, choppiness=0.8, wind=7.0, more="", waves=""):
     return f"""libocean = 1
 [grid]
 resolution = {resolution}
@@ -90,3 +96,22 @@ def povray(folder: Path, scene: str, *arguments, width=8, height=8, good=True) -
 @pytest.fixture(scope="session")
 def choppy(tmp_path_factory):
     return Folder(tmp_path_factory.mktemp("choppy"), sea_text())
+
+
+def surface(folder, resolution=N):
+    """libocean's arrays of the folder's first frame."""
+    sea = libocean.open(folder.path / "sea.toml")
+    return sea.surface(0.0, resolution=resolution)
+
+
+def read_png(path):
+    """[row, column, channel] from 0 to 1, the bottom row first."""
+    image = oiio.ImageInput.open(str(path))
+    pixels = image.read_image("uint16").astype(float)[::-1] / 65535.0
+    image.close()
+    return pixels
+
+
+def floats_of(log):
+    """The values of the lines `V value` that a scene told."""
+    return numpy.array([float(word) for word in re.findall(r"^V (\S+)$", log, re.MULTILINE)])

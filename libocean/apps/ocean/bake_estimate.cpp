@@ -80,8 +80,7 @@ Crew choose_crew(const BakePlan& plan, int threads) {
 
 void show_plan(const BakePlan& plan, const Crew& crew, Console& console) {
     const Manifest manifest(plan.pattern.manifest());
-    std::uint64_t bytes = 0;
-    int count = 0, kept = 0;
+    FileCount all = plan.beside;
     for (const int frame : plan.frames) {
         const std::vector<BakeFile> files = files_of_frame(plan, frame);
         const bool keep =
@@ -90,25 +89,25 @@ void show_plan(const BakePlan& plan, const Crew& crew, Console& console) {
             });
         for (const BakeFile& file : files) {
             console.data(file.path + (keep ? "\tkept\n" : "\n"));
-            if (!keep) bytes += most_bytes(plan, file);
-            ++count;
-            kept += keep ? 1 : 0;
+            if (!keep) all.bytes += most_bytes(plan, file);
+            ++all.files;
+            all.kept += keep ? 1 : 0;
         }
     }
     const std::uint64_t room = free_bytes(plan.pattern.folder());
     const std::uint64_t memory = memory_bytes(plan, crew.workers);
     console.report(
         "plan",
-        format_text("%d files, %d of them kept, the others at most ", count, kept) +
-            bytes_text(bytes) + "; " + bytes_text(room) + " are free; " + bytes_text(memory) +
+        format_text("%d files, %d of them kept, the others at most ", all.files, all.kept) +
+            bytes_text(all.bytes) + "; " + bytes_text(room) + " are free; " + bytes_text(memory) +
             " of memory",
         format_text("\"files\": %d, \"kept\": %d, \"bytes\": %llu, \"free_bytes\": %llu, "
                     "\"memory_bytes\": %llu",
-                    count, kept, static_cast<unsigned long long>(bytes),
+                    all.files, all.kept, static_cast<unsigned long long>(all.bytes),
                     static_cast<unsigned long long>(room),
                     static_cast<unsigned long long>(memory)));
-    if (bytes > room) {
-        console.warning("the files may need " + bytes_text(bytes) + ", " + bytes_text(room) +
+    if (all.bytes > room) {
+        console.warning("the files may need " + bytes_text(all.bytes) + ", " + bytes_text(room) +
                         " are free: they may not fit");
     }
 }

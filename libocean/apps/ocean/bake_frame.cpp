@@ -222,10 +222,7 @@ Surface FrameBaker::shown_heights(double time) {
     Surface surface(map, time, plan.channels);
     const auto n = static_cast<std::size_t>(plan.resolution);
     const double spacing = map.period / plan.resolution;
-    // Twice as fine where the library has such maps.
-    const QueryOptions options{.refine = 4 * plan.resolution <= kMaxResolution ? 2 : 1,
-                               .foam = false,
-                               .resolution = plan.resolution};
+    const QueryOptions options = plan.height_query();
     std::size_t folded = 0;
     std::vector<WorldPoint> row(n);
     std::vector<QuerySample> samples(n);

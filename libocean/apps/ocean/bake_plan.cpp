@@ -181,9 +181,24 @@ std::uint64_t BakePlan::frame_memory() const {
     std::uint64_t bytes = 0;
     const int maps = channels.size() + (has_foam() ? kFoamMaps : 0);
     for (const int level : resolutions()) bytes += surface_bytes(level, maps);
+    if (inverts_displacement()) {
+        return bytes + SurfaceQuery::map_bytes(sea.parameters.grid, height_query());
+    }
     if (format != BakeFormat::mesh2) return bytes;
     // A vertex has six floats and two triangles of three numbers, and as much again as text.
     return bytes + mesh_vertices() * 2 * (6 * sizeof(float) + 6 * sizeof(int));
+}
+
+bool BakePlan::inverts_displacement() const {
+    if (format != BakeFormat::height_field) return false;
+    return sea.parameters.surface.choppiness != 0.0 || !sea.take.empty();
+}
+
+QueryOptions BakePlan::height_query() const {
+    // Twice as fine where the library has such maps.
+    return {.refine = 4 * resolution <= kMaxResolution ? 2 : 1,
+            .foam = false,
+            .resolution = resolution};
 }
 
 std::uint64_t BakePlan::mesh_vertices() const {

@@ -11,6 +11,7 @@
 
 #include "frames.hpp"
 #include "ocean/io.hpp"
+#include "ocean/query.hpp"
 #include "ocean/surface.hpp"
 #include "sea_argument.hpp"
 
@@ -34,6 +35,11 @@ struct BakeOptions {
 
 enum class BakeFormat { exr, height_field, mesh2, df3 };
 
+struct FileCount {
+    int files = 0, kept = 0;
+    std::uint64_t bytes = 0;  // of those that are not kept, at most
+};
+
 struct BakePlan {
     Sea sea;
     std::string sea_text;
@@ -50,6 +56,7 @@ struct BakePlan {
     std::optional<io::View> view;  // a mesh to the horizon instead of one period
     bool slope_variance_given = false;
     bool far_maps = false;  // coarser maps beside that of each frame, a DF3 file each
+    FileCount beside;       // of the folder's other files, which somebody else writes
     Backend backend = Backend::cpu;
     int resolution = 0;  // of the finest map
     ChannelSet channels;
@@ -58,7 +65,10 @@ struct BakePlan {
     std::vector<int> resolutions() const;
     /// Bytes for what all frames share.
     std::uint64_t modes_memory() const;
-    /// Bytes for one frame: its maps, and a mesh.
+    /// A choppy height field is asked for at places of the world, with `height_query`.
+    bool inverts_displacement() const;
+    QueryOptions height_query() const;
+    /// Bytes for one frame: its maps, what inverts them, and a mesh.
     std::uint64_t frame_memory() const;
     std::uint64_t mesh_vertices() const;
     /// Foam has a past: frames are made one after another.

@@ -119,13 +119,30 @@ std::vector<FolderFile> folder_files(const BakePlan& plan, const PovrayOptions& 
     return files;
 }
 
+bool is_kept(const FolderFile& file, const std::string& folder) {
+    std::error_code error;
+    return file.users && std::filesystem::exists(utf8_path(folder + "/" + file.name), error);
+}
+
+FileCount show_folder(const std::vector<FolderFile>& files, const std::string& folder,
+                      Console& console) {
+    FileCount count;
+    for (const FolderFile& file : files) {
+        const bool kept = is_kept(file, folder);
+        console.data(folder + "/" + file.name + (kept ? "\tkept\n" : "\n"));
+        ++count.files;
+        count.kept += kept ? 1 : 0;
+        if (!kept) count.bytes += file.text.size();
+    }
+    return count;
+}
+
 void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
                   const Context& context) {
     make_folder(folder);
     for (const FolderFile& file : files) {
         const std::string path = folder + "/" + file.name;
-        std::error_code error;
-        if (file.users && std::filesystem::exists(utf8_path(path), error)) {
+        if (is_kept(file, folder)) {
             context.console.note(path + " is there already: kept as it is");
             continue;
         }
@@ -139,12 +156,10 @@ void run(PovrayOptions& options, const Context& context) {
     BakePlan plan = make_povray_plan(options);
     warn_of_cost(plan, context.console);
     const std::vector<FolderFile> files = folder_files(plan, options, context);
-    if (!options.bake.dry_run) {
-        write_folder(files, options.folder, context);
+    if (options.bake.dry_run) {
+        plan.beside = show_folder(files, options.folder, context.console);
     } else {
-        for (const FolderFile& file : files) {
-            context.console.data(options.folder + "/" + file.name + "\n");
-        }
+        write_folder(files, options.folder, context);
     }
     run_bake(plan, options.bake.dry_run, context);
 }

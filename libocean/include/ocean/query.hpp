@@ -83,6 +83,8 @@ class SurfaceQuery {
 
     /// Bytes that the constructor needs for such modes, at most.
     static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
+    /// The same before there are modes; without what `exact` needs besides.
+    static std::uint64_t map_bytes(const Grid& grid, const QueryOptions& options);
 
   private:
     struct State;

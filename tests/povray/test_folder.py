@@ -1,0 +1,200 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""The folder of `ocean povray`: what lies in it, its size, what goes wrong."""
+
+import json
+import re
+import subprocess
+
+import pytest
+from conftest import Folder, floats_of, ocean, povray, read_png, sea_text, surface
+
+import libocean
+
+
+def parse_seconds(log):
+    """Of the processor: other work on the machine counts for less."""
+    return float(re.search(r"Parse Time:[^%]*?([\d.]+) CPU-seconds", log).group(1))
+
+
+def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
+    sea = sea_text(resolution=512, period=400.0, wind=10.0)
+    exact = Folder(tmp_path / "df3", sea, "--near-only")
+    text = Folder(tmp_path / "mesh2", sea, "--format", "mesh2")
+    scene = 'Ocean_Load("sea_0001")\nobject { Ocean_Mesh() }'
+    seconds = {"df3": [], "mesh2": []}
+    for _ in range(3):
+        seconds["df3"].append(parse_seconds(exact.run(scene)))
+        seconds["mesh2"].append(parse_seconds(text.run(scene)))
+    ratio = min(seconds["df3"]) / min(seconds["mesh2"])
+    size = (exact.path / "sea_0001.df3").stat().st_size
+    share = size / (text.path / "sea_0001.inc").stat().st_size
+    print(f"\n{seconds}, ratio {ratio:.2f}; {size} bytes, {share:.3f} of the text")
+    assert ratio <= 2.5
+    assert share <= 0.25
+
+
+def test_every_parameter_is_declared(choppy):
+    text = (choppy.path / "ocean_parameters.inc").read_text()
+    sea = libocean.open(choppy.path / "sea.toml")
+    known = 0
+    for parameter in libocean.parameters():
+        section = "waves.0" if parameter["section"] == "waves" else parameter["section"]
+        path = f"{section}.{parameter['key']}"
+        value = sea.get(path)
+        if not value or value == "[]":
+            continue
+        words = [word.capitalize() for word in re.split(r"[._]", path)]
+        declared = re.search(rf"^#declare Ocean_{'_'.join(words)} = (.*?);", text, re.MULTILINE)
+        assert declared, path
+        if value not in ("inf", "-inf") and not declared.group(1).startswith('"'):
+            assert float(declared.group(1)) == pytest.approx(float(value), rel=1e-12), path
+        known += 1
+    assert known > 25
+
+
+def test_a_folder_renders_as_it_is_and_its_loop_closes(tmp_path):
+    """povray ocean.ini: a picture for each frame; a period on the sea is the same to the bit."""
+    sea = sea_text(resolution=32, period=60.0).replace(
+        "[[waves]]", "[time]\nfps = 4.0\nloop_period = 2.0\n[[waves]]", 1
+    )
+    Folder(tmp_path, sea, "--frames", "1-9")
+    done = subprocess.run(
+        ["povray", "ocean.ini", "+W32", "+H18", "-A"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    pictures = sorted(path.name for path in tmp_path.glob("scene*.png"))
+    assert pictures == [f"scene{frame}.png" for frame in range(1, 10)]
+    assert (tmp_path / "sea_0001.df3").read_bytes() == (tmp_path / "sea_0009.df3").read_bytes()
+    assert (tmp_path / "sea_0001.df3").read_bytes() != (tmp_path / "sea_0005.df3").read_bytes()
+
+
+def test_frames_that_are_no_range_are_counted_from_one(tmp_path):
+    folder = Folder(tmp_path, sea_text(resolution=32), "--frames", "3-9x3")
+    log = folder.run(
+        """#for (K, 0, 3)
+    Ocean_Load(Ocean_Frame_Name(K))
+    #debug concat("V ", str(Ocean_Frame_Number, 0, 0), "\\nV ", str(Ocean_Time, 0, 6), "\\n")
+#end"""
+    )
+    found = floats_of(log).reshape(4, 2)
+    assert list(found[:, 0]) == [3, 3, 6, 9]
+    assert found[:, 1] == pytest.approx((found[:, 0] - 1) / 24, abs=1e-6)
+    assert "Final_Frame=3\n" in (tmp_path / "ocean.ini").read_text()
+
+
+def test_the_macros_work_from_a_library_path(choppy, tmp_path):
+    """As installed: the scene lies elsewhere, the folder is named by +L."""
+    log = povray(
+        tmp_path,
+        '#version 3.7;\n#include "ocean.inc"\nOcean_Load("sea_0001")\n'
+        '#debug concat("V ", str(Ocean_Height(0, 0), 0, 9), "\\n")\nobject { Ocean_Mesh() }',
+        f"+L{choppy.path}",
+    )
+    assert floats_of(log)[0] == pytest.approx(surface(choppy).height[0, 0], abs=1e-6)
+
+
+def test_every_public_macro_is_in_the_table_at_the_top(choppy):
+    text = (choppy.path / "ocean.inc").read_text()
+    head = text[: text.index("#ifndef(Ocean_Inc_Temp)")]
+    macros = set(re.findall(r"^#macro (Ocean_\w*[^_\W])\(", text, re.MULTILINE))
+    assert len(macros) > 18
+    for macro in macros:
+        assert macro + "(" in head, macro
+        assert re.search(rf"^//   .*\b{macro}\(", text[len(head) :], re.MULTILINE), macro
+
+
+def test_a_folder_without_far_maps_says_so_to_the_horizon(tmp_path):
+    folder = Folder(tmp_path, sea_text(resolution=64), "--near-only")
+    scene = 'Ocean_Load("sea_0001")\nobject { Ocean_View(<0, 9, 0>, <9, 8, 0>, 50, 0.2) }'
+    log = re.sub(r"\s+", " ", folder.run(scene, good=False))
+    assert "Ocean_View needs the coarser maps, which --near-only left out" in log
+    folder.run('Ocean_Load("sea_0001")\nobject { Ocean_Mesh() }')
+
+
+@pytest.mark.parametrize("format_", ["df3", "mesh2", "height_field"])
+def test_the_scene_of_every_format_renders(tmp_path, format_):
+    Folder(tmp_path, sea_text(resolution=32), "--format", format_)
+    done = subprocess.run(
+        ["povray", "scene.pov", "+W32", "+H18", "-D"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr[-2000:]
+    picture = read_png(tmp_path / "scene.png")
+    sky, water = picture[-2].mean(axis=0), picture[2].mean(axis=0)
+    assert sky[2] > 1.1 * water[2], "the sea is not darker than the sky"
+
+
+@pytest.mark.parametrize(
+    "scene,words",
+    [
+        ('Ocean_Load("sea_0007")', ["no sea_0007.df3"]),
+        ("object { Ocean_Mesh() }", ["Ocean_Mesh comes before Ocean_Load"]),
+        ('Ocean_Load("sea_0001") object { Ocean_Height_Field() }', ["--format height_field"]),
+        (
+            'Ocean_Load("sea_0001") object { Ocean_Mesh() Ocean_Material("tap") }',
+            ['no water type "tap"', "jerlov_9c"],
+        ),
+        ("Ocean_Sky(0)", ["Ocean_Sky comes before Ocean_Sun"]),
+    ],
+)
+def test_the_macros_say_what_is_wrong(choppy, scene, words):
+    log = re.sub(r"\s+", " ", choppy.run(scene, good=False))
+    for word in words:
+        assert word in log
+
+
+def test_data_of_another_version_are_refused(tmp_path):
+    folder = Folder(tmp_path, sea_text(resolution=32))
+    path = tmp_path / "ocean_parameters.inc"
+    path.write_text(path.read_text().replace("Data_Version = 1", "Data_Version = 2"))
+    log = re.sub(r"\s+", " ", folder.run("", good=False))
+    assert "data are of version 2, this file reads version 1" in log
+
+
+def test_a_folder_without_its_parameters_says_how_to_make_one(tmp_path):
+    folder = Folder(tmp_path, sea_text(resolution=32))
+    (tmp_path / "ocean_parameters.inc").unlink()
+    assert "ocean povray SEA -o FOLDER" in re.sub(r"\s+", " ", folder.run("", good=False))
+
+
+def test_bad_exports_are_refused_in_a_line(tmp_path):
+    (tmp_path / "sea.toml").write_text(sea_text(resolution=32))
+
+    def line(*arguments, code):
+        done = ocean(tmp_path, "povray", "sea.toml", *arguments)
+        assert done.returncode == code, done.stderr
+        return done.stderr
+
+    assert "at most 2048" in line("-o", "f", "--resolution", "4096", code=2)
+    assert "--format" in line("-o", "f", "--format", "obj", code=2)
+    assert "--near-only" in line("-o", "f", "--format", "mesh2", "--near-only", code=2)
+    assert not (tmp_path / "f").exists()
+    (tmp_path / "file").write_text("")
+    assert "file" in line("-o", "file", code=1)
+    assert "-o" in line(code=2)
+
+
+@pytest.mark.parametrize("format_", ["df3", "mesh2", "height_field"])
+def test_a_dry_run_counts_the_whole_folder_and_writes_nothing(tmp_path, format_):
+    (tmp_path / "its_sea.toml").write_text(sea_text(resolution=64))
+    command = ["povray", "its_sea.toml", "-o", "f", "--frames", "1-3", "--format", format_]
+    done = ocean(tmp_path, *command, "-n", "--json")
+    assert done.returncode == 0 and not (tmp_path / "f").exists()
+    (plan,) = [e for e in map(json.loads, done.stderr.splitlines()) if e["event"] == "plan"]
+    made = ocean(tmp_path, *command)
+    assert made.returncode == 0 and made.stdout == done.stdout
+    paths = made.stdout.splitlines()
+    size = sum((tmp_path / path).stat().st_size for path in paths)
+    assert plan["files"] == len(paths)
+    assert size <= plan["bytes"] < 2 * size + 4096 * len(paths)
+    again = ocean(tmp_path, *command, "-n")
+    assert "f/scene.pov\tkept" in again.stdout.splitlines()
+
+
+def test_a_scene_that_is_there_is_kept(tmp_path):
+    Folder(tmp_path, sea_text(resolution=32))
+    (tmp_path / "scene.pov").write_text("// mine\n")
+    done = ocean(tmp_path, "povray", "its_sea.toml", "-o", ".", "-v")
+    assert done.returncode == 0
+    assert (tmp_path / "scene.pov").read_text() == "// mine\n"
+    assert "kept as it is" in done.stderr
