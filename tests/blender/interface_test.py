@@ -36,19 +36,19 @@ def text_of(ob) -> str:
     return sea_text.write(properties.TABLE, properties.values_of(ob.libocean))
 
 
-@pytest.mark.parametrize("entry", properties.TABLE, ids=lambda entry: entry["key"])
-def test_every_parameter_is_a_property(ocean, entry):
-    owner = ocean.libocean.waves[0] if entry["section"] == "waves" else ocean.libocean
-    prop = owner.bl_rna.properties[entry["key"]]
-    assert prop.name == entry["label"]
-    assert entry["help"].rstrip(".") in prop.description
-    if entry["type"] == "float":
-        assert prop.unit == UNITS.get(entry["unit"], "NONE")
-        assert prop.soft_min == pytest.approx(entry["soft_min"])
-    if entry["type"] == "enum":
-        assert [item.identifier for item in prop.enum_items] == entry["choices"]
-    if sea_text.is_optional(entry):
-        assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
+def test_every_parameter_is_a_property(ocean):
+    for entry in properties.TABLE:
+        owner = ocean.libocean.waves[0] if entry["section"] == "waves" else ocean.libocean
+        prop = owner.bl_rna.properties[entry["key"]]
+        assert prop.name == entry["label"]
+        assert entry["help"].rstrip(".") in prop.description
+        if entry["type"] == "float":
+            assert prop.unit == UNITS.get(entry["unit"], "NONE")
+            assert prop.soft_min == pytest.approx(entry["soft_min"])
+        if entry["type"] == "enum":
+            assert [item.identifier for item in prop.enum_items] == entry["choices"]
+        if sea_text.is_optional(entry):
+            assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
 def test_what_the_spectrum_does_not_use_is_grey(ocean):
@@ -92,6 +92,7 @@ def own_properties(cls) -> list:
     return [known[name] for name in cls.__dict__.get("__annotations__", ())]
 
 
+@pytest.mark.only_reads
 @by_name(CLASSES)
 def test_every_class_describes_itself(cls):
     assert inspect.getdoc(cls)
@@ -106,6 +107,7 @@ def test_every_class_describes_itself(cls):
         assert cls.poll.__func__
 
 
+@pytest.mark.only_reads
 @by_name(OPERATORS + GROUPS)
 def test_every_property_says_what_it_is(cls):
     for prop in own_properties(cls):
@@ -123,6 +125,7 @@ def test_an_operator_that_cannot_run_says_why(cls):
         operator_of(cls)()
 
 
+@pytest.mark.only_reads
 @by_name(OPERATORS + GROUPS)
 def test_f1_leads_to_a_section_of_the_documentation(cls):
     from bl_operators.wm import WM_OT_doc_view_manual

@@ -93,11 +93,13 @@ def states() -> set[tuple[str, str]]:
 # The table ----------------------------------------------------------------------
 
 
+@pytest.mark.only_reads
 @pytest.mark.parametrize("cls", CLASSES, ids=lambda cls: cls.__name__)
 def test_every_label_is_translated(cls):
     assert labels_of(cls) - GERMAN.keys() == set()
 
 
+@pytest.mark.only_reads
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
 def test_every_text_is_translated(path):
     assert texts_in(path) - GERMAN.keys() == set()
@@ -107,6 +109,7 @@ def test_every_state_and_socket_is_translated():
     assert (states() | sockets_of_the_water()) - GERMAN.keys() == set()
 
 
+@pytest.mark.only_reads
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
 def test_nothing_is_said_untranslated(path):
     """What is reported, or drawn, is no bare text: only what a variable holds, or tr."""
@@ -131,6 +134,7 @@ def test_no_translation_is_of_something_gone():
     assert written - used == set()
 
 
+@pytest.mark.only_reads
 @pytest.mark.parametrize("key", GERMAN, ids=lambda key: key[1])
 def test_a_translation_has_the_same_placeholders(key):
     def fields(text: str) -> list:
@@ -162,25 +166,26 @@ def test_panels_and_operators_have_german_names(german):
     assert look_up(operators.LoadSea.bl_label, "Operator") == "Seegang laden"
 
 
+@pytest.mark.only_reads
 @pytest.mark.parametrize("entry", properties.TABLE, ids=lambda entry: entry["key"])
 def test_blenders_own_words_do_not_come_before_the_seas(german, entry):
     found = bpy.app.translations.pgettext_iface(entry["label"], translations.SEA)
     assert found == translations.GERMAN[translations.SEA][entry["label"]]
 
 
-@pytest.mark.parametrize("entry", properties.TABLE, ids=lambda entry: entry["key"])
-def test_the_panel_asks_for_the_seas_words(entry):
+def test_the_panel_asks_for_the_seas_words():
     bpy.ops.libocean.add(use_material=False)
     settings = bpy.context.object.libocean
-    group = settings.waves[0] if entry["section"] == "waves" else settings
-    layout = unittest.mock.MagicMock()
-    panels._draw_parameter(layout, group, entry)
-    drawn = layout.column.return_value
-    label, context = entry["label"], translations.SEA
-    if sea_text.is_optional(entry):
-        drawn.row.assert_called_once_with(heading=label, heading_ctxt=context)
-    else:
-        drawn.prop.assert_called_once_with(group, entry["key"], text=label, text_ctxt=context)
+    for entry in properties.TABLE:
+        group = settings.waves[0] if entry["section"] == "waves" else settings
+        layout = unittest.mock.MagicMock()
+        panels._draw_parameter(layout, group, entry)
+        drawn = layout.column.return_value
+        label, context = entry["label"], translations.SEA
+        if sea_text.is_optional(entry):
+            drawn.row.assert_called_once_with(heading=label, heading_ctxt=context)
+        else:
+            drawn.prop.assert_called_once_with(group, entry["key"], text=label, text_ctxt=context)
 
 
 def test_an_operator_that_fails_says_so_in_german(german):
