@@ -4,6 +4,7 @@
 // The blocking pool: threads sleep on a condition variable between calls.
 #include "ocean/thread_pool.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -152,7 +153,8 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
     if (count <= 0) return;
     State& state = *state_;
     const CrewSize::Clock::time_point began = CrewSize::Clock::now();
-    const int crew = state.crew_size.choose(began);
+    const int chosen = state.crew_size.choose(began);
+    const int crew = std::min(chosen, count);
     {
         const std::lock_guard lock(state.mutex);
         for (int thread = 0; thread < crew; ++thread) {
@@ -160,12 +162,13 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
                                                                share_edge(count, thread + 1, crew));
         }
         state.crew = crew;
-        state.measured = state.crew_size.asks_for_usage();
+        // Threads without an item would look as if they had waited for a core.
+        state.measured = crew == chosen && state.crew_size.asks_for_usage();
         state.used = {};
         state.body = &body;
         ++state.call;
     }
-    if (count > 1 && crew > 1) state.start.notify_all();
+    if (crew > 1) state.start.notify_all();
     const ThreadUsage usage = state.take_items(body, 0);
     std::unique_lock lock(state.mutex);
     // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
@@ -181,11 +184,10 @@ void ThreadPool::for_each_range(int count, const std::function<void(int first, i
         int count;
         int shares;
         const std::function<void(int, int)>& body;
-    } work{count, state_->size, body};
+    } work{count, std::min(count, state_->size), body};
     for_each_item(work.shares, [&work](int share, int) {
-        const int first = share_edge(work.count, share, work.shares);
-        const int last = share_edge(work.count, share + 1, work.shares);
-        if (first < last) work.body(first, last);
+        work.body(share_edge(work.count, share, work.shares),
+                  share_edge(work.count, share + 1, work.shares));
     });
 }
 

@@ -21,7 +21,7 @@ class ThreadPool {
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int size() const;
-    /// Calls body(first, last) on each of size() shares of [0, count) and waits. The first
+    /// Calls body(first, last) on each of up to size() shares of [0, count) and waits. The first
     /// exception of any share is thrown again here.
     void for_each_range(int count, const std::function<void(int first, int last)>& body);
     /// Calls body(item, thread) for each item of [0, count) and waits; thread < size(). A thread
