@@ -10,10 +10,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/map_request.hpp"
 #include "kernel/map_kernel.hpp"
 #include "kernel/packed_modes.hpp"
-#include "map_request.hpp"
-#include "mode_lattice.hpp"
+#include "modes/mode_lattice.hpp"
 
 namespace ocean {
 

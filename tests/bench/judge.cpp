@@ -9,7 +9,7 @@
 #include <cmath>
 #include <complex>
 
-#include "synthesis.hpp"
+#include "synthesis/synthesis.hpp"
 
 namespace ocean::bench {
 

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/wave.hpp"
 #include "ocean/error.hpp"
 #include "test_seas.hpp"
-#include "wave.hpp"
 
 namespace ocean {
 namespace {

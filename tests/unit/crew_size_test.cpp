@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Threads that wait for each other's cores are used less, and used again when they do not.
-#include "crew_size.hpp"
+#include "base/crew_size.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include <limits>
 #include <random>
 
-#include "chi_squared.hpp"
+#include "gauge/chi_squared.hpp"
 #include "ocean/dispersion.hpp"
 #include "test_seas.hpp"
 

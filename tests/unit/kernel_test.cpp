@@ -10,7 +10,7 @@
 
 #include "kernel/frame_task.hpp"
 #include "kernel/map_kernel.hpp"
-#include "mode_grid.hpp"
+#include "synthesis/mode_grid.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {

@@ -3,7 +3,7 @@
 //
 // Modes that are built again for other waves are those that would have been built at once, and what
 // does not depend on the waves is left alone.
-#include "mode_lattice.hpp"
+#include "modes/mode_lattice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/wave.hpp"
+#include "modes/quadrant_sampler.hpp"
 #include "ocean/dispersion.hpp"
-#include "quadrant_sampler.hpp"
 #include "test_seas.hpp"
-#include "wave.hpp"
 
 namespace ocean {
 namespace {

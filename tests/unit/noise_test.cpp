@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "noise_row.hpp"
-#include "wave.hpp"
+#include "base/wave.hpp"
+#include "modes/noise_row.hpp"
 
 namespace ocean {
 namespace {

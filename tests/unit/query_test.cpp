@@ -11,13 +11,13 @@
 #include <limits>
 #include <random>
 
+#include "base/wave.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/wave_sum.hpp"
-#include "query_folds.hpp"
-#include "spline_map.hpp"
+#include "query/query_folds.hpp"
+#include "query/spline_map.hpp"
 #include "test_seas.hpp"
-#include "wave.hpp"
 
 namespace ocean {
 namespace {

@@ -15,7 +15,7 @@
 #include "ocean/map_output.hpp"
 #include "ocean/surface.hpp"
 #include "simd_level.hpp"
-#include "synthesis.hpp"
+#include "synthesis/synthesis.hpp"
 
 namespace ocean {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What differs between operating systems, in one place: core/platform.cpp.
+// What differs between operating systems, in one place: core/base/platform.cpp.
 #pragma once
 
 #include <cstddef>

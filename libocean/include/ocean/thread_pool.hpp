@@ -3,7 +3,7 @@
 //
 // A small blocking pool: the work is cut the same way for any number of threads, no spinning, no
 // globals. Equal bits for any number of threads follow from the items being independent. Where
-// other processes want the cores too, it gets by with fewer threads (core/crew_size.hpp).
+// other processes want the cores too, it gets by with fewer threads (core/base/crew_size.hpp).
 #pragma once
 
 #include <functional>

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The blocking pool: threads sleep on a condition variable between calls.
+#include "ocean/thread_pool.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/crew_size.hpp"
+#include "ocean/platform.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// The items first .. last - 1 that nobody has taken yet.
+class ItemRange {
+  public:
+    void set(int first, int last) { range_.store(pack(first, last), std::memory_order_relaxed); }
+
+    /// An item from the front or the back, or -1.
+    int take(bool front) {
+        std::uint64_t range = range_.load(std::memory_order_relaxed);
+        for (;;) {
+            const auto first = static_cast<int>(range >> 32);
+            const auto last = static_cast<int>(range & 0xFFFFFFFFu);
+            if (first >= last) return -1;
+            const std::uint64_t left = front ? pack(first + 1, last) : pack(first, last - 1);
+            if (range_.compare_exchange_weak(range, left, std::memory_order_relaxed)) {
+                return front ? first : last - 1;
+            }
+        }
+    }
+
+  private:
+    static std::uint64_t pack(int first, int last) {
+        return static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint32_t>(last);
+    }
+
+    alignas(64) std::atomic<std::uint64_t> range_{};
+};
+
+/// Where share i of `shares` begins.
+int share_edge(int count, int i, int shares) {
+    return static_cast<int>(static_cast<long long>(count) * i / shares);
+}
+
+}  // namespace
+
+struct ThreadPool::State {
+    int size = 1;
+    std::vector<std::thread> workers;
+    std::vector<ItemRange> ranges;  // of each thread
+    CrewSize crew_size{1};          // the caller's
+    std::mutex mutex;
+    std::condition_variable start;
+    std::condition_variable done;
+    // Guarded by mutex:
+    const std::function<void(int, int)>* body = nullptr;  // of the call that goes on, if any
+    std::uint64_t call = 0;                               // its number
+    int crew = 1;                                         // threads that may take part
+    bool measured = false;                                // what they use
+    ThreadUsage used;                                     // by all in this call
+    int taking_part = 0;                                  // workers
+    bool stopping = false;
+    std::exception_ptr failure;
+
+    /// A thread walks through its own range, whose items are neighbours; after that it helps the
+    /// others from the far end of theirs. Returns what the thread used.
+    ThreadUsage take_items(const std::function<void(int, int)>& run, int thread) {
+        const ThreadUsage before = measured ? usage_of_this_thread() : ThreadUsage{};
+        for (int other = 0; other < crew; ++other) {
+            ItemRange& range = ranges[static_cast<std::size_t>((thread + other) % crew)];
+            for (int item; (item = range.take(other == 0)) >= 0;) run_item(run, item, thread);
+        }
+        const ThreadUsage after = measured ? usage_of_this_thread() : ThreadUsage{};
+        return {after.preemptions - before.preemptions, after.seconds - before.seconds};
+    }
+
+    /// With the mutex locked.
+    void add(ThreadUsage usage) {
+        used.preemptions += usage.preemptions;
+        used.seconds += usage.seconds;
+    }
+
+    void run_item(const std::function<void(int, int)>& run, int item, int thread) {
+        try {
+            run(item, thread);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+    }
+
+    void work(int thread) {
+        std::uint64_t seen = 0;
+        std::unique_lock lock(mutex);
+        for (;;) {
+            start.wait(lock, [&] {
+                return stopping || (body != nullptr && call != seen && thread < crew);
+            });
+            if (stopping) return;
+            seen = call;
+            const std::function<void(int, int)>& run = *body;
+            ++taking_part;
+            lock.unlock();
+            const ThreadUsage usage = take_items(run, thread);
+            lock.lock();
+            add(usage);
+            if (--taking_part == 0) done.notify_one();
+        }
+    }
+};
+
+ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
+    state_->size = threads > 0 ? threads : available_cores();
+    state_->ranges = std::vector<ItemRange>(static_cast<std::size_t>(state_->size));
+    state_->workers.reserve(static_cast<std::size_t>(state_->size - 1));
+    for (int thread = 1; thread < state_->size; ++thread) {
+        try {
+            state_->workers.emplace_back([state = state_.get(), thread] { state->work(thread); });
+        } catch (const std::exception&) {
+            // The system gives no more threads: those there are do the same work to the same bits.
+            state_->size = thread;
+            break;
+        }
+    }
+    state_->crew_size = CrewSize(state_->size);
+}
+
+ThreadPool::~ThreadPool() {
+    {
+        const std::lock_guard lock(state_->mutex);
+        state_->stopping = true;
+    }
+    state_->start.notify_all();
+    for (std::thread& worker : state_->workers) worker.join();
+}
+
+int ThreadPool::size() const {
+    return state_->size;
+}
+
+void ThreadPool::for_each_item(int count, const std::function<void(int item, int thread)>& body) {
+    if (count <= 0) return;
+    State& state = *state_;
+    const CrewSize::Clock::time_point began = CrewSize::Clock::now();
+    const int chosen = state.crew_size.choose(began);
+    const int crew = std::min(chosen, count);
+    {
+        const std::lock_guard lock(state.mutex);
+        for (int thread = 0; thread < crew; ++thread) {
+            state.ranges[static_cast<std::size_t>(thread)].set(share_edge(count, thread, crew),
+                                                               share_edge(count, thread + 1, crew));
+        }
+        state.crew = crew;
+        // Threads without an item would look as if they had waited for a core.
+        state.measured = crew == chosen && state.crew_size.asks_for_usage();
+        state.used = {};
+        state.body = &body;
+        ++state.call;
+    }
+    if (crew > 1) state.start.notify_all();
+    const ThreadUsage usage = state.take_items(body, 0);
+    std::unique_lock lock(state.mutex);
+    // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
+    state.body = nullptr;
+    state.done.wait(lock, [&] { return state.taking_part == 0; });
+    state.add(usage);
+    state.crew_size.ended(began, CrewSize::Clock::now(), state.used);
+    if (state.failure) std::rethrow_exception(std::exchange(state.failure, nullptr));
+}
+
+void ThreadPool::for_each_range(int count, const std::function<void(int first, int last)>& body) {
+    const struct {
+        int count;
+        int shares;
+        const std::function<void(int, int)>& body;
+    } work{count, std::min(count, state_->size), body};
+    for_each_item(work.shares, [&work](int share, int) {
+        work.body(share_edge(work.count, share, work.shares),
+                  share_edge(work.count, share + 1, work.shares));
+    });
+}
+
+}  // namespace ocean

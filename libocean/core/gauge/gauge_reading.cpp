@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a gauge reads: the label that is shown at its place, then all modes there; see gauge.hpp.
+#include <cmath>
+
+#include "base/wave.hpp"
+#include "ocean/gauge.hpp"
+#include "query/inversion.hpp"
+
+namespace ocean {
+namespace {
+
+/// The label shown at (x, y), the highest where there are several.
+ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y) {
+    // |D| is a Gaussian vector: beyond 5 rms with a probability of 1e-11.
+    constexpr double kReach = 5.0;
+    constexpr double kTolerance = 1e-9;  // of the reach
+    const double reach = kReach * choppiness * sea.excursion_rms();
+    if (!(reach > 0.0)) return {x, y, 1.0, true};
+    const InversionTarget target{x, y, choppiness, reach, kTolerance * reach};
+    const auto source = [&sea](double u, double v) { return sea.excursion_at(u, v); };
+    const auto height = [&sea](double u, double v) { return sea.at_label(u, v).height; };
+    return find_top_label(source, height, target).label;
+}
+
+}  // namespace
+
+GaugeReading read_gauge(const WaveSum& sea, double choppiness, double x, double y,
+                        const WaterLevel& level) {
+    const ShownLabel label = label_at(sea, choppiness, x, y);
+    const LinearSample sample = sea.at_label(label.x, label.y);
+    const auto normal =
+        wave::double_precision::surface_normal(choppiness, sample.gradient_xx, sample.gradient_yy,
+                                               sample.gradient_xy, sample.slope_x, sample.slope_y);
+    return {sample.height, -normal.x / normal.z, -normal.y / normal.z,
+            sea.water_motion(x, y, level)};
+}
+
+}  // namespace ocean

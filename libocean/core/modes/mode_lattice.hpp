@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the modes of a sea owe to the lattice, the water, the loop, the limits and the seed, and not
+// to the waves: where their cells lie in frequency and direction, the noise, the phase rates. While
+// somebody turns the wind, only the amplitudes are made again. Between the table and the modes.
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "modes/quadrant_variances.hpp"
+#include "ocean/modes.hpp"
+#include "ocean/parameters.hpp"
+
+namespace ocean {
+
+class QuadrantSampler;
+class ShellSums;
+class ThreadPool;
+
+/// Where a mode stands to the band and to the limits of `parameters.surface`.
+enum class BandSide { too_long, inside, too_short };
+BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n, int m);
+
+/// The wind that makes the whitecaps: the strongest.
+double strongest_wind(const Parameters& parameters);
+
+/// Points along each side of a mode's cell, `length` steps of the lattice from its origin: 1, or an
+/// even number. The cell is cut into parts, 1/48 of a wavenumber and of a radian wide, with the two
+/// points of [Gauss 1814] along each side: closer than the narrowest beams and peaks of the table.
+/// Farther than 96 steps out the cell itself is small. Proved by
+/// Statistics.EveryRecordKeepsItsEnergyOnEveryPatch.
+int samples_per_cell_side(double length);
+/// Where they lie, -1/2 .. 1/2 of the cell.
+double sample_offset(int sample, int side);
+
+/// Where the spectrum is asked for the modes (+-n, m) and (+-n, -m) of one m >= 0: the points of
+/// their cells in the first quadrant. Cells begin .. several - 1 have more than one point; those up
+/// to `end` have one; the others have no waves.
+struct QuadrantRow {
+    int begin = 0;
+    int several = 0;
+    int end = 0;
+    std::vector<std::uint32_t> points;  // how many each of the cells up to `several` has
+    std::vector<double> omega;          // rad/s
+    std::vector<double> direction;      // turns, 0 .. 1/4
+    std::vector<double> weight;         // c_g / k, times the area that the point stands for
+};
+
+/// n = begin .. end - 1.
+struct ModeRange {
+    int begin = 0;
+    int end = 0;
+};
+
+/// Immutable, so that several seas may share one.
+class ModeLattice {
+  public:
+    /// keep: holds points and noise for the next build, 14 bytes for each mode, instead of making
+    /// them again. Not for more than kLargestKept modes a side, nearly as much as the modes
+    /// themselves, of seas that nobody turns while they run.
+    enum class Memory { none, keep };
+    static constexpr int kLargestKept = 2048;
+    static std::uint64_t kept_bytes(const Grid& grid);
+
+    ModeLattice(const Parameters& parameters, Memory memory, ThreadPool& pool);
+
+    /// Whether it is the lattice of that sea.
+    bool is_of(const Parameters& parameters) const;
+    /// Whether it holds all that it can.
+    bool is_kept() const { return kept_ || parameters_.grid.resolution > kLargestKept; }
+
+    /// Rates and excursions; no waves.
+    Modes still_modes(ThreadPool& pool) const;
+    /// The waves of `modes`, which are of this lattice, whatever they were. The bits are the same
+    /// for any number of threads and whether anything is kept or not.
+    void set_waves(const DirectionalSpectrum& spectrum, double wind_speed, ThreadPool& pool,
+                   Modes& modes) const;
+
+    /// modal_variance of row m >= 0 of a cascade, to rounding.
+    void variances(const QuadrantSampler& spectrum, std::size_t cascade, int m,
+                   QuadrantVariances& variances) const;
+
+  private:
+    struct Cascade {
+        CascadeBand band;
+        std::uint32_t number;
+        Lattice lattice;
+        std::vector<QuadrantRow> rows;  // m = 0 .. N/2 - 1; empty if nothing is kept
+        std::vector<std::complex<float>> noise;
+    };
+    struct RowSums;
+
+    struct Work;
+
+    QuadrantRow make_row(const Cascade& cascade, int m) const;
+    /// The row that is kept, or else `made`, which is made that row.
+    const QuadrantRow& row_of(const Cascade& cascade, int m, QuadrantRow& made) const;
+    /// Row m, which may be negative, in FFT order: modes (n, m) of `east` and (-n, m) of `west`.
+    void draw_row(const Cascade& cascade, int m, ModeRange east, ModeRange west,
+                  std::span<std::complex<float>> noise) const;
+    void set_rates(const Cascade& cascade, int m, CascadeModes& modes) const;
+    /// Returns the variance of the modes that measure the band.
+    double set_cascade(const Cascade& cascade, const QuadrantSampler& sampler, ThreadPool& pool,
+                       CascadeModes& modes) const;
+    void set_row(const Cascade& cascade, const QuadrantSampler& sampler, int m, Work& work,
+                 ShellSums& sums, CascadeModes& modes) const;
+
+    Parameters parameters_;  // without the waves
+    bool kept_ = false;
+    std::vector<Cascade> cascades_;
+};
+
+}  // namespace ocean

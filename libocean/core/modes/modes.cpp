@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the table E(omega, theta) and the seed to the modes: amplitude, noise, phase rate.
+#include "ocean/modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "modes/mode_lattice.hpp"
+#include "ocean/dispersion.hpp"
+
+namespace ocean {
+
+double turns_per_loop(double omega, double loop_period) {
+    return std::max(1.0, std::round(omega * loop_period / kTwoPi));
+}
+
+double loop_fraction(double time, double loop_period) {
+    constexpr double kGrain = 17592186044416.0;  // 2^44
+    const double fraction = std::fmod(time, loop_period) / loop_period;
+    const double grains = std::round((fraction - std::floor(fraction)) * kGrain);
+    return grains >= kGrain ? 0.0 : grains / kGrain;
+}
+
+double Modes::tau(double time) const {
+    return loop_period > 0.0 ? loop_fraction(time, loop_period) : time;
+}
+
+GradientCovariance& GradientCovariance::operator+=(const GradientCovariance& other) {
+    aa += other.aa;
+    bb += other.bb;
+    cc += other.cc;
+    ab += other.ab;
+    ac += other.ac;
+    bc += other.bc;
+    return *this;
+}
+
+GradientCovariance& GradientCovariance::operator*=(double factor) {
+    for (double* value : {&aa, &bb, &cc, &ab, &ac, &bc}) *value *= factor;
+    return *this;
+}
+
+GradientCovariance Modes::gradient_covariance(int resolution) const {
+    GradientCovariance sum;
+    for (const CascadeModes& cascade : cascades) {
+        for (std::size_t s = 0; s < cascade.shell_covariance.size(); ++s) {
+            if (s * static_cast<std::size_t>(2 * cascade.divisor) >=
+                static_cast<std::size_t>(resolution)) {
+                break;
+            }
+            sum += cascade.shell_covariance[s];
+        }
+    }
+    return sum;
+}
+
+namespace {
+
+/// S D c_g / k, the variance density over the wavenumber plane, at (n, m) lattice steps; m^4.
+double wavenumber_density(const DirectionalSpectrum& spectrum, const Dispersion& dispersion,
+                          double step, double n, double m) {
+    const double k = step * std::hypot(n, m);
+    const double density = spectrum.density(dispersion.angular_frequency(k), std::atan2(m, n));
+    return density * dispersion.group_velocity(k) / k;
+}
+
+}  // namespace
+
+int samples_per_cell_side(double length) {
+    return length < 96.0 ? 2 * std::clamp(static_cast<int>(std::ceil(48.0 / length)), 1, 32) : 1;
+}
+
+double sample_offset(int sample, int side) {
+    if (side == 1) return 0.0;
+    constexpr double kGauss = 0.5773502691896258;  // 1 / sqrt(3), of half a part
+    const double part = 2.0 / side;
+    const double centre = (sample / 2 + 0.5) * part - 0.5;
+    return centre + (sample % 2 == 0 ? -0.5 : 0.5) * kGauss * part;
+}
+
+BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n, int m) {
+    if (n == 0 && m == 0) return BandSide::too_long;
+    const double length = std::hypot(n, m);
+    if (!band.contains(n, m)) {
+        const bool inner = length * band.divisor < 0.5 * (band.inner + band.outer);
+        return inner ? BandSide::too_long : BandSide::too_short;
+    }
+    const double wavelength = parameters.grid.patch_size / band.divisor / length;
+    const SurfaceSettings& limits = parameters.surface;
+    if (wavelength < limits.shortest_wavelength) return BandSide::too_short;
+    if (limits.longest_wavelength > 0.0 && wavelength > limits.longest_wavelength) {
+        return BandSide::too_long;
+    }
+    return BandSide::inside;
+}
+
+double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
+                      int m, const CascadeBand& band) {
+    if (band_side(parameters, band, n, m) != BandSide::inside) return 0.0;
+    const double length = std::hypot(n, m);
+    const double step = kTwoPi / (parameters.grid.patch_size / band.divisor);
+    const Dispersion dispersion(parameters.water);
+    const int side = samples_per_cell_side(length);
+    double sum = 0.0;
+    for (int b = 0; b < side; ++b) {
+        for (int a = 0; a < side; ++a) {
+            sum += wavenumber_density(spectrum, dispersion, step, n + sample_offset(a, side),
+                                      m + sample_offset(b, side));
+        }
+    }
+    return sum / (side * side) * step * step;
+}
+
+bool measures_band(const CascadeBand& band, int resolution, int n, int m) {
+    const std::int64_t half = resolution / 2;
+    return band.contains(n, m) && std::int64_t{n} * n + std::int64_t{m} * m < half * half;
+}
+
+double band_gain(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                 const CascadeBand& band, double variance) {
+    const Grid& grid = parameters.grid;
+    if (grid.cascades == 1 || variance <= 0.0) return 1.0;
+    const SurfaceSettings& limits = parameters.surface;
+    const double outer = std::min(band.outer, 0.5 * grid.resolution * band.divisor);
+    const double shortest = std::max(limits.shortest_wavelength, grid.patch_size / outer);
+    double longest = band.inner > 0.0 ? grid.patch_size / band.inner : 0.0;
+    if (limits.longest_wavelength > 0.0) {
+        longest = longest > 0.0 ? std::min(longest, limits.longest_wavelength)
+                                : limits.longest_wavelength;
+    }
+    // A band of a few modes may hold them by chance or not.
+    return std::clamp(spectrum.variance(parameters.water, shortest, longest) / variance, 0.5, 2.0);
+}
+
+double strongest_wind(const Parameters& parameters) {
+    double strongest = 0.0;
+    for (const WaveSystem& system : parameters.waves) {
+        strongest = std::max(strongest, system.wind_speed);
+    }
+    return strongest;
+}
+
+Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
+                 ThreadPool& pool) {
+    const ModeLattice lattice(parameters, ModeLattice::Memory::none, pool);
+    Modes modes = lattice.still_modes(pool);
+    lattice.set_waves(spectrum, strongest_wind(parameters), pool, modes);
+    return modes;
+}
+
+}  // namespace ocean

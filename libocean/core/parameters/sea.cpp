@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sea at a time: its clock, and its take folded into the parameters that the chain begins with.
+#include "ocean/sea.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "ocean/error.hpp"
+#include "spectrum/wave_system_table.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// Share of a step below which it has been made: what then still glides would rebuild the sea for
+/// nothing that a float could show.
+constexpr double kSettled = 1e-9;
+
+/// What is left of a step after some time.
+double left_of_step(double seconds, double glide) {
+    return glide > 0.0 ? std::exp(-seconds / glide) : 0.0;
+}
+
+/// What of a number glides.
+enum class Path { value, root, logarithm, direction };
+
+/// What a sea does in a frame should be alike up and down the range. Fetch glides in its root,
+/// which is the height that it makes [Hasselmann 1973], so that the height glides along a line. The
+/// period stretches the sea at one height: it glides by factors.
+Path path_of(const ParameterInfo& info) {
+    const ParameterMember& member = info.member;
+    if (member == ParameterMember(&WaveSystem::wind_direction)) return Path::direction;
+    if (member == ParameterMember(&WaveSystem::fetch)) return Path::root;
+    if (member == ParameterMember(&WaveSystem::peak_period)) return Path::logarithm;
+    return Path::value;
+}
+
+/// Part way from `from` to `to`; all the way once what is left does not show.
+double glided_value(double from, double to, double left) {
+    const double rest = (from - to) * left;
+    const bool settled = std::abs(rest) < kSettled * std::max(std::abs(to), std::abs(from - to));
+    return settled ? to : to + rest;
+}
+
+double glided(Path path, double from, double to, double left) {
+    if (left < kSettled) return to;
+    switch (path) {
+        case Path::root: {
+            const double root = glided_value(std::sqrt(from), std::sqrt(to), left);
+            return root == std::sqrt(to) ? to : root * root;
+        }
+        case Path::logarithm: {
+            const double rest = std::log(from / to) * left;
+            return std::abs(rest) < kSettled ? to : to * std::exp(rest);
+        }
+        case Path::direction: {
+            const double now = glided_value(to + std::remainder(from - to, 360.0), to, left);
+            return std::abs(now) > 360.0 ? std::remainder(now, 360.0) : now;
+        }
+        case Path::value:
+            break;
+    }
+    return glided_value(from, to, left);
+}
+
+/// The events of one parameter up to a time.
+struct Track {
+    ParameterRef parameter;
+    std::vector<const TakeEvent*> events;
+    double until;
+    double glide;
+
+    /// What is left of an event's step when the next one comes, or at the end.
+    double left(std::size_t event) const {
+        const double end = event + 1 < events.size() ? events[event + 1]->seconds : until;
+        return left_of_step(end - events[event]->seconds, glide);
+    }
+};
+
+bool same_parameter(const ParameterRef& a, const ParameterRef& b) {
+    return a.info == b.info && (a.wave == b.wave || !a.info->per_wave_system());
+}
+
+std::vector<Track> tracks_of(const Sea& sea, double time) {
+    std::vector<Track> tracks;
+    for (const TakeEvent& event : sea.take.events) {
+        if (event.seconds > time) break;
+        const auto same = [&](const Track& track) {
+            return same_parameter(track.parameter, event.parameter);
+        };
+        auto track = std::find_if(tracks.begin(), tracks.end(), same);
+        if (track == tracks.end()) {
+            tracks.push_back({event.parameter, {}, time, sea.parameters.time.glide});
+            track = tracks.end() - 1;
+        }
+        track->events.push_back(&event);
+    }
+    return tracks;
+}
+
+double number_of(const ParameterValue& value) {
+    const auto* whole = std::get_if<std::int64_t>(&value);
+    return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
+}
+
+/// A number of the table after its events. `initial` is asked only if it still counts.
+double number_at(const Track& track, const std::function<double()>& initial) {
+    const Path path = path_of(*track.parameter.info);
+    std::size_t event = track.events.size();
+    while (event > 0 && track.left(event - 1) >= kSettled) --event;
+    double y = event > 0 ? number_of(track.events[event - 1]->value) : initial();
+    for (; event < track.events.size(); ++event) {
+        y = glided(path, y, number_of(track.events[event]->value), track.left(event));
+    }
+    return std::clamp(y, track.parameter.info->min, track.parameter.info->max);
+}
+
+bool is_optional(const ParameterInfo& info) {
+    return std::holds_alternative<std::optional<double> WaveSystem::*>(info.member);
+}
+bool is_number(const ParameterInfo& info) {
+    return info.type() == "float";
+}
+
+/// What an unset height, period or direction stands for when its first event comes.
+double natural_value(const Sea& sea, const Track& track) {
+    // Of the other parameters at that moment only those count that are never unset.
+    Parameters then = sea.parameters;
+    for (const Track& other : tracks_of(sea, track.events.front()->seconds)) {
+        const ParameterInfo& info = *other.parameter.info;
+        if (!info.per_wave_system() || !is_number(info) || is_optional(info)) continue;
+        const auto initial = [&] { return number_of(value_of(sea.parameters, other.parameter)); };
+        assign(then, other.parameter, number_at(other, initial));
+    }
+    const NaturalScale natural =
+        natural_scale(then.waves[track.parameter.wave], then.water, highest_frequency(then));
+    const ParameterMember& member = track.parameter.info->member;
+    double value = natural.direction;
+    if (member == ParameterMember(&WaveSystem::significant_wave_height)) value = natural.height;
+    if (member == ParameterMember(&WaveSystem::peak_period)) value = natural.period;
+    // A flat sea has no period to glide from.
+    return std::isfinite(value) ? value : number_of(track.events.front()->value);
+}
+
+double number_at(const Sea& sea, const Track& track) {
+    return number_at(track, [&] {
+        const ParameterValue given = value_of(sea.parameters, track.parameter);
+        const bool unset = std::holds_alternative<std::string>(given);
+        return unset ? natural_value(sea, track) : number_of(given);
+    });
+}
+
+std::size_t word_index(const ParameterInfo& info, const ParameterValue& word) {
+    const auto words = info.choices();
+    const auto found = std::find(words.begin(), words.end(), std::get<std::string>(word));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+/// Spreadings mix: each has an amplitude that glides between 0 and 1, and a share of the energy
+/// that is its square. (Shares that glide themselves would begin with a jump of every wave that
+/// only the new spreading has, by the square root of the time.)
+void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const Track& track) {
+    const ParameterInfo& info = *track.parameter.info;
+    std::vector<double> amplitude(info.choices().size(), 0.0);
+    amplitude[word_index(info, initial)] = 1.0;
+    std::size_t target = 0;
+    for (std::size_t event = 0; event < track.events.size(); ++event) {
+        target = word_index(info, track.events[event]->value);
+        const double left = track.left(event);
+        for (std::size_t i = 0; i < amplitude.size(); ++i) {
+            const double goal = i == target ? 1.0 : 0.0;
+            amplitude[i] = goal + (amplitude[i] - goal) * left;
+            if (i != target && amplitude[i] < kSettled) amplitude[i] = 0.0;
+        }
+    }
+    double energy = 0.0;
+    for (const double a : amplitude) energy += a * a;
+    const std::size_t wave = track.parameter.wave;
+    for (std::size_t i = 0; i < amplitude.size(); ++i) {
+        if (i == target || amplitude[i] == 0.0) continue;
+        WaveSystem copy = parameters.waves[wave];
+        copy.spreading = static_cast<SpreadingKind>(i);
+        copy.energy_share = amplitude[i] * amplitude[i] / energy;
+        parameters.waves.push_back(std::move(copy));
+    }
+    parameters.waves[wave].spreading = static_cast<SpreadingKind>(target);
+    parameters.waves[wave].energy_share = amplitude[target] * amplitude[target] / energy;
+}
+
+}  // namespace
+
+Parameters Sea::at(double time) const {
+    Parameters now = parameters;
+    const std::vector<Track> tracks = tracks_of(*this, time);
+    for (const Track& track : tracks) {
+        const bool number = is_number(*track.parameter.info);
+        assign(now, track.parameter,
+               number ? ParameterValue(number_at(*this, track)) : track.events.back()->value);
+    }
+    // After the numbers, which the copies share.
+    for (const Track& track : tracks) {
+        if (track.parameter.info->member == ParameterMember(&WaveSystem::spreading)) {
+            mix_spreadings(now, value_of(parameters, track.parameter), track);
+        }
+    }
+    return now;
+}
+
+double Sea::foam_lifetime(double time) const {
+    Track track{{}, {}, time, parameters.time.glide};
+    for (const TakeEvent& event : take.events) {
+        if (event.seconds > time) break;
+        const ParameterMember& member = event.parameter.info->member;
+        if (member != ParameterMember(&SurfaceSettings::foam_lifetime)) continue;
+        track.parameter = event.parameter;
+        track.events.push_back(&event);
+    }
+    return track.events.empty() ? parameters.surface.foam_lifetime : number_at(*this, track);
+}
+
+double Sea::time_of(double frame) const {
+    const Timing& time = parameters.time;
+    return time.start + (frame - time.first_frame) / time.fps;
+}
+
+void validate(const Sea& sea) {
+    validate(sea.parameters);
+    if (sea.take.empty()) return;
+    if (sea.parameters.time.loop_period > 0.0) {
+        throw Error(ErrorKind::invalid_value,
+                    "time.loop_period = " + to_text(sea.parameters.time.loop_period) +
+                        " s: a loop repeats and the take does not; allowed: 0 with a take");
+    }
+    Parameters any = sea.parameters;
+    double last = -std::numeric_limits<double>::infinity();
+    for (const TakeEvent& event : sea.take.events) {
+        const auto refuse = [&](const std::string& what) {
+            throw Error(ErrorKind::invalid_value,
+                        "take at " + to_text(event.seconds) + " s: " + what);
+        };
+        if (!std::isfinite(event.seconds)) refuse("is no time; allowed: a finite number");
+        if (event.seconds < last)
+            refuse("stands behind " + to_text(last) + " s; allowed: in order");
+        last = event.seconds;
+        if (event.parameter.info->change != ParameterClass::live) {
+            refuse(event.parameter.info->path(event.parameter.wave) + ": is not live");
+        }
+        assign(any, event.parameter, event.value);
+        if (is_number(*event.parameter.info) && std::holds_alternative<std::string>(event.value)) {
+            refuse(event.parameter.info->path(event.parameter.wave) + ": has no value");
+        }
+    }
+}
+
+}  // namespace ocean

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What queries of all kinds do with their points and their options before they look at a map.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+
+#include "base/map_request.hpp"
+#include "ocean/error.hpp"
+#include "ocean/query.hpp"
+#include "ocean/sea_state.hpp"
+#include "ocean/thread_pool.hpp"
+#include "query/spline_map.hpp"
+
+namespace ocean {
+
+/// Samples of the map whose waves a query shows.
+inline int shown_resolution(int grid_resolution, const QueryOptions& options) {
+    return options.resolution > 0 ? options.resolution : grid_resolution;
+}
+
+/// Samples of the spline between which a query interpolates. Throws Error invalid_value.
+inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
+    const int shown = shown_resolution(grid_resolution, options);
+    require_map_resolution(shown);
+    const int finest = std::max(kMaxResolution / (2 * shown), 1);
+    if (!is_power_of_two(options.refine) || options.refine > finest) {
+        throw Error(ErrorKind::invalid_value,
+                    "refine = " + std::to_string(options.refine) + "; allowed for a map of " +
+                        std::to_string(shown) + " x " + std::to_string(shown) +
+                        " samples: a power of two, 1 .. " + std::to_string(finest));
+    }
+    return std::min(2 * shown * options.refine, kMaxResolution);
+}
+
+/// As much of the grid of such modes as tells their size.
+inline Grid grid_of(const Modes& modes) {
+    return {modes.lattice.resolution,
+            modes.lattice.period,
+            static_cast<int>(modes.cascades.size()),
+            {}};
+}
+
+/// Of so many splines, and of the maps that the last of them is made from.
+inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines) {
+    const int fine = spline_resolution(grid_resolution, options);
+    return static_cast<std::uint64_t>(splines) * SplineMap::bytes_per_sample() *
+               Lattice{fine, 1.0}.size() +
+           surface_bytes(fine, 3);
+}
+
+/// x modulo the period, in [0, period).
+inline double wrapped(double x, double period) {
+    const double rest = std::fmod(x, period);
+    const double positive = rest < 0.0 ? rest + period : rest;
+    return positive < period ? positive : 0.0;  // -1e-20 + period rounds to the period
+}
+
+inline void require_finite(std::span<const WorldPoint> points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
+        throw Error(ErrorKind::invalid_value, "point " + std::to_string(i) + " = (" +
+                                                  std::to_string(points[i].x) + ", " +
+                                                  std::to_string(points[i].y) +
+                                                  "); allowed are finite coordinates in metres");
+    }
+}
+
+/// body(first, last) on every thread's share of [0, count), whatever the count.
+template <typename Body>
+void for_each_point(ThreadPool& pool, std::size_t count, const Body& body) {
+    constexpr std::size_t kBlock = std::numeric_limits<int>::max();
+    for (std::size_t start = 0; start < count; start += kBlock) {
+        pool.for_each_range(static_cast<int>(std::min(kBlock, count - start)), [&](int first,
+                                                                                   int last) {
+            body(start + static_cast<std::size_t>(first), start + static_cast<std::size_t>(last));
+        });
+    }
+}
+
+}  // namespace ocean

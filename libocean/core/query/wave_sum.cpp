@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sums over all modes at single points. The field is real, so k and -k are one term and half the
+// plane is enough: sum of Re(2 h e^(i k x)). Along a row of one ky all terms share e^(i ky y), and
+// e^(i kx x) comes from a table, so that a mode costs multiplications only.
+#include "ocean/wave_sum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "base/wave.hpp"
+#include "query/orbital_decay.hpp"
+
+namespace ocean {
+
+namespace formula = wave::double_precision;
+
+namespace {
+
+/// Modes that are added up side by side, in an order that no compiler changes.
+constexpr std::size_t kLanes = 4;
+
+struct Wavenumbers {
+    double period;       // m, of the cascade
+    int half;            // modes -half .. half - 1
+    std::size_t column;  // of n = -half, in the table along x
+    std::size_t row;     // of m = 0, in the table along y
+};
+
+/// Neighbours in a row, a multiple of kLanes; waveless ones between them have h0 = 0.
+struct Run {
+    std::size_t begin;  // in the arrays of modes
+    std::size_t end;
+    std::size_t column;  // of the first, in the table along x
+    std::size_t row;
+};
+
+/// e^(i 2 pi n x / period) for n = first .. first + count - 1.
+void add_phases(double x, double period, int first, int count, double* re, double* im) {
+    const double turns = x / period - std::floor(x / period);
+    for (int i = 0; i < count; ++i) {
+        const formula::SinCos phase = formula::sin_cos_turns((first + i) * turns);
+        re[i] = phase.cosine;
+        im[i] = phase.sine;
+    }
+}
+
+/// e^(i ky y).
+struct Turn {
+    double c;
+    double s;
+};
+
+/// A complex sum in kLanes parts.
+struct LaneSum {
+    double re[kLanes] = {};
+    double im[kLanes] = {};
+
+    void add(std::size_t lane, double factor, double x, double y) {
+        re[lane] += factor * x;
+        im[lane] += factor * y;
+    }
+    std::complex<double> turned(Turn turn) const {
+        double x = 0.0;
+        double y = 0.0;
+        for (std::size_t l = 0; l < kLanes; ++l) {
+            x += re[l];
+            y += im[l];
+        }
+        return {x * turn.c - y * turn.s, x * turn.s + y * turn.c};
+    }
+};
+
+/// The one mode (n, m) and its mirror, as the sum reads them.
+struct ModePair {
+    std::complex<float> h0;
+    std::complex<float> mirror;
+    std::size_t at;
+    bool empty() const { return h0 == 0.0f && mirror == 0.0f; }
+};
+
+ModePair mode_pair(const CascadeModes& cascade, int n, int m, double limit) {
+    const int size = cascade.lattice.resolution;
+    const int half = size / 2;
+    const bool upper = m > 0 || (m == 0 && n > 0);
+    const bool held = std::abs(n) * cascade.divisor < limit && m * cascade.divisor < limit;
+    if (!upper || !held || n == -half) return {};
+    const auto index = [size](int i, int j) {
+        return static_cast<std::size_t>(fft_index(j, size)) * static_cast<std::size_t>(size) +
+               static_cast<std::size_t>(fft_index(i, size));
+    };
+    const std::size_t at = index(n, m);
+    return {cascade.h0[at], cascade.h0[index(-n, -m)], at};
+}
+
+}  // namespace
+
+/// What does not change with time. Arrays of modes are as long as all runs together.
+struct WaveSum::Fixed {
+    Water water;
+    Modes clock;  // without modes: what the loop makes of time
+    std::vector<Wavenumbers> cascades;
+    std::vector<double> kx, ky;  // of the columns and rows of the tables, rad/m
+    std::vector<Run> runs;
+    std::vector<float> h0_re, h0_im, mirror_re, mirror_im;  // m
+    std::vector<double> rate;                               // turns per unit of tau
+    std::vector<float> excursion;                           // coth(kd) / k, m
+    double excursion_rms = 0.0;                             // m
+
+    std::size_t size() const { return rate.size(); }
+
+    void add_cascade(const CascadeModes& cascade, double limit) {
+        const int half = cascade.lattice.resolution / 2;
+        const double step = cascade.lattice.wavenumber_step();
+        cascades.push_back({cascade.lattice.period, half, kx.size(), ky.size()});
+        for (int n = -half; n < half; ++n) kx.push_back(step * n);
+        for (int m = 0; m < half; ++m) {
+            ky.push_back(step * m);
+            add_row(cascade, m, limit);
+        }
+    }
+
+    /// In blocks of kLanes: those without any wave are dropped, neighbours become one run.
+    void add_row(const CascadeModes& cascade, int m, double limit) {
+        const Wavenumbers& wavenumbers = cascades.back();
+        std::size_t next_column = 0;  // after the last block kept
+        for (int n0 = -wavenumbers.half; n0 < wavenumbers.half; n0 += static_cast<int>(kLanes)) {
+            ModePair block[kLanes];
+            bool empty = true;
+            for (std::size_t l = 0; l < kLanes; ++l) {
+                block[l] = mode_pair(cascade, n0 + static_cast<int>(l), m, limit);
+                empty = empty && block[l].empty();
+            }
+            if (empty) continue;
+            const std::size_t column =
+                wavenumbers.column + static_cast<std::size_t>(n0 + wavenumbers.half);
+            if (runs.empty() || column != next_column || runs.back().row != ky.size() - 1) {
+                runs.push_back({size(), size(), column, ky.size() - 1});
+            }
+            for (const ModePair& pair : block) add_mode(cascade, pair);
+            next_column = column + kLanes;
+            runs.back().end = size();
+        }
+    }
+
+    void add_mode(const CascadeModes& cascade, const ModePair& pair) {
+        h0_re.push_back(pair.h0.real());
+        h0_im.push_back(pair.h0.imag());
+        mirror_re.push_back(pair.mirror.real());
+        mirror_im.push_back(pair.mirror.imag());
+        rate.push_back(static_cast<double>(cascade.rate_high[pair.at]) + cascade.rate_low[pair.at]);
+        excursion.push_back(cascade.excursion[pair.at]);
+    }
+
+    double mean_square_excursion() const {
+        double sum = 0.0;
+        for (const Run& run : runs) {
+            for (std::size_t i = run.begin; i < run.end; ++i) {
+                const double factor = std::hypot(kx[run.column + i - run.begin], ky[run.row]) *
+                                      static_cast<double>(excursion[i]);
+                const std::complex<double> h0(h0_re[i], h0_im[i]);
+                const std::complex<double> mirror(mirror_re[i], mirror_im[i]);
+                sum += 2.0 * (std::norm(h0) + std::norm(mirror)) * factor * factor;
+            }
+        }
+        return sum;
+    }
+
+    double omega(std::size_t mode) const { return kTwoPi * clock.rate_unit() * rate[mode]; }
+};
+
+/// The waves e^(i kx x), e^(i ky y) of one point, of all columns and rows.
+struct WaveSum::Waves {
+    std::vector<double> x_re, x_im, y_re, y_im;
+
+    Waves(const Fixed& fixed, double x, double y)
+        : x_re(fixed.kx.size()),
+          x_im(fixed.kx.size()),
+          y_re(fixed.ky.size()),
+          y_im(fixed.ky.size()) {
+        for (const Wavenumbers& w : fixed.cascades) {
+            add_phases(x, w.period, -w.half, 2 * w.half, &x_re[w.column], &x_im[w.column]);
+            add_phases(y, w.period, 0, w.half, &y_re[w.row], &y_im[w.row]);
+        }
+    }
+};
+
+WaveSum::WaveSum(const Modes& modes, const Water& water, int resolution) {
+    auto fixed = std::make_shared<Fixed>();
+    fixed->water = water;
+    fixed->clock.loop_period = modes.loop_period;
+    const double limit = resolution > 0 ? 0.5 * resolution : std::numeric_limits<double>::max();
+    for (const CascadeModes& cascade : modes.cascades) fixed->add_cascade(cascade, limit);
+    fixed->excursion_rms = std::sqrt(fixed->mean_square_excursion());
+    for (std::vector<double>* values : {&re_, &im_, &rate_re_, &rate_im_}) {
+        values->resize(fixed->size());
+    }
+    fixed_ = std::move(fixed);
+    set_time(0.0);
+}
+
+void WaveSum::set_time(double time) {
+    const Fixed& fixed = *fixed_;
+    const double tau = fixed.clock.tau(time);
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+        const double turns = formula::phase_turns(fixed.rate[i], 0.0, tau, 0.0);
+        const formula::ModeState state =
+            formula::mode_state(fixed.h0_re[i], fixed.h0_im[i], fixed.mirror_re[i],
+                                fixed.mirror_im[i], turns, fixed.omega(i));
+        re_[i] = 2.0 * state.re;
+        im_[i] = 2.0 * state.im;
+        rate_re_[i] = 2.0 * state.rate_re;
+        rate_im_[i] = 2.0 * state.rate_im;
+    }
+}
+
+// A mode is a harmonic oscillator: h(t + dt) = h cos(omega dt) + dh/dt sin(omega dt) / omega.
+void WaveSum::advance(const WaveStep& step) {
+    for (std::size_t i = 0; i < re_.size(); ++i) {
+        const double c = step.cosine_[i];
+        const double over = step.sine_over_[i];
+        const double times = step.sine_times_[i];
+        const double re = re_[i];
+        const double im = im_[i];
+        re_[i] = re * c + rate_re_[i] * over;
+        im_[i] = im * c + rate_im_[i] * over;
+        rate_re_[i] = rate_re_[i] * c - re * times;
+        rate_im_[i] = rate_im_[i] * c - im * times;
+    }
+}
+
+WaveStep WaveSum::wave_step(double seconds) const {
+    const Fixed& fixed = *fixed_;
+    WaveStep step;
+    for (std::vector<double>* values : {&step.cosine_, &step.sine_over_, &step.sine_times_}) {
+        values->resize(fixed.size());
+    }
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+        const double omega = fixed.omega(i);
+        if (omega == 0.0) continue;  // fills a block, no wave
+        const formula::SinCos phase = formula::sin_cos_turns(omega / kTwoPi * seconds);
+        step.cosine_[i] = phase.cosine;
+        step.sine_over_[i] = phase.sine / omega;
+        step.sine_times_[i] = phase.sine * omega;
+    }
+    return step;
+}
+
+/// Adds up all modes at one point, row by row of equal ky: `term` gets each mode's own sums of the
+/// row, `row` those sums, ky and e^(i ky y).
+template <int kSums, typename Term, typename Row>
+void WaveSum::sweep(double x, double y, const Term& term, const Row& row) const {
+    const Fixed& fixed = *fixed_;
+    const Waves waves(fixed, x, y);
+    for (const Run& run : fixed.runs) {
+        std::array<LaneSum, kSums> sums;
+        for (std::size_t i = run.begin; i < run.end; i += kLanes) {
+            for (std::size_t l = 0; l < kLanes; ++l) {
+                const std::size_t column = run.column + i - run.begin + l;
+                term(sums, l, i + l, fixed.kx[column], waves.x_re[column], waves.x_im[column]);
+            }
+        }
+        const Turn turn{waves.y_re[run.row], waves.y_im[run.row]};
+        row(sums, fixed.ky[run.row], turn);
+    }
+}
+
+// Every field is a sum of kx^a ky^b (coth(kd)/k)^c h e^(i k x), see linear_shape in synthesis.hpp;
+// along a row ky is a constant.
+LinearSample WaveSum::at_label(double x, double y) const {
+    LinearSample sample{};
+    enum { h, h_x, d, d_x, d_xx, rate, d_rate, d_rate_x, count };
+    const auto term = [this](auto& sums, std::size_t l, std::size_t at, double kx, double c,
+                             double s) {
+        const double excursion = fixed_->excursion[at];
+        const double re = re_[at] * c - im_[at] * s;
+        const double im = re_[at] * s + im_[at] * c;
+        const double v_re = rate_re_[at] * c - rate_im_[at] * s;
+        const double v_im = rate_re_[at] * s + rate_im_[at] * c;
+        sums[h].add(l, 1.0, re, im);
+        sums[h_x].add(l, kx, re, im);
+        sums[d].add(l, excursion, re, im);
+        sums[d_x].add(l, kx * excursion, re, im);
+        sums[d_xx].add(l, kx * kx * excursion, re, im);
+        sums[rate].add(l, 1.0, v_re, v_im);
+        sums[d_rate].add(l, excursion, v_re, v_im);
+        sums[d_rate_x].add(l, kx * excursion, v_re, v_im);
+    };
+    const auto row = [&sample](const auto& sums, double ky, Turn turn) {
+        const std::complex<double> height = sums[h].turned(turn);
+        const std::complex<double> along_y = sums[d].turned(turn);
+        const std::complex<double> along_x = sums[d_x].turned(turn);
+        sample.height += height.real();
+        sample.slope_x -= sums[h_x].turned(turn).imag();
+        sample.slope_y -= ky * height.imag();
+        sample.excursion_x += along_x.imag();
+        sample.excursion_y += ky * along_y.imag();
+        sample.gradient_xx += sums[d_xx].turned(turn).real();
+        sample.gradient_yy += ky * ky * along_y.real();
+        sample.gradient_xy += ky * along_x.real();
+        sample.height_rate += sums[rate].turned(turn).real();
+        sample.excursion_x_rate += sums[d_rate_x].turned(turn).imag();
+        sample.excursion_y_rate += ky * sums[d_rate].turned(turn).imag();
+    };
+    sweep<count>(x, y, term, row);
+    return sample;
+}
+
+ExcursionSample WaveSum::excursion_at(double x, double y) const {
+    ExcursionSample sample{};
+    enum { d, d_x, d_xx, count };
+    const auto term = [this](auto& sums, std::size_t l, std::size_t at, double kx, double c,
+                             double s) {
+        const double excursion = fixed_->excursion[at];
+        const double re = re_[at] * c - im_[at] * s;
+        const double im = re_[at] * s + im_[at] * c;
+        sums[d].add(l, excursion, re, im);
+        sums[d_x].add(l, kx * excursion, re, im);
+        sums[d_xx].add(l, kx * kx * excursion, re, im);
+    };
+    const auto row = [&sample](const auto& sums, double ky, Turn turn) {
+        const std::complex<double> along_y = sums[d].turned(turn);
+        const std::complex<double> along_x = sums[d_x].turned(turn);
+        sample.excursion_x += along_x.imag();
+        sample.excursion_y += ky * along_y.imag();
+        sample.gradient_xx += sums[d_xx].turned(turn).real();
+        sample.gradient_yy += ky * ky * along_y.real();
+        sample.gradient_xy += ky * along_x.real();
+    };
+    sweep<count>(x, y, term, row);
+    return sample;
+}
+
+double WaveSum::excursion_rms() const {
+    return fixed_->excursion_rms;
+}
+
+WaterLevel WaveSum::water_level(double z) const {
+    const Fixed& fixed = *fixed_;
+    WaterLevel level;
+    level.along_.resize(fixed.size());
+    level.up_.resize(fixed.size());
+    z = std::min(z, 0.0);
+    if (!(fixed.water.depth + z >= 0.0)) return level;
+    for (const Run& run : fixed.runs) {
+        for (std::size_t i = run.begin; i < run.end; ++i) {
+            const double k = std::hypot(fixed.kx[run.column + i - run.begin], fixed.ky[run.row]);
+            if (k == 0.0) continue;
+            const OrbitalDecay decay = orbital_decay(k, z, fixed.water.depth);
+            level.along_[i] = decay.along / k;
+            level.up_[i] = decay.upright;
+        }
+    }
+    return level;
+}
+
+WaterMotion WaveSum::water_motion(double x, double y, double z) const {
+    return water_motion(x, y, water_level(z));
+}
+
+// The potential of linear waves over a flat bottom has d phi/dz = dh/dt at z = 0 and 0 at z = -d:
+// phi = dh/dt cosh k(z+d) / (k sinh kd) for each mode. Velocity = grad phi, so that at z = 0 it is
+// -dD/dt, dh/dt; pressure = -rho d phi/dt = rho omega^2 h cosh k(z+d) / (k sinh kd), which is
+// (rho g + sigma k^2) h cosh k(z+d) / cosh kd by the dispersion relation.
+// [Dean and Dalrymple 1991] eq. 3.30, 4.24; [Lamb 1932] art. 267 for the tension.
+WaterMotion WaveSum::water_motion(double x, double y, const WaterLevel& level) const {
+    WaterMotion motion{};
+    enum { potential, potential_x, up, pressure, count };
+    const auto term = [&](auto& sums, std::size_t l, std::size_t at, double kx, double c,
+                          double s) {
+        const double along = level.along_[at];
+        const double omega = fixed_->omega(at);
+        const double re = re_[at] * c - im_[at] * s;
+        const double im = re_[at] * s + im_[at] * c;
+        const double v_re = rate_re_[at] * c - rate_im_[at] * s;
+        const double v_im = rate_re_[at] * s + rate_im_[at] * c;
+        sums[potential].add(l, along, v_re, v_im);
+        sums[potential_x].add(l, kx * along, v_re, v_im);
+        sums[up].add(l, level.up_[at], v_re, v_im);
+        sums[pressure].add(l, omega * omega * along, re, im);
+    };
+    const auto row = [&](const auto& sums, double ky, Turn turn) {
+        motion.velocity_x -= sums[potential_x].turned(turn).imag();
+        motion.velocity_y -= ky * sums[potential].turned(turn).imag();
+        motion.velocity_z += sums[up].turned(turn).real();
+        motion.pressure += fixed_->water.density * sums[pressure].turned(turn).real();
+    };
+    sweep<count>(x, y, term, row);
+    return motion;
+}
+
+std::uint64_t WaveSum::bytes(const Modes& modes, std::size_t copies, std::size_t levels,
+                             std::size_t steps) {
+    constexpr std::uint64_t kFixed = 5 * sizeof(float) + sizeof(double);
+    std::uint64_t pairs = 0;
+    for (const CascadeModes& cascade : modes.cascades) pairs += cascade.lattice.size() / 2;
+    // Twice what is fixed: vectors grow.
+    return pairs * (2 * kFixed + (4 * copies + 2 * levels + 3 * steps) * sizeof(double));
+}
+
+}  // namespace ocean
