@@ -103,13 +103,6 @@ io::ExrOptions exr_options(const BakeOptions& options) {
     return exr;
 }
 
-int whole_number(const std::string& text, const char* what, int lowest, int highest) {
-    const double value = parse_number(text, what, lowest, highest);
-    const int whole = static_cast<int>(value);
-    if (whole != value) refuse(std::string(what) + " = " + text + ": allowed is a whole number");
-    return whole;
-}
-
 std::optional<io::View> find_view(const BakeOptions& options) {
     if (options.eye.empty()) return std::nullopt;
     const std::vector<std::string> eye = split(options.eye, ',');
@@ -127,7 +120,7 @@ std::optional<io::View> find_view(const BakeOptions& options) {
     take(options.horizon, "--horizon", 10.0, 1e6, view.horizon);
     take(options.slope_variance, "--slope-variance", 0.0, 1.0, view.unresolved_slope_variance);
     const auto take_whole = [](const std::string& text, const char* what, int& value) {
-        if (!text.empty()) value = whole_number(text, what, 2, 16384);
+        if (!text.empty()) value = parse_whole_number(text, what, 2, 16384);
     };
     take_whole(options.mesh_columns, "--mesh-columns", view.columns);
     take_whole(options.mesh_rows, "--mesh-rows", view.rows);
@@ -136,7 +129,7 @@ std::optional<io::View> find_view(const BakeOptions& options) {
 
 int find_resolution(const std::string& text, const Grid& grid) {
     if (text.empty()) return default_map_resolution(grid);
-    const int resolution = whole_number(text, "--resolution", kMinResolution, kMaxResolution);
+    const int resolution = parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
     if (!is_power_of_two(resolution)) {
         refuse(format_text("--resolution = %d: allowed is a power of two, %d .. %d", resolution,
                            kMinResolution, kMaxResolution));

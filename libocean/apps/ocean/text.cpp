@@ -5,27 +5,9 @@
 #include "text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
-
-#include "ocean/error.hpp"
 
 namespace ocean::app {
-
-std::string format_text(const char* format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    va_list again;
-    va_copy(again, arguments);
-    const int length = std::vsnprintf(nullptr, 0, format, arguments);
-    va_end(arguments);
-    std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
-    std::vsnprintf(text.data(), text.size() + 1, format, again);
-    va_end(again);
-    return text;
-}
 
 std::string json_string(std::string_view text) {
     std::string json = "\"";
@@ -78,29 +60,6 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
     }
     finish_line();
     return lines;
-}
-
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.emplace_back(text.substr(0, end));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
-
-double parse_number(std::string_view text, const std::string& what, double lowest, double highest) {
-    double value = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, code] = std::from_chars(text.data(), end, value);
-    // The comparison is written so that NaN fails it.
-    if (code != std::errc() || stop != end || !(value >= lowest && value <= highest)) {
-        throw Error(ErrorKind::invalid_value,
-                    what + " = " + std::string(text) +
-                        format_text(": allowed is a number, %g .. %g", lowest, highest));
-    }
-    return value;
 }
 
 }  // namespace ocean::app
