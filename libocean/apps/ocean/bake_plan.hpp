@@ -15,10 +15,6 @@
 #include "ocean/surface.hpp"
 #include "sea_argument.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace ocean::app {
 
 /// As typed; "" = not given.
@@ -77,7 +73,7 @@ struct BakePlan {
     double shortest_wave() const;
 };
 
-void add_bake_options(CLI::App& command, BakeOptions& options);
+std::vector<OptionGroup> bake_options(BakeOptions& options);
 
 /// Throws Error invalid_value, unsupported, or what opening the sea throws.
 BakePlan make_bake_plan(const BakeOptions& options);

@@ -3,13 +3,13 @@
 //
 // `ocean povray`: a folder that POV-Ray renders as it is. Its frames are baked like any others;
 // around them lie the macros, the sea's parameters, a scene and the settings of its animation.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "bake_run.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
@@ -164,50 +164,50 @@ void run(PovrayOptions& options, const Context& context) {
     run_bake(plan, options.bake.dry_run, context);
 }
 
-void add_options(CLI::App& command, PovrayOptions& options) {
+std::vector<OptionGroup> povray_options(PovrayOptions& options) {
     BakeOptions& bake = options.bake;
-    const auto add = [&](const char* name, std::string& value, const char* type, const char* group,
-                         const char* help) {
-        return command.add_option(name, value, help)->type_name(type)->group(group);
+    return {
+        sea_options(bake.sea),
+        {"Sea",
+         {{"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
+        {"Output",
+         {{"-o,--output", &options.folder, "DIR", "The folder, made where it is missing",
+           kRequired},
+          {"--frames", &bake.frames, "RANGES",
+           "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
+          {"--format", &options.format, "FORMAT",
+           "df3 (exact, small, all macros), mesh2 (text) or height_field (16-bit PNG, no "
+           "overhangs); default df3",
+           kOptional, OneOf{{"df3", "mesh2", "height_field"}}},
+          {"--resolution", &bake.resolution, "R",
+           "Samples along a side, a power of two up to 2048; default: the sea's grid"},
+          {"--near-only", &options.near_only, "",
+           "Leave out the coarser maps, a third more data, that draw the sea to the horizon"},
+          {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames"},
+          {"--skip-existing", &bake.skip_existing, "", "Keep complete frames of the same sea"},
+          {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},
+          {"-n,--dry-run", &bake.dry_run, "",
+           "Print the files and how much room they need; write nothing"}}},
+        run_options("Progress, warnings and errors as JSON lines"),
     };
-    const auto flag = [&](const char* name, bool& value, const char* group, const char* help) {
-        command.add_flag(name, value, help)->group(group);
-    };
-    add_sea_argument(command, bake.sea);
-    add("--fps", bake.fps, "RATE", "Sea", "Frames per second, in place of the sea's time.fps");
-    const char* output = "Output";
-    add("-o,--output", options.folder, "DIR", output, "The folder, made where it is missing")
-        ->required();
-    add("--frames", bake.frames, "RANGES", output,
-        "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame");
-    add("--format", options.format, "FORMAT", output,
-        "df3 (exact, small, all macros), mesh2 (text) or height_field (16-bit PNG, no overhangs); "
-        "default df3")
-        ->check(CLI::IsMember({"df3", "mesh2", "height_field"}));
-    add("--resolution", bake.resolution, "R", output,
-        "Samples along a side, a power of two up to 2048; default: the sea's grid");
-    flag("--near-only", options.near_only, output,
-         "Leave out the coarser maps, a third more data, that draw the sea to the horizon");
-    add("--shard", bake.shard, "I/N", output, "Only the I-th of N parts of the frames");
-    flag("--skip-existing", bake.skip_existing, output, "Keep complete frames of the same sea");
-    flag("--keep-going", bake.keep_going, output, "Go on with the other frames when one fails");
-    flag("-n,--dry-run", bake.dry_run, output,
-         "Print the files and how much room they need; write nothing");
 }
+
+constexpr char kFooter[] =
+    R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never
+written over; ocean.inc holds the macros, ocean_parameters.inc what the sea is, and
+sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.)";
 
 }  // namespace
 
-void add_povray_command(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("povray", "Write a folder that POV-Ray renders as it is");
+Command povray_command() {
     auto options = std::make_shared<PovrayOptions>();
-    add_options(*command, *options);
-    add_run_options(*command, context.options, "Progress, warnings and errors as JSON lines");
-    command->footer(
-        "Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never\n"
-        "written over; ocean.inc holds the macros, ocean_parameters.inc what the sea is, and\n"
-        "sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.");
-    command->callback([options, &context] { run(*options, context); });
+    return {
+        .name = "povray",
+        .summary = "Write a folder that POV-Ray renders as it is",
+        .options = povray_options(*options),
+        .footer = kFooter,
+        .run = [options](const Context& context) { run(*options, context); },
+    };
 }
 
 }  // namespace ocean::app
