@@ -11,8 +11,8 @@
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
+#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
-#include "utc_time.hpp"
 
 namespace ocean {
 namespace {

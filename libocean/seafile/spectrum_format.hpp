@@ -6,29 +6,18 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "ocean/record_rules.hpp"
 #include "ocean/spectrum_record.hpp"
 
 namespace ocean {
 
 /// No format reads more than this: hostile files end in a sentence, not in swap.
 inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{512} << 20;
-inline constexpr std::size_t kMaxFrequencies = 4096;
-inline constexpr std::size_t kMaxDirections = 720;
-/// A value that a file does not have.
-inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-/// Waves of a day to capillaries: periods stay finite.
-inline constexpr double kMinFrequency = 1e-5;  // Hz
-inline constexpr double kMaxFrequency = 100.0;
-inline constexpr std::string_view kFrequencyRange = "1e-5 .. 100 Hz";
-/// Of one record: frequencies times directions, some 2 MB as text in a sea file.
-inline constexpr std::size_t kMaxDirectionalValues = std::size_t{1} << 17;
-inline constexpr std::size_t kMaxRecords = 100000;
 
 /// Content to read, and where more of it may lie.
 struct SpectrumSource {
@@ -55,10 +44,5 @@ extern const SpectrumFormat kCsv;             // formats/csv.cpp
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
 /// read_spectra on content that is in memory already. Every record it gives is without a fault.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);
-
-/// What is wrong with a record, as the end of a sentence; empty for a good one. The rules that
-/// every consumer of records relies on: at least two ascending positive frequencies, finite
-/// densities that are not negative, all moments or none, each within the unit circle or missing.
-std::string record_fault(const SpectrumRecord& record);
 
 }  // namespace ocean

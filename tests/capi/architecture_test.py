@@ -20,7 +20,13 @@ HEADER_LAYER = {
     "ocean/checked_text.hpp": "seafile",
     "ocean/csv_rows.hpp": "seafile",
     "ocean/line_reader.hpp": "seafile",
-    "ocean/io.hpp": "io", "libocean.h": "capi"}
+    "ocean/utc_time.hpp": "seafile",
+    "ocean/directional_record.hpp": "seafile",
+    "ocean/record_rules.hpp": "seafile",
+    "ocean/netcdf_spectra.hpp": "apps",
+    "ocean/io.hpp": "io",
+    "libocean.h": "capi",
+}
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@
 
 #include <numbers>
 
-#include "directional_record.hpp"
 #include "helpers.hpp"
+#include "ocean/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

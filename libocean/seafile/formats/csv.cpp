@@ -34,11 +34,11 @@
 #include <tuple>
 
 #include "csv_header.hpp"
-#include "directional_record.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
+#include "ocean/directional_record.hpp"
+#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
-#include "utc_time.hpp"
 
 namespace ocean {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "fortran_number.hpp"
 #include "ocean/line_reader.hpp"
+#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
-#include "utc_time.hpp"
 
 namespace ocean {
 

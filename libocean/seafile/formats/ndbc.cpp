@@ -8,10 +8,10 @@
 #include <cctype>
 #include <cmath>
 
-#include "directional_record.hpp"
+#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
-#include "utc_time.hpp"
 
 namespace ocean::ndbc {
 namespace {

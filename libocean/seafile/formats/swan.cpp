@@ -14,8 +14,8 @@
 // A reader of spectra: turns such a file into records in libocean's conventions.
 #include <array>
 
-#include "directional_record.hpp"
 #include "free_form.hpp"
+#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/spreading.hpp"
 

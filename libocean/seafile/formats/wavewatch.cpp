@@ -10,8 +10,8 @@
 //   (latitude, longitude, depth, speed and direction of wind and current) and the densities
 //   [m^2/Hz/rad], frequency fastest.
 // A reader of spectra: turns such a file into records in libocean's conventions.
-#include "directional_record.hpp"
 #include "free_form.hpp"
+#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
 
 namespace ocean {

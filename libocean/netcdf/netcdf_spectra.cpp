@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Spectra from NetCDF: see netcdf_spectra.hpp.
-#include "netcdf_spectra.hpp"
+#include "ocean/netcdf_spectra.hpp"
 
 #include <filesystem>
 #include <fstream>

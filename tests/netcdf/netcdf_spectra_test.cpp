@@ -3,7 +3,7 @@
 //
 // Spectra from NetCDF: what variables and units mean, on contents made by hand; real files of the
 // classic and the HDF5 kind through the child process; and a child that crashes, hangs or lies.
-#include "netcdf_spectra.hpp"
+#include "ocean/netcdf_spectra.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -16,6 +16,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "../temporary_folder.hpp"
 #include "cf_units.hpp"
 #include "child_process.hpp"
 #include "netcdf_layout.hpp"
@@ -23,7 +24,6 @@
 #include "netcdf_wire.hpp"
 #include "ocean/error.hpp"
 #include "ocean/seafile.hpp"
-#include "sample_surface.hpp"
 #ifdef OCEAN_TEST_NETCDF
 #include <netcdf.h>
 #endif

@@ -9,11 +9,11 @@
 #include <numeric>
 
 #include "cf_units.hpp"
-#include "directional_record.hpp"
 #include "netcdf_layout.hpp"
 #include "ocean/checked_text.hpp"
+#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
-#include "spectrum_format.hpp"
+#include "ocean/record_rules.hpp"
 
 namespace ocean::netcdf {
 namespace {

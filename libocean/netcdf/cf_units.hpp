@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "utc_time.hpp"
+#include "ocean/utc_time.hpp"
 
 namespace ocean::netcdf {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra from NetCDF, as ERA5, wavespectra and WAVEWATCH III write it. For the `ocean` command
-// alone: libocean.so and ocean::seafile never link libnetcdf. A file goes through four stages, each
+// Spectra from NetCDF, as ERA5, wavespectra and WAVEWATCH III write it. For the tools alone:
+// libocean.so and ocean::seafile never link libnetcdf. A file goes through four stages, each
 // of which knows only the next: netcdf_file (libnetcdf) in a child process -> netcdf_wire (a pipe)
 // -> netcdf_layout (which variable plays which part) -> netcdf_records.
 #pragma once
