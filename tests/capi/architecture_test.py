@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Dependencies go one way: core <- seafile <- {io, capi} <- apps.
+"""Dependencies go one way: core <- seafile <- {io, gl, bridge, capi} <- bake <- apps.
 
-Reads every include below libocean/ and every target_link_libraries of its CMakeLists.txt. The
-table LAYERS is the rule; what it does not allow is a breach.
+Reads every include below libocean/, every target_link_libraries of its CMakeLists.txt and every
+folder that one names. The table LIBRARIES is the rule, for libraries to come as well; what it does
+not allow is a breach.
 """
 
 import re
@@ -14,129 +15,218 @@ import pytest
 
 ROOT = Path(__file__).parents[2] / "libocean"
 
-# The public headers that are not core's.
-HEADER_LAYER = {
-    "ocean/seafile.hpp": "seafile",
+# Public headers that are not core's. Those of io, bake, gl and bridge lie in folders of their names.
+HEADER_OWNER = {
+    "libocean.h": "capi",
     "ocean/checked_text.hpp": "seafile",
     "ocean/csv_rows.hpp": "seafile",
-    "ocean/line_reader.hpp": "seafile",
-    "ocean/utc_time.hpp": "seafile",
     "ocean/directional_record.hpp": "seafile",
-    "ocean/record_rules.hpp": "seafile",
-    "ocean/netcdf_spectra.hpp": "apps",
     "ocean/io.hpp": "io",
-    "libocean.h": "capi",
+    "ocean/line_reader.hpp": "seafile",
+    "ocean/netcdf_spectra.hpp": "netcdf",
+    "ocean/record_rules.hpp": "seafile",
+    "ocean/seafile.hpp": "seafile",
+    "ocean/utc_time.hpp": "seafile",
 }
+
+STREAMS = frozenset({"iostream", "fstream", "cstdio", "stdio.h"})
+SYSTEM = ("fcntl.h", "sys/", "unistd.h")
 
 
 @dataclass(frozen=True)
-class Layer:
-    below: frozenset[str]  # layers whose headers and targets it may use, itself among them
-    libraries: frozenset[str] | None = None  # foreign targets; None: any
-    headers: tuple[str, ...] | None = None  # foreign headers by their beginning; None: any
-    banned: frozenset[str] = frozenset()  # standard headers it must do without
-    excepted: dict[str, tuple[str, ...]] = field(default_factory=dict, hash=False)
+class Library:
+    """What a library may use besides itself; paths are files or folders in it, "" is all of it."""
+
+    below: tuple[str, ...]  # libraries; io/file is a part of one: its target and its header
+    foreign: dict[str, tuple[str, ...]] = field(default_factory=dict)  # path -> headers begin with
+    links: tuple[str, ...] = ()  # foreign targets
+    banned: frozenset[str] = frozenset()  # standard headers, but where `foreign` names them
+    shared: tuple[str, ...] = ()  # its folders whose headers all of it includes
 
 
-def layer(*below: str, **rules) -> Layer:
-    return Layer(frozenset(below), **rules)
-
-
-STREAMS = frozenset({"iostream", "fstream", "cstdio", "stdio.h"})
-LAYERS = {
-    "core": layer(
-        "core",
-        libraries=frozenset({"Threads::Threads", "ocean_options"}),
-        headers=("wave/",),
-        banned=STREAMS,
+LIBRARIES = {
+    "core": Library(
+        below=(),
         # The one file that may know the operating system, and those that know the processor.
-        excepted={
-            "base/text.cpp": ("cstdio",),  # snprintf alone
+        foreign={
+            "": ("wave/",),
             "base/platform.cpp": ("fstream", "sched.h", "sys/", "unistd.h", "windows.h"),
+            "base/text.cpp": ("cstdio",),  # snprintf alone
             "kernel/simd.hpp": ("immintrin.h",),
             "kernel/simd_level.cpp": ("cpuid.h",),
         },
-    ),
-    "seafile": layer(
-        "core",
-        "seafile",
-        libraries=frozenset({"ocean_options", "tomlplusplus::tomlplusplus", "zlib_static"}),
-        headers=("toml++/", "zlib.h"),
-        banned=frozenset({"iostream"}),
-    ),
-    "capi": layer(
-        "core",
-        "seafile",
-        "capi",
-        libraries=frozenset({"ocean_options"}),
-        headers=(),
+        links=("Threads::Threads",),
         banned=STREAMS,
     ),
-    "io": layer("core", "seafile", "io"),
-    "apps": layer("core", "seafile", "io", "apps"),
+    "seafile": Library(
+        below=("core",),
+        foreign={"": ("toml++/", "zlib.h")},
+        links=("tomlplusplus::tomlplusplus", "zlib_static"),
+        banned=frozenset({"iostream"}),
+    ),
+    "io": Library(
+        below=("core", "seafile"),
+        foreign={
+            "exr": ("Imf",),
+            "file": (*SYSTEM, "io.h", "process.h"),
+            "povray": ("png.h",),
+            "vdb": ("openvdb/",),
+        },
+        links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG"),
+    ),
+    "gl": Library(
+        below=("core", "seafile"),
+        foreign={"": ("EGL/", "GL/", "GLES3/")},
+        links=("OpenGL::EGL", "OpenGL::GL", "OpenGL::OpenGL"),
+    ),
+    "bridge": Library(
+        below=("core", "seafile", "io/file"),
+        foreign={"": (*SYSTEM, "arpa/", "netdb.h", "netinet/", "poll.h", "termios.h")},
+        links=("Threads::Threads",),
+    ),
+    "netcdf": Library(
+        below=("core", "seafile"),
+        foreign={"child_process.cpp": SYSTEM, "netcdf_file.cpp": ("netcdf.h",)},
+        links=("PkgConfig::netcdf",),
+    ),
+    "capi": Library(below=("core", "seafile"), banned=STREAMS),
+    "bake": Library(
+        below=("core", "seafile", "io", "gl"),
+        foreign={
+            "manifest.cpp": SYSTEM,  # its lock
+            "manifest_json.cpp": ("nlohmann/",),
+            "sha256.cpp": ("openssl/",),
+        },
+        links=("OpenSSL::Crypto", "nlohmann_json::nlohmann_json"),
+    ),
+    "apps": Library(
+        below=("core", "seafile", "io", "netcdf", "gl", "bridge", "bake"),
+        foreign={
+            "common/command_line.cpp": ("CLI/",),  # and no other file
+            "common/console.cpp": ("unistd.h",),
+            "ocean/plot": ("cairo.h",),
+            "preview": ("GLFW/", "imgui"),
+        },
+        links=("CLI11::CLI11", "PkgConfig::cairo", "glfw", "imgui"),
+        shared=("common",),
+    ),
 }
 
 
-def layer_of_header(name: str) -> str | None:
-    if name in HEADER_LAYER:
-        return HEADER_LAYER[name]
+def owner_of_header(name: str) -> str | None:
+    if name in HEADER_OWNER:
+        return HEADER_OWNER[name]
+    folder = re.match(r"ocean/(io|bake|gl|bridge)/", name)
+    if folder is not None:
+        return folder[1]
     return "core" if name.startswith("ocean/") else None
 
 
-def include_breaches(layer_name: str, file_name: str, text: str) -> list[str]:
-    rule = LAYERS[layer_name]
+def may_use(library: str, owner: str, part: str = "") -> bool:
+    below = LIBRARIES[library].below
+    return owner == library or owner in below or f"{owner}/{part}" in below
+
+
+def foreign_headers(library: str, file_name: str) -> tuple[str, ...]:
+    """What the file may include that is neither ours nor the standard library's."""
+    allowed = ()
+    for path, headers in LIBRARIES[library].foreign.items():
+        if path in ("", file_name) or file_name.startswith(path + "/"):
+            allowed += headers
+    return allowed
+
+
+def is_beside(library: str, file_name: str, header: str) -> bool:
+    """A header of the library itself, in a folder where the compiler finds it."""
+    folder = ROOT / library
+    folders = [folder, (folder / file_name).parent]
+    folders += [folder / shared for shared in LIBRARIES[library].shared]
+    return ".." not in header and any((f / header).exists() for f in folders)
+
+
+def include_breaches(library: str, file_name: str, text: str) -> list[str]:
+    banned = LIBRARIES[library].banned
+    named = foreign_headers(library, file_name) or ("\0",)
     breaches = []
     for bracket, name in re.findall(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', text, re.M):
-        owner = layer_of_header(name)
+        owner = owner_of_header(name)
         standard = bracket == "<" and re.fullmatch(r"[a-z_0-9]+|stddef\.h|stdint\.h", name)
-        folders = (ROOT / layer_name, (ROOT / layer_name / file_name).parent)
-        beside = bracket == '"' and ".." not in name and any((f / name).exists() for f in folders)
-        excepted = name.startswith(rule.excepted.get(file_name, ("\0",)))
         if owner is not None:
-            allowed = owner in rule.below
-        elif standard or name in rule.banned:
-            allowed = name not in rule.banned or excepted
+            part = "file" if name == "ocean/io/output_file.hpp" else ""
+            allowed = may_use(library, owner, part)
+        elif name.startswith(named):
+            allowed = True
+        elif standard or name in banned:
+            allowed = name not in banned
         else:
-            foreign = rule.headers is None or name.startswith(rule.headers or ("\0",))
-            allowed = beside or excepted or foreign
+            allowed = bracket == '"' and is_beside(library, file_name, name)
         if not allowed:
-            breaches.append(f"{layer_name}/{file_name} includes {name}")
+            breaches.append(f"{library}/{file_name} includes {name}")
     return breaches
 
 
-def link_breaches(layer_name: str, text: str) -> list[str]:
-    rule = LAYERS[layer_name]
+# Targets that are not named ocean::LIBRARY or ocean::LIBRARY_PART.
+TARGET_LIBRARY = {"app_common": "apps", "c": "capi", "commands": "apps"}
+
+
+def link_breaches(library: str, text: str) -> list[str]:
     text = re.sub(r"#.*", "", text)
+    calls = re.findall(r"target_link_libraries\s*\(\S+([^)]*)\)", text)
+    calls += re.findall(r"\bLIBRARIES\s([^)]*)\)", text)  # of ocean_io_library()
     breaches = []
-    for arguments in re.findall(r"target_link_libraries\s*\(([^)]*)\)", text):
-        for name in arguments.split()[1:]:
-            if name in ("PUBLIC", "PRIVATE", "INTERFACE", "ocean_options"):
+    for arguments in calls:
+        for name in arguments.split():
+            if name in ("PUBLIC", "PRIVATE", "INTERFACE", "ocean_options", "${arg_LIBRARIES}"):
                 continue
-            own = re.fullmatch(r"ocean(?:::|_)(\w+)", name)
-            if own is not None:
-                part = re.sub("^io_.*|^exr$|^povray$|^mesh$|^vdb$", "io", own[1])
-                part = re.sub("^netcdf_spectra$", "apps", part)
-                allowed = ("capi" if part == "c" else part) in rule.below
+            own = re.fullmatch(r"ocean(?:::|_)([a-z]+)(?:_(\w+))?", name)
+            if own is None:
+                allowed = name in LIBRARIES[library].links
             else:
-                allowed = rule.libraries is None or name in rule.libraries
+                target = "_".join(filter(None, own.groups()))
+                allowed = may_use(library, TARGET_LIBRARY.get(target, own[1]), own[2] or "")
             if not allowed:
-                breaches.append(f"{layer_name}/CMakeLists.txt links {name}")
+                breaches.append(f"{library}/CMakeLists.txt links {name}")
     return breaches
+
+
+def folder_breaches(library: str, text: str) -> list[str]:
+    """Folders of other libraries that a CMakeLists.txt names: what is private stays there."""
+    text = re.sub(r"#.*", "", text)
+    others = re.findall(r"\blibocean/(\w+)", text)
+    foreign = [name for name in others if name in LIBRARIES and name != library]
+    foreign += re.findall(r"\S*\.\./\S*|\S*/\.\.(?=\s|\))", text)
+    return [f"{library}/CMakeLists.txt reaches into {name}" for name in foreign]
 
 
 def sources(folder: Path) -> list[Path]:
     return sorted(path for path in folder.rglob("*") if path.suffix in {".cpp", ".hpp", ".h", ".c"})
 
 
-@pytest.mark.parametrize("layer_name", LAYERS)
-def test_includes_go_one_way(layer_name):
-    files = sources(ROOT / layer_name)
+def cmake_lists(library: str) -> list[Path]:
+    return sorted((ROOT / library).rglob("CMakeLists.txt"))
+
+
+def test_every_library_is_in_the_table():
+    folders = {path.name for path in ROOT.iterdir() if (path / "CMakeLists.txt").exists()}
+    assert folders <= set(LIBRARIES)
+    assert {"core", "seafile", "io", "netcdf", "capi", "apps"} <= folders
+    assert all(sources(ROOT / name) for name in folders)
+
+
+def test_the_table_has_no_circle():
+    known = set()
+    for name, library in LIBRARIES.items():
+        assert {below.split("/")[0] for below in library.below} <= known, name
+        known.add(name)
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_includes_go_one_way(library):
+    folder = ROOT / library
     breaches = [
         breach
-        for path in files
-        for breach in include_breaches(
-            layer_name, str(path.relative_to(ROOT / layer_name)), path.read_text()
-        )
+        for path in sources(folder)
+        for breach in include_breaches(library, str(path.relative_to(folder)), path.read_text())
     ]
     assert not breaches
 
@@ -146,23 +236,23 @@ def test_public_headers_go_one_way():
     assert len(headers) > 10
     for path in headers:
         name = str(path.relative_to(ROOT / "include"))
-        owner = layer_of_header(name)
-        assert not include_breaches(owner, name, path.read_text())
+        assert not include_breaches(owner_of_header(name), name, path.read_text())
 
 
-@pytest.mark.parametrize("layer_name", LAYERS)
-def test_links_go_one_way(layer_name):
-    lists = list((ROOT / layer_name).rglob("CMakeLists.txt"))
-    assert lists
-    assert not [b for path in lists for b in link_breaches(layer_name, path.read_text())]
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_links_go_one_way(library):
+    lists = cmake_lists(library)
+    assert not [b for path in lists for b in link_breaches(library, path.read_text())]
 
 
-def test_core_seafile_and_capi_have_sources():
-    assert all(sources(ROOT / name) for name in ("core", "seafile", "capi"))
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_private_folders_stay_private(library):
+    lists = cmake_lists(library)
+    assert not [b for path in lists for b in folder_breaches(library, path.read_text())]
 
 
 @pytest.mark.parametrize(
-    ("layer_name", "file_name", "line"),
+    ("library", "file_name", "line"),
     [
         ("core", "modes.cpp", '#include "ocean/seafile.hpp"'),
         ("core", "modes.cpp", "#include <iostream>"),
@@ -170,33 +260,78 @@ def test_core_seafile_and_capi_have_sources():
         ("core", "modes.cpp", "#include <stdio.h>"),
         ("core", "modes.cpp", "#include <unistd.h>"),
         ("core", "modes.cpp", "#include <toml++/toml.h>"),
-        ("core", "modes.cpp", '#include "../seafile/text.hpp"'),
+        ("core", "modes.cpp", '#include "../seafile/take.hpp"'),
         ("core", "base/platform.cpp", "#include <iostream>"),
-        ("seafile", "sea_reader.cpp", '#include "ocean/io.hpp"'),
+        ("seafile", "sea_reader.cpp", '#include "ocean/io/image.hpp"'),
         ("seafile", "sea_reader.cpp", "#include <sys/stat.h>"),
         ("seafile", "sea_reader.cpp", "#include <png.h>"),
-        ("capi", "guard.cpp", '#include "ocean/io.hpp"'),
+        ("capi", "guard.cpp", '#include "ocean/io/image.hpp"'),
+        ("capi", "guard.cpp", '#include "ocean/netcdf_spectra.hpp"'),
         ("capi", "guard.cpp", "#include <toml++/toml.h>"),
         ("capi", "guard.cpp", "#include <windows.h>"),
-        ("io", "exr.cpp", '#include "libocean.h"'),
-        ("apps", "info.cpp", '#include "libocean.h"'),
+        ("io", "exr/exr_writer.cpp", '#include "libocean.h"'),
+        ("io", "exr/exr_writer.cpp", '#include "ocean/bake/plan.hpp"'),
+        ("io", "exr/exr_writer.cpp", "#include <png.h>"),
+        ("io", "povray/df3.cpp", "#include <ImfIO.h>"),
+        ("gl", "program.cpp", '#include "ocean/io/image.hpp"'),
+        ("gl", "program.cpp", "#include <GLFW/glfw3.h>"),
+        ("bridge", "server.cpp", '#include "ocean/io/image.hpp"'),
+        ("bridge", "server.cpp", '#include "ocean/gl/maps.hpp"'),
+        ("netcdf", "cf_units.cpp", "#include <netcdf.h>"),
+        ("netcdf", "cf_units.cpp", '#include "take.hpp"'),
+        ("netcdf", "cf_units.cpp", '#include "ocean/io/image.hpp"'),
+        ("bake", "plan.cpp", '#include "ocean/netcdf_spectra.hpp"'),
+        ("bake", "plan.cpp", '#include "console.hpp"'),
+        ("bake", "plan.cpp", "#include <openssl/evp.h>"),
+        ("apps", "ocean/info_command.cpp", '#include "libocean.h"'),
+        ("apps", "ocean/info_command.cpp", "#include <CLI/CLI.hpp>"),
+        ("apps", "common/console.cpp", "#include <CLI/CLI.hpp>"),
+        ("apps", "ocean/info_command.cpp", '#include "take.hpp"'),
+        ("apps", "ocean/info_command.cpp", "#include <cairo.h>"),
     ],
 )
-def test_a_wrong_include_is_a_breach(layer_name, file_name, line):
-    assert include_breaches(layer_name, file_name, line)
+def test_a_wrong_include_is_a_breach(library, file_name, line):
+    assert include_breaches(library, file_name, line)
+
+
+def test_a_bridge_writes_files_and_no_images():
+    header = '#include "ocean/io/output_file.hpp"'
+    assert not include_breaches("bridge", "recorder.cpp", header)
+    assert not link_breaches("bridge", "target_link_libraries(t ocean::io_file)")
+    assert link_breaches("bridge", "target_link_libraries(t ocean::io_exr)")
 
 
 @pytest.mark.parametrize(
-    ("layer_name", "library"),
+    ("library", "target"),
     [
         ("core", "ocean::seafile"),
         ("core", "tomlplusplus::tomlplusplus"),
-        ("seafile", "ocean::exr"),
+        ("seafile", "ocean::io_exr"),
+        ("seafile", "PkgConfig::netcdf"),
         ("capi", "OpenEXR::OpenEXR"),
-        ("capi", "ocean::io"),
-        ("io", "libocean::c ocean::c"),
+        ("capi", "ocean::io_file"),
+        ("capi", "ocean::netcdf"),
+        ("io", "ocean::c"),
+        ("io", "ocean::bake"),
+        ("gl", "ocean::io_file"),
+        ("bridge", "ocean::gl"),
+        ("netcdf", "ocean::io_file"),
+        ("bake", "ocean::app_common"),
+        ("bake", "ocean::netcdf"),
+        ("bake", "CLI11::CLI11"),
         ("apps", "ocean::c"),
+        ("apps", "PNG::PNG"),
     ],
 )
-def test_a_wrong_link_is_a_breach(layer_name, library):
-    assert link_breaches(layer_name, f"target_link_libraries(t\n  PUBLIC ocean::core {library})")
+def test_a_wrong_link_is_a_breach(library, target):
+    assert link_breaches(library, f"target_link_libraries(t\n  PUBLIC ocean::core {target})")
+
+
+@pytest.mark.parametrize(
+    "folder",
+    ["${PROJECT_SOURCE_DIR}/libocean/seafile", "${CMAKE_CURRENT_SOURCE_DIR}/../io", "../core/base"],
+)
+def test_a_foreign_folder_is_a_breach(folder):
+    line = f"target_include_directories(t PRIVATE {folder})"
+    assert folder_breaches("apps", line)
+    assert not folder_breaches("apps", line.replace(folder, "${CMAKE_CURRENT_SOURCE_DIR}"))
