@@ -109,6 +109,11 @@ const std::string& BakeOptions::format_option(const std::string& name) const {
     return found == of_format.end() ? not_given : found->second;
 }
 
+void BakeOptions::take(const std::string& name, std::string_view value) {
+    std::string& option = of_format[name];
+    if (option.empty()) option = value;
+}
+
 double BakePlan::shortest_wave() const {
     const Grid& grid = sea.parameters.grid;
     // On an axis the modes end with the last cascade's.

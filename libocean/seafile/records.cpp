@@ -6,14 +6,13 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 
 #include "directional_record.hpp"
-#include "json_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/json.hpp"
 #include "ocean/nearest_name.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/spreading.hpp"
@@ -47,9 +46,7 @@ Position position_of(const SpectrumRecord& record) {
 }
 
 std::string position_text(const Position& position) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.4f,%.4f", position.latitude, position.longitude);
-    return text;
+    return format_text("%.4f,%.4f", position.latitude, position.longitude);
 }
 
 /// "40.98,-71.12", with blanks around the numbers or not.
@@ -105,13 +102,12 @@ Candidates at_position(const Candidates& records, const Position& wanted, const 
         nearest = position_of(*record);
     }
     if (!(least <= kPlaceTolerance)) {
-        char far[32];
-        std::snprintf(far, sizeof far, "%.0f km away", least);
         throw text::error_at(
             ErrorKind::not_found, file, 0,
             "no record within 50 km of " + position_text(wanted) +
                 (std::isinf(least) ? "; its records have no position"
-                                   : "; the nearest is at " + position_text(nearest) + ", " + far));
+                                   : "; the nearest is at " + position_text(nearest) +
+                                         format_text(", %.0f km away", least)));
     }
     Candidates chosen;
     for (const SpectrumRecord* record : records) {
@@ -218,25 +214,28 @@ RecordSummary summarize(const SpectrumRecord& record) {
 }
 
 std::string records_json(std::span<const SpectrumRecord> records) {
-    std::string out = "[";
+    JsonArray list(JsonLines{1});
     for (const SpectrumRecord& record : records) {
         const RecordSummary summary = summarize(record);
-        out += out.size() > 1 ? ",\n " : "\n ";
-        out += "{\"time\": " + json_string(record.time);
-        out += ", \"station\": " + json_string(record.station);
-        out += ", \"latitude\": " + json_number(record.latitude);
-        out += ", \"longitude\": " + json_number(record.longitude);
-        out += ", \"depth\": " + json_number(record.depth);
-        out += ", \"significant_wave_height\": " + json_number(4.0 * std::sqrt(summary.m0));
-        out += ", \"peak_period\": " + json_number(summary.peak_period);
         const double mean = summary.mean_direction / kDegree;
-        out += ", \"mean_direction\": " + json_number(mean);
-        out += ", \"coming_from\": " + json_number(coming_from(mean));
-        out += ", \"directional_spread\": " + json_number(summary.directional_spread / kDegree);
-        out += ", \"directions\": " + json_string(directions_name(record));
-        out += ", \"frequencies\": " + std::to_string(record.frequency.size()) + "}";
+        JsonObject line;
+        const auto number = [&line](std::string_view key, double value) {
+            line.add(key, json_number_or_null(value, plain_text));
+        };
+        line.add("time", record.time).add("station", record.station);
+        number("latitude", record.latitude);
+        number("longitude", record.longitude);
+        number("depth", record.depth);
+        number("significant_wave_height", 4.0 * std::sqrt(summary.m0));
+        number("peak_period", summary.peak_period);
+        number("mean_direction", mean);
+        number("coming_from", coming_from(mean));
+        number("directional_spread", summary.directional_spread / kDegree);
+        line.add("directions", directions_name(record));
+        line.add("frequencies", record.frequency.size());
+        list.add(line);
     }
-    return out + "\n]\n";
+    return list.text() + "\n";
 }
 
 }  // namespace ocean

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ocean/platform.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::text {
 
@@ -42,23 +43,6 @@ std::string read_file(const std::string& path, std::size_t limit) {
 std::string to_utf8(const std::filesystem::path& path) {
     const std::u8string bytes = path.u8string();
     return std::string(bytes.begin(), bytes.end());
-}
-
-std::size_t utf8_character(std::string_view bytes) {
-    if (bytes.empty()) return 0;
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
-    const std::uint32_t lead = byte(0);
-    if (lead < 0x80) return 1;
-    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) return 0;
-    std::uint32_t code = lead & (0x7Fu >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0u) != 0x80u) return 0;
-        code = code << 6 | (byte(i) & 0x3Fu);
-    }
-    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return overlong || surrogate || code > 0x10FFFF ? 0 : length;
 }
 
 std::string printable(std::string_view bytes, std::size_t limit) {

@@ -20,8 +20,6 @@ std::string read_file(const std::string& path, std::size_t limit);
 /// The inverse of utf8_path.
 std::string to_utf8(const std::filesystem::path& path);
 
-/// Bytes of the well-formed UTF-8 character that `bytes` begins with; 0 if there is none.
-std::size_t utf8_character(std::string_view bytes);
 /// One line without control characters or broken UTF-8, at most about `limit` bytes.
 std::string printable(std::string_view bytes, std::size_t limit = 60);
 /// "NAME:LINE: message", or "NAME: message" for line 0.

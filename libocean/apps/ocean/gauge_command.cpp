@@ -3,21 +3,20 @@
 //
 // `ocean gauge`: virtual wave gauges, fixed or moving, read over time by summing all modes, and
 // what a wave scientist makes of their records.
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <memory>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "gauge_output.hpp"
 #include "interrupt.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/io/output_file.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
-#include "write_output.hpp"
 
 namespace ocean::app {
 namespace {
@@ -149,7 +148,7 @@ void run(const GaugeOptions& options, const Context& context) {
     const std::vector<GaugeSummary> summaries = summaries_of(plan, record);
     const auto write = [&](const std::string& path, const std::string& bytes) {
         const auto whole = context.interrupts.hold();
-        write_output(path, bytes);
+        io::write_output(path, bytes);
     };
     if (!options.output.empty()) {
         const bool npy = options.output.ends_with(".npy");
@@ -164,50 +163,43 @@ void run(const GaugeOptions& options, const Context& context) {
     }
 }
 
+constexpr char kFooter[] =
+    R"(FILE has a header line and the columns x, y (m); name; z (m, 0 = still water, the default,
+and negative below); velocity_x, velocity_y (m/s) of a gauge that moves on from x, y; or
+time (s): the rows of one name are then its track, straight in between.
+Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the surface shown at
+x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, without
+the hydrostatic part) at z by linear theory, above still water as at z = 0.
+.npy: float64 of the shape (times, gauges, 10), the columns as in the CSV without gauge.
+Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4 sqrt(m0) and
+Tm02 = sqrt(m0/m2); the periods and Hs with 95 % confidence limits. --json has more.)";
+
 }  // namespace
 
-void add_gauge_command(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("gauge", "Read virtual wave gauges over time, and estimate the sea");
+Command gauge_command() {
     auto options = std::make_shared<GaugeOptions>();
-    add_sea_argument(*command, options->sea);
-    const std::string group = "Record";
-    const auto needed = [&](const char* name, std::string& value, const char* help,
-                            const char* type) {
-        command->add_option(name, value, help)->required()->type_name(type)->group(group);
+    return {
+        .name = "gauge",
+        .summary = "Read virtual wave gauges over time, and estimate the sea",
+        .options =
+            {sea_options(options->sea),
+             {"Record",
+              {{"--points", &options->points, "FILE",
+                "CSV of the gauges, see below; - = standard input", kRequired},
+               {"--from", &options->from, "SECONDS", "First time, s", kRequired},
+               {"--to", &options->to, "SECONDS", "Last time, s", kRequired},
+               {"--rate", &options->rate, "HZ", "Samples a second", kRequired}}},
+             {"Output",
+              {{"-o,--output", &options->output, "FILE",
+                "Write the readings here: .npy for NumPy, else CSV"},
+               {"--spectrum", &options->spectrum, "FILE",
+                "Write the estimated spectra here, as CSV"},
+               {"--degrees-of-freedom", &options->degrees_of_freedom, "N",
+                "Of each density of the spectrum, at least: more are surer and less fine; 40"}}},
+             run_options("Print one JSON object; progress as JSON lines")},
+        .footer = kFooter,
+        .run = [options](const Context& context) { run(*options, context); },
     };
-    needed("--points", options->points, "CSV of the gauges, see below; - = standard input", "FILE");
-    needed("--from", options->from, "First time, s", "SECONDS");
-    needed("--to", options->to, "Last time, s", "SECONDS");
-    needed("--rate", options->rate, "Samples a second", "HZ");
-    const std::string output = "Output";
-    command
-        ->add_option("-o,--output", options->output,
-                     "Write the readings here: .npy for NumPy, else CSV")
-        ->type_name("FILE")
-        ->group(output);
-    command->add_option("--spectrum", options->spectrum, "Write the estimated spectra here, as CSV")
-        ->type_name("FILE")
-        ->group(output);
-    command
-        ->add_option("--degrees-of-freedom", options->degrees_of_freedom,
-                     "Of each density of the spectrum, at least: more are surer and less fine; 40")
-        ->type_name("N")
-        ->group(output);
-    add_run_options(*command, context.options, "Print one JSON object; progress as JSON lines");
-    command->footer(
-        "FILE has a header line and the columns x, y (m); name; z (m, 0 = still water, the "
-        "default,\n"
-        "and negative below); velocity_x, velocity_y (m/s) of a gauge that moves on from x, y; or\n"
-        "time (s): the rows of one name are then its track, straight in between.\n"
-        "Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the surface shown at\n"
-        "x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, "
-        "without\n"
-        "the hydrostatic part) at z by linear theory, above still water as at z = 0.\n"
-        ".npy: float64 of the shape (times, gauges, 10), the columns as in the CSV without gauge.\n"
-        "Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4 sqrt(m0) and\n"
-        "Tm02 = sqrt(m0/m2); the periods and Hs with 95 % confidence limits. --json has more.");
-    command->callback([options, &context] { run(*options, context); });
 }
 
 }  // namespace ocean::app

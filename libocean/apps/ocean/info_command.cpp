@@ -3,12 +3,11 @@
 //
 // `ocean info`: what a sea is, asked by its spectrum and resolved by its grid, in the numbers that
 // wave people use. Also reads a sea back out of a baked file.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
 #include "any_spectra.hpp"
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/seafile.hpp"
@@ -166,22 +165,26 @@ void run(const InfoOptions& info, const Context& context) {
     for (const std::string& warning : state.warnings) context.console.warning(warning);
 }
 
+constexpr char kFooter[] =
+    R"(asked: integral of the spectrum; resolved: sum over the modes of the grid. Directions in
+degrees counter-clockwise from +x (east), the way the waves travel; nautical ones
+clockwise from north, where they come from.)";
+
 }  // namespace
 
-void add_info_command(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("info", "Say what a sea is: heights, periods, grid");
+Command info_command() {
     auto info = std::make_shared<InfoOptions>();
-    add_sea_argument(*command, info->sea);
-    command
-        ->add_flag("--sea-file", info->sea_file,
-                   "Print the resolved sea file instead, as a baked file holds it")
-        ->group("Output");
-    add_run_options(*command, context.options, "Print one JSON object; warnings as JSON lines");
-    command->footer(
-        "asked: integral of the spectrum; resolved: sum over the modes of the grid. Directions in\n"
-        "degrees counter-clockwise from +x (east), the way the waves travel; nautical ones\n"
-        "clockwise from north, where they come from.");
-    command->callback([info, &context] { run(*info, context); });
+    return {
+        .name = "info",
+        .summary = "Say what a sea is: heights, periods, grid",
+        .options = {sea_options(info->sea),
+                    {"Output",
+                     {{"--sea-file", &info->sea_file, "",
+                       "Print the resolved sea file instead, as a baked file holds it"}}},
+                    run_options("Print one JSON object; warnings as JSON lines")},
+        .footer = kFooter,
+        .run = [info](const Context& context) { run(*info, context); },
+    };
 }
 
 }  // namespace ocean::app

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean params`: what there is to set in a sea, with units, ranges and meaning.
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "ocean/parameter_table.hpp"
 #include "text.hpp"
@@ -37,19 +36,24 @@ std::string parameters_text() {
 
 }  // namespace
 
-void add_params_command(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("params", "List all parameters with defaults, ranges and meaning");
+Command params_command() {
     auto markdown = std::make_shared<bool>(false);
-    CLI::Option* flag =
-        command->add_flag("--markdown", *markdown, "Print a Markdown table")->group("Output");
-    command->add_flag("--json", context.options.json, "Print a JSON array")
-        ->group("Output")
-        ->excludes(flag);
-    command->callback([markdown, &context] {
-        if (*markdown) return context.console.data(parameters_markdown());
-        context.console.data(context.options.json ? parameters_json() + "\n" : parameters_text());
-    });
+    return {
+        .name = "params",
+        .summary = "List all parameters with defaults, ranges and meaning",
+        .options = {{"Output",
+                     {{"--markdown", markdown.get(), "", "Print a Markdown table"},
+                      {.names = "--json",
+                       .target = &RunOptions::json,
+                       .help = "Print a JSON array",
+                       .excludes = "--markdown"}}}},
+        .run =
+            [markdown](const Context& context) {
+                if (*markdown) return context.console.data(parameters_markdown());
+                context.console.data(context.options.json ? parameters_json() + "\n"
+                                                          : parameters_text());
+            },
+    };
 }
 
 }  // namespace ocean::app

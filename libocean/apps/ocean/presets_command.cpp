@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean presets`: seas to begin with.
-#include <CLI/CLI.hpp>
 #include <memory>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"
@@ -33,16 +32,20 @@ std::string presets_json() {
 
 }  // namespace
 
-void add_presets_command(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("presets", "List the presets, or print one's sea file");
+Command presets_command() {
     auto name = std::make_shared<std::string>();
-    command->add_option("NAME", *name, "Print the sea file of this preset")->type_name("");
-    command->add_flag("--json", context.options.json, "Print the list as a JSON array")
-        ->group("Output");
-    command->callback([name, &context] {
-        if (!name->empty()) return context.console.data(find_preset(*name).toml);
-        context.console.data(context.options.json ? presets_json() : presets_text());
-    });
+    return {
+        .name = "presets",
+        .summary = "List the presets, or print one's sea file",
+        .options = {{"", {{"NAME", name.get(), "", "Print the sea file of this preset"}}},
+                    {"Output",
+                     {{"--json", &RunOptions::json, "", "Print the list as a JSON array"}}}},
+        .run =
+            [name](const Context& context) {
+                if (!name->empty()) return context.console.data(find_preset(*name).toml);
+                context.console.data(context.options.json ? presets_json() : presets_text());
+            },
+    };
 }
 
 }  // namespace ocean::app

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean query`: the shown surface at points of the world, as CSV in, CSV out.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,15 +9,15 @@
 #include <memory>
 #include <optional>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/io/output_file.hpp"
 #include "point_table.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
-#include "write_output.hpp"
 
 namespace ocean::app {
 namespace {
@@ -70,7 +69,7 @@ class QueryRun {
         }
         if (!options_.output.empty()) {
             const auto whole = context_.interrupts.hold();
-            write_output(options_.output, text_);
+            io::write_output(options_.output, text_);
         }
         if (folded_ > 0) {
             context_.console.warning(format_text(
@@ -138,53 +137,43 @@ class QueryRun {
     std::string text_;  // for a file
 };
 
+constexpr char kFooter[] =
+    R"(Columns: x,y,height (m), normal_x,y,z (unit, up), velocity_x,y,z (m/s, of the shown
+point), foam (0 .. 1). The displacement is inverted: the row says what is seen at x,y.
+Where crests have folded over, a point takes the top sheet.)";
+
 }  // namespace
 
-void add_query_command(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand(
-        "query", "Height, normal, velocity and foam at points of the world, as CSV");
+Command query_command() {
     auto options = std::make_shared<QueryCommandOptions>();
-    add_sea_argument(*command, options->sea);
-    std::string group = "Where and when";
-    command
-        ->add_option("--points", options->points,
-                     "CSV with a header line and the columns x,y in metres; - = standard input")
-        ->required()
-        ->type_name("FILE")
-        ->group(group);
-    command->add_option("--time", options->time, "Seconds")->type_name("T")->group(group);
-    command->add_option("--frame", options->frame, "A frame of the sea instead of a time")
-        ->type_name("N")
-        ->group(group);
-    group = "Accuracy";
-    command->add_flag("--exact", options->query.exact, "Add up all modes in double: slow")
-        ->group(group);
-    command
-        ->add_option("--refine", options->query.refine,
-                     "1, 2, 4 ...: interpolate between finer maps (default 1: 2e-3 of the rms "
-                     "height or better)")
-        ->type_name("K")
-        ->group(group);
-    command
-        ->add_flag("!--no-foam", options->query.foam,
-                   "Leave the foam at 0: its past takes far longer than all the rest")
-        ->group(group);
-    group = "Output";
-    command
-        ->add_option("--orbital", options->orbital_z,
-                     "Also the velocity of the water at this height, 0 = still water: columns "
-                     "orbital_velocity_x,y,z")
-        ->type_name("Z")
-        ->group(group);
-    command->add_option("-o,--output", options->output, "Write the CSV here")
-        ->type_name("FILE")
-        ->group(group);
-    add_run_options(*command, context.options, "");
-    command->footer(
-        "Columns: x,y,height (m), normal_x,y,z (unit, up), velocity_x,y,z (m/s, of the shown\n"
-        "point), foam (0 .. 1). The displacement is inverted: the row says what is seen at x,y.\n"
-        "Where crests have folded over, a point takes the top sheet.");
-    command->callback([options, &context] { QueryRun(*options, context).run(); });
+    QueryOptions& query = options->query;
+    return {
+        .name = "query",
+        .summary = "Height, normal, velocity and foam at points of the world, as CSV",
+        .options =
+            {sea_options(options->sea),
+             {"Where and when",
+              {{"--points", &options->points, "FILE",
+                "CSV with a header line and the columns x,y in metres; - = standard input",
+                kRequired},
+               {"--time", &options->time, "T", "Seconds"},
+               {"--frame", &options->frame, "N", "A frame of the sea instead of a time"}}},
+             {"Accuracy",
+              {{"--exact", &query.exact, "", "Add up all modes in double: slow"},
+               {"--refine", &query.refine, "K",
+                "1, 2, 4 ...: interpolate between finer maps (default 1: 2e-3 of the rms height "
+                "or better)"},
+               {"!--no-foam", &query.foam, "",
+                "Leave the foam at 0: its past takes far longer than all the rest"}}},
+             {"Output",
+              {{"--orbital", &options->orbital_z, "Z",
+                "Also the velocity of the water at this height, 0 = still water: columns "
+                "orbital_velocity_x,y,z"},
+               {"-o,--output", &options->output, "FILE", "Write the CSV here"}}},
+             run_options("")},
+        .footer = kFooter,
+        .run = [options](const Context& context) { QueryRun(*options, context).run(); },
+    };
 }
 
 }  // namespace ocean::app

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean records`: what a file of measured spectra holds, before a sea is made of it.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
 #include "any_spectra.hpp"
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/seafile.hpp"
@@ -46,23 +45,26 @@ void run(const std::string& file, const Context& context) {
     for (const SpectrumRecord& record : records) context.console.data(line(record));
 }
 
+constexpr char kFooter[] =
+    R"(Reads NDBC real-time and historical tables, WAVEWATCH III point output, SWAN spectra,
+CSV and NetCDF, packed with gzip or not, recognised by their content. `from` is the mean
+direction that the waves come from, degrees clockwise from north; `spread` the circular
+standard deviation. A sea takes one of them: spectrum = "measured", file, and record = a
+time, place = a station or LATITUDE,LONGITUDE.)";
+
 }  // namespace
 
-void add_records_command(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand("records", "List what a file of measured spectra holds");
+Command records_command() {
     auto file = std::make_shared<std::string>();
-    command->add_option("FILE", *file, "Spectra of a buoy or a wave model")
-        ->required()
-        ->type_name("");
-    add_run_options(*command, context.options, "Print one JSON array");
-    command->footer(
-        "Reads NDBC real-time and historical tables, WAVEWATCH III point output, SWAN spectra,\n"
-        "CSV and NetCDF, packed with gzip or not, recognised by their content. `from` is the mean\n"
-        "direction that the waves come from, degrees clockwise from north; `spread` the circular\n"
-        "standard deviation. A sea takes one of them: spectrum = \"measured\", file, and record = "
-        "a\n"
-        "time, place = a station or LATITUDE,LONGITUDE.");
-    command->callback([file, &context] { run(*file, context); });
+    return {
+        .name = "records",
+        .summary = "List what a file of measured spectra holds",
+        .options = {{"",
+                     {{"FILE", file.get(), "", "Spectra of a buoy or a wave model", kRequired}}},
+                    run_options("Print one JSON array")},
+        .footer = kFooter,
+        .run = [file](const Context& context) { run(*file, context); },
+    };
 }
 
 }  // namespace ocean::app

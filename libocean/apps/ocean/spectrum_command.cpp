@@ -3,19 +3,18 @@
 //
 // `ocean spectrum`: the directional spectrum of a sea as CSV, from the one table that modes, CPU
 // and GPU read, and as a picture.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <complex>
 #include <memory>
 
-#include "command.hpp"
+#include "commands.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/io/output_file.hpp"
 #include "sea_argument.hpp"
 #include "spectrum_plot.hpp"
 #include "text.hpp"
-#include "write_output.hpp"
 
 namespace ocean::app {
 namespace {
@@ -83,7 +82,7 @@ void run(const SpectrumOptions& options, const Context& context) {
     const auto write = [&](const std::string& path, const std::string& bytes) {
         {
             const auto whole = context.interrupts.hold();
-            write_output(path, bytes);
+            io::write_output(path, bytes);
         }
         if (!context.options.quiet) context.console.data(path + "\n");
     };
@@ -98,34 +97,31 @@ void run(const SpectrumOptions& options, const Context& context) {
     write(options.output, csv);
 }
 
+constexpr char kFooter[] =
+    R"(Columns: frequency_hz, density_m2_per_hz, mean_direction_deg, directional_spread_deg
+(empty without energy), at the rows of libocean's own table: the trapezoid over them is
+the variance m0, and 4 sqrt(m0) the significant wave height.
+With --directional: frequency_hz, direction_deg, density_m2_per_hz_per_deg.
+Directions in degrees counter-clockwise from +x (east), the way the waves travel.)";
+
 }  // namespace
 
-void add_spectrum_command(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("spectrum", "Print the spectrum as CSV, or draw it with --plot");
+Command spectrum_command() {
     auto options = std::make_shared<SpectrumOptions>();
-    add_sea_argument(*command, options->sea);
-    const std::string group = "Output";
-    command
-        ->add_flag("--directional", options->directional,
-                   "The two-dimensional spectrum: a line for each frequency and direction")
-        ->group(group);
-    command->add_option("-o,--output", options->output, "Write the CSV here")
-        ->type_name("FILE")
-        ->group(group);
-    command
-        ->add_option("--plot", options->plot,
-                     "Draw both spectra as a PNG picture; CSV then only with -o")
-        ->type_name("FILE.png")
-        ->group(group);
-    add_run_options(*command, context.options, "");
-    command->footer(
-        "Columns: frequency_hz, density_m2_per_hz, mean_direction_deg, directional_spread_deg\n"
-        "(empty without energy), at the rows of libocean's own table: the trapezoid over them is\n"
-        "the variance m0, and 4 sqrt(m0) the significant wave height.\n"
-        "With --directional: frequency_hz, direction_deg, density_m2_per_hz_per_deg.\n"
-        "Directions in degrees counter-clockwise from +x (east), the way the waves travel.");
-    command->callback([options, &context] { run(*options, context); });
+    return {
+        .name = "spectrum",
+        .summary = "Print the spectrum as CSV, or draw it with --plot",
+        .options = {sea_options(options->sea),
+                    {"Output",
+                     {{"--directional", &options->directional, "",
+                       "The two-dimensional spectrum: a line for each frequency and direction"},
+                      {"-o,--output", &options->output, "FILE", "Write the CSV here"},
+                      {"--plot", &options->plot, "FILE.png",
+                       "Draw both spectra as a PNG picture; CSV then only with -o"}}},
+                    run_options("")},
+        .footer = kFooter,
+        .run = [options](const Context& context) { run(*options, context); },
+    };
 }
 
 }  // namespace ocean::app

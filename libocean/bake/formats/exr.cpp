@@ -173,8 +173,8 @@ void adopt_channels(const io::ExrLayout& stored, std::span<const Product* const>
             const io::ProductLayout layout{.type = type, .layered = layered};
             if (io::exr_channels(io::product_image(products, layout, {}, 1)) != stored.channels)
                 continue;
-            options.of_format.try_emplace("layout", layered ? "layered" : "separate");
-            if (*name != '\0') options.of_format.try_emplace("type", name);
+            options.take("layout", layered ? "layered" : "separate");
+            options.take("type", name);
             return;
         }
     }
@@ -187,17 +187,17 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
     const auto is_vector = [](const Product* product) { return product->count == 3; };
     // Scalars look the same in all axes, so that their header says nothing of vectors.
     if (std::any_of(products.begin(), products.end(), is_vector)) {
-        options.of_format.try_emplace("axes", header.text("axes"));
+        options.take("axes", header.text("axes"));
     }
-    const bool typed = options.of_format.contains("type") && options.of_format.contains("layout");
-    if (!typed) adopt_channels(stored, products, options);
-    if (!options.of_format.contains("compression")) {
+    const auto typed = [&](const char* name) { return !options.format_option(name).empty(); };
+    if (!typed("type") || !typed("layout")) adopt_channels(stored, products, options);
+    if (!typed("compression")) {
         if (!stored.compression) {
             refuse_source(options.from, "`ocean bake` does not have its compression");
         }
-        options.of_format["compression"] = io::exr_compression_name(*stored.compression);
+        options.take("compression", io::exr_compression_name(*stored.compression));
     }
-    options.of_format.try_emplace("products", header.text("field"));
+    options.take("products", header.text("field"));
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include "ocean/text.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 
 #include "ocean/error.hpp"
@@ -14,10 +16,10 @@
 namespace ocean {
 namespace {
 
-template <typename Number>
-std::string shortest(Number value) {
+template <typename Number, typename... Format>
+std::string shortest(Number value, Format... format) {
     char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+    return {text, std::to_chars(text, text + sizeof text, value, format...).ptr};
 }
 
 }  // namespace
@@ -43,6 +45,12 @@ std::string shortest_text(float value) {
     return shortest(value);
 }
 
+std::string plain_text(double value) {
+    const double size = std::abs(value);
+    const bool plain = value == 0.0 || (size >= 1e-5 && size < 1e15);
+    return shortest(value, plain ? std::chars_format::fixed : std::chars_format::general);
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
     for (;;) {
@@ -51,6 +59,23 @@ std::vector<std::string> split(std::string_view text, char separator) {
         if (end == std::string_view::npos) return parts;
         text.remove_prefix(end + 1);
     }
+}
+
+std::size_t utf8_character(std::string_view text) {
+    if (text.empty()) return 0;
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint32_t lead = byte(0);
+    if (lead < 0x80) return 1;
+    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+    std::uint32_t code = lead & (0x7Fu >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0u) != 0x80u) return 0;
+        code = code << 6 | (byte(i) & 0x3Fu);
+    }
+    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+    return overlong || surrogate || code > 0x10FFFF ? 0 : length;
 }
 
 double parse_number(std::string_view text, const std::string& what, double lowest, double highest) {

@@ -5,6 +5,7 @@
 // regard to the locale.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +17,13 @@ namespace ocean {
 /// The shortest decimal form that reads back to the same bits: "0.1", "1e+22", "inf".
 std::string shortest_text(double value);
 std::string shortest_text(float value);
+/// As many digits, but an exponent only below 1e-5 and from 1e15 on: "300000", not "3e+05".
+std::string plain_text(double value);
 
 /// The parts between the separators, empty ones too: one more than there are separators.
 std::vector<std::string> split(std::string_view text, char separator);
+/// Bytes of the well-formed UTF-8 character that `text` begins with; 0 if there is none.
+std::size_t utf8_character(std::string_view text);
 
 /// A finite number within [lowest, highest], the whole of `text`. Throws Error invalid_value with
 /// `what`, the text and the range.

@@ -24,7 +24,7 @@ struct BakeOptions {
     std::string source;  // SEA
     std::string from;    // a baked file to take everything from that is not given
     std::string output, frames, shard, backend, resolution, fps;
-    std::map<std::string, std::string> of_format;  // by the option's name; a flag is "yes"
+    std::map<std::string, std::string> of_format;  // by the option's name; "yes" for a flag
     bool skip_existing = false;
     bool keep_going = false;
     int threads = 0;       // 0 = the cores this process may use
@@ -34,6 +34,8 @@ struct BakeOptions {
 
     /// "" for an option that was not given.
     const std::string& format_option(const std::string& name) const;
+    /// Gives it a value if it has none.
+    void take(const std::string& name, std::string_view value);
 };
 
 struct BakePlan {

@@ -3,7 +3,8 @@
 //
 // Ctrl-C. A thread waits for SIGINT, SIGTERM and SIGHUP, so that what happens then is ordinary code
 // and not a signal handler: it lets the files in hand become whole, begins no other, says farewell
-// and ends the process with 130. Computing needs no care, since it leaves nothing behind.
+// and ends the process with kInterruptedExit. Computing needs no care, since it leaves nothing
+// behind.
 #pragma once
 
 #include <condition_variable>
@@ -13,6 +14,8 @@
 #include <thread>
 
 namespace ocean::app {
+
+inline constexpr int kInterruptedExit = 130;
 
 class InterruptWatch {
   public:

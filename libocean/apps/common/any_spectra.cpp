@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "netcdf/netcdf_spectra.hpp"
+#include "netcdf_spectra.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"

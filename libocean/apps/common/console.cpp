@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -47,7 +46,7 @@ void Console::say(std::string_view kind, std::string_view text, bool wanted) {
                          ", \"message\": " + json_string(text) + "}");
     } else {
         const std::string label = kind == "error" ? "" : std::string(kind) + ": ";
-        write_error_line("ocean: " + label + std::string(text));
+        write_error_line(prefix_ + label + std::string(text));
     }
 }
 
@@ -57,7 +56,7 @@ void Console::report(std::string_view event, std::string_view text, std::string_
     if (options_.json) {
         write_error_line("{\"event\": " + json_string(event) + ", " + std::string(json) + "}");
     } else {
-        write_error_line("ocean: " + std::string(text));
+        write_error_line(prefix_ + std::string(text));
     }
 }
 
@@ -98,9 +97,10 @@ void Console::step(int frame, double seconds, const std::vector<std::string>& fi
     } else if (standard_error_is_terminal()) {
         draw_bar(frame, seconds);
     } else {
-        write_error_line(format_text("ocean: frame %d done (%d of %d), %.2f s, ETA ", frame, done_,
-                                     total_, seconds) +
-                         duration_text(eta()));
+        write_error_line(
+            prefix_ +
+            format_text("frame %d done (%d of %d), %.2f s, ETA ", frame, done_, total_, seconds) +
+            duration_text(eta()));
     }
 }
 
@@ -125,7 +125,7 @@ void Console::fail(int frame, std::string_view message, bool goes_on) {
                                      frame, counts_json().c_str()) +
                          json_string(message) + "}");
     } else if (goes_on) {
-        write_error_line(format_text("ocean: frame %d failed: ", frame) + std::string(message));
+        write_error_line(prefix_ + format_text("frame %d failed: ", frame) + std::string(message));
     }
 }
 
@@ -144,7 +144,7 @@ void Console::interrupted() {
     if (options_.json) {
         write_error_line("{\"event\": \"interrupted\", " + counts_json() + "}");
     } else {
-        write_error_line("ocean: interrupted" + (total_ > 0 ? ": " + progress : std::string()));
+        write_error_line(prefix_ + "interrupted" + (total_ > 0 ? ": " + progress : std::string()));
     }
 }
 
@@ -195,17 +195,6 @@ std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& consol
             format_text("foam is followed from where it began: %lld of %lld ticks", ticks, all),
             format_text("\"ticks_done\": %lld, \"ticks\": %lld", ticks, all));
     };
-}
-
-void add_run_options(CLI::App& command, RunOptions& options, const std::string& json_help) {
-    const std::string group = "Running";
-    command.add_option("--threads", options.threads, "Threads to use; 0 = all cores")
-        ->type_name("N")
-        ->check(CLI::Range(0, 1024).description(""))
-        ->group(group);
-    command.add_flag("-q,--quiet", options.quiet, "Say nothing but errors")->group(group);
-    command.add_flag("-v,--verbose", options.verbose, "Say more")->group(group);
-    if (!json_help.empty()) command.add_flag("--json", options.json, json_help)->group(group);
 }
 
 }  // namespace ocean::app

@@ -4,13 +4,12 @@
 // The SEA argument; see sea_argument.hpp.
 #include "sea_argument.hpp"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "any_spectra.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/exr.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -60,19 +59,13 @@ void assign_text(Parameters& parameters, const std::string& assignment) {
 
 }  // namespace
 
-void add_sea_argument(CLI::App& command, SeaArgument& argument) {
-    command
-        .add_option("SEA", argument.source,
-                    "A sea file, an EXR file that was baked from one, or preset:NAME")
-        ->required()
-        ->type_name("");
-    command
-        .add_option("--set", argument.assignments,
-                    "Change a parameter, such as wind_speed=12 or waves.1.fetch=50000; may be "
-                    "repeated")
-        ->type_name("NAME=VALUE")
-        ->allow_extra_args(false)
-        ->group("Sea");
+OptionGroup sea_options(SeaArgument& argument, bool required) {
+    return {"Sea",
+            {{"SEA", &argument.source, "",
+              "A sea file, an EXR file that was baked from one, or preset:NAME", required},
+             {"--set", &argument.assignments, "NAME=VALUE",
+              "Change a parameter, such as wind_speed=12 or waves.1.fetch=50000; may be "
+              "repeated"}}};
 }
 
 Sea open_sea(const SeaArgument& argument) {

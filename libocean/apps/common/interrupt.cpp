@@ -12,7 +12,6 @@ namespace {
 
 /// Ends the waiting thread; nobody sends it from outside.
 constexpr int kLeave = SIGUSR1;
-constexpr int kInterruptedExit = 130;
 
 /// nohup and job control ignore signals on purpose: those stay ignored.
 bool ignored(int signal_number) {

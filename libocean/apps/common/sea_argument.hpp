@@ -8,11 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "command.hpp"
 #include "ocean/sea.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace ocean::app {
 
@@ -21,7 +18,8 @@ struct SeaArgument {
     std::vector<std::string> assignments;  // name=value, in order
 };
 
-void add_sea_argument(CLI::App& command, SeaArgument& argument);
+/// SEA and --set.
+OptionGroup sea_options(SeaArgument& argument, bool required = kRequired);
 
 /// Throws Error.
 Sea open_sea(const SeaArgument& argument);

@@ -13,24 +13,16 @@
 #include <string_view>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "command.hpp"
 
 namespace ocean::app {
 
-/// Options that every command has.
-struct RunOptions {
-    int threads = 0;  // 0 = all
-    bool quiet = false;
-    bool verbose = false;
-    bool json = false;
-};
-
 class Console {
   public:
-    /// `options` is read at each call: it is filled when the command line is parsed.
-    explicit Console(const RunOptions& options) : options_(options) {}
+    /// Lines for people begin with the program's name. `options` is read at each call: it is
+    /// filled when the command line is parsed.
+    Console(const std::string& program, const RunOptions& options)
+        : prefix_(program + ": "), options_(options) {}
 
     /// Standard output; the main thread only. Throws Error output if it cannot be written, so that
     /// a full disk behind a redirection is not taken for success.
@@ -65,6 +57,7 @@ class Console {
     double eta() const;
     std::string counts_json() const;
 
+    const std::string prefix_;
     const RunOptions& options_;
     std::mutex mutex_;
     int total_ = 0;
@@ -77,8 +70,5 @@ class Console {
 
 /// What an Ocean tells of the foam that it follows, said every few seconds.
 std::function<void(std::int64_t done, std::int64_t total)> foam_progress_on(Console& console);
-
-/// --threads, -q, -v; `json_help` = "" leaves --json out.
-void add_run_options(CLI::App& command, RunOptions& options, const std::string& json_help);
 
 }  // namespace ocean::app

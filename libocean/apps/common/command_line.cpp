@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands and their options as CLI11 has them; see command_line.hpp. The one file that knows the
+// parser: it takes longer to compile than all commands together.
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+
+int exit_code(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::output:
+        case ErrorKind::out_of_memory:
+            return kFailed;
+        case ErrorKind::interrupted:
+            return kInterruptedExit;
+        case ErrorKind::invalid_value:
+        case ErrorKind::bad_file:
+        case ErrorKind::not_found:
+        case ErrorKind::unsupported:
+            break;
+    }
+    return kWrongUsage;
+}
+
+/// Adds one option to the parser; a call for each kind of target.
+struct OptionAdder {
+    CLI::App& parser;
+    const Option& option;
+    RunOptions& run_options;
+
+    CLI::Option* operator()(bool* flag) const {
+        return parser.add_flag(option.names, *flag, option.help);
+    }
+    CLI::Option* operator()(std::vector<std::string>* list) const {
+        return value(*list)->allow_extra_args(false);
+    }
+    template <typename Value>
+    CLI::Option* operator()(Value* target) const {
+        return value(*target);
+    }
+    template <typename Value>
+    CLI::Option* operator()(Value RunOptions::*member) const {
+        return (*this)(&(run_options.*member));
+    }
+
+  private:
+    template <typename Value>
+    CLI::Option* value(Value& target) const {
+        return parser.add_option(option.names, target, option.help)->type_name(option.type);
+    }
+};
+
+struct RuleAdder {
+    CLI::Option& option;
+
+    void operator()(std::monostate) const {}
+    void operator()(NotEmpty) const {
+        option.check([](const std::string& text) {
+            return text.empty() ? "an empty value is not allowed" : std::string();
+        });
+    }
+    void operator()(const OneOf& rule) const { option.check(CLI::IsMember(rule.words)); }
+    void operator()(const Within& rule) const {
+        option.check(CLI::Range(rule.lowest, rule.highest).description(""));
+    }
+};
+
+void add_options(CLI::App& parser, const std::vector<OptionGroup>& groups,
+                 RunOptions& run_options) {
+    for (const OptionGroup& group : groups) {
+        for (const Option& option : group.options) {
+            CLI::Option* added =
+                std::visit(OptionAdder{parser, option, run_options}, option.target);
+            added->required(option.required);
+            std::visit(RuleAdder{*added}, option.rule);
+            if (!option.excludes.empty()) added->excludes(parser.get_option(option.excludes));
+            if (!group.name.empty()) added->group(group.name);
+        }
+    }
+}
+
+/// The parser of a program, and which of its commands was asked for.
+class CommandLine {
+  public:
+    CommandLine(const Program& program, RunOptions& run_options)
+        : program_(program), parser_(program.main.summary, program.main.name) {
+        constexpr int kNameColumns = 34;
+        parser_.get_formatter()->column_width(kNameColumns);
+        parser_.set_version_flag("--version", program.version,
+                                 "Print the versions of this program and of its libraries");
+        parser_.footer(program.main.footer);
+        add_options(parser_, program.main.options, run_options);
+        if (!program.commands.empty()) parser_.require_subcommand(1);
+        for (const Command& command : program.commands) {
+            CLI::App* parser = parser_.add_subcommand(command.name, command.summary);
+            add_options(*parser, command.options, run_options);
+            if (!command.footer.empty()) parser->footer(command.footer);
+        }
+    }
+
+    void parse(int argc, char** argv) { parser_.parse(argc, argv); }
+
+    /// Throws what the command throws.
+    void run(const Context& context) const {
+        for (const Command& command : program_.commands) {
+            if (parser_.got_subcommand(command.name)) return command.run(context);
+        }
+        program_.main.run(context);
+    }
+
+    /// Help and version go to standard output as they are; a wrong use becomes one line.
+    int report(const CLI::ParseError& error, Console& console) const {
+        if (error.get_exit_code() == 0) return parser_.exit(error);
+        std::string message = error.what();
+        std::replace(message.begin(), message.end(), '\n', ' ');
+        std::string command = program_.main.name;
+        for (const CLI::App* sub : parser_.get_subcommands()) command += " " + sub->get_name();
+        console.error(message + " (see `" + command + " --help`)");
+        return kWrongUsage;
+    }
+
+  private:
+    const Program& program_;
+    CLI::App parser_;
+};
+
+int parse_and_run(int argc, char** argv, const Program& program) {
+    RunOptions options;
+    Console console(program.main.name, options);
+    InterruptWatch interrupts([&console] { console.interrupted(); });
+    CommandLine command_line(program, options);
+    try {
+        command_line.parse(argc, argv);
+        command_line.run({options, console, interrupts});
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        return command_line.report(error, console);
+    } catch (const Error& error) {
+        console.error(error.what());
+        return exit_code(error.kind());
+    } catch (const std::bad_alloc&) {
+        console.error("there is not enough memory");
+    } catch (const std::exception& error) {
+        console.error(error.what());
+    }
+    return kFailed;
+}
+
+}  // namespace
+
+OptionGroup run_options(const std::string& json_help) {
+    OptionGroup group{"Running",
+                      {{"--threads", &RunOptions::threads, "N", "Threads to use; 0 = all cores",
+                        kOptional, Within{0, 1024}},
+                       {"-q,--quiet", &RunOptions::quiet, "", "Say nothing but errors"},
+                       {"-v,--verbose", &RunOptions::verbose, "", "Say more"}}};
+    if (!json_help.empty()) group.options.push_back({"--json", &RunOptions::json, "", json_help});
+    return group;
+}
+
+int run_program(int argc, char** argv, const Program& program) {
+    const char* name = program.main.name.c_str();
+    try {
+        const int code = parse_and_run(argc, argv, program);
+        // Help texts are written by the parser: a full disk behind them shows only here.
+        const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+        if (code != 0 || written) return code;
+        std::fprintf(stderr, "%s: standard output cannot be written\n", name);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s: %s\n", name, error.what());
+    }
+    return kFailed;
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The `ocean` command: all its commands and what it says of itself.
+#include "ocean_program.hpp"
+
+#include "command_line.hpp"
+#include "commands.hpp"
+#include "ocean/version.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr char kFooter[] =
+    R"(A sea is a sea file, a baked EXR file or preset:NAME (see `ocean presets`).
+`ocean COMMAND --help` lists the options of a command.
+Exit codes: 0 done, 1 failed at run time (disk, memory), 2 wrong usage or bad sea
+file, 130 interrupted.)";
+
+}  // namespace
+
+int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
+    return run_program(
+        argc, argv,
+        {.main =
+             {.name = "ocean",
+              .summary =
+                  "One statistical ocean, in real units, for Blender, POV-Ray, OpenGL and OpenEXR.",
+              .options = {run_options("JSON lines on standard error; `info` prints JSON")},
+              .footer = kFooter},
+         .version = "ocean " OCEAN_VERSION "\n" OCEAN_LIBRARY_VERSIONS,
+         .commands = {info_command(), bake_command(catalogue), povray_command(), query_command(),
+                      gauge_command(), spectrum_command(), records_command(), params_command(),
+                      presets_command()}});
+}
+
+}  // namespace ocean::app
