@@ -20,7 +20,7 @@ std::vector<Surface> map_levels(Ocean& ocean, double time, ChannelSet channels,
         Surface level(Lattice{resolution, levels.front().period()}, time, channels);
         std::vector<MapOutput> outputs = outputs_of(level);
         std::erase_if(outputs, [](const MapOutput& output) {
-            return output.channels().contains(Channel::foam);
+            return output.component[0].quantity == Quantity(Channel::foam);
         });
         ocean.evaluate_into(time, outputs, resolution);
         average_foam(levels.back(), level);

@@ -18,7 +18,7 @@ enum class PixelType { half_float, full_float };
 
 /// One channel: factor * samples, or a constant. The samples must outlive the image.
 struct ImagePlane {
-    std::string name;
+    std::string name = {};
     PixelType type = PixelType::full_float;
     std::span<const float> samples = {};  // width * height, row-major, the bottom row first; or none
     float factor = 1.0f;

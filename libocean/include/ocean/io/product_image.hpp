@@ -25,7 +25,7 @@ std::string_view axes_name(Axes axes);
 struct ProductLayout {
     Axes axes = Axes::tnb;
     /// None: float for displacement and velocity, half for the rest.
-    std::optional<PixelType> type;
+    std::optional<PixelType> type = {};
     /// false: one product as R,G,B or Y. true: all products in one image for compositors, R,G,B,A =
     /// displacement and 1, then normal.X ...
     bool layered = false;
