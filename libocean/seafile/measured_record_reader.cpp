@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "measured_record.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/nearest_name.hpp"
 #include "spectrum_format.hpp"
-#include "text.hpp"
 
 namespace ocean {
 namespace {

@@ -6,11 +6,11 @@
 #include <array>
 #include <vector>
 
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/nearest_name.hpp"
 #include "ocean/seafile.hpp"
 #include "sea_writer.hpp"
-#include "text.hpp"
 
 namespace ocean {
 namespace {

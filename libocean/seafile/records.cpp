@@ -10,13 +10,13 @@
 #include <limits>
 
 #include "directional_record.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/json.hpp"
 #include "ocean/nearest_name.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/spreading.hpp"
-#include "text.hpp"
 #include "utc_time.hpp"
 
 namespace ocean {

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "gzip.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
 #include "spectrum_format.hpp"
-#include "text.hpp"
 #include "utc_time.hpp"
 
 namespace ocean {

@@ -7,11 +7,11 @@
 
 #include <cmath>
 
-#include "line_reader.hpp"
+#include "ocean/checked_text.hpp"
+#include "ocean/line_reader.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
-#include "text.hpp"
 
 namespace ocean {
 namespace {

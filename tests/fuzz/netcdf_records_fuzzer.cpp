@@ -5,8 +5,8 @@
 // give records without a fault, or one exception with a message that is safe to print.
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
+#include "ocean/checked_text.hpp"
 #include "reader_fuzzer.hpp"
-#include "text.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace ocean;

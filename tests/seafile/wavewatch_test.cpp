@@ -7,9 +7,9 @@
 
 #include <numbers>
 
+#include "formats/fortran_number.hpp"
 #include "helpers.hpp"
 #include "spectrum_format.hpp"
-#include "text.hpp"
 
 namespace ocean::test {
 namespace {

@@ -9,8 +9,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "formats/csv_header.hpp"
-#include "line_reader.hpp"
+#include "ocean/checked_text.hpp"
+#include "ocean/csv_rows.hpp"
+#include "ocean/line_reader.hpp"
 
 namespace ocean::app {
 namespace {
@@ -30,18 +31,12 @@ std::string names_of(std::span<const PointColumn> columns) {
     return names;
 }
 
-std::vector<std::string_view> cells_of(const LineReader& lines, std::size_t limit) {
-    auto cells = csv::split(lines.line(), ',', limit);
-    if (!cells) throw lines.fail("a quote is not closed");
-    return std::move(*cells);
-}
-
 std::vector<PointColumn> read_header(LineReader& lines, std::span<const PointColumn> known) {
     if (!csv::next_row(lines)) {
         throw lines.fail("there is no header line; known columns: " + names_of(known));
     }
     std::vector<PointColumn> columns;
-    for (const std::string_view cell : cells_of(lines, known.size())) {
+    for (const std::string_view cell : csv::fields_of(lines, ',', known.size())) {
         const auto named = [&](const PointColumn& column) { return column.name == cell; };
         const auto found = std::find_if(known.begin(), known.end(), named);
         if (found == known.end()) {
@@ -114,7 +109,7 @@ PointTable parse_points(std::string_view text, const std::string& name,
     }
     const std::size_t width = table.columns_.size();
     while (csv::next_row(lines)) {
-        const std::vector<std::string_view> cells = cells_of(lines, width);
+        const std::vector<std::string_view> cells = csv::fields_of(lines, ',', width);
         if (cells.size() != width) {
             throw lines.fail((cells.size() > width ? "more" : "fewer") +
                              std::string(" cells than the ") + std::to_string(width) +

@@ -34,6 +34,8 @@
 
 #include "csv_header.hpp"
 #include "directional_record.hpp"
+#include "ocean/checked_text.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/text.hpp"
 #include "spectrum_format.hpp"
 #include "utc_time.hpp"
@@ -100,9 +102,7 @@ class CsvReader {
     }
 
     void read_row() {
-        auto fields = split(lines_.line(), header_->separator(), header_->width());
-        if (!fields) throw lines_.fail("a quote is not closed");
-        fields_ = std::move(*fields);
+        fields_ = fields_of(lines_, header_->separator(), header_->width());
         if (fields_.size() < header_->width() && lines_.cut_off()) {
             throw lines_.fail("the file ends within this line");
         }

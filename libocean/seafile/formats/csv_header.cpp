@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <span>
 
+#include "ocean/checked_text.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/nearest_name.hpp"
 
@@ -62,11 +64,6 @@ char lower_case(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-    return text.substr(0, text.find_last_not_of(" \t") + 1);
-}
-
 /// A unit without what does not matter in it.
 std::string reduced(std::string_view unit) {
     std::string out;
@@ -118,13 +115,6 @@ Column column_of(std::string_view title) {
     return column_named(parse_title(title).name);
 }
 
-bool next_row(LineReader& lines) {
-    while (lines.next_filled()) {
-        if (!lines.line().starts_with('#')) return true;
-    }
-    return false;
-}
-
 std::optional<char> separator_of(std::string_view line) {
     for (const char c : {'\t', ';', ','}) {
         if (line.find(c) != std::string_view::npos) return c;
@@ -132,33 +122,10 @@ std::optional<char> separator_of(std::string_view line) {
     return std::nullopt;
 }
 
-std::optional<std::vector<std::string_view>> split(std::string_view line, char separator,
-                                                   std::size_t limit) {
-    std::vector<std::string_view> fields;
-    while (fields.size() <= limit) {
-        const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
-        std::size_t end = start;
-        while (end < line.size() && line[end] == '"') {  // "" within a text ends and begins it
-            end = line.find('"', end + 1);
-            if (end == std::string_view::npos) return std::nullopt;
-            ++end;
-        }
-        end = line.find(separator, end);
-        const std::string_view field = trimmed(line.substr(start, end - start));
-        if (field.starts_with('"') && !field.ends_with('"')) return std::nullopt;
-        fields.push_back(field.starts_with('"') ? field.substr(1, field.size() - 2) : field);
-        if (end == std::string_view::npos) break;
-        line.remove_prefix(end + 1);
-    }
-    return fields;
-}
-
 Header::Header(const LineReader& lines) : separator_(separator_of(lines.line()).value_or(',')) {
     place_.fill(kNone);
-    const auto fields = split(lines.line(), separator_, kColumns);
-    if (!fields) throw lines.fail("a quote is not closed");
     std::array<std::string, kColumns> units;
-    for (const std::string_view field : *fields) {
+    for (const std::string_view field : fields_of(lines, separator_, kColumns)) {
         const Title title = parse_title(field);
         const Column column = column_named(title.name);
         if (column == kNone) throw lines.fail(unknown_column(title.name));

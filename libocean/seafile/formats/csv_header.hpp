@@ -9,9 +9,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "line_reader.hpp"
+#include "ocean/line_reader.hpp"
 
 namespace ocean::csv {
 
@@ -42,14 +41,8 @@ std::string_view name_of(Column column);
 /// kNone for a name that is unknown.
 Column column_of(std::string_view title);
 
-/// The next line that is neither blank nor a comment.
-bool next_row(LineReader& lines);
 /// Of a header line; nothing if it has one field.
 std::optional<char> separator_of(std::string_view line);
-/// The fields of a line, at most one more than `limit`, without blanks and quotes around them;
-/// nothing if a quote is not closed.
-std::optional<std::vector<std::string_view>> split(std::string_view line, char separator,
-                                                   std::size_t limit);
 
 /// Where in a row the columns are, and what their values are to be multiplied by.
 class Header {

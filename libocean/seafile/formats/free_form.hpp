@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "line_reader.hpp"
+#include "fortran_number.hpp"
+#include "ocean/line_reader.hpp"
 #include "spectrum_format.hpp"
-#include "text.hpp"
 #include "utc_time.hpp"
 
 namespace ocean {

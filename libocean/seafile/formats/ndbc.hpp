@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "line_reader.hpp"
+#include "ocean/line_reader.hpp"
 #include "ocean/spectrum_record.hpp"
 
 namespace ocean::ndbc {

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "text.hpp"
+#include "ocean/checked_text.hpp"
 
 namespace ocean::netcdf {
 namespace {

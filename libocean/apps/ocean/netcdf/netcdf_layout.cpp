@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "cf_units.hpp"
-#include "text.hpp"
+#include "ocean/checked_text.hpp"
 
 namespace ocean::netcdf {
 namespace {

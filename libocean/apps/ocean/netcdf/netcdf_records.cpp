@@ -11,9 +11,9 @@
 #include "cf_units.hpp"
 #include "directional_record.hpp"
 #include "netcdf_layout.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/grid.hpp"
 #include "spectrum_format.hpp"
-#include "text.hpp"
 
 namespace ocean::netcdf {
 namespace {

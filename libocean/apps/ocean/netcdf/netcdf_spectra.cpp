@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
-#include "text.hpp"
 #ifdef OCEAN_HAVE_NETCDF
 #include "child_process.hpp"
 #include "netcdf_file.hpp"

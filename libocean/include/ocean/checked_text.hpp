@@ -27,9 +27,5 @@ Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::str
 
 /// The number that all of `digits` spells, finite or not; nothing if it spells none.
 std::optional<double> parse_number(std::string_view digits);
-/// Takes the number off the front of `text` that Fortran wrote there: 0.1D-02, 0.123-100 (an
-/// exponent of three digits leaves no room for its letter), 40.98-171.12 (the first of two without
-/// a blank between). Nothing, and nothing taken, if there is none.
-std::optional<double> take_fortran_number(std::string_view& text);
 
 }  // namespace ocean::text

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text that comes from files nobody has checked: see text.hpp.
-#include "text.hpp"
+// Text that comes from files nobody has checked: see checked_text.hpp.
+#include "ocean/checked_text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -70,36 +70,6 @@ std::optional<double> parse_number(std::string_view digits) {
     const char* end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
     if (error != std::errc() || stop != end) return std::nullopt;
-    return value;
-}
-
-std::optional<double> take_fortran_number(std::string_view& text) {
-    const auto is_any = [&](std::size_t at, std::string_view of) {
-        return at < text.size() && of.find(text[at]) != std::string_view::npos;
-    };
-    const auto after_digits = [&](std::size_t at) {
-        while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
-        return at;
-    };
-    const std::size_t first = is_any(0, "+-") ? 1 : 0;
-    const std::size_t point = after_digits(first);
-    const bool has_point = is_any(point, ".");
-    const std::size_t mantissa = has_point ? after_digits(point + 1) : point;
-    if (mantissa == first + (has_point ? 1 : 0)) return std::nullopt;
-
-    const bool letter = is_any(mantissa, "eEdD");
-    const std::size_t exponent = mantissa + (letter ? 1 : 0);
-    const std::size_t signless = exponent + (is_any(exponent, "+-") ? 1 : 0);
-    std::size_t end = after_digits(signless);
-    const bool bare = has_point && signless > exponent && end == signless + 3 && !is_any(end, ".");
-    if (letter && end == signless) return std::nullopt;
-    if (!letter && !bare) end = mantissa;
-    if (end < text.size() && !is_any(end, " \t+-")) return std::nullopt;
-
-    std::string spelled(text.substr(0, mantissa));
-    if (end > mantissa) spelled.append("e").append(text.substr(exponent, end - exponent));
-    const std::optional<double> value = parse_number(spelled);
-    if (value) text.remove_prefix(end);
     return value;
 }
 

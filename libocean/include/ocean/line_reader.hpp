@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "text.hpp"
+#include "ocean/checked_text.hpp"
 
 namespace ocean {
 

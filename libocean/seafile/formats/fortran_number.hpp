@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Numbers as Fortran writes them into the files of wave models.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace ocean::text {
+
+/// Takes the number off the front of `text` that Fortran wrote there: 0.1D-02, 0.123-100 (an
+/// exponent of three digits leaves no room for its letter), 40.98-171.12 (the first of two without
+/// a blank between). Nothing, and nothing taken, if there is none.
+std::optional<double> take_fortran_number(std::string_view& text);
+
+}  // namespace ocean::text
