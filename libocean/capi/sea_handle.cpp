@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "guard.hpp"
+#include "ocean/json.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/sea_state.hpp"
@@ -48,12 +49,9 @@ std::string folder_of(const char* path) {
 }
 
 std::string preset_names_json() {
-    std::string json = "[";
-    for (const Preset& preset : presets()) {
-        json += json.size() > 1 ? ", \"" : "\"";
-        json += preset.name + "\"";
-    }
-    return json + "]";
+    JsonArray names;
+    for (const Preset& preset : presets()) names.add(preset.name);
+    return names.text();
 }
 
 }  // namespace

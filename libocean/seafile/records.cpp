@@ -46,7 +46,7 @@ Position position_of(const SpectrumRecord& record) {
 }
 
 std::string position_text(const Position& position) {
-    return format_text("%.4f,%.4f", position.latitude, position.longitude);
+    return fixed_text(position.latitude, 4) + "," + fixed_text(position.longitude, 4);
 }
 
 /// "40.98,-71.12", with blanks around the numbers or not.
@@ -106,8 +106,8 @@ Candidates at_position(const Candidates& records, const Position& wanted, const 
             ErrorKind::not_found, file, 0,
             "no record within 50 km of " + position_text(wanted) +
                 (std::isinf(least) ? "; its records have no position"
-                                   : "; the nearest is at " + position_text(nearest) +
-                                         format_text(", %.0f km away", least)));
+                                   : "; the nearest is at " + position_text(nearest) + ", " +
+                                         fixed_text(least, 0) + " km away"));
     }
     Candidates chosen;
     for (const SpectrumRecord* record : records) {

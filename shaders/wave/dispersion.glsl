@@ -28,6 +28,6 @@ formula real group_velocity(real k, real g, real s, real depth) {
 
 // How far a water particle at the surface moves sideways for one metre of height: coth(k d),
 // 1 in deep water. [Dean and Dalrymple 1991] eq. 4.46 at z = 0.
-formula real horizontal_excursion(real k, real depth) {
+formula real horizontal_displacement(real k, real depth) {
     return real(1.0) / tanh(clamped_depth(k, depth));
 }

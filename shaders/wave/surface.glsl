@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The displaced surface of one texel. The point of label (x, y) is shown at
-// (x - C Dx, y - C Dy, h), where C is the choppiness and D the horizontal excursion.
+// (x - C Dx, y - C Dy, h), where C is the choppiness and D the horizontal displacement.
 // Symbols: dxx = dDx/dx, dyy = dDy/dy, dxy = dDx/dy = dDy/dx; hx, hy slope of h by label.
 
 struct SurfaceNormal {

@@ -114,7 +114,7 @@ class BlenderScheme {
         }
     }
 
-    /// height, excursion, slope: fields_of(FrameKind::vertices).
+    /// height, displacement, slope: fields_of(FrameKind::vertices).
     void run_task(int f) {
         const Task& task = tasks_[static_cast<std::size_t>(f)];
         for (int j = 0; j < n_; ++j) {
@@ -124,9 +124,10 @@ class BlenderScheme {
                 const Complex derivative(-h.imag(), h.real());
                 const double k = wavenumber_[to];
                 // A finite depth's coth(kd) / k instead of 1 / k.
-                const double excursion = k > 0.0 ? modes_.excursion[at(j, i, n_)] * k / k : 0.0;
-                const std::array<double, kFields> factor = {1.0, -kx(i) * excursion,
-                                                            -ky(j) * excursion, kx(i), ky(j)};
+                const double displacement =
+                    k > 0.0 ? modes_.displacement[at(j, i, n_)] * k / k : 0.0;
+                const std::array<double, kFields> factor = {1.0, -kx(i) * displacement,
+                                                            -ky(j) * displacement, kx(i), ky(j)};
                 task.in[to] = f == 0 ? h : factor[static_cast<std::size_t>(f)] * derivative;
             }
         }

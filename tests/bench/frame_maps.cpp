@@ -23,9 +23,10 @@ const char* frame_name(FrameKind kind) {
 
 std::vector<Linear> fields_of(FrameKind kind) {
     using enum Linear;
-    if (kind == FrameKind::vertices) return {height, excursion_x, excursion_y, slope_x, slope_y};
-    return {height,  excursion_x, excursion_y, slope_x,
-            slope_y, gradient_xx, gradient_yy, gradient_xy};
+    if (kind == FrameKind::vertices)
+        return {height, displacement_x, displacement_y, slope_x, slope_y};
+    return {height,  displacement_x, displacement_y, slope_x,
+            slope_y, gradient_xx,    gradient_yy,    gradient_xy};
 }
 
 VertexMaps::VertexMaps(int resolution)
@@ -43,8 +44,8 @@ std::array<MapOutput, 2> VertexMaps::outputs(int row) const {
     const std::size_t offset =
         3 * static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution_);
     MapOutput displacement{displacement_.data() + offset, 3, {}};
-    displacement.component[0] = {Linear::excursion_x, -1.0f};
-    displacement.component[1] = {Linear::excursion_y, -1.0f};
+    displacement.component[0] = {Linear::displacement_x, -1.0f};
+    displacement.component[1] = {Linear::displacement_y, -1.0f};
     displacement.component[2] = {Linear::height, 1.0f};
     MapOutput normal{normal_.data() + offset, 3, {}};
     normal.component[0] = {Channel::nx, 1.0f};
@@ -56,9 +57,9 @@ std::array<MapOutput, 2> VertexMaps::outputs(int row) const {
 FieldView VertexMaps::field(Linear field) const {
     const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(resolution_);
     switch (field) {
-        case Linear::excursion_x:
+        case Linear::displacement_x:
             return {displacement_.data(), row, 3, -1.0};
-        case Linear::excursion_y:
+        case Linear::displacement_y:
             return {displacement_.data() + 1, row, 3, -1.0};
         case Linear::height:
             return {displacement_.data() + 2, row, 3, 1.0};

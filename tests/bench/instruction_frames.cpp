@@ -64,15 +64,16 @@ int main(int argc, char** argv) {
           [&] { modes = make_modes(make_directional_spectrum(parameters), parameters, pool); });
 
     using enum Linear;
-    const std::vector<Linear> fields = {Linear::height,  excursion_x, excursion_y, Linear::slope_x,
-                                        Linear::slope_y, gradient_xx, gradient_yy, gradient_xy};
+    const std::vector<Linear> fields = {Linear::height,  displacement_x,  displacement_y,
+                                        Linear::slope_x, Linear::slope_y, gradient_xx,
+                                        gradient_yy,     gradient_xy};
     MapKernel kernel(pack_modes(synthesis_request(modes, 0.0, kResolution, fields), pool));
     const SurfaceSettings choppy = with_threshold(parameters.surface, modes, kResolution);
     SurfaceSettings flat = choppy;
     flat.choppiness = 0.0;
 
     Maps vertices;
-    vertices.add({excursion_x, excursion_y, Linear::height}, -1.0f);
+    vertices.add({displacement_x, displacement_y, Linear::height}, -1.0f);
     vertices.add({nx, ny, nz});
     Maps planar;
     for (const Linear field : fields) planar.add({field});

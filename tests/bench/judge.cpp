@@ -54,10 +54,10 @@ std::vector<Complex> field_spectrum(const CascadeModes& cascade, const std::vect
         for (int i = 0; i <= n / 2; ++i, ++to) {
             const double kx = step * i;
             double factor = shape.sign * std::pow(kx, shape.x_power) * std::pow(ky, shape.y_power);
-            if (shape.excursion) {
+            if (shape.displacement) {
                 factor *=
-                    cascade.excursion[static_cast<std::size_t>(j) * static_cast<std::size_t>(n) +
-                                      static_cast<std::size_t>(i)];
+                    cascade.displacement[static_cast<std::size_t>(j) * static_cast<std::size_t>(n) +
+                                         static_cast<std::size_t>(i)];
             }
             const Complex h = height[to];
             spectrum[to] = shape.odd ? Complex(-factor * h.imag(), factor * h.real()) : factor * h;

@@ -69,8 +69,8 @@ struct Radix2 {
             (a.imag() + b.imag()) * turn.real() + (b.real() - a.real()) * turn.imag()};
         const std::complex<float> derivative(-h.imag(), h.real());
         maps[0][at] = h;
-        maps[1][at] = -kx * modes.excursion[at] * derivative;
-        maps[2][at] = -ky * modes.excursion[at] * derivative;
+        maps[1][at] = -kx * modes.displacement[at] * derivative;
+        maps[2][at] = -ky * modes.displacement[at] * derivative;
         maps[3][at] = kx * derivative;
         maps[4][at] = ky * derivative;
     }

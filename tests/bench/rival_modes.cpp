@@ -21,7 +21,7 @@ RivalModes::RivalModes(const Modes& modes, int columns)
     for (int j = 0; j < n; ++j) ky_.push_back(wavenumber(j));
 
     for (HugeArray<float>* array :
-         {&p_re_, &p_im_, &q_re_, &q_im_, &rate_high_, &rate_low_, &excursion_}) {
+         {&p_re_, &p_im_, &q_re_, &q_im_, &rate_high_, &rate_low_, &displacement_}) {
         *array = HugeArray<float>(width * columns_);
     }
     for (int j = 0; j < n; ++j) {
@@ -40,7 +40,7 @@ RivalModes::RivalModes(const Modes& modes, int columns)
             q_im_[to] = b.real() - a.real();
             rate_high_[to] = cascade.rate_high[from];
             rate_low_[to] = cascade.rate_low[from];
-            excursion_[to] = cascade.excursion[from];
+            displacement_[to] = cascade.displacement[from];
         }
     }
 }
@@ -54,7 +54,7 @@ SpectralRow RivalModes::row(int j, double tau) const {
             q_im_.data() + at,
             rate_high_.data() + at,
             rate_low_.data() + at,
-            excursion_.data() + at,
+            displacement_.data() + at,
             kx_.data(),
             ky_[static_cast<std::size_t>(j)],
             tau_high,

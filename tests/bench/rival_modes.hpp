@@ -25,7 +25,7 @@ struct SpectralRow {
     const float* q_im;
     const float* rate_high;  // turns per tau
     const float* rate_low;
-    const float* excursion;
+    const float* displacement;
     const float* kx;
     float ky;
     float tau_high;
@@ -36,10 +36,10 @@ struct SpectralRow {
 /// Writes one row of spectra, complex interleaved, one after `plane` floats of the other.
 using SpectralLoop = void (*)(const SpectralRow& row, float* spectra, std::ptrdiff_t plane);
 struct SpectralLoops {
-    SpectralLoop planes5;  // height, excursion, slope
+    SpectralLoop planes5;  // height, displacement, slope
     SpectralLoop planes8;  // and gradients xx, yy, xy
-    SpectralLoop pairs3;   // (height, 0), (excursion), (slope)
-    SpectralLoop pairs4;   // (height, gradient xy), (excursion), (slope), (gradient xx, yy)
+    SpectralLoop pairs3;   // (height, 0), (displacement), (slope)
+    SpectralLoop pairs4;   // (height, gradient xy), (displacement), (slope), (gradient xx, yy)
 };
 /// Compiled for that instruction set: avx2 or avx512.
 const SpectralLoops& spectral_loops(SimdLevel level);
@@ -54,7 +54,7 @@ class RivalModes {
 
   private:
     std::size_t columns_;
-    HugeArray<float> p_re_, p_im_, q_re_, q_im_, rate_high_, rate_low_, excursion_;
+    HugeArray<float> p_re_, p_im_, q_re_, q_im_, rate_high_, rate_low_, displacement_;
     std::vector<float> kx_, ky_;
 };
 

@@ -49,14 +49,14 @@ inline void store(float* spectrum, int n, float re, float im) {
     spectrum[2 * n + 1] = im;
 }
 
-/// A field of height, D = -i k e h, slope = i k h with e the excursion.
+/// A field of height, D = -i k e h, slope = i k h with e the displacement.
 template <bool gradients>
 void planes(const SpectralRow& row, float* spectra, std::ptrdiff_t plane) {
     const SpectralRow r = row;  // not to be read again after each store
     float* const height = spectra;
-    float* const excursion_x = height + plane;
-    float* const excursion_y = excursion_x + plane;
-    float* const slope_x = excursion_y + plane;
+    float* const displacement_x = height + plane;
+    float* const displacement_y = displacement_x + plane;
+    float* const slope_x = displacement_y + plane;
     float* const slope_y = slope_x + plane;
     float* const gradient_xx = slope_y + (gradients ? plane : 0);
     float* const gradient_yy = gradient_xx + (gradients ? plane : 0);
@@ -65,11 +65,11 @@ void planes(const SpectralRow& row, float* spectra, std::ptrdiff_t plane) {
     for (int n = 0; n < r.count; ++n) {
         const Wave h = wave(r, n);
         const float kx = r.kx[n];
-        const float ex = kx * r.excursion[n];
-        const float ey = r.ky * r.excursion[n];
+        const float ex = kx * r.displacement[n];
+        const float ey = r.ky * r.displacement[n];
         store(height, n, h.re, h.im);
-        store(excursion_x, n, ex * h.im, -ex * h.re);
-        store(excursion_y, n, ey * h.im, -ey * h.re);
+        store(displacement_x, n, ex * h.im, -ex * h.re);
+        store(displacement_y, n, ey * h.im, -ey * h.re);
         store(slope_x, n, -kx * h.im, kx * h.re);
         store(slope_y, n, -r.ky * h.im, r.ky * h.re);
         if constexpr (gradients) {
@@ -87,16 +87,16 @@ template <bool gradients>
 void pairs(const SpectralRow& row, float* spectra, std::ptrdiff_t plane) {
     const SpectralRow r = row;
     float* const height = spectra;  // and gradient xy
-    float* const excursion = height + plane;
-    float* const slope = excursion + plane;
+    float* const displacement = height + plane;
+    float* const slope = displacement + plane;
     float* const gradient = slope + (gradients ? plane : 0);  // xx and yy
 #pragma GCC ivdep
     for (int n = 0; n < r.count; ++n) {
         const Wave h = wave(r, n);
         const float kx = r.kx[n];
-        const float ex = kx * r.excursion[n];
-        const float ey = r.ky * r.excursion[n];
-        store(excursion, n, ey * h.re + ex * h.im, ey * h.im - ex * h.re);
+        const float ex = kx * r.displacement[n];
+        const float ey = r.ky * r.displacement[n];
+        store(displacement, n, ey * h.re + ex * h.im, ey * h.im - ex * h.re);
         store(slope, n, -r.ky * h.re - kx * h.im, kx * h.re - r.ky * h.im);
         if constexpr (gradients) {
             const float xx = kx * ex, yy = r.ky * ey, xy = kx * ey;

@@ -21,7 +21,7 @@ namespace ocean::bench {
 /// the surface before it is displaced, so that slopes are enough). planar: eight linear fields.
 enum class FrameKind { vertices, planar };
 const char* frame_name(FrameKind kind);
-/// height, excursion, slope; planar: the gradients as well.
+/// height, displacement, slope; planar: the gradients as well.
 std::vector<Linear> fields_of(FrameKind kind);
 
 /// One table cell: what all its subjects have in common.

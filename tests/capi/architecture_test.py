@@ -15,7 +15,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2] / "libocean"
 
-# Public headers that are not core's. Those of io, bake, gl and bridge lie in folders of their names.
+# Public headers that are not core's. io, bake, gl and bridge have folders of their names.
 HEADER_OWNER = {
     "libocean.h": "capi",
     "ocean/checked_text.hpp": "seafile",

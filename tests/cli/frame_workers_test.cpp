@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-namespace ocean::app {
+namespace ocean {
 namespace {
 
 void sleep_a_little(int seed) {
@@ -103,4 +103,4 @@ TEST(FrameWorkers, HaveNothingToDoForNoFrames) {
 }
 
 }  // namespace
-}  // namespace ocean::app
+}  // namespace ocean

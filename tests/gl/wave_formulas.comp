@@ -26,5 +26,5 @@ void main() {
     float area = surface_jacobian(1.0, 0.1, 0.2, 0.05);
     area += surface_whitecap(area, 0.75, 0.2);
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
-                      area * horizontal_excursion(k, 100.0), state.rate_re + state.rate_im);
+                      area * horizontal_displacement(k, 100.0), state.rate_re + state.rate_im);
 }

@@ -8,7 +8,8 @@
 #include <random>
 
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/exr.hpp"
+#include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -22,8 +23,9 @@ void spit(const std::string& path, const std::string& bytes) {
 
 std::string good_file(const TemporaryFolder& folder) {
     const Surface surface = test::sample_surface(32);
-    const std::string sea = "libocean = 1\n";
-    io::write_exr({surface, sea, 1, 0.0}, find_field("height"), folder.file("good.exr"), {});
+    const Product* const products[] = {&find_product("height")};
+    io::write_exr(io::product_image(products, {}, {"libocean = 1\n"}, surface),
+                  folder.file("good.exr"), io::ExrCompression::zip);
     return test::read_bytes(folder.file("good.exr"));
 }
 
@@ -69,19 +71,22 @@ TEST(ExrHeader, SaysWhatIsWrong) {
 
 TEST(ExrHeader, LayoutIsWhatWasWritten) {
     const TemporaryFolder folder;
-    const std::string sea = "libocean = 1\n", path = folder.file("a.exr");
+    const std::string path = folder.file("a.exr");
     const Surface surface = test::sample_surface(64);
-    const FieldInfo* const products[] = {&find_field("displacement"), &find_field("normal")};
+    const Product* const products[] = {&find_product("displacement"), &find_product("normal")};
+    const io::Image image =
+        io::product_image(products, {.layered = true}, {"libocean = 1\n"}, surface);
+    const io::Image floats = io::product_image(
+        products, {.type = io::PixelType::full_float, .layered = true}, {}, surface);
     for (const char* codec : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
-        io::ExrOptions options;
-        options.compression = io::find_exr_compression(codec);
-        EXPECT_EQ(io::exr_compression_name(options.compression), codec);
-        io::write_exr_layered({surface, sea, 1, 0.0}, products, path, options);
+        const io::ExrCompression compression = io::find_exr_compression(codec);
+        EXPECT_EQ(io::exr_compression_name(compression), codec);
+        io::write_exr(image, path, compression);
         const io::ExrLayout layout = io::read_exr_layout(path);
         EXPECT_EQ(layout.resolution, 64);
-        EXPECT_EQ(layout.compression, options.compression);
-        EXPECT_EQ(layout.channels, io::exr_channels(products, true, io::PixelType::automatic));
-        EXPECT_NE(layout.channels, io::exr_channels(products, true, io::PixelType::full_float));
+        EXPECT_EQ(layout.compression, compression);
+        EXPECT_EQ(layout.channels, io::exr_channels(image));
+        EXPECT_NE(layout.channels, io::exr_channels(floats));
     }
 }
 

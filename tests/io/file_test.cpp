@@ -10,9 +10,8 @@
 #include <csignal>
 #include <functional>
 
-#include "../../libocean/io/file/output_file.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/output_file.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

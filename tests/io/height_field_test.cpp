@@ -11,7 +11,8 @@
 #include <cstdint>
 
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/height_field.hpp"
+#include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -45,14 +46,19 @@ std::vector<std::uint16_t> read_grey16(const std::string& path, int& width) {
     return codes;
 }
 
+/// Refers to the surface.
+io::Image image_of(const Surface& surface) {
+    const Product* const products[] = {&find_product("height")};
+    return io::product_image(products, {}, {"", 1, 0.0, surface.period()}, surface);
+}
+
 TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
     const TemporaryFolder folder;
     const int n = 64;
     const Surface surface = test::sample_surface(n);
-    const std::string sea;
-    io::write_height_field({surface, sea, 1, 0.0}, folder.file("h.png"));
-    EXPECT_EQ(folder.entries(), 3u);
-    const std::string side = test::read_bytes(folder.file("h.png.txt"));
+    io::write_height_field(image_of(surface), folder.file("h.png"));
+    EXPECT_EQ(folder.entries(), 1u);
+    const std::string side = io::height_field_description(image_of(surface));
     const double scale = side_value(side, "scale"), base = side_value(side, "base");
     const double quantum = side_value(side, "quantum");
     EXPECT_NEAR(scale / (side_value(side, "hi") - side_value(side, "lo")), 4.0 / 3.0, 1e-9);
@@ -77,8 +83,9 @@ TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
 
 TEST(HeightField, CodesComeBackAndDamageDoesNot) {
     const TemporaryFolder folder;
-    const std::string sea, path = folder.file("h.png");
-    io::write_height_field({test::sample_surface(64), sea, 1, 0.0}, path);
+    const std::string path = folder.file("h.png");
+    const Surface surface = test::sample_surface(64);
+    io::write_height_field(image_of(surface), path);
     int width = 0;
     const auto codes = read_grey16(path, width);
     std::string decoded;
@@ -96,26 +103,29 @@ TEST(HeightField, CodesComeBackAndDamageDoesNot) {
 
 TEST(HeightField, FlatSeaAndErrors) {
     const TemporaryFolder folder;
-    const std::string sea;
     Surface flat(Lattice{32, 10.0}, 0.0, {Channel::height});
     std::ranges::fill(flat.channel(Channel::height), 0.0f);
-    io::write_height_field({flat, sea, 1, 0.0}, folder.file("flat.png"));
+    io::write_height_field(image_of(flat), folder.file("flat.png"));
     int width = 0;
     for (const auto code : read_grey16(folder.file("flat.png"), width)) EXPECT_EQ(code, 32768);
     Surface broken = flat;
     broken.channel(Channel::height)[5] = std::nanf("");
-    EXPECT_THROW(io::write_height_field({broken, sea, 1, 0.0}, folder.file("nan.png")), Error);
-    const Surface none(Lattice{32, 10.0}, 0.0, {Channel::dx});
-    EXPECT_THROW(io::write_height_field({none, sea, 1, 0.0}, folder.file("none.png")), Error);
+    EXPECT_THROW(io::write_height_field(image_of(broken), folder.file("nan.png")), Error);
+    io::Image none = image_of(flat);
+    none.planes[0].samples = {};
+    EXPECT_THROW(io::write_height_field(none, folder.file("none.png")), Error);
+    io::Image oblong = image_of(flat);
+    oblong.height = 16;
+    EXPECT_THROW(io::write_height_field(oblong, folder.file("oblong.png")), Error);
+    EXPECT_EQ(folder.entries(), 1u);
 }
 
 // A small image fails at the flush; a large one inside libpng, whose word for it is less telling.
 TEST(HeightField, FullDiskIsAnOutputError) {
-    const std::string sea;
     for (const int n : {32, 512}) {
         const Surface surface = test::sample_surface(n);
         try {
-            io::write_height_field({surface, sea, 1, 0.0}, "/dev/full");
+            io::write_height_field(image_of(surface), "/dev/full");
             ADD_FAILURE() << n;
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::output);

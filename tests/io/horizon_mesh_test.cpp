@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <random>
 
-#include "../../libocean/io/mesh/map_pyramid.hpp"
+#include "mesh/map_pyramid.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/horizon_mesh.hpp"
+#include "ocean/io/visible_slope.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {

@@ -2,34 +2,35 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Writes the files that test_exr_readers.py judges: make_exr_samples FOLDER.
-#include <cstdio>
-
-#include "ocean/io.hpp"
+#include "ocean/io/exr.hpp"
+#include "ocean/io/product_image.hpp"
 #include "sample_surface.hpp"
 
 using namespace ocean;
 
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
-    const std::string folder = std::string(argv[1]) + "/", sea = "libocean = 1\nseed = 3\n";
+    const std::string folder = std::string(argv[1]) + "/";
     const Surface surface = test::sample_surface(64);
-    const io::Frame frame{surface, sea, 7, surface.time()};
-    std::vector<const FieldInfo*> products;
-    for (const FieldInfo& field : field_table()) {
-        products.push_back(&field);
-        const std::string name(field.name);
-        io::write_exr(frame, field, folder + name + ".exr", {});
-        io::ExrOptions half{.type = io::PixelType::half_float};
-        io::write_exr(frame, field, folder + name + ".half.exr", half);
+    const io::FrameLabel label{"libocean = 1\nseed = 3\n", 7, surface.time(), surface.period()};
+    const auto write = [&](std::vector<const Product*> products, const io::ProductLayout& layout,
+                           const std::string& name, const char* codec = "zip") {
+        io::write_exr(io::product_image(products, layout, label, surface), folder + name + ".exr",
+                      io::find_exr_compression(codec));
+    };
+    std::vector<const Product*> all;
+    for (const Product& product : product_table()) {
+        all.push_back(&product);
+        const std::string name(product.name);
+        write({&product}, {}, name);
+        write({&product}, {.type = io::PixelType::half_float}, name + ".half");
     }
     for (const char* axes : {"zup", "yup", "tnb"}) {
-        const io::ExrOptions options{.axes = io::find_axes(axes)};
-        io::write_exr(frame, find_field("velocity"), folder + axes + ".exr", options);
+        write({&find_product("velocity")}, {.axes = io::find_axes(axes)}, axes);
     }
-    for (const char* name : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
-        const io::ExrOptions options{.compression = io::find_exr_compression(name)};
-        io::write_exr(frame, find_field("displacement"), folder + name + ".exr", options);
+    for (const char* codec : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
+        write({&find_product("displacement")}, {}, codec, codec);
     }
-    io::write_exr_layered(frame, products, folder + "layered.exr", {});
+    write(all, {.layered = true}, "layered");
     return 0;
 }

@@ -8,7 +8,8 @@
 #include <sstream>
 
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/mesh.hpp"
+#include "ocean/io/mesh2.hpp"
 #include "sample_surface.hpp"
 
 namespace ocean {
@@ -109,9 +110,9 @@ TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     const TemporaryFolder folder;
     const Surface surface = gentle_surface(32);
     const std::string sea;
-    const io::Frame frame{surface, sea, 4, 12.25};
+    const io::FrameLabel label{sea, 4, 12.25, surface.period()};
     const io::Mesh mesh = io::make_patch_mesh(surface);
-    io::write_mesh2(mesh, frame, folder.file("sea 0004.inc"));
+    io::write_mesh2(mesh, label, folder.file("sea 0004.inc"));
     const std::string text = test::read_bytes(folder.file("sea 0004.inc"));
     EXPECT_NE(text.find("#ifndef(Ocean_sea_0004_inc_Temp)"), std::string::npos);
     EXPECT_NE(text.find("#declare Ocean_Time = 12.25;"), std::string::npos);
@@ -130,11 +131,11 @@ TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     io::View view;
     view.x = 3.0;
     view.heading = 90.0;
-    io::write_mesh2(mesh, frame, folder.file("v.inc"), &view);
+    io::write_mesh2(mesh, label, folder.file("v.inc"), &view);
     EXPECT_NE(test::read_bytes(folder.file("v.inc")).find("#declare Ocean_Eye = <3, 6, 0>;"),
               std::string::npos);
-    EXPECT_THROW(io::write_mesh2(io::Mesh{}, frame, folder.file("e.inc")), Error);
-    EXPECT_THROW(io::write_mesh2(mesh, frame, "/dev/full"), Error);
+    EXPECT_THROW(io::write_mesh2(io::Mesh{}, label, folder.file("e.inc")), Error);
+    EXPECT_THROW(io::write_mesh2(mesh, label, "/dev/full"), Error);
     EXPECT_EQ(folder.entries(), 2u);
 }
 

@@ -9,7 +9,11 @@
 #include <cstdio>
 #include <string>
 
-#include "ocean/io.hpp"
+#include "ocean/io/height_field.hpp"
+#include "ocean/io/mesh.hpp"
+#include "ocean/io/mesh2.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/io/product_image.hpp"
 
 using namespace ocean;
 
@@ -71,11 +75,15 @@ Surface make_sample(double choppiness) {
 
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
-    const std::string folder = std::string(argv[1]) + "/", sea = "libocean = 1\n";
+    const std::string folder = std::string(argv[1]) + "/";
     const Surface flat = make_sample(0.0), choppy = make_sample(1.0);
-    const io::Frame frame{flat, sea, 4, 3.5};
-    io::write_height_field(frame, folder + "height.png");
-    io::write_mesh2(io::make_patch_mesh(flat), frame, folder + "flat.inc");
-    io::write_mesh2(io::make_patch_mesh(choppy), {choppy, sea, 4, 3.5}, folder + "choppy.inc");
+    const io::FrameLabel label{"libocean = 1\n", 4, 3.5, kPeriod};
+    const Product* const heights[] = {&find_product("height")};
+    const io::Image image = io::product_image(heights, {}, label, flat);
+    io::write_height_field(image, folder + "height.png");
+    io::write_file_atomically(folder + "height.png.txt", io::height_field_description(image));
+    io::write_file_atomically(folder + "height.png.inc", io::height_field_declarations(image));
+    io::write_mesh2(io::make_patch_mesh(flat), label, folder + "flat.inc");
+    io::write_mesh2(io::make_patch_mesh(choppy), label, folder + "choppy.inc");
     return 0;
 }

@@ -32,13 +32,13 @@ Distances distances(const SurfaceQuery& query, const WaveSum& sum, double choppi
     for (std::size_t i = 0; i < points.size(); ++i) {
         const WorldPoint label{samples[i].label[0], samples[i].label[1]};
         const WorldPoint shown = query.shown(label);
-        const ExcursionSample exact = sum.excursion_at(label.x, label.y);
+        const DisplacementSample exact = sum.displacement_at(label.x, label.y);
         const auto grow = [&](double& distance, double x, double y) {
             distance = std::max(distance, std::hypot(x - points[i].x, y - points[i].y));
         };
         grow(largest.shown, shown.x, shown.y);
-        grow(largest.exact, label.x - choppiness * exact.excursion_x,
-             label.y - choppiness * exact.excursion_y);
+        grow(largest.exact, label.x - choppiness * exact.displacement_x,
+             label.y - choppiness * exact.displacement_y);
     }
     return largest;
 }

@@ -64,9 +64,9 @@ TEST(Dispersion, InverseFindsTheWavenumberAgain) {
     }
 }
 
-TEST(Dispersion, ExcursionIsOneInDeepWaterAndCothInShallow) {
-    EXPECT_EQ(Dispersion(Water{}).horizontal_excursion(0.1), 1.0);
-    EXPECT_NEAR(Dispersion(Water{.depth = 5.0}).horizontal_excursion(0.2), 1.0 / std::tanh(1.0),
+TEST(Dispersion, DisplacementIsOneInDeepWaterAndCothInShallow) {
+    EXPECT_EQ(Dispersion(Water{}).horizontal_displacement(0.1), 1.0);
+    EXPECT_NEAR(Dispersion(Water{.depth = 5.0}).horizontal_displacement(0.2), 1.0 / std::tanh(1.0),
                 1e-14);
 }
 

@@ -445,8 +445,8 @@ TEST(Gauges, ReadTheShownSurface) {
         const double u = 7.3 * i;
         const double v = 300.0 - 11.9 * i;
         const LinearSample label = sea.at_label(u, v);
-        const double x = u - 0.7 * label.excursion_x;
-        const double y = v - 0.7 * label.excursion_y;
+        const double x = u - 0.7 * label.displacement_x;
+        const double y = v - 0.7 * label.displacement_y;
         const GaugeReading reading = read(x, y);
         EXPECT_NEAR(reading.elevation, label.height, 1e-7);
         constexpr double kStep = 1e-3;

@@ -17,14 +17,14 @@ TEST(Inversion, EndsWithAFiniteLabelWhateverTheSourceIs) {
     int looks = 0;
     const auto wild = [&](double x, double y) {  // shows every label at the same place
         ++looks;
-        return ExcursionSample{x + 5.0, y, 1e11 * std::cos(1e5 * x), -1e11 * std::sin(1e5 * y),
-                               1e9};
+        return DisplacementSample{x + 5.0, y, 1e11 * std::cos(1e5 * x), -1e11 * std::sin(1e5 * y),
+                                  1e9};
     };
     const ShownLabel label = find_label(wild, InversionTarget::at(0.3, 0.4, 1.0, 2.0), 0.3, 0.4);
     EXPECT_EQ(looks, 40);
     EXPECT_FALSE(label.converged);
     EXPECT_TRUE(std::isfinite(label.x + label.y + label.jacobian));
-    const auto flat = [](double, double) { return ExcursionSample{0.0, 0.0, 1.0, 1.0, 0.0}; };
+    const auto flat = [](double, double) { return DisplacementSample{0.0, 0.0, 1.0, 1.0, 0.0}; };
     EXPECT_TRUE(std::isfinite(
         find_label(flat, InversionTarget::at(0.3, 0.4, 1.0, 2.0), 5.0, 0.4).jacobian));
 }
@@ -33,7 +33,7 @@ TEST(Inversion, OfAGentleWaveTakesFiveLooks) {
     int looks = 0;
     const auto wave = [&](double x, double) {
         ++looks;
-        return ExcursionSample{std::sin(x), 0.0, std::cos(x), 0.0, 0.0};
+        return DisplacementSample{std::sin(x), 0.0, std::cos(x), 0.0, 0.0};
     };
     for (int i = 0; i < 100; ++i) {
         looks = 0;
@@ -47,7 +47,7 @@ TEST(Inversion, OfASourceAloneFindsTheTopOfAFoldToo) {
     // One wave, D = sin a along x, h = cos a, folded at every crest.
     const double c = 1.6;
     const auto source = [](double x, double) {
-        return ExcursionSample{std::sin(x), 0.0, std::cos(x), 0.0, 0.0};
+        return DisplacementSample{std::sin(x), 0.0, std::cos(x), 0.0, 0.0};
     };
     const auto height = [](double x, double) { return std::cos(x); };
     for (int i = 0; i <= 60; ++i) {

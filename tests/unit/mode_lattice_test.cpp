@@ -53,7 +53,7 @@ void expect_same_bits(const Modes& a, const Modes& b, const std::string& what) {
         EXPECT_TRUE(same_bits(a.cascades[c].h0, b.cascades[c].h0)) << what;
         EXPECT_TRUE(same_bits(a.cascades[c].rate_high, b.cascades[c].rate_high)) << what;
         EXPECT_TRUE(same_bits(a.cascades[c].rate_low, b.cascades[c].rate_low)) << what;
-        EXPECT_TRUE(same_bits(a.cascades[c].excursion, b.cascades[c].excursion)) << what;
+        EXPECT_TRUE(same_bits(a.cascades[c].displacement, b.cascades[c].displacement)) << what;
         EXPECT_TRUE(same_bits(a.cascades[c].shell_covariance, b.cascades[c].shell_covariance))
             << what;
     }
@@ -167,13 +167,13 @@ TEST(Rebuild, ALiveChangeLeavesRatesAndMemoryWhereTheyAre) {
     Ocean sea(test::wind_sea(64), {.threads = 2});
     const CascadeModes& cascade = sea.modes().cascades.front();
     const float* rates = cascade.rate_high.data();
-    const float* excursions = cascade.excursion.data();
+    const float* displacements = cascade.displacement.data();
     const std::complex<float>* h0 = cascade.h0.data();
     const std::complex<float> before = h0[5];
     for (const char* wind : {"11", "12", "13"}) {
         sea.set("waves.0.wind_speed", wind);
         EXPECT_EQ(sea.modes().cascades.front().rate_high.data(), rates);
-        EXPECT_EQ(sea.modes().cascades.front().excursion.data(), excursions);
+        EXPECT_EQ(sea.modes().cascades.front().displacement.data(), displacements);
         EXPECT_EQ(sea.modes().cascades.front().h0.data(), h0);
     }
     EXPECT_NE(h0[5], before);
@@ -226,7 +226,8 @@ TEST(Dispersion, AtIsTheFunctionsTogether) {
             const DispersionPoint wave = water.at(k);
             EXPECT_NEAR(wave.angular_frequency / water.angular_frequency(k), 1.0, 1e-14);
             EXPECT_NEAR(wave.group_velocity / water.group_velocity(k), 1.0, 2e-14);
-            EXPECT_NEAR(wave.horizontal_excursion / water.horizontal_excursion(k), 1.0, 1e-14);
+            EXPECT_NEAR(wave.horizontal_displacement / water.horizontal_displacement(k), 1.0,
+                        1e-14);
         }
     }
 }

@@ -74,8 +74,8 @@ ExactSample exact_sample(const WaveSum& sum, double choppiness, WorldPoint place
     double y = place.y;
     for (int step = 0; step < 30; ++step) {
         const LinearSample at = sum.at_label(x, y);
-        const double fx = x - choppiness * at.excursion_x - place.x;
-        const double fy = y - choppiness * at.excursion_y - place.y;
+        const double fx = x - choppiness * at.displacement_x - place.x;
+        const double fy = y - choppiness * at.displacement_y - place.y;
         const double xx = 1.0 - choppiness * at.gradient_xx;
         const double yy = 1.0 - choppiness * at.gradient_yy;
         const double xy = choppiness * at.gradient_xy;
@@ -84,12 +84,13 @@ ExactSample exact_sample(const WaveSum& sum, double choppiness, WorldPoint place
         y -= (xy * fx + xx * fy) / j;
     }
     const LinearSample at = sum.at_label(x, y);
-    EXPECT_NEAR(x - choppiness * at.excursion_x, place.x, 1e-9);
-    EXPECT_NEAR(y - choppiness * at.excursion_y, place.y, 1e-9);
+    EXPECT_NEAR(x - choppiness * at.displacement_x, place.x, 1e-9);
+    EXPECT_NEAR(y - choppiness * at.displacement_y, place.y, 1e-9);
     return {at.height,
             wave::double_precision::surface_normal(choppiness, at.gradient_xx, at.gradient_yy,
                                                    at.gradient_xy, at.slope_x, at.slope_y),
-            {-choppiness * at.excursion_x_rate, -choppiness * at.excursion_y_rate, at.height_rate}};
+            {-choppiness * at.displacement_x_rate, -choppiness * at.displacement_y_rate,
+             at.height_rate}};
 }
 
 /// rms errors over the rms of what is measured: of the height, of the velocity vector, and of the

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "ocean/error.hpp"
+#include "ocean/memory.hpp"
 #include "ocean/parameter_table.hpp"
 #include "test_seas.hpp"
 
@@ -154,6 +156,15 @@ TEST(SeaState, ParametersCountForTheSpectraThatTheTableSaysUseThem) {
         }
     }
     EXPECT_EQ(tried, 6 * 4);
+}
+
+TEST(SeaState, JsonHoldsAnyWarningAndNoNumberThatJsonLacks) {
+    SeaState state;
+    state.warnings = {"a \"b\"\n", "c"};
+    const std::string json = sea_state_json(state);
+    EXPECT_NE(json.find(R"("warnings": ["a \"b\"\u000A", "c"])"), std::string::npos) << json;
+    state.period = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(sea_state_json(state), Error);
 }
 
 TEST(SeaState, MoreMemoryThanThereIsIsSaidBeforehand) {

@@ -40,7 +40,7 @@ TEST_P(OneWave, IsACosineThatTravelsAlongItsWavenumberInEveryBackend) {
     const double k = std::hypot(kx, ky);
     const Dispersion dispersion(parameters.water);
     const double omega = dispersion.angular_frequency(k);
-    const double excursion = dispersion.horizontal_excursion(k);
+    const double displacement = dispersion.horizontal_displacement(k);
     ThreadPool pool(1);
     const double time = 1.3;
     for (const Backend backend : kBackends) {
@@ -52,17 +52,17 @@ TEST_P(OneWave, IsACosineThatTravelsAlongItsWavenumberInEveryBackend) {
                 EXPECT_NEAR(sample(s, Channel::height, i, j), std::cos(phase), 2e-6);
                 EXPECT_NEAR(sample(s, Channel::slope_x, i, j), -kx * std::sin(phase), 2e-6);
                 EXPECT_NEAR(sample(s, Channel::slope_y, i, j), -ky * std::sin(phase), 2e-6);
-                EXPECT_NEAR(sample(s, Channel::dx, i, j), -kx / k * excursion * std::sin(phase),
+                EXPECT_NEAR(sample(s, Channel::dx, i, j), -kx / k * displacement * std::sin(phase),
                             4e-6);
-                EXPECT_NEAR(sample(s, Channel::dy, i, j), -ky / k * excursion * std::sin(phase),
+                EXPECT_NEAR(sample(s, Channel::dy, i, j), -ky / k * displacement * std::sin(phase),
                             4e-6);
                 EXPECT_NEAR(sample(s, Channel::vz, i, j), omega * std::sin(phase), 6e-6);
                 EXPECT_NEAR(sample(s, Channel::vx, i, j),
-                            omega * kx / k * excursion * std::cos(phase), 1e-5);
+                            omega * kx / k * displacement * std::cos(phase), 1e-5);
                 EXPECT_NEAR(sample(s, Channel::vy, i, j),
-                            omega * ky / k * excursion * std::cos(phase), 1e-5);
+                            omega * ky / k * displacement * std::cos(phase), 1e-5);
                 EXPECT_NEAR(sample(s, Channel::jacobian, i, j),
-                            1.0 - k * excursion * std::cos(phase), 6e-6);
+                            1.0 - k * displacement * std::cos(phase), 6e-6);
             }
         }
     }

@@ -50,12 +50,12 @@ void expect_the_map(const WaveSum& sum, const Surface& map, double choppiness) {
     };
     const double c = choppiness;
     check(height, [](const LinearSample& s) { return s.height; });
-    check(dx, [c](const LinearSample& s) { return -c * s.excursion_x; });
-    check(dy, [c](const LinearSample& s) { return -c * s.excursion_y; });
+    check(dx, [c](const LinearSample& s) { return -c * s.displacement_x; });
+    check(dy, [c](const LinearSample& s) { return -c * s.displacement_y; });
     check(slope_x, [](const LinearSample& s) { return s.slope_x; });
     check(slope_y, [](const LinearSample& s) { return s.slope_y; });
-    check(vx, [c](const LinearSample& s) { return -c * s.excursion_x_rate; });
-    check(vy, [c](const LinearSample& s) { return -c * s.excursion_y_rate; });
+    check(vx, [c](const LinearSample& s) { return -c * s.displacement_x_rate; });
+    check(vy, [c](const LinearSample& s) { return -c * s.displacement_y_rate; });
     check(vz, [](const LinearSample& s) { return s.height_rate; });
     check(jacobian, [c](const LinearSample& s) {
         return (1.0 - c * s.gradient_xx) * (1.0 - c * s.gradient_yy) -
@@ -114,7 +114,7 @@ TEST(WaveSum, CascadesAddUpEachOnItsOwnLattice) {
             std::swap(fine.h0[index(n, m)], coarse.h0[index(4 * n, 4 * m)]);
             fine.rate_high[index(n, m)] = coarse.rate_high[index(4 * n, 4 * m)];
             fine.rate_low[index(n, m)] = coarse.rate_low[index(4 * n, 4 * m)];
-            fine.excursion[index(n, m)] = coarse.excursion[index(4 * n, 4 * m)];
+            fine.displacement[index(n, m)] = coarse.displacement[index(4 * n, 4 * m)];
         }
     }
     parts.cascades.push_back(fine);
@@ -125,7 +125,7 @@ TEST(WaveSum, CascadesAddUpEachOnItsOwnLattice) {
         const LinearSample b = found.at_label(-17.3, 1234.5);
         EXPECT_NEAR(b.height, a.height, 1e-12);
         EXPECT_NEAR(b.gradient_xy, a.gradient_xy, 1e-12);
-        EXPECT_NEAR(b.excursion_y_rate, a.excursion_y_rate, 1e-12);
+        EXPECT_NEAR(b.displacement_y_rate, a.displacement_y_rate, 1e-12);
         EXPECT_NEAR(found.water_motion(3.0, 4.0, -1.0).pressure,
                     expected.water_motion(3.0, 4.0, -1.0).pressure, 1e-8);
     }
@@ -145,10 +145,10 @@ TEST(WaveSum, RatesAreDifferencesInTime) {
     const LinearSample after = at(7.0 + kStep);
     const LinearSample now = at(7.0);
     EXPECT_NEAR(now.height_rate, (after.height - before.height) / (2.0 * kStep), 1e-6);
-    EXPECT_NEAR(now.excursion_x_rate, (after.excursion_x - before.excursion_x) / (2.0 * kStep),
-                1e-6);
-    EXPECT_NEAR(now.excursion_y_rate, (after.excursion_y - before.excursion_y) / (2.0 * kStep),
-                1e-6);
+    EXPECT_NEAR(now.displacement_x_rate,
+                (after.displacement_x - before.displacement_x) / (2.0 * kStep), 1e-6);
+    EXPECT_NEAR(now.displacement_y_rate,
+                (after.displacement_y - before.displacement_y) / (2.0 * kStep), 1e-6);
 }
 
 TEST(WaveSum, StepsLeadToTheTimeThatCanBeSet) {
@@ -167,24 +167,24 @@ TEST(WaveSum, StepsLeadToTheTimeThatCanBeSet) {
         EXPECT_NEAR(b.height, a.height, 1e-9);
         EXPECT_NEAR(b.gradient_xx, a.gradient_xx, 1e-9);
         EXPECT_NEAR(b.height_rate, a.height_rate, 1e-9);
-        EXPECT_NEAR(b.excursion_y_rate, a.excursion_y_rate, 1e-9);
+        EXPECT_NEAR(b.displacement_y_rate, a.displacement_y_rate, 1e-9);
     }
 }
 
-TEST(WaveSum, ExcursionAloneIsThatOfTheWholeSample) {
+TEST(WaveSum, DisplacementAloneIsThatOfTheWholeSample) {
     const Parameters parameters = test::wind_sea(64, 300.0);
     WaveSum sum(sea_modes(parameters), parameters.water);
     sum.set_time(3.0);
     const LinearSample whole = sum.at_label(11.0, 22.0);
-    const ExcursionSample part = sum.excursion_at(11.0, 22.0);
-    EXPECT_EQ(part.excursion_x, whole.excursion_x);
-    EXPECT_EQ(part.excursion_y, whole.excursion_y);
+    const DisplacementSample part = sum.displacement_at(11.0, 22.0);
+    EXPECT_EQ(part.displacement_x, whole.displacement_x);
+    EXPECT_EQ(part.displacement_y, whole.displacement_y);
     EXPECT_EQ(part.gradient_xx, whole.gradient_xx);
     EXPECT_EQ(part.gradient_yy, whole.gradient_yy);
     EXPECT_EQ(part.gradient_xy, whole.gradient_xy);
 }
 
-TEST(WaveSum, ExcursionRmsIsThatOfAMapInTheMeanOverTimes) {
+TEST(WaveSum, DisplacementRmsIsThatOfAMapInTheMeanOverTimes) {
     Parameters parameters = test::wind_sea(32, 300.0);
     parameters.water.depth = 10.0;
     const Modes modes = sea_modes(parameters);
@@ -197,7 +197,7 @@ TEST(WaveSum, ExcursionRmsIsThatOfAMapInTheMeanOverTimes) {
         sum += test::variance(map.channel(Channel::dx)) + test::variance(map.channel(Channel::dy));
     }
     const double expected = std::sqrt(sum / kTimes);
-    EXPECT_NEAR(WaveSum(modes, parameters.water).excursion_rms(), expected, 0.02 * expected);
+    EXPECT_NEAR(WaveSum(modes, parameters.water).displacement_rms(), expected, 0.02 * expected);
 }
 
 TEST(WaveSum, ALoopClosesInBits) {
@@ -209,7 +209,7 @@ TEST(WaveSum, ALoopClosesInBits) {
     sum.set_time(7.5 + 3.0 * kLoop);
     const LinearSample again = sum.at_label(1.0, 2.0);
     EXPECT_EQ(first.height, again.height);
-    EXPECT_EQ(first.excursion_y_rate, again.excursion_y_rate);
+    EXPECT_EQ(first.displacement_y_rate, again.displacement_y_rate);
 }
 
 /// Airy's wave h = cos(kx x - omega t) under which all is written with plain cosh and sinh.
@@ -231,7 +231,7 @@ void expect_airy(double depth, double patch_size, int n) {
             const double tension = parameters.water.surface_tension * k * k;
             const double pressure =
                 (1000.0 * 9.81 + tension) * std::cosh(k * (z + depth)) / std::cosh(k * depth);
-            // The frequency is stored in two floats, the excursion of the sum in one.
+            // The frequency is stored in two floats, the displacement of the sum in one.
             EXPECT_NEAR(motion.velocity_x, omega * along * std::cos(phase), 1e-6 * omega * along);
             EXPECT_NEAR(motion.velocity_z, omega * up * std::sin(phase), 1e-6 * omega * along);
             EXPECT_NEAR(motion.velocity_y, 0.0, 1e-12);
@@ -268,8 +268,8 @@ TEST(WaveSum, WaterAtTheSurfaceMovesAsTheSurfaceDoes) {
     sum.set_time(9.0);
     const LinearSample label = sum.at_label(31.0, 77.0);
     const WaterMotion water = sum.water_motion(31.0, 77.0, 0.0);
-    EXPECT_NEAR(water.velocity_x, -label.excursion_x_rate, 1e-6);
-    EXPECT_NEAR(water.velocity_y, -label.excursion_y_rate, 1e-6);
+    EXPECT_NEAR(water.velocity_x, -label.displacement_x_rate, 1e-6);
+    EXPECT_NEAR(water.velocity_y, -label.displacement_y_rate, 1e-6);
     EXPECT_NEAR(water.velocity_z, label.height_rate, 1e-12);
     EXPECT_NEAR(water.pressure, 9810.0 * label.height, 1.0);  // and a little tension
 }

@@ -9,7 +9,7 @@
 
 #include "any_spectra.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/exr.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"

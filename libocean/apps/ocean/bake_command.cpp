@@ -1,16 +1,97 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean bake`: frames of a sea into files for other programs.
+// `ocean bake`: frames of a sea into files for other programs. What its options mean is settled by
+// make_bake_plan; those of a format come from the format.
+#include <map>
 #include <memory>
+#include <span>
 #include <utility>
 
-#include "bake_run.hpp"
 #include "commands.hpp"
-#include "console.hpp"
+#include "console_host.hpp"
+#include "ocean/bake/catalogue.hpp"
+#include "sea_argument.hpp"
 
 namespace ocean::app {
 namespace {
+
+struct Typed {
+    BakeOptions bake;
+    SeaArgument sea;
+    std::map<std::string, bool> flags;  // of formats
+    bool dry_run = false;
+};
+
+std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue) {
+    BakeOptions& bake = typed.bake;
+    return {
+        // SEA or --from, which is checked when both are known.
+        sea_options(typed.sea, kOptional),
+        {"Sea",
+         {{"--from", &bake.from, "FRAME.exr",
+           "A baked file in place of SEA: the sea, and all options below that are not given"},
+          {"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
+        {"Output",
+         {{"-o,--output", &bake.output, "FILE",
+           "out/sea.####.exr; " + catalogue.extensions("or"), kRequired},
+          {"--frames", &bake.frames, "RANGES",
+           "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
+          {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames, such as 2/5"},
+          {"--skip-existing", &bake.skip_existing, "",
+           "Keep complete files of the same sea and options, which takes reading them"},
+          {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},
+          {"-n,--dry-run", &typed.dry_run, "",
+           "Print the files and how much room they need; write nothing"},
+          {"--resolution", &bake.resolution, "R",
+           "Samples along a side, a power of two; default: the sea's grid"},
+          {"--backend", &bake.backend, "NAME", catalogue.backend_names() + "; default cpu"}}},
+    };
+}
+
+OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalogue& catalogue) {
+    OptionGroup group{std::string(format.family), {}};
+    if (format.options == nullptr) return group;
+    for (const FormatOption& option : format.options(catalogue)) {
+        const std::string name = "--" + option.name;
+        if (option.value.empty()) {
+            group.options.push_back({name, &typed.flags[option.name], "", option.help});
+        } else {
+            std::string& value = typed.bake.of_format[option.name];
+            group.options.push_back({name, &value, option.value, option.help});
+        }
+    }
+    return group;
+}
+
+std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
+    std::vector<OptionGroup> groups = common_options(typed, catalogue);
+    for (const BakeFormat* format : catalogue.formats) {
+        groups.push_back(format_options(typed, *format, catalogue));
+    }
+    for (OptionGroup& group : std::span(groups).subspan(1)) {
+        for (Option& option : group.options) {
+            if (std::holds_alternative<std::string*>(option.target)) option.rule = NotEmpty{};
+        }
+    }
+    return groups;
+}
+
+void run(const Typed& typed, const Catalogue& catalogue, const Context& context) {
+    BakeOptions options = typed.bake;
+    for (const auto& [name, given] : typed.flags) {
+        if (given) options.of_format[name] = "yes";
+    }
+    options.source = typed.sea.source;
+    options.threads = context.options.threads;
+    options.open_sea = [&typed](const std::string& source) {
+        return open_sea({source, typed.sea.assignments});
+    };
+    const BakePlan plan = make_bake_plan(options, catalogue);
+    if (typed.dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
+    ConsoleHost host(context);
+    run_bake(plan, host);
+}
 
 constexpr char kFooter[] =
     R"(With -o out/sea.####.exr a product goes into out/sea.<product>.0001.exr. A run of # is
@@ -29,20 +110,16 @@ with a message; plan with -n. Exit codes: 0 done, 1 a frame failed (disk, memory
 
 }  // namespace
 
-Command bake_command() {
-    auto options = std::make_shared<BakeOptions>();
-    std::vector<OptionGroup> groups = bake_options(*options);
+Command bake_command(const Catalogue& catalogue) {
+    auto typed = std::make_shared<Typed>();
+    std::vector<OptionGroup> groups = bake_options(*typed, catalogue);
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
     return {
         .name = "bake",
         .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh",
         .options = std::move(groups),
         .footer = kFooter,
-        .run =
-            [options](const Context& context) {
-                BakePlan plan = make_bake_plan(*options);
-                run_bake(plan, options->dry_run, context);
-            },
+        .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },
     };
 }
 

@@ -7,10 +7,15 @@
 
 #include "command.hpp"
 
+namespace ocean {
+struct Catalogue;
+}
+
 namespace ocean::app {
 
 Command info_command();
-Command bake_command();
+/// The catalogue must outlive the command.
+Command bake_command(const Catalogue& catalogue);
 Command povray_command();
 Command query_command();
 Command gauge_command();

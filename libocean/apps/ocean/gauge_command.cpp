@@ -14,9 +14,9 @@
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/io/output_file.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
-#include "write_output.hpp"
 
 namespace ocean::app {
 namespace {
@@ -148,7 +148,7 @@ void run(const GaugeOptions& options, const Context& context) {
     const std::vector<GaugeSummary> summaries = summaries_of(plan, record);
     const auto write = [&](const std::string& path, const std::string& bytes) {
         const auto whole = context.interrupts.hold();
-        write_output(path, bytes);
+        io::write_output(path, bytes);
     };
     if (!options.output.empty()) {
         const bool npy = options.output.ends_with(".npy");

@@ -19,7 +19,7 @@ file, 130 interrupted.)";
 
 }  // namespace
 
-int run_ocean(int argc, char** argv) {
+int run_ocean(int argc, char** argv, const Catalogue& catalogue) {
     return run_program(
         argc, argv,
         {.main =
@@ -29,7 +29,7 @@ int run_ocean(int argc, char** argv) {
               .options = {run_options("JSON lines on standard error; `info` prints JSON")},
               .footer = kFooter},
          .version = "ocean " OCEAN_VERSION "\n" OCEAN_LIBRARY_VERSIONS,
-         .commands = {info_command(), bake_command(), povray_command(), query_command(),
+         .commands = {info_command(), bake_command(catalogue), povray_command(), query_command(),
                       gauge_command(), spectrum_command(), records_command(), params_command(),
                       presets_command()}});
 }

@@ -4,9 +4,11 @@
 // The `ocean` command as a function, so that its main is a line and a test can add to it.
 #pragma once
 
+#include "ocean/bake/catalogue.hpp"
+
 namespace ocean::app {
 
-/// The exit code; see run_program().
-int run_ocean(int argc, char** argv);
+/// The exit code; see run_program(). `catalogue`: what `ocean bake` can bake.
+int run_ocean(int argc, char** argv, const Catalogue& catalogue = standard_catalogue());
 
 }  // namespace ocean::app

@@ -14,10 +14,10 @@
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/io/output_file.hpp"
 #include "point_table.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
-#include "write_output.hpp"
 
 namespace ocean::app {
 namespace {
@@ -69,7 +69,7 @@ class QueryRun {
         }
         if (!options_.output.empty()) {
             const auto whole = context_.interrupts.hold();
-            write_output(options_.output, text_);
+            io::write_output(options_.output, text_);
         }
         if (folded_ > 0) {
             context_.console.warning(format_text(

@@ -11,10 +11,10 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/io/output_file.hpp"
 #include "sea_argument.hpp"
 #include "spectrum_plot.hpp"
 #include "text.hpp"
-#include "write_output.hpp"
 
 namespace ocean::app {
 namespace {
@@ -82,7 +82,7 @@ void run(const SpectrumOptions& options, const Context& context) {
     const auto write = [&](const std::string& path, const std::string& bytes) {
         {
             const auto whole = context.interrupts.hold();
-            write_output(path, bytes);
+            io::write_output(path, bytes);
         }
         if (!context.options.quiet) context.console.data(path + "\n");
     };

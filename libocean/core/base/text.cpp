@@ -17,8 +17,8 @@ namespace ocean {
 namespace {
 
 template <typename Number, typename... Format>
-std::string shortest(Number value, Format... format) {
-    char text[32];
+std::string digits_of(Number value, Format... format) {
+    char text[400];  // the largest number has 309 digits before its point
     return {text, std::to_chars(text, text + sizeof text, value, format...).ptr};
 }
 
@@ -38,26 +38,30 @@ std::string format_text(const char* format, ...) {
 }
 
 std::string shortest_text(double value) {
-    return shortest(value);
+    return digits_of(value);
 }
 
 std::string shortest_text(float value) {
-    return shortest(value);
+    return digits_of(value);
 }
 
 std::string plain_text(double value) {
     const double size = std::abs(value);
     const bool plain = value == 0.0 || (size >= 1e-5 && size < 1e15);
-    return shortest(value, plain ? std::chars_format::fixed : std::chars_format::general);
+    return digits_of(value, plain ? std::chars_format::fixed : std::chars_format::general);
 }
 
-std::vector<std::string> split(std::string_view text, char separator) {
+std::string fixed_text(double value, int digits) {
+    return digits_of(value, std::chars_format::fixed, digits);
+}
+
+std::vector<std::string> split(std::string_view text, std::string_view separator) {
     std::vector<std::string> parts;
     for (;;) {
         const std::size_t end = text.find(separator);
         parts.emplace_back(text.substr(0, end));
         if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
+        text.remove_prefix(end + separator.size());
     }
 }
 

@@ -16,10 +16,10 @@ ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y) {
     // |D| is a Gaussian vector: beyond 5 rms with a probability of 1e-11.
     constexpr double kReach = 5.0;
     constexpr double kTolerance = 1e-9;  // of the reach
-    const double reach = kReach * choppiness * sea.excursion_rms();
+    const double reach = kReach * choppiness * sea.displacement_rms();
     if (!(reach > 0.0)) return {x, y, 1.0, true};
     const InversionTarget target{x, y, choppiness, reach, kTolerance * reach};
-    const auto source = [&sea](double u, double v) { return sea.excursion_at(u, v); };
+    const auto source = [&sea](double u, double v) { return sea.displacement_at(u, v); };
     const auto height = [&sea](double u, double v) { return sea.at_label(u, v).height; };
     return find_top_label(source, height, target).label;
 }

@@ -31,7 +31,7 @@ constexpr int first_factor(int size) {
 enum class SourceKind : int {
     plain,        // h
     along_x,      // i kx h
-    toward_x,     // -i kx u, with u = excursion * h
+    toward_x,     // -i kx u, with u = displacement * h
     toward_y,     // -i ky u
     gradient_xx,  // kx^2 u
 };
@@ -43,18 +43,18 @@ struct Source {
 };
 inline constexpr int kSourceCount = 8;
 
-/// Records of packed modes. All numbers of a record are kLanes floats, one per ky.
-///   A pair, for kx = +-n:  P+ Q+ P- Q- (re, im each)  rate_high rate_low excursion.
-///   Two singles, the same for two kx that are no pair: P Q P Q, then both rates and excursions.
+/// The packets of the packed modes. All numbers of a packet are kLanes floats, one per ky.
+///   A pair, for kx = +-n:  P+ Q+ P- Q- (re, im each)  rate_high rate_low displacement.
+///   Two singles, the same for two kx that are no pair: P Q P Q, then both rates and displacements.
 /// h(t) = P cos(wt) + Q sin(wt), with P = h0(k) + conj(h0(-k)), Q = -i (h0(k) - conj(h0(-k))).
 inline constexpr int kPairNumbers = 11;
 inline constexpr int kSinglesNumbers = 14;
 
-/// Modes kx = j + B i and their mirrors N - kx, for i < A. Bit i of `present`: there is a record;
+/// Modes kx = j + B i and their mirrors N - kx, for i < A. Bit i of `present`: there is a packet;
 /// else the modes are zero.
 struct ModeGroup {
     std::uint64_t present;
-    std::uint64_t first_record;  // in floats
+    std::uint64_t first_packet;  // in floats
 
     bool operator==(const ModeGroup&) const = default;
 };
@@ -73,7 +73,7 @@ inline constexpr int kMaxOutputs = 32;
 struct FrameTask {
     int size;     // N
     int columns;  // ky < columns may have modes: a multiple of B and of sixteen
-    const float* records;
+    const float* packets;
     const ModeGroup* groups;  // [block of ky][j < B / 2]
     const float* wavenumber;  // [index of kx or ky], rad/m
     const float* twiddle;     // [j < B][k < A]: cosine, sine of 2 pi j k / N

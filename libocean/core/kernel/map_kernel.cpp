@@ -27,12 +27,12 @@ struct SourceFields {
 constexpr SourceFields kSources[kSourceCount] = {
     {SourceKind::plain, false, Linear::height, static_cast<int>(Linear::slope_y)},
     {SourceKind::along_x, false, Linear::slope_x, -1},
-    {SourceKind::toward_x, false, Linear::excursion_x, static_cast<int>(Linear::gradient_xy)},
-    {SourceKind::toward_y, false, Linear::excursion_y, static_cast<int>(Linear::gradient_yy)},
+    {SourceKind::toward_x, false, Linear::displacement_x, static_cast<int>(Linear::gradient_xy)},
+    {SourceKind::toward_y, false, Linear::displacement_y, static_cast<int>(Linear::gradient_yy)},
     {SourceKind::gradient_xx, false, Linear::gradient_xx, -1},
     {SourceKind::plain, true, Linear::height_rate, -1},
-    {SourceKind::toward_x, true, Linear::excursion_x_rate, -1},
-    {SourceKind::toward_y, true, Linear::excursion_y_rate, -1},
+    {SourceKind::toward_x, true, Linear::displacement_x_rate, -1},
+    {SourceKind::toward_y, true, Linear::displacement_y_rate, -1},
 };
 
 /// A channel that is a multiple of one linear field: its slot and factor.
@@ -139,9 +139,9 @@ class Plan {
             case Channel::height:
                 return of(Linear::height, 1.0f);
             case Channel::dx:
-                return of(Linear::excursion_x, -task_.choppiness);
+                return of(Linear::displacement_x, -task_.choppiness);
             case Channel::dy:
-                return of(Linear::excursion_y, -task_.choppiness);
+                return of(Linear::displacement_y, -task_.choppiness);
             case Channel::slope_x:
                 return of(Linear::slope_x, 1.0f);
             case Channel::slope_y:
@@ -149,9 +149,9 @@ class Plan {
             case Channel::vz:
                 return of(Linear::height_rate, 1.0f);
             case Channel::vx:
-                return of(Linear::excursion_x_rate, -task_.choppiness);
+                return of(Linear::displacement_x_rate, -task_.choppiness);
             case Channel::vy:
-                return of(Linear::excursion_y_rate, -task_.choppiness);
+                return of(Linear::displacement_y_rate, -task_.choppiness);
             default:
                 return {task_.derived_slot[quantity.id], 1.0f};
         }
@@ -242,7 +242,7 @@ struct MapKernel::State {
             wavenumber[static_cast<std::size_t>(i)] = static_cast<float>(k);
         }
         task.columns = packed->columns();
-        task.records = packed->records();
+        task.packets = packed->packets();
         task.groups = packed->groups();
         task.rate_unit = static_cast<float>(kTwoPi * packed->rate_unit());
         modes = std::move(packed);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gathers the modes of all cascades into the records of their map.
+// Gathers the modes of all cascades into the packets of their map.
 #include "packed_modes.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace ocean {
 namespace {
 
 /// Rows of numbers of one block of ky, [kx][lane] each.
-enum Number { kPRe, kPIm, kQRe, kQIm, kRateHigh, kRateLow, kExcursion, kNumbers };
+enum Number { kPRe, kPIm, kQRe, kQIm, kRateHigh, kRateLow, kDisplacement, kNumbers };
 
 int whole_columns(const SynthesisRequest& request, int second_factor) {
     const int unit = std::max(second_factor, 16);
@@ -32,8 +32,8 @@ class PackedModes::Packing {
           first_(first_factor(size_)),
           second_(size_ / first_) {}
 
-    /// Where there are records, from the lattices of the cascades alone: a change of the spectrum
-    /// does not move any. Returns the floats of all records.
+    /// Where there are packets, from the lattices of the cascades alone: a change of the spectrum
+    /// does not move any. Returns the floats of all packets.
     std::uint64_t lay_out(int blocks, std::vector<ModeGroup>& groups) const {
         std::uint64_t floats = 0;
         std::vector<char> occupied(static_cast<std::size_t>(size_));
@@ -45,7 +45,7 @@ class PackedModes::Packing {
                     const auto kx = kx_of(j, i);
                     if (occupied[kx.first] != 0 || occupied[kx.second] != 0) {
                         group.present |= std::uint64_t{1} << i;
-                        floats += record_floats(j);
+                        floats += packet_floats(j);
                     }
                 }
                 groups.push_back(group);
@@ -60,7 +60,7 @@ class PackedModes::Packing {
     }
 
     /// `dense` as from dense_block or from another block.
-    void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* records) const {
+    void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* packets) const {
         // One cascade has the same places in every block and overwrites them.
         if (request_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
         for (const CascadeModes& cascade : request_.cascades) gather(cascade, block, dense);
@@ -70,7 +70,7 @@ class PackedModes::Packing {
                        static_cast<std::size_t>(lanes_);
         };
         for (int j = 0; j < second_ / 2; ++j) {
-            float* to = records + groups[j].first_record;
+            float* to = packets + groups[j].first_packet;
             const auto append = [&](Number first, Number last, std::size_t kx) {
                 for (int number = first; number <= last; ++number) {
                     to = std::copy_n(row(static_cast<Number>(number), kx), lanes_, to);
@@ -82,18 +82,18 @@ class PackedModes::Packing {
                 append(kPRe, kQIm, kx.first);
                 append(kPRe, kQIm, kx.second);
                 // Of a pair either may be missing on a lattice, but then it has no energy.
-                append(kRateHigh, kExcursion, kx.first);
-                if (j == 0) append(kRateHigh, kExcursion, kx.second);
+                append(kRateHigh, kDisplacement, kx.first);
+                if (j == 0) append(kRateHigh, kDisplacement, kx.second);
             }
         }
     }
 
   private:
-    std::size_t record_floats(int j) const {
+    std::size_t packet_floats(int j) const {
         return static_cast<std::size_t>((j == 0 ? kSinglesNumbers : kPairNumbers) * lanes_);
     }
 
-    /// The two kx of record i of group j.
+    /// The two kx of packet i of group j.
     std::pair<std::size_t, std::size_t> kx_of(int j, int i) const {
         const int kx = j + second_ * i;
         const int other = j == 0 ? second_ / 2 + second_ * i : size_ - kx;
@@ -162,7 +162,7 @@ class PackedModes::Packing {
                         static_cast<std::size_t>(lane_row.lane);
             to[kRateHigh * plane] = cascade.rate_high[at];
             to[kRateLow * plane] = cascade.rate_low[at];
-            to[kExcursion * plane] = cascade.excursion[at];
+            to[kDisplacement * plane] = cascade.displacement[at];
             // The bands share no mode: of the cascades that have this one, one has its energy.
             if (!alone && a == 0.0f && b == 0.0f) continue;
             to[kPRe * plane] = a.real() + b.real();
@@ -187,7 +187,7 @@ PackedModes::PackedModes(const SynthesisRequest& request, ThreadPool& pool, Simd
       wavenumber_step_(request.wavenumber_step()) {
     const int lanes = kernel_code(level).lanes;
     const Packing packing(request, lanes);
-    records_ = PageVector<float>(packing.lay_out(columns_ / lanes, groups_));
+    packets_ = PageVector<float>(packing.lay_out(columns_ / lanes, groups_));
     pack_all(packing, pool);
 }
 
@@ -213,7 +213,7 @@ void PackedModes::pack_all(const Packing& packing, ThreadPool& pool) {
         std::vector<float> dense = packing.dense_block();
         for (int block = first; block < last; ++block) {
             packing.pack(block, groups_.data() + static_cast<std::size_t>(block) * groups_per_block,
-                         dense, records_.data());
+                         dense, packets_.data());
         }
     });
 }

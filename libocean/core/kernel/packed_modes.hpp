@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The modes of a map as the records that pass one reads from beginning to end; the record itself
+// The modes of a map as the packets that pass one reads from beginning to end; the packet itself
 // is described in frame_task.hpp.
 #pragma once
 
@@ -27,7 +27,7 @@ class PackedModes {
     int columns() const { return columns_; }
     double rate_unit() const { return rate_unit_; }
     double wavenumber_step() const { return wavenumber_step_; }
-    const float* records() const { return records_.data(); }
+    const float* packets() const { return packets_.data(); }
     const ModeGroup* groups() const { return groups_.data(); }
 
   private:
@@ -40,7 +40,7 @@ class PackedModes {
     double rate_unit_;
     double wavenumber_step_;
     std::vector<ModeGroup> groups_;
-    PageVector<float> records_;
+    PageVector<float> packets_;
 };
 
 }  // namespace ocean

@@ -36,10 +36,10 @@ struct ModePhase {
     Vec cosine;
     Vec sine;
     Vec omega;
-    Vec excursion;
+    Vec displacement;
 };
 
-/// rates: rate_high, rate_low, excursion.
+/// rates: rate_high, rate_low, displacement.
 template <bool kRates>
 OCEAN_INLINE ModePhase phase_of(const PhaseClock& clock, Vec rate_unit, const float* rates) {
     const Vec high = load(rates);
@@ -57,12 +57,12 @@ OCEAN_INLINE void set_mode(ModeLines<A, kRates>& lines, int side, int i, const f
     const Complex h = {fma(q.re, phase.sine, p.re * phase.cosine),
                        fma(q.im, phase.sine, p.im * phase.cosine)};
     lines.h[side][i] = h;
-    lines.u[side][i] = {h.re * phase.excursion, h.im * phase.excursion};
+    lines.u[side][i] = {h.re * phase.displacement, h.im * phase.displacement};
     if constexpr (kRates) {
         const Complex rate = {phase.omega * fnma(p.re, phase.sine, q.re * phase.cosine),
                               phase.omega * fnma(p.im, phase.sine, q.im * phase.cosine)};
         lines.h_rate[side][i] = rate;
-        lines.u_rate[side][i] = {rate.re * phase.excursion, rate.im * phase.excursion};
+        lines.u_rate[side][i] = {rate.re * phase.displacement, rate.im * phase.displacement};
     }
 }
 
@@ -74,7 +74,7 @@ void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
     constexpr int kPrefetch = 1408;  // floats ahead: 5.6 kB [measured]
     const PhaseClock clock(task.tau);
     const Vec rate_unit(task.rate_unit);
-    const float* record = task.records + group.first_record;
+    const float* packet = task.packets + group.first_packet;
     for (int i = 0; i < A; ++i) {
         const int mirror = singles ? i : A - 1 - i;
         if ((group.present >> i & 1) == 0) {
@@ -82,19 +82,19 @@ void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
             lines.set_zero(1, mirror);
             continue;
         }
-        const float* rates = record + 2 * kAmplitude;
+        const float* rates = packet + 2 * kAmplitude;
         const ModePhase phase = phase_of<kRates>(clock, rate_unit, rates);
-        set_mode(lines, 0, i, record, phase);
+        set_mode(lines, 0, i, packet, phase);
         if (singles) {
             const ModePhase other = phase_of<kRates>(clock, rate_unit, rates + 3 * kLanes);
-            set_mode(lines, 1, i, record + kAmplitude, other);
-            record += kSinglesNumbers * kLanes;
+            set_mode(lines, 1, i, packet + kAmplitude, other);
+            packet += kSinglesNumbers * kLanes;
         } else {
             for (int ahead = 0; ahead < kPairNumbers * kLanes; ahead += 16) {
-                __builtin_prefetch(record + kPrefetch + ahead);
+                __builtin_prefetch(packet + kPrefetch + ahead);
             }
-            set_mode(lines, 1, mirror, record + kAmplitude, phase);
-            record += kPairNumbers * kLanes;
+            set_mode(lines, 1, mirror, packet + kAmplitude, phase);
+            packet += kPairNumbers * kLanes;
         }
     }
 }
@@ -162,23 +162,23 @@ void sweep_group(const FrameTask& task, int j, Vec ky, const ModeLines<A, kRates
     }
 }
 
-/// The records of the next block.
-using NextRecords = NextItem<(kLanes > 8 ? kLanes / 8 : 1)>;
+/// The packets of the next block.
+using NextPackets = NextItem<(kLanes > 8 ? kLanes / 8 : 1)>;
 
 template <int B>
-OCEAN_INLINE NextRecords next_records(const FrameTask& task, int block, const float* nowhere) {
+OCEAN_INLINE NextPackets next_packets(const FrameTask& task, int block, const float* nowhere) {
     if ((block + 1) * kLanes >= task.columns) return {nowhere, 0, nowhere};
-    const std::uint64_t here = task.groups[block * (B / 2)].first_record;
-    const std::uint64_t first = task.groups[(block + 1) * (B / 2)].first_record;
+    const std::uint64_t here = task.groups[block * (B / 2)].first_packet;
+    const std::uint64_t first = task.groups[(block + 1) * (B / 2)].first_packet;
     // As many again: neighbouring blocks differ little.
-    return {task.records + first, first - here, nowhere};
+    return {task.packets + first, first - here, nowhere};
 }
 
 /// Second sweep of one source, kLanes of its A transforms at a time, each block transposed and
 /// stored where pass two reads it.
 template <int A, int B, bool kStream>
 void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
-                         float* tile, const NextRecords& next) {
+                         float* tile, const NextPackets& next) {
     std::size_t place[kLanes];  // of each ky
     for (int l = 0; l < kLanes; ++l) {
         place[l] = Intermediate<A, B>::place(task, source, block * kLanes + l);
@@ -195,7 +195,7 @@ void sweep_and_transpose(const FrameTask& task, int block, int source, const flo
             const float* ahead = next.share(source * A + group * kLanes + k, B);
             Codelet<B>::run(
                 [=](int j) OCEAN_INLINE_LAMBDA {
-                    NextRecords::ask(ahead, j);
+                    NextPackets::ask(ahead, j);
                     return load_complex(in + j * Sweep<A, B>::kLine);
                 },
                 [=](int m, Complex x)
@@ -213,7 +213,7 @@ void pass_one(const FrameTask& task, int block, float* scratch) {
         read_modes(task, task.groups[block * (B / 2) + j], j == 0, lines);
         sweep_group<A, B>(task, j, ky, lines, scratch);
     }
-    const NextRecords next = next_records<B>(task, block, scratch);
+    const NextPackets next = next_packets<B>(task, block, scratch);
     float* tile = scratch + task.source_count * B * Sweep<A, B>::kLine;
     for (int s = 0; s < task.source_count; ++s) {
         const float* swept = scratch + s * B * Sweep<A, B>::kLine;

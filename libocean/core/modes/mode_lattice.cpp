@@ -237,7 +237,7 @@ Modes ModeLattice::still_modes(ThreadPool& pool) const {
                 if (i == 0) still.rate_high.resize(size);
                 if (i == 1) still.rate_low.resize(size);
                 if (i == 2) still.h0.resize(size);
-                if (i == 3) still.excursion.resize(size);
+                if (i == 3) still.displacement.resize(size);
             }
         });
         still.shell_covariance.resize(static_cast<std::size_t>(half));
@@ -260,7 +260,7 @@ void ModeLattice::set_rates(const Cascade& cascade, int m, CascadeModes& modes) 
         const double rate = loop > 0.0 ? turns_per_loop(omega, loop) : omega / kTwoPi;
         const auto high = static_cast<float>(rate);
         const auto low = static_cast<float>(rate - static_cast<double>(high));
-        const auto excursion = static_cast<float>(wave.horizontal_excursion / k);
+        const auto displacement = static_cast<float>(wave.horizontal_displacement / k);
         const auto width = static_cast<std::size_t>(size);
         for (const int ky : {m, -m}) {
             for (const int kx : {n, -n}) {
@@ -268,7 +268,7 @@ void ModeLattice::set_rates(const Cascade& cascade, int m, CascadeModes& modes) 
                                        static_cast<std::size_t>(fft_index(kx, size));
                 modes.rate_high[at] = high;
                 modes.rate_low[at] = low;
-                modes.excursion[at] = excursion;
+                modes.displacement[at] = displacement;
             }
         }
     }
@@ -351,7 +351,8 @@ void ModeLattice::set_row(const Cascade& cascade, const QuadrantSampler& sampler
     write(m, v[0], v[1]);
     if (m > 0) write(-m, v[3], v[2]);
     const auto at = static_cast<std::size_t>(m) * static_cast<std::size_t>(size);
-    sums.add(cascade.lattice, m, row.end, work.variances, std::span(modes.excursion).subspan(at));
+    sums.add(cascade.lattice, m, row.end, work.variances,
+             std::span(modes.displacement).subspan(at));
 }
 
 }  // namespace ocean

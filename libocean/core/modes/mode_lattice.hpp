@@ -73,7 +73,7 @@ class ModeLattice {
     /// Whether it holds all that it can.
     bool is_kept() const { return kept_ || parameters_.grid.resolution > kLargestKept; }
 
-    /// Rates and excursions; no waves.
+    /// Rates and displacements; no waves.
     Modes still_modes(ThreadPool& pool) const;
     /// The waves of `modes`, which are of this lattice, whatever they were. The bits are the same
     /// for any number of threads and whether anything is kept or not.

@@ -22,15 +22,15 @@ class ShellSums {
         measured_ = 0.0;
     }
 
-    /// The modes (+-n, m) and (+-n, -m), n < end, with their excursions [m].
+    /// The modes (+-n, m) and (+-n, -m), n < end, with their displacements [m].
     void add(const Lattice& lattice, int m, int end, const QuadrantVariances& variances,
-             std::span<const float> excursion) {
+             std::span<const float> displacement) {
         const auto& v = variances.quarter;
         const double step = lattice.wavenumber_step();
         const double ky = step * m;
         const auto add_modes = [&](std::size_t n, GradientCovariance& sum) {
             const double kx = step * static_cast<double>(n);
-            const double square = static_cast<double>(excursion[n]) * excursion[n];
+            const double square = static_cast<double>(displacement[n]) * displacement[n];
             const double all = square * (v[0][n] + v[1][n] + v[2][n] + v[3][n]);
             const double skew = square * (v[0][n] - v[1][n] + v[2][n] - v[3][n]) * kx * ky;
             sum.aa += all * (kx * kx) * (kx * kx);

@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/parameter_table.hpp"
+#include "ocean/json.hpp"
 
 namespace ocean {
 
@@ -108,34 +108,20 @@ Rgb WaterType::water_leaving_albedo() const {
 }
 
 std::string water_types_json() {
-    std::string result = "[\n";
+    const auto number = [](double value) { return Json(value, plain_text); };
+    const auto rgb = [&](const Rgb& value) {
+        return JsonArray().add(number(value[0])).add(number(value[1])).add(number(value[2]));
+    };
+    JsonArray table(JsonLines{2});
     for (const WaterType& type : kTypes) {
-        if (result.size() > 2) result += ",\n";
-        const auto text = [&result](std::string_view key, std::string_view value) {
-            result += "\"" + std::string(key) + "\": \"" + std::string(value) + "\", ";
-        };
-        const auto number = [&result](std::string_view key, double value) {
-            result += "\"" + std::string(key) + "\": " + to_text(ParameterValue{value}) + ", ";
-        };
-        const auto rgb = [&result](std::string_view key, const Rgb& value) {
-            result += "\"" + std::string(key) + "\": [";
-            for (const double channel : value) {
-                result += (result.back() == '[' ? "" : ", ") + to_text(ParameterValue{channel});
-            }
-            result += "], ";
-        };
-        result += "  {";
-        text("name", type.name);
-        text("label", type.label);
-        text("help", type.help);
-        rgb("absorption", type.absorption);
-        rgb("scattering", type.scattering);
-        rgb("albedo", type.water_leaving_albedo());
-        number("ior", kWaterIor);
-        number("anisotropy", kScatteringAnisotropy);
-        result += "\"foam_albedo\": " + to_text(ParameterValue{kFoamAlbedo}) + "}";
+        JsonObject row;
+        row.add("name", type.name).add("label", type.label).add("help", type.help);
+        row.add("absorption", rgb(type.absorption)).add("scattering", rgb(type.scattering));
+        row.add("albedo", rgb(type.water_leaving_albedo()));
+        row.add("ior", number(kWaterIor)).add("anisotropy", number(kScatteringAnisotropy));
+        table.add(row.add("foam_albedo", number(kFoamAlbedo)));
     }
-    return result + "\n]\n";
+    return table.text() + "\n";
 }
 
 }  // namespace ocean

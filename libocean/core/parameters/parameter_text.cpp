@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
+#include "ocean/json.hpp"
 #include "ocean/nearest_name.hpp"
 
 namespace ocean {
@@ -32,39 +33,17 @@ namespace {
     throw Error(ErrorKind::invalid_value, message);
 }
 
-/// Shortest digits that read back to the same bits; 300000 rather than 3e+05.
-std::string number_text(double value) {
-    char buffer[32];
-    const double size = std::abs(value);
-    const bool plain = value == 0.0 || (size >= 1e-5 && size < 1e15);
-    const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
-    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value, format);
-    return {buffer, end.ptr};
-}
-
-std::string escaped_json(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result;
-}
-
-/// JSON has no infinity: such a bound is null.
-std::string json_number(double value) {
-    return std::isfinite(value) ? number_text(value) : "null";
-}
-
-std::string json_value(const ParameterInfo& info, const ParameterValue& value) {
+/// A float that is not set is null; an infinite one a word, as the sea file writes it.
+Json json_value(const ParameterInfo& info, const ParameterValue& value) {
     if (const auto* text = std::get_if<std::string>(&value)) {
         const bool unset = text->empty() && info.type() == "float";
-        return unset ? "null" : "\"" + escaped_json(*text) + "\"";
+        return unset ? Json(nullptr) : Json(*text);
     }
     if (const auto* number = std::get_if<double>(&value)) {
-        return std::isfinite(*number) ? number_text(*number) : "\"" + number_text(*number) + "\"";
+        return std::isfinite(*number) ? Json(*number, plain_text) : Json(plain_text(*number));
     }
-    return to_text(value);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+    return json_array(std::get<std::vector<std::int64_t>>(value));
 }
 
 std::string joined(std::span<const std::string_view> words) {
@@ -140,7 +119,7 @@ ParameterValue parse_value(const ParameterRef& ref, std::string_view text) {
 }
 
 std::string to_text(const ParameterValue& value) {
-    if (const auto* real = std::get_if<double>(&value)) return number_text(*real);
+    if (const auto* real = std::get_if<double>(&value)) return plain_text(*real);
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     std::string result = "[";
@@ -161,7 +140,7 @@ std::string allowed_values(const ParameterInfo& info) {
     if (!info.choices().empty()) {
         return "one of " + joined(info.choices());
     }
-    std::string range = number_text(info.min) + " .. " + number_text(info.max);
+    std::string range = plain_text(info.min) + " .. " + plain_text(info.max);
     if (!info.unit.empty() && info.unit != "samples") range += " " + std::string(info.unit);
     if (info.key == "resolution") return "a power of two, " + range;
     if (info.key == "alignment") return "an even number, " + range;
@@ -186,54 +165,26 @@ std::string parameters_markdown() {
     return result;
 }
 
-namespace {
-
-std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
-    std::vector<std::string_view> parts;
-    while (true) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + separator.size());
-    }
-}
-
-}  // namespace
-
 std::string parameters_json() {
     const Parameters defaults;
-    std::string result = "[\n";
+    JsonArray table(JsonLines{2});
     for (const ParameterInfo& info : parameter_table()) {
-        if (result.size() > 2) result += ",\n";
-        const auto text = [&result](std::string_view key, std::string_view value) {
-            result += "\"" + std::string(key) + "\": \"" + escaped_json(value) + "\", ";
-        };
-        result += "  {";
-        text("section", info.section);
-        text("key", info.key);
-        text("type", info.type());
-        text("unit", info.unit);
-        text("label", info.label);
-        text("help", info.help);
-        text("class", class_name(info.change));
-        text("allowed", allowed_values(info));
+        JsonObject row;
+        row.add("section", info.section).add("key", info.key).add("type", info.type());
+        row.add("unit", info.unit).add("label", info.label).add("help", info.help);
+        row.add("class", class_name(info.change)).add("allowed", allowed_values(info));
         if (is_number(info)) {
-            result += "\"min\": " + json_number(info.min) + ", \"max\": " + json_number(info.max) +
-                      ", \"soft_min\": " + json_number(info.soft_min) +
-                      ", \"soft_max\": " + json_number(info.soft_max) + ", ";
+            // JSON has no infinity: such a bound is null.
+            row.add("min", json_number_or_null(info.min, plain_text));
+            row.add("max", json_number_or_null(info.max, plain_text));
+            row.add("soft_min", json_number_or_null(info.soft_min, plain_text));
+            row.add("soft_max", json_number_or_null(info.soft_max, plain_text));
         }
-        const auto words = [&result](std::string_view key, const auto& list) {
-            result += "\"" + std::string(key) + "\": [";
-            for (const std::string_view word : list) {
-                result += (result.back() == '[' ? "\"" : ", \"") + std::string(word) + "\"";
-            }
-            result += "], ";
-        };
-        if (!info.choices().empty()) words("choices", info.choices());
-        if (!info.used_by.empty()) words("used_by", split(info.used_by, ", "));
-        result += "\"default\": " + json_value(info, value_of(defaults, {&info, 0})) + "}";
+        if (!info.choices().empty()) row.add("choices", json_array(info.choices()));
+        if (!info.used_by.empty()) row.add("used_by", json_array(split(info.used_by, ", ")));
+        table.add(row.add("default", json_value(info, value_of(defaults, {&info, 0}))));
     }
-    return result + "\n]\n";
+    return table.text() + "\n";
 }
 
 }  // namespace ocean

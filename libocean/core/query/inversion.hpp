@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Which label is shown at a place: solves a - C D(a) = x for the label a, where C is the choppiness
-// and D the horizontal excursion. One solution where the surface is not folded. Where it is, three
-// or more: by the sign of their Jacobians they add up to one, so that one of them has J < 0.
+// and D the horizontal displacement. One solution where the surface is not folded. Where it is,
+// three or more: by the sign of their Jacobians they add up to one, so that one of them has J < 0.
 //
-// A source is anything that gives, at a label (x, y), an ExcursionSample or more.
+// A source is anything that gives, at a label (x, y), a DisplacementSample or more.
 #pragma once
 
 #include <algorithm>
@@ -49,12 +49,12 @@ ShownLabel find_label(const Source& source, const InversionTarget& target, doubl
     const double c = target.choppiness;
     ShownLabel label{start_x, start_y, 1.0, false};
     for (int step = 1;; ++step) {
-        const auto excursion = source(label.x, label.y);
-        const double fx = label.x - c * excursion.excursion_x - target.x;
-        const double fy = label.y - c * excursion.excursion_y - target.y;
-        const double xx = 1.0 - c * excursion.gradient_xx;
-        const double yy = 1.0 - c * excursion.gradient_yy;
-        const double xy = c * excursion.gradient_xy;
+        const auto displacement = source(label.x, label.y);
+        const double fx = label.x - c * displacement.displacement_x - target.x;
+        const double fy = label.y - c * displacement.displacement_y - target.y;
+        const double xx = 1.0 - c * displacement.gradient_xx;
+        const double yy = 1.0 - c * displacement.gradient_yy;
+        const double xy = c * displacement.gradient_xy;
         label.jacobian = xx * yy - xy * xy;
         label.converged = fx * fx + fy * fy <= target.tolerance * target.tolerance;
         if (label.converged || step == kSteps) return label;

@@ -32,18 +32,18 @@ struct Solution {
     double height() const { return static_cast<double>(jet.value[2]); }
 };
 
-ExcursionSample excursion_of(const SplineJet& jet) {
+DisplacementSample displacement_of(const SplineJet& jet) {
     return {-static_cast<double>(jet.value[0]), -static_cast<double>(jet.value[1]),
             -static_cast<double>(jet.by_x[0]), -static_cast<double>(jet.by_y[1]),
             -0.5 * (static_cast<double>(jet.by_y[0]) + static_cast<double>(jet.by_x[1]))};
 }
 
 /// The normal of the side seen from above: on a fold's upper sheet the label's own points down.
-void set_normal(QuerySample& sample, double choppiness, const ExcursionSample& excursion,
+void set_normal(QuerySample& sample, double choppiness, const DisplacementSample& displacement,
                 double slope_x, double slope_y) {
-    const auto n = wave::double_precision::surface_normal(choppiness, excursion.gradient_xx,
-                                                          excursion.gradient_yy,
-                                                          excursion.gradient_xy, slope_x, slope_y);
+    const auto n = wave::double_precision::surface_normal(
+        choppiness, displacement.gradient_xx, displacement.gradient_yy, displacement.gradient_xy,
+        slope_x, slope_y);
     const double up = n.z < 0.0 ? -1.0 : 1.0;
     const double normal[3] = {up * n.x, up * n.y, up * n.z};
     const bool cusp = !std::isfinite(normal[0] + normal[1] + normal[2]);
@@ -87,7 +87,7 @@ Solution SurfaceQuery::State::solve(const InversionTarget& target, WorldPoint st
     SplineJet jet;
     const auto look = [&](double x, double y) {
         jet = position.jet(x, y);
-        return excursion_of(jet);
+        return displacement_of(jet);
     };
     const ShownLabel label = find_label(look, target, start.x, start.y);
     return {label, jet};  // find_label returns the label that it looked at last
@@ -150,7 +150,7 @@ QuerySample SurfaceQuery::State::sample(WorldPoint point, Starts& starts) const 
 void SurfaceQuery::State::fill(QuerySample& sample, const Solution& solution) const {
     const ShownLabel& label = solution.label;
     sample.height = solution.height();
-    set_normal(sample, choppiness, excursion_of(solution.jet),
+    set_normal(sample, choppiness, displacement_of(solution.jet),
                static_cast<double>(solution.jet.by_x[2]),
                static_cast<double>(solution.jet.by_y[2]));
     const SplineValue rate = velocity.value(label.x, label.y);
@@ -167,17 +167,17 @@ void SurfaceQuery::State::fill_exactly(QuerySample& sample, WorldPoint place,
     constexpr double kDoubleTolerance = 1e-12;  // of the reach
     InversionTarget exactly = target(place);
     exactly.tolerance = kDoubleTolerance * exactly.reach;
-    const auto look = [this](double x, double y) { return exact->excursion_at(x, y); };
+    const auto look = [this](double x, double y) { return exact->displacement_at(x, y); };
     const ShownLabel polished = find_label(look, exactly, label.x, label.y);
     if (polished.converged) label = polished;
     const LinearSample linear = exact->at_label(label.x, label.y);
     sample.height = linear.height;
     set_normal(sample, choppiness,
-               {linear.excursion_x, linear.excursion_y, linear.gradient_xx, linear.gradient_yy,
-                linear.gradient_xy},
+               {linear.displacement_x, linear.displacement_y, linear.gradient_xx,
+                linear.gradient_yy, linear.gradient_xy},
                linear.slope_x, linear.slope_y);
-    sample.velocity[0] = -choppiness * linear.excursion_x_rate;
-    sample.velocity[1] = -choppiness * linear.excursion_y_rate;
+    sample.velocity[0] = -choppiness * linear.displacement_x_rate;
+    sample.velocity[1] = -choppiness * linear.displacement_y_rate;
     sample.velocity[2] = linear.height_rate;
     sample.label[0] = label.x;
     sample.label[1] = label.y;

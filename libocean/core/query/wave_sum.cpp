@@ -108,8 +108,8 @@ struct WaveSum::Fixed {
     std::vector<Run> runs;
     std::vector<float> h0_re, h0_im, mirror_re, mirror_im;  // m
     std::vector<double> rate;                               // turns per unit of tau
-    std::vector<float> excursion;                           // coth(kd) / k, m
-    double excursion_rms = 0.0;                             // m
+    std::vector<float> displacement;                        // coth(kd) / k, m
+    double displacement_rms = 0.0;                          // m
 
     std::size_t size() const { return rate.size(); }
 
@@ -153,15 +153,15 @@ struct WaveSum::Fixed {
         mirror_re.push_back(pair.mirror.real());
         mirror_im.push_back(pair.mirror.imag());
         rate.push_back(static_cast<double>(cascade.rate_high[pair.at]) + cascade.rate_low[pair.at]);
-        excursion.push_back(cascade.excursion[pair.at]);
+        displacement.push_back(cascade.displacement[pair.at]);
     }
 
-    double mean_square_excursion() const {
+    double mean_square_displacement() const {
         double sum = 0.0;
         for (const Run& run : runs) {
             for (std::size_t i = run.begin; i < run.end; ++i) {
                 const double factor = std::hypot(kx[run.column + i - run.begin], ky[run.row]) *
-                                      static_cast<double>(excursion[i]);
+                                      static_cast<double>(displacement[i]);
                 const std::complex<double> h0(h0_re[i], h0_im[i]);
                 const std::complex<double> mirror(mirror_re[i], mirror_im[i]);
                 sum += 2.0 * (std::norm(h0) + std::norm(mirror)) * factor * factor;
@@ -195,7 +195,7 @@ WaveSum::WaveSum(const Modes& modes, const Water& water, int resolution) {
     fixed->clock.loop_period = modes.loop_period;
     const double limit = resolution > 0 ? 0.5 * resolution : std::numeric_limits<double>::max();
     for (const CascadeModes& cascade : modes.cascades) fixed->add_cascade(cascade, limit);
-    fixed->excursion_rms = std::sqrt(fixed->mean_square_excursion());
+    fixed->displacement_rms = std::sqrt(fixed->mean_square_displacement());
     for (std::vector<double>* values : {&re_, &im_, &rate_re_, &rate_im_}) {
         values->resize(fixed->size());
     }
@@ -276,19 +276,19 @@ LinearSample WaveSum::at_label(double x, double y) const {
     enum { h, h_x, d, d_x, d_xx, rate, d_rate, d_rate_x, count };
     const auto term = [this](auto& sums, std::size_t l, std::size_t at, double kx, double c,
                              double s) {
-        const double excursion = fixed_->excursion[at];
+        const double displacement = fixed_->displacement[at];
         const double re = re_[at] * c - im_[at] * s;
         const double im = re_[at] * s + im_[at] * c;
         const double v_re = rate_re_[at] * c - rate_im_[at] * s;
         const double v_im = rate_re_[at] * s + rate_im_[at] * c;
         sums[h].add(l, 1.0, re, im);
         sums[h_x].add(l, kx, re, im);
-        sums[d].add(l, excursion, re, im);
-        sums[d_x].add(l, kx * excursion, re, im);
-        sums[d_xx].add(l, kx * kx * excursion, re, im);
+        sums[d].add(l, displacement, re, im);
+        sums[d_x].add(l, kx * displacement, re, im);
+        sums[d_xx].add(l, kx * kx * displacement, re, im);
         sums[rate].add(l, 1.0, v_re, v_im);
-        sums[d_rate].add(l, excursion, v_re, v_im);
-        sums[d_rate_x].add(l, kx * excursion, v_re, v_im);
+        sums[d_rate].add(l, displacement, v_re, v_im);
+        sums[d_rate_x].add(l, kx * displacement, v_re, v_im);
     };
     const auto row = [&sample](const auto& sums, double ky, Turn turn) {
         const std::complex<double> height = sums[h].turned(turn);
@@ -297,36 +297,36 @@ LinearSample WaveSum::at_label(double x, double y) const {
         sample.height += height.real();
         sample.slope_x -= sums[h_x].turned(turn).imag();
         sample.slope_y -= ky * height.imag();
-        sample.excursion_x += along_x.imag();
-        sample.excursion_y += ky * along_y.imag();
+        sample.displacement_x += along_x.imag();
+        sample.displacement_y += ky * along_y.imag();
         sample.gradient_xx += sums[d_xx].turned(turn).real();
         sample.gradient_yy += ky * ky * along_y.real();
         sample.gradient_xy += ky * along_x.real();
         sample.height_rate += sums[rate].turned(turn).real();
-        sample.excursion_x_rate += sums[d_rate_x].turned(turn).imag();
-        sample.excursion_y_rate += ky * sums[d_rate].turned(turn).imag();
+        sample.displacement_x_rate += sums[d_rate_x].turned(turn).imag();
+        sample.displacement_y_rate += ky * sums[d_rate].turned(turn).imag();
     };
     sweep<count>(x, y, term, row);
     return sample;
 }
 
-ExcursionSample WaveSum::excursion_at(double x, double y) const {
-    ExcursionSample sample{};
+DisplacementSample WaveSum::displacement_at(double x, double y) const {
+    DisplacementSample sample{};
     enum { d, d_x, d_xx, count };
     const auto term = [this](auto& sums, std::size_t l, std::size_t at, double kx, double c,
                              double s) {
-        const double excursion = fixed_->excursion[at];
+        const double displacement = fixed_->displacement[at];
         const double re = re_[at] * c - im_[at] * s;
         const double im = re_[at] * s + im_[at] * c;
-        sums[d].add(l, excursion, re, im);
-        sums[d_x].add(l, kx * excursion, re, im);
-        sums[d_xx].add(l, kx * kx * excursion, re, im);
+        sums[d].add(l, displacement, re, im);
+        sums[d_x].add(l, kx * displacement, re, im);
+        sums[d_xx].add(l, kx * kx * displacement, re, im);
     };
     const auto row = [&sample](const auto& sums, double ky, Turn turn) {
         const std::complex<double> along_y = sums[d].turned(turn);
         const std::complex<double> along_x = sums[d_x].turned(turn);
-        sample.excursion_x += along_x.imag();
-        sample.excursion_y += ky * along_y.imag();
+        sample.displacement_x += along_x.imag();
+        sample.displacement_y += ky * along_y.imag();
         sample.gradient_xx += sums[d_xx].turned(turn).real();
         sample.gradient_yy += ky * ky * along_y.real();
         sample.gradient_xy += ky * along_x.real();
@@ -335,8 +335,8 @@ ExcursionSample WaveSum::excursion_at(double x, double y) const {
     return sample;
 }
 
-double WaveSum::excursion_rms() const {
-    return fixed_->excursion_rms;
+double WaveSum::displacement_rms() const {
+    return fixed_->displacement_rms;
 }
 
 WaterLevel WaveSum::water_level(double z) const {

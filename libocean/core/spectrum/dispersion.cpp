@@ -25,8 +25,8 @@ double Dispersion::group_velocity(double k) const {
     return formula::group_velocity(k, gravity_, tension_, depth_);
 }
 
-double Dispersion::horizontal_excursion(double k) const {
-    return formula::horizontal_excursion(k, depth_);
+double Dispersion::horizontal_displacement(double k) const {
+    return formula::horizontal_displacement(k, depth_);
 }
 
 DispersionPoint Dispersion::at(double k) const {
@@ -39,7 +39,7 @@ DispersionPoint Dispersion::at(double k) const {
     point.group_velocity = ((gravity_ + 3.0 * tension) * tangent +
                             kd * (gravity_ + tension) * (1.0 - tangent * tangent)) /
                            (2.0 * point.angular_frequency);
-    point.horizontal_excursion = 1.0 / tangent;
+    point.horizontal_displacement = 1.0 / tangent;
     return point;
 }
 

@@ -121,9 +121,9 @@ bool is_made_of(ChannelSet channels, Linear field, bool flat) {
     switch (field) {
         case Linear::height:
             return channels.contains(Channel::height);
-        case Linear::excursion_x:
+        case Linear::displacement_x:
             return channels.contains(Channel::dx);
-        case Linear::excursion_y:
+        case Linear::displacement_y:
             return channels.contains(Channel::dy);
         case Linear::slope_x:
             return channels.intersects(kNormal | ChannelSet{Channel::slope_x});
@@ -135,9 +135,9 @@ bool is_made_of(ChannelSet channels, Linear field, bool flat) {
             return !flat && channels.intersects(kNeedsGradients);
         case Linear::height_rate:
             return channels.contains(Channel::vz);
-        case Linear::excursion_x_rate:
+        case Linear::displacement_x_rate:
             return channels.contains(Channel::vx);
-        case Linear::excursion_y_rate:
+        case Linear::displacement_y_rate:
             return channels.contains(Channel::vy);
     }
     return false;
@@ -189,13 +189,13 @@ class Combination {
 
     void run() {
         copy(Channel::height, Linear::height, 1);
-        copy(Channel::dx, Linear::excursion_x, -choppiness_);
-        copy(Channel::dy, Linear::excursion_y, -choppiness_);
+        copy(Channel::dx, Linear::displacement_x, -choppiness_);
+        copy(Channel::dy, Linear::displacement_y, -choppiness_);
         copy(Channel::slope_x, Linear::slope_x, 1);
         copy(Channel::slope_y, Linear::slope_y, 1);
         copy(Channel::vz, Linear::height_rate, 1);
-        copy(Channel::vx, Linear::excursion_x_rate, -choppiness_);
-        copy(Channel::vy, Linear::excursion_y_rate, -choppiness_);
+        copy(Channel::vx, Linear::displacement_x_rate, -choppiness_);
+        copy(Channel::vy, Linear::displacement_y_rate, -choppiness_);
         if (surface_.has(Channel::jacobian)) {
             from_jacobian(Channel::jacobian, [](Real jacobian) { return jacobian; });
         }

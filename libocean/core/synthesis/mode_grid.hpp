@@ -31,15 +31,15 @@ inline wave::double_precision::ModeState state_of_mode(const CascadeModes& casca
                                               turns, rate * kTwoPi * rate_unit);
 }
 
-/// Coefficient of exp(i k x) of a field; kx, ky in rad/m, excursion in m.
+/// Coefficient of exp(i k x) of a field; kx, ky in rad/m, displacement in m.
 inline std::complex<double> linear_coefficient(Linear field,
                                                const wave::double_precision::ModeState& state,
-                                               double kx, double ky, double excursion) {
+                                               double kx, double ky, double displacement) {
     const LinearShape shape = linear_shape(field);
     double factor = shape.sign;
     for (int i = 0; i < shape.x_power; ++i) factor *= kx;
     for (int i = 0; i < shape.y_power; ++i) factor *= ky;
-    if (shape.excursion) factor *= excursion;
+    if (shape.displacement) factor *= displacement;
     const double re = shape.rate ? state.rate_re : state.re;
     const double im = shape.rate ? state.rate_im : state.im;
     return shape.odd ? std::complex<double>(-factor * im, factor * re)
@@ -65,7 +65,7 @@ std::vector<std::complex<Real>> coefficient_grid(const SynthesisRequest& request
                 const auto state = state_of_mode(cascade, request.tau, request.rate_unit, n, m);
                 const std::complex<double> value =
                     linear_coefficient(field, state, step * n, step * m,
-                                       cascade.excursion[at(n, m, cascade.lattice.resolution)]);
+                                       cascade.displacement[at(n, m, cascade.lattice.resolution)]);
                 // The bands share no mode: all but one of the cascades add zero.
                 grid[at(n * stride, m * stride, size)] += std::complex<Real>(
                     static_cast<Real>(value.real()), static_cast<Real>(value.imag()));

@@ -12,7 +12,7 @@ namespace ocean {
 struct DispersionPoint {
     double angular_frequency = 0.0;
     double group_velocity = 0.0;
-    double horizontal_excursion = 0.0;
+    double horizontal_displacement = 0.0;
 };
 
 /// omega^2 = (g k + s k^3) tanh(k d). Formulas and sources: shaders/wave/dispersion.glsl.
@@ -24,8 +24,8 @@ class Dispersion {
     double group_velocity(double k) const;
     /// The k of a given omega: Newton's method, converged to 1e-14 relative.
     double wavenumber(double omega) const;
-    /// coth(k d): sideways over upright excursion at the surface.
-    double horizontal_excursion(double k) const;
+    /// coth(k d): sideways over upright displacement at the surface.
+    double horizontal_displacement(double k) const;
     /// All three for the price of one, to rounding.
     DispersionPoint at(double k) const;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Modes: the sea as a sum of waves, before any time. From the directional spectrum and the seed to
-// h0, the phase rate and the excursion of each mode.
+// h0, the phase rate and the displacement of each mode.
 #pragma once
 
 #include <complex>
@@ -17,7 +17,7 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Covariance of the gradients a = dDx/dx, b = dDy/dy, c = dDx/dy of the horizontal excursion,
+/// Covariance of the gradients a = dDx/dx, b = dDy/dy, c = dDx/dy of the horizontal displacement,
 /// which are jointly Gaussian: sums over modes of V f_i f_j with f = (kx^2, ky^2, kx ky) coth(kd) /
 /// k and V the variance of the mode.
 struct GradientCovariance {
@@ -40,7 +40,7 @@ struct CascadeModes {
     std::vector<std::complex<float>> h0;  // m
     std::vector<float> rate_high;         // omega / 2 pi, Hz; with a loop: whole turns per loop
     std::vector<float> rate_low;          // what float leaves of it
-    std::vector<float> excursion;  // coth(k d) / k, m: horizontal excursion is -i kvec * this * h
+    std::vector<float> displacement;      // coth(k d) / k, m: that of h is -i kvec * this * h
     /// [s]: of the modes with max(|n|, |m|) = s.
     std::vector<GradientCovariance> shell_covariance;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ocean/memory.hpp"
 #include "ocean/modes.hpp"
 
 namespace ocean {
@@ -74,12 +75,5 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
 void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState& state);
 /// The object of `ocean info --json`.
 std::string sea_state_json(const SeaState& state);
-
-/// Bytes for the modes, and for a surface of `channels` maps, work space included.
-std::uint64_t modes_bytes(const Grid& grid);
-std::uint64_t surface_bytes(int resolution, int channels);
-/// Throws Error out_of_memory, before anything is allocated, when `bytes` is more than there is.
-void require_memory(std::uint64_t bytes, const std::string& what,
-                    const std::string& advice = "choose a smaller resolution");
 
 }  // namespace ocean

@@ -90,19 +90,19 @@ enum class Backend { cpu, gl, radix2, dft };
 Backend find_backend(std::string_view name);
 std::string_view backend_name(Backend backend);
 
-/// Fields that are sums over the modes. D is the horizontal excursion, rates are per second.
+/// Fields that are sums over the modes. D is the horizontal displacement, rates are per second.
 enum class Linear : int {
     height,
-    excursion_x,
-    excursion_y,
+    displacement_x,
+    displacement_y,
     slope_x,
     slope_y,
     gradient_xx,  // dDx/dx
     gradient_yy,
     gradient_xy,
     height_rate,
-    excursion_x_rate,
-    excursion_y_rate,
+    displacement_x_rate,
+    displacement_y_rate,
 };
 inline constexpr int kLinearCount = 11;
 
@@ -156,7 +156,7 @@ LinearPlanes<float> make_cascade_planes(const Modes& modes, std::size_t cascade,
                                         std::span<const Linear> fields, Backend backend,
                                         ThreadPool& pool, int resolution = 0);
 /// Whether any of the channels is made of that linear field. `flat`: the choppiness is 0, so that
-/// no channel needs the gradients of the excursion.
+/// no channel needs the gradients of the displacement.
 bool is_made_of(ChannelSet channels, Linear field, bool flat = false);
 /// The linear fields that the channels are made of.
 std::vector<Linear> linear_fields(ChannelSet channels);

@@ -15,20 +15,20 @@
 namespace ocean {
 
 /// The linear fields of one label, as a map holds them at its samples. D is the horizontal
-/// excursion: the point is shown at (x - C Dx, y - C Dy, height), C = choppiness.
+/// displacement: the point is shown at (x - C Dx, y - C Dy, height), C = choppiness.
 struct LinearSample {
-    double height;                                 // m
-    double excursion_x, excursion_y;               // m
-    double slope_x, slope_y;                       // dh/dx, dh/dy
-    double gradient_xx, gradient_yy, gradient_xy;  // dDx/dx, dDy/dy, dDx/dy
-    double height_rate;                            // m/s
-    double excursion_x_rate, excursion_y_rate;     // m/s
+    double height;                                    // m
+    double displacement_x, displacement_y;            // m
+    double slope_x, slope_y;                          // dh/dx, dh/dy
+    double gradient_xx, gradient_yy, gradient_xy;     // dDx/dx, dDy/dy, dDx/dy
+    double height_rate;                               // m/s
+    double displacement_x_rate, displacement_y_rate;  // m/s
 };
 
 /// Where a label is shown, all that inverting the displacement needs: half the work of a
 /// LinearSample.
-struct ExcursionSample {
-    double excursion_x, excursion_y;               // m
+struct DisplacementSample {
+    double displacement_x, displacement_y;         // m
     double gradient_xx, gradient_yy, gradient_xy;  // dDx/dx, dDy/dy, dDx/dy
 };
 
@@ -70,10 +70,10 @@ class WaveSum {
 
     /// At the label (x, y), m.
     LinearSample at_label(double x, double y) const;
-    ExcursionSample excursion_at(double x, double y) const;
+    DisplacementSample displacement_at(double x, double y) const;
 
     /// rms of |D| over all labels and times, m.
-    double excursion_rms() const;
+    double displacement_rms() const;
 
     /// At the fixed point (x, y, z), z up from still water. Decays as cosh k(z + d) / sinh kd;
     /// above z = 0 as at z = 0, below the bottom nothing.

@@ -11,7 +11,8 @@
 #include <iterator>
 
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/io/exr.hpp"
 #include "ocean/platform.hpp"
 
 namespace ocean::io {
@@ -149,17 +150,18 @@ std::vector<ExrChannel> read_channels(HeaderReader list) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> read_exr_header(const std::string& path) {
-    std::vector<std::pair<std::string, std::string>> strings;
+std::vector<HeaderString> read_exr_header(const std::string& path) {
+    std::vector<HeaderString> strings;
     for (Attribute& attribute : read_attributes(path)) {
         if (attribute.type != "string" || !attribute.name.starts_with("ocean:")) continue;
-        strings.emplace_back(std::move(attribute.name), std::move(attribute.value));
+        strings.push_back({std::move(attribute.name), std::move(attribute.value)});
     }
     if (strings.empty()) {
         HeaderReader(path, "").fail(
             "it has no 'ocean:' strings, so it was not written by libocean");
     }
-    std::sort(strings.begin(), strings.end());
+    std::sort(strings.begin(), strings.end(),
+              [](const HeaderString& a, const HeaderString& b) { return a.name < b.name; });
     return strings;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Headers and threads; see exr_library.hpp. A header is a function of the sea, the frame and the
-// options alone: whoever wants to know whether a file is still the one that a bake would write
-// compares the headers. Nothing in it depends on the run: no dates, no host, no thread count.
+// Headers and threads; see exr_library.hpp. A header is a function of the image and the compression
+// alone. Nothing in it depends on the run: no dates, no host, no thread count.
 #include "exr_library.hpp"
 
 #include <ImfChannelList.h>
@@ -12,11 +11,10 @@
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 
-#include <charconv>
+#include <algorithm>
 #include <mutex>
 
 #include "ocean/platform.hpp"
-#include "ocean/version.hpp"
 
 namespace ocean::io {
 namespace {
@@ -32,12 +30,6 @@ class StringStream : public Imf::OStream {
 
     std::string text;
 };
-
-std::string shortest_text(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
 
 Imf::Compression imf_compression(ExrCompression compression) {
     switch (compression) {
@@ -63,45 +55,43 @@ int threads_in_use = 0;
 }  // namespace
 
 // No chromaticities: readers would convert colours that are metres.
-Imf::Header make_exr_header(const ExrLabel& label, const ExrOptions& options) {
-    const int n = label.map.resolution;
-    Imf::Header header(n, n);
-    header.compression() = imf_compression(options.compression);
-    for (const ImageChannel& channel : image_channels(label.products, label.layered, options)) {
-        header.channels().insert(channel.name, Imf::Channel(imf_type(channel)));
+Imf::Header make_exr_header(const Image& image, ExrCompression compression) {
+    Imf::Header header(image.width, image.height);
+    header.compression() = imf_compression(compression);
+    for (const ImagePlane& plane : image.planes) {
+        header.channels().insert(plane.name, Imf::Channel(imf_type(plane.type)));
     }
-    Imf::addWrapmodes(header, "periodic");
-
-    std::string fields, units;
-    bool vectors = false;
-    for (const FieldInfo* product : label.products) {
-        fields += (fields.empty() ? "" : ",") + std::string(product->name);
-        units +=
-            (units.empty() ? "" : ",") + (product->unit.empty() ? "1" : std::string(product->unit));
-        vectors = vectors || product->count == 3;
-    }
-    const auto set = [&header](const char* name, const std::string& text) {
+    if (image.periodic) Imf::addWrapmodes(header, "periodic");
+    for (const auto& [name, text] : image.strings) {
         header.insert(name, Imf::StringAttribute(text));
-    };
-    set("ocean:sea", label.sea_text);
-    set("ocean:frame", std::to_string(label.number));
-    set("ocean:time", shortest_text(label.time));
-    // Scalars and slopes are the same in all axes: x east and y north, as in zup.
-    set("ocean:axes", std::string(axes_name(vectors ? options.axes : Axes::zup)));
-    set("ocean:period", shortest_text(label.map.period));
-    set("ocean:field", fields);
-    set("ocean:unit", units);
-    set("ocean:backend", std::string(backend_name(label.backend)));
-    set("ocean:version", OCEAN_VERSION);
+    }
     return header;
 }
 
-std::string exr_header_bytes(const ExrLabel& label, const ExrOptions& options) {
+std::string exr_header_bytes(const Image& image, ExrCompression compression) {
     // Magic number and version 2 of a flat single part with short names, then the attributes.
     StringStream stream;
     stream.text = std::string("\x76\x2f\x31\x01\x02\0\0\0", 8);
-    make_exr_header(label, options).writeTo(stream);
+    make_exr_header(image, compression).writeTo(stream);
     return stream.text;
+}
+
+std::uint64_t most_exr_bytes(const Image& image, ExrCompression compression) {
+    // No codec makes a file larger: a block that it would blow up is stored as it is.
+    constexpr std::uint64_t kPerBlock = 16;  // its place in the table, its row and its size
+    const auto width = static_cast<std::uint64_t>(image.width);
+    const auto height = static_cast<std::uint64_t>(image.height);
+    std::uint64_t sample = 0;
+    for (const ImagePlane& plane : image.planes) sample += pixel_bytes(imf_type(plane.type));
+    return exr_header_bytes(image, compression).size() + height * (kPerBlock + width * sample);
+}
+
+std::vector<ExrChannel> exr_channels(const Image& image) {
+    std::vector<ExrChannel> channels;
+    for (const ImagePlane& plane : image.planes) channels.push_back({plane.name, plane.type});
+    std::sort(channels.begin(), channels.end(),
+              [](const ExrChannel& a, const ExrChannel& b) { return a.name < b.name; });
+    return channels;
 }
 
 ImageThreads::ImageThreads(int asked) {

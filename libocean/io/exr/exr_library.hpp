@@ -9,22 +9,21 @@
 
 #include <cstddef>
 
-#include "exr_channels.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/exr.hpp"
 
 namespace ocean::io {
 
 /// Rows converted at a time: enough for every thread to have a ZIP block of 16, little memory.
 inline constexpr int kRowsAtATime = 256;
 
-inline Imf::PixelType imf_type(const ImageChannel& channel) {
-    return channel.half ? Imf::HALF : Imf::FLOAT;
+inline Imf::PixelType imf_type(PixelType type) {
+    return type == PixelType::half_float ? Imf::HALF : Imf::FLOAT;
 }
 inline std::size_t pixel_bytes(Imf::PixelType type) {
     return type == Imf::HALF ? 2 : 4;
 }
 
-Imf::Header make_exr_header(const ExrLabel& label, const ExrOptions& options);
+Imf::Header make_exr_header(const Image& image, ExrCompression compression);
 
 /// A share of OpenEXR's pool, which is one for the process: it grows to what all files in hand ask
 /// for together. One thread is the caller's own and needs no pool.

@@ -1,18 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The words by which people choose axes and compression.
+// The words by which people choose a compression.
 #include <array>
 #include <utility>
 
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/exr.hpp"
 
 namespace ocean::io {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, Axes>, 3> kAxes{
-    {{"zup", Axes::zup}, {"yup", Axes::yup}, {"tnb", Axes::tnb}}};
 
 constexpr std::array<std::pair<std::string_view, ExrCompression>, 6> kCompressions{
     {{"none", ExrCompression::none},
@@ -23,21 +20,6 @@ constexpr std::array<std::pair<std::string_view, ExrCompression>, 6> kCompressio
      {"pxr24", ExrCompression::pxr24}}};
 
 }  // namespace
-
-Axes find_axes(std::string_view name) {
-    for (const auto& [text, axes] : kAxes) {
-        if (text == name) return axes;
-    }
-    throw Error(ErrorKind::invalid_value,
-                "axes '" + std::string(name) + "' are unknown; allowed: tnb, zup, yup");
-}
-
-std::string_view axes_name(Axes axes) {
-    for (const auto& [text, value] : kAxes) {
-        if (value == axes) return text;
-    }
-    return "";
-}
 
 ExrCompression find_exr_compression(std::string_view name) {
     constexpr const char* kAllowed = "; allowed: none, rle, zips, zip, piz, pxr24";

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// EXR images of a surface: flat, single part, the bottom scanline is j = 0. The pixels go through
-// OpenEXR into our own stream, because OpenEXR swallows what a full disk says at the close. Nothing
-// in a file depends on the run: no dates, no host, no thread count.
+// Images as EXR files. The pixels go through OpenEXR into our own stream, because OpenEXR swallows
+// what a full disk says at the close.
 #include <ImfFrameBuffer.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
 
 #include <algorithm>
 
-#include "../file/output_file.hpp"
-#include "exr_channels.hpp"
 #include "exr_library.hpp"
 #include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
 
 namespace ocean::io {
 namespace {
@@ -32,21 +30,18 @@ class ExrStream : public Imf::OStream {
     OutputFile& file_;
 };
 
-// `bytes` receives `rows` scanlines from y on: y = 0 is the top, j = n - 1.
-void convert_rows(const Surface& surface, const ImageChannel& channel, int y, int rows,
+/// `bytes` receives `rows` scanlines from y on: y = 0 is the top, the image's last row.
+void convert_rows(const Image& image, const ImagePlane& plane, int y, int rows,
                   std::vector<char>& bytes) {
-    const int n = surface.resolution();
-    const std::span<const float> map =
-        channel.source ? surface.channel(*channel.source) : std::span<const float>();
-    const auto width = static_cast<std::size_t>(n);
-    bytes.resize(width * static_cast<std::size_t>(rows) * pixel_bytes(imf_type(channel)));
+    const auto width = static_cast<std::size_t>(image.width);
+    bytes.resize(width * static_cast<std::size_t>(rows) * pixel_bytes(imf_type(plane.type)));
     for (int row = 0; row < rows; ++row) {
-        const auto j = static_cast<std::size_t>(n - 1 - (y + row));
+        const auto j = static_cast<std::size_t>(image.height - 1 - (y + row));
         const auto first = static_cast<std::size_t>(row) * width;
         for (std::size_t i = 0; i < width; ++i) {
-            const float value =
-                channel.source ? channel.sign * map[j * width + i] : channel.constant;
-            if (channel.half) {
+            const float value = plane.samples.empty() ? plane.constant
+                                                      : plane.factor * plane.samples[j * width + i];
+            if (plane.type == PixelType::half_float) {
                 reinterpret_cast<Imath::half*>(bytes.data())[first + i] = Imath::half(value);
             } else {
                 reinterpret_cast<float*>(bytes.data())[first + i] = value;
@@ -55,48 +50,35 @@ void convert_rows(const Surface& surface, const ImageChannel& channel, int y, in
     }
 }
 
-void write_pixels(Imf::OutputFile& image, std::span<const ImageChannel> channels,
-                  const Surface& surface) {
-    const int n = surface.resolution();
-    std::vector<std::vector<char>> pixels(channels.size());
-    for (int y = 0; y < n; y += kRowsAtATime) {
-        const int rows = std::min(kRowsAtATime, n - y);
+void write_pixels(Imf::OutputFile& file, const Image& image) {
+    std::vector<std::vector<char>> pixels(image.planes.size());
+    for (int y = 0; y < image.height; y += kRowsAtATime) {
+        const int rows = std::min(kRowsAtATime, image.height - y);
         Imf::FrameBuffer buffer;
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            convert_rows(surface, channels[c], y, rows, pixels[c]);
-            const std::size_t size = pixel_bytes(imf_type(channels[c]));
-            const std::size_t stride = size * static_cast<std::size_t>(n);
+        for (std::size_t c = 0; c < image.planes.size(); ++c) {
+            const ImagePlane& plane = image.planes[c];
+            convert_rows(image, plane, y, rows, pixels[c]);
+            const std::size_t size = pixel_bytes(imf_type(plane.type));
+            const std::size_t stride = size * static_cast<std::size_t>(image.width);
             // OpenEXR wants the address that the pixel (0, 0) would have.
             char* origin = pixels[c].data() - static_cast<std::size_t>(y) * stride;
-            buffer.insert(channels[c].name,
-                          Imf::Slice(imf_type(channels[c]), origin, size, stride));
+            buffer.insert(plane.name, Imf::Slice(imf_type(plane.type), origin, size, stride));
         }
-        image.setFrameBuffer(buffer);
-        image.writePixels(rows);
+        file.setFrameBuffer(buffer);
+        file.writePixels(rows);
     }
 }
 
-void require_channels(const Surface& surface, const FieldInfo& product) {
-    for (int c = 0; c < product.count; ++c) {
-        if (surface.has(product.channels[static_cast<std::size_t>(c)])) continue;
-        throw Error(ErrorKind::invalid_value,
-                    "the surface was evaluated without the channels of '" +
-                        std::string(product.name) + "'");
-    }
-}
+}  // namespace
 
-void write_image(const Frame& frame, std::span<const FieldInfo* const> products, bool layered,
-                 const std::string& path, const ExrOptions& options) {
-    for (const FieldInfo* product : products) require_channels(frame.surface, *product);
-    const Lattice map{frame.surface.resolution(), frame.surface.period()};
-    const ExrLabel label{frame.sea_text, frame.number, frame.time, frame.backend, map,
-                         products,       layered};
+void write_exr(const Image& image, const std::string& path, ExrCompression compression,
+               int threads) {
     OutputFile file(path);
     try {
-        const ImageThreads threads(options.threads);
+        const ImageThreads share(threads);
         ExrStream stream(file, path);
-        Imf::OutputFile image(stream, make_exr_header(label, options), threads.count());
-        write_pixels(image, image_channels(products, layered, options), frame.surface);
+        Imf::OutputFile output(stream, make_exr_header(image, compression), share.count());
+        write_pixels(output, image);
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {
@@ -104,22 +86,6 @@ void write_image(const Frame& frame, std::span<const FieldInfo* const> products,
         throw Error(ErrorKind::output, "cannot write '" + path + "': " + error.what());
     }
     file.commit();
-}
-
-}  // namespace
-
-void write_exr(const Frame& frame, const FieldInfo& product, const std::string& path,
-               const ExrOptions& options) {
-    const FieldInfo* const products[] = {&product};
-    write_image(frame, products, false, path, options);
-}
-
-void write_exr_layered(const Frame& frame, std::span<const FieldInfo* const> products,
-                       const std::string& path, const ExrOptions& options) {
-    if (products.empty()) {
-        throw Error(ErrorKind::invalid_value, "a layered file needs at least one product");
-    }
-    write_image(frame, products, true, path, options);
 }
 
 }  // namespace ocean::io

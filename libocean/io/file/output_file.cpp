@@ -4,7 +4,7 @@
 // Atomic output. A temporary `.NAME.ocean-PID-COUNT.tmp` is locked while its writer lives, so that
 // a later run can tell the remains of a killed process from a neighbour's work in progress. Writers
 // never see signals: a program that is interrupted finishes or abandons a file between two frames.
-#include "output_file.hpp"
+#include "ocean/io/output_file.hpp"
 
 #include <atomic>
 #include <cerrno>
@@ -22,7 +22,6 @@
 #endif
 
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
 #include "ocean/platform.hpp"
 
 namespace ocean::io {
@@ -204,6 +203,19 @@ void write_file_atomically(const std::string& path, std::string_view bytes) {
     OutputFile file(path);
     file.write(bytes);
     file.commit();
+}
+
+void make_folder(const std::string& folder) {
+    if (folder.empty()) return;
+    std::error_code code;
+    std::filesystem::create_directories(utf8_path(folder), code);
+    if (!code) return;
+    throw Error(ErrorKind::output, folder + ": the folder cannot be made: " + code.message());
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+    make_folder(utf8_path(path).parent_path().string());
+    write_file_atomically(path, bytes);
 }
 
 int remove_abandoned_temporaries(const std::string& directory) {

@@ -5,13 +5,15 @@
 // distances, columns at equal angles, so a quad looks about equally large wherever it is. Each
 // vertex shows the waves that its neighbourhood can hold; the shorter ones only turn its normal,
 // as visible_slope.cpp says.
+#include "ocean/io/horizon_mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "map_pyramid.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/visible_slope.hpp"
 
 namespace ocean::io {
 namespace {

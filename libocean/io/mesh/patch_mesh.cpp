@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/mesh.hpp"
 #include "require_channels.hpp"
 
 namespace ocean::io {

@@ -19,10 +19,11 @@
 // the horizontal direction to the eye, the same steps give s^2 = e.V e and the vector V e / s^2
 // times that mean. [Bruneton 2010] carries the same variance into a BRDF; a mesh has only normals.
 // Test: VisibleSlope.EqualsMonteCarlo.
+#include "ocean/io/visible_slope.hpp"
+
 #include <cmath>
 
 #include "ocean/grid.hpp"
-#include "ocean/io.hpp"
 
 namespace ocean::io {
 namespace {

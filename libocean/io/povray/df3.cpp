@@ -11,15 +11,14 @@
 // stereographic projection from below, which has no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
 // each of p and q (code - 2^31) / 2^28. Foam is code / (2^32 - 1).
+#include "ocean/io/df3.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <string>
 
-#include "../file/output_file.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/io/output_file.hpp"
 
 namespace ocean::io {
 namespace {
@@ -136,28 +135,6 @@ void write_df3(const Surface& surface, const std::string& path) {
         }
     }
     file.commit();
-}
-
-void average_foam(const Surface& fine, Surface& coarse) {
-    const int n = coarse.resolution();
-    if (fine.resolution() != 2 * n || !fine.has(Channel::foam) || !coarse.has(Channel::foam)) {
-        throw Error(ErrorKind::invalid_value, "foam is averaged on a map of half the resolution");
-    }
-    const auto from = fine.channel(Channel::foam);
-    const auto to = coarse.channel(Channel::foam);
-    const auto row = [&](int j, int i) {
-        const int wide = 2 * n;
-        const auto at = [&](int k) {
-            return from[static_cast<std::size_t>(((j + wide) % wide) * wide + (k + wide) % wide)];
-        };
-        return 0.5f * at(2 * i) + 0.25f * (at(2 * i - 1) + at(2 * i + 1));
-    };
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            to[static_cast<std::size_t>(j * n + i)] =
-                0.5f * row(2 * j, i) + 0.25f * (row(2 * j - 1, i) + row(2 * j + 1, i));
-        }
-    }
 }
 
 }  // namespace ocean::io

@@ -3,16 +3,17 @@
 //
 // POV-Ray's height_field as a 16-bit grey PNG, the only image that it reads without loss. Pixel
 // centres are the samples, the first row is far; the wrapped last row and column make tiles meet.
+#include "ocean/io/height_field.hpp"
+
 #include <png.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
 
-#include "../file/output_file.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/text.hpp"
 
 namespace ocean::io {
 namespace {
@@ -43,9 +44,18 @@ HeightScale fit_scale(std::span<const float> heights) {
     return fit;
 }
 
-std::vector<std::uint16_t> encode(const Surface& surface, const HeightScale& fit) {
-    const auto heights = surface.channel(Channel::height);
-    const auto n = static_cast<std::size_t>(surface.resolution());
+/// Of the image's first plane.
+HeightScale fit_scale(const Image& image) {
+    const bool heights = !image.planes.empty() && !image.planes[0].samples.empty();
+    if (!heights || image.width != image.height) {
+        throw Error(ErrorKind::invalid_value, "a height_field needs a square plane of heights");
+    }
+    return fit_scale(image.planes[0].samples);
+}
+
+std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
+    const auto heights = image.planes[0].samples;
+    const auto n = static_cast<std::size_t>(image.width);
     std::vector<std::uint16_t> codes((n + 1) * (n + 1));
     for (std::size_t row = 0; row <= n; ++row) {
         const std::size_t j = (n - row) % n;
@@ -57,58 +67,55 @@ std::vector<std::uint16_t> encode(const Surface& surface, const HeightScale& fit
     return codes;
 }
 
-std::string number(double value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}  // namespace
+
+void write_height_field(const Image& image, const std::string& path) {
+    const std::vector<std::uint16_t> codes = encode(image, fit_scale(image));
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = png.height = static_cast<png_uint_32>(image.width + 1);
+    png.format = PNG_FORMAT_LINEAR_Y;
+    OutputFile file(path);
+    const bool written = png_image_write_to_stdio(&png, file.stream(), 0, codes.data(), 0, nullptr);
+    // A full disk is told better by the stream itself.
+    if (!written && std::ferror(file.stream()) == 0) {
+        throw Error(ErrorKind::output, "cannot write '" + path + "': " + png.message);
+    }
+    file.commit();
 }
 
 // "key = value" lines: a person can read them, and so can TOML.
-std::string describe(const Frame& frame, const HeightScale& fit) {
-    const auto samples = std::to_string(frame.surface.resolution() + 1);
+std::string height_field_description(const Image& image) {
+    const HeightScale fit = fit_scale(image);
+    const auto number = [](double value) { return shortest_text(value); };
+    const std::string& period = image.string("ocean:period");
     std::string text = "# height = base + scale * code / 65536, in metres\n";
     text += "lo = " + number(fit.lo) + "\nhi = " + number(fit.hi) + "\nunit = \"m\"\n";
     text += "base = " + number(fit.base) + "\nscale = " + number(fit.scale) + "\n";
     text += "quantum = " + number(fit.scale / kCodes) + "  # a height is right to half of it\n";
-    text += "samples = " + samples + "  # along each side, the first repeated as the last\n";
-    text += "period = " + number(frame.surface.period()) + "\n";
-    text += "frame = " + std::to_string(frame.number) + "\ntime = " + number(frame.time) + "\n";
-    text += "# POV-Ray: height_field { png \"...\" smooth scale <" +
-            number(frame.surface.period()) + ", " + number(fit.scale) + ", " +
-            number(frame.surface.period()) + "> translate " + number(fit.base) + "*y }\n";
+    text += "samples = " + std::to_string(image.width + 1) +
+            "  # along each side, the first repeated as the last\n";
+    text += "period = " + period + "\n";
+    text += "frame = " + image.string("ocean:frame") + "\ntime = " + image.string("ocean:time") +
+            "\n";
+    text += "# POV-Ray: height_field { png \"...\" smooth scale <" + period + ", " +
+            number(fit.scale) + ", " + period + "> translate " + number(fit.base) + "*y }\n";
     return text;
 }
 
-std::string declare(const Frame& frame, const HeightScale& fit) {
+std::string height_field_declarations(const Image& image) {
+    const HeightScale fit = fit_scale(image);
     return "// height = Ocean_Base + Ocean_Scale * code / 65536, in metres\n"
            "#declare Ocean_Base = " +
-           number(fit.base) + ";\n#declare Ocean_Scale = " + number(fit.scale) +
-           ";\n#declare Ocean_Frame_Number = " + std::to_string(frame.number) +
-           ";\n#declare Ocean_Time = " + number(frame.time) + ";\n";
+           shortest_text(fit.base) + ";\n#declare Ocean_Scale = " + shortest_text(fit.scale) +
+           ";\n#declare Ocean_Frame_Number = " + image.string("ocean:frame") +
+           ";\n#declare Ocean_Time = " + image.string("ocean:time") + ";\n";
 }
 
-}  // namespace
-
-void write_height_field(const Frame& frame, const std::string& path) {
-    if (!frame.surface.has(Channel::height)) {
-        throw Error(ErrorKind::invalid_value, "a height_field needs the channel height");
-    }
-    const HeightScale fit = fit_scale(frame.surface.channel(Channel::height));
-    const std::vector<std::uint16_t> codes = encode(frame.surface, fit);
-
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = image.height = static_cast<png_uint_32>(frame.surface.resolution() + 1);
-    image.format = PNG_FORMAT_LINEAR_Y;
-    OutputFile file(path);
-    const bool written =
-        png_image_write_to_stdio(&image, file.stream(), 0, codes.data(), 0, nullptr);
-    // A full disk is told better by the stream itself.
-    if (!written && std::ferror(file.stream()) == 0) {
-        throw Error(ErrorKind::output, "cannot write '" + path + "': " + image.message);
-    }
-    file.commit();
-    write_file_atomically(path + ".txt", describe(frame, fit));
-    write_file_atomically(path + ".inc", declare(frame, fit));
+std::uint64_t most_height_field_bytes(int resolution) {
+    constexpr std::uint64_t kHead = 4096, kPerRow = 16;
+    const auto side = static_cast<std::uint64_t>(resolution) + 1;
+    return side * (2 * side + kPerRow) + kHead;
 }
 
 void read_height_field(const std::string& path, const ByteSink& sink) {

@@ -4,14 +4,16 @@
 // A mesh as a POV-Ray include file. POV-Ray is left-handed with y up: y and z change places, in
 // points and in normals. Numbers are the shortest text that gives the same float again, so that
 // vertices which met still meet.
+#include "ocean/io/mesh2.hpp"
+
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 
-#include "../file/output_file.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io.hpp"
+#include "ocean/grid.hpp"
+#include "ocean/io/output_file.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/version.hpp"
 
@@ -69,7 +71,7 @@ std::string guard_name(const std::string& file_name) {
     return name + "_Temp";
 }
 
-void write_head(TextWriter& out, const Mesh& mesh, const Frame& frame,
+void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label,
                 const std::string& file_name) {
     out << "//   Persistence of Vision Ray Tracer Include File\n//   File: " << file_name
         << "\n//   Vers: 3.7\n//   Desc: The surface of a sea at one time, by "
@@ -79,9 +81,9 @@ void write_head(TextWriter& out, const Mesh& mesh, const Frame& frame,
     const std::string guard = guard_name(file_name);
     out << "#ifndef(" << guard << ")\n#declare " << guard << " = version;\n#version 3.7;\n\n";
     out << "#declare Ocean_Frame_Number = ";
-    out.number(frame.number) << ";\n#declare Ocean_Time = ";
-    out.number(frame.time) << ";      // s\n#declare Ocean_Period = ";
-    out.number(frame.surface.period()) << ";  // m, in both directions\n";
+    out.number(label.number) << ";\n#declare Ocean_Time = ";
+    out.number(label.time) << ";      // s\n#declare Ocean_Period = ";
+    out.number(label.period) << ";  // m, in both directions\n";
 }
 
 // The camera that the mesh was made for, so that a scene cannot look past its edge.
@@ -149,14 +151,14 @@ std::string povray_faces(std::span<const int> triangles) {
     return out.text();
 }
 
-void write_mesh2(const Mesh& mesh, const Frame& frame, const std::string& path, const View* view) {
+void write_mesh2(const Mesh& mesh, const FrameLabel& label, const std::string& path, const View* view) {
     if (mesh.positions.empty() || mesh.normals.size() != mesh.positions.size() ||
         mesh.triangles.empty()) {
         throw Error(ErrorKind::invalid_value, "a mesh2 needs vertices, as many normals, triangles");
     }
     OutputFile file(path);
     TextWriter out(file);
-    write_head(out, mesh, frame, utf8_path(path).filename().string());
+    write_head(out, mesh, label, utf8_path(path).filename().string());
     if (view != nullptr) write_view(out, *view);
     out << "\n#declare Ocean_Surface = mesh2 {\n";
     write_vectors(out, mesh);

@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -37,6 +36,7 @@
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
 #include "ocean/directional_record.hpp"
+#include "ocean/text.hpp"
 #include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
 
@@ -144,9 +144,8 @@ class CsvReader {
         if (!read) throw lines_.fail(named() + " is not a number");
         const double value = *read * header_->factor(column);
         if (std::isnan(value) || (value >= low && value <= high)) return value;
-        char range[64];
-        std::snprintf(range, sizeof range, " is not within %g .. %g", low, high);
-        throw lines_.fail(named() + range);
+        throw lines_.fail(named() + " is not within " + shortest_text(low) + " .. " +
+                          shortest_text(high));
     }
     double number(Column column, double low, double high) const {
         const double value = optional_number(column, low, high);
@@ -273,9 +272,7 @@ class CsvReader {
                 throw fail_at(group.rows[i].line,
                               "this frequency and direction are there twice in one record");
             }
-            char cell[128];
-            std::snprintf(cell, sizeof cell, "no row for %.6g Hz and %.6g degrees", f, d);
-            throw fail_record(group, cell);
+            throw fail_record(group, format_text("no row for %.6g Hz and %.6g degrees", f, d));
         }
         const std::size_t cells = frequencies.size() * directions.size();
         if (group.rows.size() > cells) {

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A bake seen from a terminal; see console_host.hpp.
+#include "console_host.hpp"
+
+#include <algorithm>
+
+#include "console.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+
+void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
+    const int frames = static_cast<int>(plan.frames.size());
+    if (frames == 0) {
+        return context_.console.begin(
+            0, "--shard " + plan.shard + " is empty: there are fewer frames", "");
+    }
+    const double period = plan.sea.parameters.grid.patch_size;
+    const double shortest = plan.shortest_wave();
+    const std::uint64_t memory = bake_memory_bytes(plan, share.frames_at_a_time);
+    context_.console.begin(
+        frames,
+        format_text("%d frame%s of %d x %d samples, period %g m, shortest wave %.3g m, ", frames,
+                    frames == 1 ? "" : "s", plan.resolution, plan.resolution, period, shortest) +
+            bytes_text(memory) + " of memory",
+        format_text("\"resolution\": %d, \"period\": %.9g, \"shortest_wave\": %.9g, "
+                    "\"memory_bytes\": %llu, \"frames_at_a_time\": %d",
+                    plan.resolution, period, shortest, static_cast<unsigned long long>(memory),
+                    share.frames_at_a_time));
+}
+
+void ConsoleHost::frame_baked(int frame, double seconds, const std::vector<std::string>& files) {
+    context_.console.step(frame, seconds, files);
+}
+
+void ConsoleHost::frame_kept(int frame, const std::vector<std::string>& files) {
+    context_.console.skip(frame, files);
+}
+
+void ConsoleHost::frame_failed(int frame, const std::string& message, bool goes_on) {
+    context_.console.fail(frame, message, goes_on);
+}
+
+void ConsoleHost::end() {
+    context_.console.finish();
+}
+
+void ConsoleHost::note(const std::string& text) {
+    context_.console.note(text);
+}
+
+void ConsoleHost::warning(const std::string& text) {
+    context_.console.warning(text);
+}
+
+std::function<void(std::int64_t, std::int64_t)> ConsoleHost::foam_progress() {
+    return foam_progress_on(context_.console);
+}
+
+void ConsoleHost::whole(const std::function<void()>& write) {
+    const InterruptWatch::Hold hold = context_.interrupts.hold();
+    write();
+}
+
+void ConsoleHost::if_interrupted(std::function<void()> last_act) {
+    last_act_.reset();
+    if (last_act) last_act_.emplace(context_.interrupts, std::move(last_act));
+}
+
+void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {
+    const auto kept = [](const BakeForecast::File& file) { return file.kept; };
+    long all = 0, complete = 0;
+    for (const BakeForecast* part : {&beside, &forecast}) {
+        for (const BakeForecast::File& file : part->files) {
+            console.data(file.path + (file.kept ? "\tkept\n" : "\n"));
+        }
+        all += static_cast<long>(part->files.size());
+        complete += std::count_if(part->files.begin(), part->files.end(), kept);
+    }
+    const std::uint64_t bytes = beside.bytes + forecast.bytes;
+    const std::uint64_t room = forecast.free_bytes;
+    console.report(
+        "plan",
+        format_text("%ld files, %ld of them kept, the others at most ", all, complete) +
+            bytes_text(bytes) + "; " + bytes_text(room) + " are free; " +
+            bytes_text(forecast.memory_bytes) + " of memory",
+        format_text("\"files\": %ld, \"kept\": %ld, \"bytes\": %llu, \"free_bytes\": %llu, "
+                    "\"memory_bytes\": %llu",
+                    all, complete, static_cast<unsigned long long>(bytes),
+                    static_cast<unsigned long long>(room),
+                    static_cast<unsigned long long>(forecast.memory_bytes)));
+    if (bytes > room) {
+        console.warning("the files may need " + bytes_text(bytes) + ", " + bytes_text(room) +
+                        " are free: they may not fit");
+    }
+}
+
+}  // namespace ocean::app

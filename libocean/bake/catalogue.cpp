@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tables of what the library bakes; see catalogue.hpp. A new format is one line here.
+#include "ocean/bake/catalogue.hpp"
+
+#include "formats/formats.hpp"
+
+namespace ocean {
+namespace {
+
+/// "a, b or c".
+std::string listing(const std::vector<std::string>& words, std::string_view conjunction) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool last = i + 1 == words.size();
+        if (i > 0) text += last ? " " + std::string(conjunction) + " " : ", ";
+        text += words[i];
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string Catalogue::extensions(std::string_view conjunction) const {
+    std::vector<std::string> words;
+    for (const BakeFormat* format : formats) {
+        const bool says_its_name = format->extension.substr(1) == format->name;
+        words.push_back(std::string(format->extension) +
+                        (says_its_name ? "" : " (" + std::string(format->name) + ")"));
+    }
+    return listing(words, conjunction);
+}
+
+std::string Catalogue::product_names() const {
+    std::string text;
+    for (const Product& product : products) {
+        text += (text.empty() ? "" : ", ") + std::string(product.name);
+    }
+    return text;
+}
+
+std::string Catalogue::backend_names() const {
+    std::vector<std::string> words;
+    for (const Backend& backend : backends) words.emplace_back(backend.name);
+    return listing(words, "or");
+}
+
+const Catalogue& standard_catalogue() {
+    static constexpr const BakeFormat* kFormats[] = {
+        &kExrFormat,
+        &kDf3Format,
+        &kHeightFieldFormat,
+        &kMesh2Format,
+    };
+    static const Catalogue catalogue{kFormats, product_table(), core_backends()};
+    return catalogue;
+}
+
+}  // namespace ocean

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files that are there already; see complete_file.hpp.
+#include "complete_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "ocean/error.hpp"
+#include "ocean/platform.hpp"
+#include "sha256.hpp"
+
+namespace ocean {
+namespace {
+
+std::filesystem::path native(const BakeFile& file) {
+    return utf8_path(file.path);
+}
+
+void hash_file(const BakeFile& file, ManifestEntry& entry) {
+    std::ifstream stream(native(file), std::ios::binary);
+    std::vector<char> block(std::size_t{1} << 20);
+    Sha256 hash;
+    while (stream) {
+        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+        const auto count = static_cast<std::size_t>(stream.gcount());
+        hash.add({block.data(), count});
+        entry.bytes += count;
+    }
+    if (!stream.eof()) throw Error(ErrorKind::bad_file, "cannot read '" + file.path + "'");
+    entry.sha256 = hash.hex();
+}
+
+/// "" for a file that is no image.
+std::string hash_pixels(const BakePlan& plan, const BakeFile& file, int threads) {
+    if (plan.format->read_pixels == nullptr) return "";
+    Sha256 hash;
+    const bool image = plan.format->read_pixels(
+        plan, file, threads, [&hash](std::string_view bytes) { hash.add(bytes); });
+    return image ? hash.hex() : "";
+}
+
+}  // namespace
+
+bool is_regular(const BakeFile& file) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(native(file), error);
+}
+
+ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
+    ManifestEntry entry;
+    entry.name = native(file).filename().string();
+    entry.frame = file.frame;
+    entry.time = plan.sea.time_of(file.frame);
+    entry.product = file.product;
+    entry.recipe = file.recipe;
+    hash_file(file, entry);
+    entry.pixels_sha256 = hash_pixels(plan, file, threads);
+    return entry;
+}
+
+std::optional<ManifestEntry> find_complete(const BakePlan& plan, const BakeFile& file,
+                                           const Manifest& manifest, int threads) {
+    const ManifestEntry* listed = manifest.find(native(file).filename().string());
+    const bool speaks_for_itself = plan.format->tells_its_recipe;
+    if (!is_regular(file) || (listed == nullptr && !speaks_for_itself)) return std::nullopt;
+    try {
+        ManifestEntry entry = inspect(plan, file, threads);
+        if (listed != nullptr && listed->sha256 != entry.sha256) return std::nullopt;
+        if (!speaks_for_itself && listed->recipe != entry.recipe) return std::nullopt;
+        return entry;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace ocean

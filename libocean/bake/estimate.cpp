@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a bake will take; see estimate.hpp.
+#include "ocean/bake/estimate.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "complete_file.hpp"
+#include "manifest.hpp"
+#include "ocean/foam.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/sea_state.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+/// Its maps, and what the format makes of them.
+std::uint64_t frame_bytes(const BakePlan& plan) {
+    std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
+    const int maps = plan.maps.channels.size() + (plan.has_foam() ? kFoamMaps : 0);
+    for (const int resolution : plan.maps.resolutions) bytes += surface_bytes(resolution, maps);
+    return bytes;
+}
+
+/// Of the file system that the folder is on, or will be.
+std::uint64_t free_bytes(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::path place = std::filesystem::absolute(utf8_path(folder), error);
+    while (!std::filesystem::exists(place, error) && place.has_relative_path()) {
+        place = place.parent_path();
+    }
+    return std::filesystem::space(place, error).available;
+}
+
+}  // namespace
+
+std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
+    const auto each = static_cast<std::uint64_t>(frames_at_a_time);
+    // With a take each worker is at a time of its own, and the sea at another.
+    const std::uint64_t seas = plan.sea.take.empty() ? 1 : 1 + each;
+    return seas * modes_bytes(plan.sea.parameters.grid) + each * frame_bytes(plan);
+}
+
+WorkShare share_work(const BakePlan& plan) {
+    require_memory(bake_memory_bytes(plan, 1),
+                   format_text("a bake of %d x %d samples", plan.resolution, plan.resolution));
+    const int all = plan.threads > 0 ? plan.threads : available_cores();
+    const int frames = static_cast<int>(plan.frames.size());
+    int at_a_time = plan.has_foam() ? 1 : std::clamp(frames, 1, all);
+    // Half of what is there: the disk's cache and the neighbours want some too.
+    while (at_a_time > 1 && bake_memory_bytes(plan, at_a_time) > available_memory() / 2) {
+        --at_a_time;
+    }
+    return {at_a_time, all / at_a_time};
+}
+
+BakeForecast forecast_bake(const BakePlan& plan) {
+    const WorkShare share = share_work(plan);
+    const Manifest manifest(plan.pattern.manifest());
+    BakeForecast forecast;
+    for (const int frame : plan.frames) {
+        const std::vector<BakeFile> files = plan.format->files(plan, frame);
+        const bool keep =
+            plan.skip_existing && std::all_of(files.begin(), files.end(), [&](const auto& file) {
+                return find_complete(plan, file, manifest, share.threads_each).has_value();
+            });
+        for (const BakeFile& file : files) {
+            forecast.files.push_back({file.path, keep});
+            if (!keep) forecast.bytes += plan.format->most_bytes(plan, file);
+        }
+    }
+    forecast.free_bytes = free_bytes(plan.pattern.folder());
+    forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);
+    return forecast;
+}
+
+}  // namespace ocean

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// OpenEXR images: a file for each product, or one layered file of all of them. Its header is a
+// function of the plan alone, so that a file tells by itself whether it is the one that the plan
+// would write.
+#include <algorithm>
+
+#include "formats/formats.hpp"
+#include "ocean/bake/plan.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/exr.hpp"
+#include "ocean/io/product_image.hpp"
+#include "ocean/text.hpp"
+#include "sha256.hpp"
+#include "source.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr const char* kDefaultProducts = "displacement,normal,foam";
+
+struct Settings {
+    std::vector<const Product*> products;
+    io::ProductLayout layout;
+    io::ExrCompression compression = io::ExrCompression::zip;
+
+    /// The products of each file of a frame.
+    std::size_t files() const { return layout.layered ? 1 : products.size(); }
+    std::span<const Product* const> of_file(std::size_t part) const {
+        return layout.layered ? std::span(products) : std::span(products).subspan(part, 1);
+    }
+};
+
+const Settings& settings_of(const BakePlan& plan) {
+    return std::any_cast<const Settings&>(plan.settings);
+}
+
+std::vector<FormatOption> list_options(const Catalogue& catalogue) {
+    return {
+        {"products", "LIST",
+         "Of " + catalogue.product_names() + "; default " + std::string(kDefaultProducts)},
+        {"type", "TYPE",
+         "float or half; default: float for displacement and velocity, half for the rest"},
+        {"axes", "AXES",
+         "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb"},
+        {"layout", "LAYOUT",
+         "separate (a file for each product) or layered (one file); default separate"},
+        {"compression", "CODEC", "none, rle, zips, zip, piz or pxr24; default zip"},
+    };
+}
+
+std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue) {
+    std::vector<const Product*> products;
+    for (const std::string& name : split(list, ',')) {
+        const Product* product = &find_product(name, catalogue.products);
+        if (std::find(products.begin(), products.end(), product) != products.end()) {
+            throw Error(ErrorKind::invalid_value,
+                        "--products " + list + ": " + name + " is there twice");
+        }
+        products.push_back(product);
+    }
+    return products;
+}
+
+template <typename Value>
+Value choose(const char* option, const std::string& text,
+             std::initializer_list<std::pair<const char*, Value>> choices) {
+    std::string allowed;
+    for (const auto& [name, value] : choices) {
+        if (text == name) return value;
+        allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+    }
+    throw Error(ErrorKind::invalid_value,
+                std::string(option) + " " + text + ": allowed are " + allowed);
+}
+
+std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
+    Settings settings;
+    const std::string& products = options.format_option("products");
+    settings.products = find_products(products.empty() ? kDefaultProducts : products, catalogue);
+    if (const std::string& layout = options.format_option("layout"); !layout.empty()) {
+        settings.layout.layered =
+            choose<bool>("--layout", layout, {{"separate", false}, {"layered", true}});
+    }
+    if (const std::string& axes = options.format_option("axes"); !axes.empty()) {
+        settings.layout.axes = io::find_axes(axes);
+    }
+    if (const std::string& codec = options.format_option("compression"); !codec.empty()) {
+        settings.compression = io::find_exr_compression(codec);
+    }
+    if (const std::string& type = options.format_option("type"); !type.empty()) {
+        settings.layout.type = choose<io::PixelType>(
+            "--type", type,
+            {{"float", io::PixelType::full_float}, {"half", io::PixelType::half_float}});
+    }
+    return settings;
+}
+
+FormatPlan settle(const BakePlan& begun) {
+    const Settings& settings = settings_of(begun);
+    FormatPlan result{{{}, {begun.resolution}}, begun.settings};
+    for (const Product* product : settings.products) {
+        result.maps.channels = result.maps.channels | product->set();
+        if (!settings.layout.layered) result.named_products.emplace_back(product->name);
+    }
+    return result;
+}
+
+io::FrameLabel label_of(const BakePlan& plan, int frame) {
+    return {plan.sea_text, frame, plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
+            plan.backend.name};
+}
+
+/// The image of a file, without its samples.
+io::Image image_of(const BakePlan& plan, const BakeFile& file) {
+    const Settings& settings = settings_of(plan);
+    return io::product_image(settings.of_file(file.part), settings.layout,
+                             label_of(plan, file.frame), plan.resolution);
+}
+
+std::string header_of(const BakePlan& plan, const BakeFile& file) {
+    return io::exr_header_bytes(image_of(plan, file), settings_of(plan).compression);
+}
+
+std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+    const Settings& settings = settings_of(plan);
+    std::vector<BakeFile> files;
+    for (std::size_t part = 0; part < settings.files(); ++part) {
+        BakeFile file{"", frame, part, "", ""};
+        for (const Product* product : settings.of_file(part)) {
+            file.product += (file.product.empty() ? "" : ",") + std::string(product->name);
+        }
+        file.path = plan.pattern.file(frame, plan.product_in_name ? file.product : "");
+        file.recipe = sha256_hex(header_of(plan, file));
+        files.push_back(std::move(file));
+    }
+    return files;
+}
+
+std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
+    return io::most_exr_bytes(image_of(plan, file), settings_of(plan).compression);
+}
+
+void write(const FrameWork& work, std::span<const BakeFile> files) {
+    const Settings& settings = settings_of(work.plan);
+    for (const BakeFile& file : files) {
+        const io::Image image = io::product_image(settings.of_file(file.part), settings.layout,
+                                                  work.label(), work.maps.front());
+        work.put(file, [&] {
+            io::write_exr(image, file.path, settings.compression, work.threads);
+        });
+    }
+}
+
+bool read_pixels(const BakePlan& plan, const BakeFile& file, int threads,
+                 const io::ByteSink& sink) {
+    io::read_exr_pixels(file.path, header_of(plan, file), threads, sink);
+    return true;
+}
+
+// ---- --from ----
+
+/// The layout and the type that give the file's channels; the default, where it does, stays unsaid.
+void adopt_channels(const io::ExrLayout& stored, std::span<const Product* const> products,
+                    BakeOptions& options) {
+    for (const bool layered : {false, true}) {
+        for (const auto& [type, name] :
+             {std::pair<std::optional<io::PixelType>, const char*>(std::nullopt, ""),
+              {io::PixelType::half_float, "half"},
+              {io::PixelType::full_float, "float"}}) {
+            if (!layered && products.size() > 1) continue;
+            const io::ProductLayout layout{.type = type, .layered = layered};
+            if (io::exr_channels(io::product_image(products, layout, {}, 1)) != stored.channels)
+                continue;
+            options.take("layout", layered ? "layered" : "separate");
+            options.take("type", name);
+            return;
+        }
+    }
+    refuse_source(options.from, "its channels are not those that `ocean bake` writes");
+}
+
+void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options) {
+    const io::ExrLayout& stored = header.layout();
+    const std::vector<const Product*> products = find_products(header.text("field"), catalogue);
+    const auto is_vector = [](const Product* product) { return product->count == 3; };
+    // Scalars look the same in all axes, so that their header says nothing of vectors.
+    if (std::any_of(products.begin(), products.end(), is_vector)) {
+        options.take("axes", header.text("axes"));
+    }
+    const auto typed = [&](const char* name) { return !options.format_option(name).empty(); };
+    if (!typed("type") || !typed("layout")) adopt_channels(stored, products, options);
+    if (!typed("compression")) {
+        if (!stored.compression) {
+            refuse_source(options.from, "`ocean bake` does not have its compression");
+        }
+        options.take("compression", io::exr_compression_name(*stored.compression));
+    }
+    options.take("products", header.text("field"));
+}
+
+}  // namespace
+
+const BakeFormat kExrFormat = {
+    .name = "exr",
+    .extension = ".exr",
+    .family = "EXR files",
+    .options = list_options,
+    .read_options = read_options,
+    .settle = settle,
+    .files = list_files,
+    .frame_bytes = nullptr,
+    .most_bytes = most_bytes,
+    .write = write,
+    .read_pixels = read_pixels,
+    .tells_its_recipe = true,
+    .adopt = adopt,
+};
+
+}  // namespace ocean

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// POV-Ray's height_field: a 16-bit PNG of the heights by place, with what its codes mean beside it,
+// for people (.txt) and for scenes (.inc).
+#include "formats/formats.hpp"
+#include "ocean/bake/plan.hpp"
+#include "ocean/io/height_field.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/io/product_image.hpp"
+#include "ocean/world_heights.hpp"
+
+namespace ocean {
+namespace {
+
+enum Part : std::size_t { kImage, kDescription, kDeclarations };
+
+FormatPlan settle(const BakePlan& begun) {
+    return {{{Channel::height}, {begun.resolution}, true}, {}};
+}
+
+std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+    const std::string path = plan.pattern.file(frame);
+    const std::string recipe = bake_recipe(plan, frame);
+    return {{path, frame, kImage, "height", recipe},
+            {path + ".txt", frame, kDescription, "height", recipe},
+            {path + ".inc", frame, kDeclarations, "height", recipe}};
+}
+
+std::uint64_t frame_bytes(const BakePlan& plan) {
+    return world_heights_bytes(plan.sea, plan.resolution);
+}
+
+std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
+    constexpr std::uint64_t kSmallFile = 4096;
+    return file.part == kImage ? io::most_height_field_bytes(plan.resolution) : kSmallFile;
+}
+
+void write(const FrameWork& work, std::span<const BakeFile> files) {
+    const Product* const heights[] = {&find_product("height")};
+    const io::Image image = io::product_image(heights, {}, work.label(), work.maps.front());
+    work.put(files[kImage], [&] { io::write_height_field(image, files[kImage].path); });
+    work.put(files[kDescription], [&] {
+        io::write_file_atomically(files[kDescription].path, io::height_field_description(image));
+    });
+    work.put(files[kDeclarations], [&] {
+        io::write_file_atomically(files[kDeclarations].path, io::height_field_declarations(image));
+    });
+}
+
+bool read_pixels(const BakePlan&, const BakeFile& file, int, const io::ByteSink& sink) {
+    if (file.part != kImage) return false;
+    io::read_height_field(file.path, sink);
+    return true;
+}
+
+}  // namespace
+
+const BakeFormat kHeightFieldFormat = {
+    .name = "height_field",
+    .extension = ".png",
+    .family = "Height fields",
+    .options = nullptr,
+    .read_options = nullptr,
+    .settle = settle,
+    .files = list_files,
+    .frame_bytes = frame_bytes,
+    .most_bytes = most_bytes,
+    .write = write,
+    .read_pixels = read_pixels,
+    .tells_its_recipe = false,
+    .adopt = nullptr,
+};
+
+}  // namespace ocean

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// POV-Ray meshes as text: one period of the sea, or with --eye what a camera sees of it, to the
+// horizon.
+#include <algorithm>
+#include <optional>
+
+#include "formats/formats.hpp"
+#include "ocean/bake/plan.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/mesh2.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+struct Settings {
+    std::optional<io::View> view;  // a mesh to the horizon instead of one period
+    bool slope_variance_typed = false;
+    bool foam = false;  // as u of each vertex
+};
+
+const Settings& settings_of(const BakePlan& plan) {
+    return std::any_cast<const Settings&>(plan.settings);
+}
+
+std::vector<FormatOption> list_options(const Catalogue&) {
+    constexpr const char* kEye = "eye X,Y,HEIGHT";
+    return {
+        {"eye", "X,Y,HEIGHT",
+         "A mesh from this camera to the horizon, in metres; default: one period of the sea"},
+        {"heading", "DEG", "Where the camera looks, counter-clockwise from +x; default 0", kEye},
+        {"field-of-view", "DEG", "Horizontal; default 60", kEye},
+        {"horizon", "M",
+         "Distance of the farthest vertex; default: where the Earth hides the highest crest", kEye},
+        {"mesh-columns", "N", "Vertices across; default 720", kEye},
+        {"mesh-rows", "N", "Vertices away; default 1800", kEye},
+        {"slope-variance", "V",
+         "Mean square slope of the waves that are too short for the map; default: what the "
+         "spectrum has of them",
+         kEye},
+        {"mesh-foam", "", "Foam as the u of each vertex; not with --eye"},
+    };
+}
+
+std::optional<io::View> read_view(const BakeOptions& options) {
+    const std::string& typed = options.format_option("eye");
+    if (typed.empty()) return std::nullopt;
+    const std::vector<std::string> eye = split(typed, ',');
+    if (eye.size() != 3) {
+        throw Error(ErrorKind::invalid_value,
+                    "--eye " + typed + ": allowed is X,Y,HEIGHT in metres");
+    }
+    io::View view;
+    view.x = parse_number(eye[0], "--eye X", -1e6, 1e6);
+    view.y = parse_number(eye[1], "--eye Y", -1e6, 1e6);
+    view.height = parse_number(eye[2], "--eye HEIGHT", 0.1, 1e5);
+    const auto take = [&](const std::string& name, double lo, double hi, double& value) {
+        const std::string& text = options.format_option(name);
+        if (!text.empty()) value = parse_number(text, "--" + name, lo, hi);
+    };
+    take("heading", -360.0, 360.0, view.heading);
+    take("field-of-view", 1.0, 150.0, view.field_of_view);
+    take("horizon", 10.0, 1e6, view.horizon);
+    take("slope-variance", 0.0, 1.0, view.unresolved_slope_variance);
+    const auto take_whole = [&](const std::string& name, int& value) {
+        const std::string& text = options.format_option(name);
+        if (!text.empty()) value = parse_whole_number(text, "--" + name, 2, 16384);
+    };
+    take_whole("mesh-columns", view.columns);
+    take_whole("mesh-rows", view.rows);
+    return view;
+}
+
+std::any read_options(const BakeOptions& options, const Catalogue&) {
+    Settings settings{read_view(options), !options.format_option("slope-variance").empty(),
+                      !options.format_option("mesh-foam").empty()};
+    if (settings.view && settings.foam) {
+        throw Error(ErrorKind::invalid_value, "--mesh-foam: a mesh to the horizon has no foam");
+    }
+    return settings;
+}
+
+/// Of the waves of the sea that are too short for the map.
+double unresolved_slope_variance(const BakePlan& plan) {
+    const auto slope_of = [&](const Parameters& parameters) {
+        return Ocean(parameters, {.threads = plan.threads}).state().mean_square_slope;
+    };
+    Parameters held = plan.sea.parameters;
+    if (held.grid.cascades == 1) {
+        held.grid.resolution = std::min(plan.resolution, held.grid.resolution);
+    } else {
+        held.surface.shortest_wavelength =
+            std::max(held.surface.shortest_wavelength, plan.shortest_wave());
+    }
+    return std::max(0.0, slope_of(plan.sea.parameters).asked - slope_of(held).resolved);
+}
+
+FormatPlan settle(const BakePlan& begun) {
+    using enum Channel;
+    Settings settings = settings_of(begun);
+    FrameMaps maps{{dx, dy, height, nx, ny, nz}, {begun.resolution}};
+    if (settings.foam) maps.channels = maps.channels | ChannelSet{foam};
+    if (settings.view) {
+        maps.channels = maps.channels | ChannelSet{slope_x, slope_y};
+        maps.resolutions = halving_resolutions(begun.resolution);
+        // Light also meets the waves that are too short for the map.
+        if (!settings.slope_variance_typed) {
+            settings.view->unresolved_slope_variance = unresolved_slope_variance(begun);
+        }
+    }
+    return {maps, settings};
+}
+
+std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+    std::string lines;
+    if (const auto& view = settings_of(plan).view) {
+        lines = format_text("view %.17g %.17g %.17g %.17g %.17g %.17g %.17g %d %d %.17g\n", view->x,
+                            view->y, view->height, view->heading, view->field_of_view,
+                            view->nearest, view->horizon, view->columns, view->rows,
+                            view->unresolved_slope_variance);
+    }
+    return {{plan.pattern.file(frame), frame, 0, "mesh", bake_recipe(plan, frame, lines)}};
+}
+
+std::uint64_t vertices(const BakePlan& plan) {
+    const auto& view = settings_of(plan).view;
+    if (view) {
+        return static_cast<std::uint64_t>(view->columns) * static_cast<std::uint64_t>(view->rows);
+    }
+    const auto side = static_cast<std::uint64_t>(plan.resolution) + 1;
+    return side * side;
+}
+
+std::uint64_t frame_bytes(const BakePlan& plan) {
+    // A vertex has six floats and two triangles of three numbers, and as much again as text.
+    return vertices(plan) * 2 * (6 * sizeof(float) + 6 * sizeof(int));
+}
+
+std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
+    // The longest numbers: "-1.2345678e-05", "-.1234", "2147483647", and what stands around three.
+    constexpr std::uint64_t kFloat = 14, kUnit = 6, kIndex = 10, kAround = 5, kHead = 4096;
+    const std::uint64_t foam = plan.has_foam() ? kUnit + 2 + kAround : 0;  // "<.1234,0>"
+    return kHead + vertices(plan) *
+                       (3 * kFloat + 3 * kUnit + 2 * 3 * kIndex + (1 + 1 + 2) * kAround + foam);
+}
+
+void write(const FrameWork& work, std::span<const BakeFile> files) {
+    const auto& view = settings_of(work.plan).view;
+    const io::Mesh mesh =
+        view ? io::make_horizon_mesh(work.maps, *view) : io::make_patch_mesh(work.maps.front());
+    work.put(files.front(), [&] {
+        io::write_mesh2(mesh, work.label(), files.front().path, view ? &*view : nullptr);
+    });
+}
+
+}  // namespace
+
+const BakeFormat kMesh2Format = {
+    .name = "mesh2",
+    .extension = ".inc",
+    .family = "Mesh files",
+    .options = list_options,
+    .read_options = read_options,
+    .settle = settle,
+    .files = list_files,
+    .frame_bytes = frame_bytes,
+    .most_bytes = most_bytes,
+    .write = write,
+    .read_pixels = nullptr,
+    .tells_its_recipe = false,
+    .adopt = nullptr,
+};
+
+}  // namespace ocean

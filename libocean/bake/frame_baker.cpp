@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One frame; see frame_baker.hpp. A file is read back as soon as it is written: its hashes are those
+// of what the disk holds, and a disk that lies is found out.
+#include "frame_baker.hpp"
+
+#include "complete_file.hpp"
+#include "ocean/error.hpp"
+#include "ocean/map_levels.hpp"
+#include "ocean/text.hpp"
+#include "ocean/world_heights.hpp"
+
+namespace ocean {
+
+FrameBaker::FrameBaker(const Bake& bake, int threads)
+    : bake_(bake),
+      threads_(threads),
+      ocean_(bake.ocean, {.threads = threads,
+                          .backend = bake.plan.backend,
+                          .channels = bake.plan.channels,
+                          .foam_progress = bake.host.foam_progress()}) {}
+
+bool FrameBaker::keep(const std::vector<BakeFile>& files) {
+    std::vector<ManifestEntry> entries;
+    for (const BakeFile& file : files) {
+        auto entry = find_complete(bake_.plan, file, bake_.manifest, threads_);
+        if (!entry) return false;
+        entries.push_back(std::move(*entry));
+    }
+    for (ManifestEntry& entry : entries) bake_.manifest.add(std::move(entry));
+    return true;
+}
+
+void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
+    const std::vector<Surface> maps = make_maps(bake_.plan.sea.time_of(frame));
+    bake_.plan.format->write(
+        {bake_.plan, frame, maps, threads_,
+         [this](const BakeFile& file, const std::function<void()>& write) { put(file, write); }},
+        files);
+}
+
+std::vector<Surface> FrameBaker::make_maps(double time) {
+    const FrameMaps& maps = bake_.plan.maps;
+    if (!maps.by_place) return map_levels(ocean_, time, maps.channels, maps.resolutions);
+    WorldHeights heights = world_heights(ocean_, time, maps.resolutions.front());
+    if (heights.folded > 0) {
+        bake_.host.warning(format_text(
+            "at %g s %zu of %zu points lie where the crests have folded over: they take the top "
+            "sheet",
+            time, heights.folded, heights.surface.channel(Channel::height).size()));
+    }
+    std::vector<Surface> surfaces;
+    surfaces.push_back(std::move(heights.surface));
+    return surfaces;
+}
+
+void FrameBaker::put(const BakeFile& file, const std::function<void()>& write) {
+    bake_.host.whole([&] {
+        write();
+        if (!is_regular(file)) return;
+        try {
+            bake_.manifest.add(inspect(bake_.plan, file, threads_));
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::bad_file) throw;
+            throw Error(
+                ErrorKind::output,
+                "'" + file.path + "' does not read back as it was written: " + error.what());
+        }
+    });
+}
+
+}  // namespace ocean

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One frame of a bake after another: computed, written, read back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "manifest.hpp"
+#include "ocean/bake/run.hpp"
+#include "ocean/ocean.hpp"
+
+namespace ocean {
+
+/// What all frames of a bake share.
+struct Bake {
+    const BakePlan& plan;
+    const Ocean& ocean;  // with its modes
+    Manifest& manifest;
+    BakeHost& host;
+};
+
+/// Several of them bake side by side.
+class FrameBaker {
+  public:
+    FrameBaker(const Bake& bake, int threads);
+
+    /// Enters the files into the manifest and returns true if all of them are complete.
+    bool keep(const std::vector<BakeFile>& files);
+    /// Computes the frame, writes its files, and reads them back for the manifest.
+    void make(const std::vector<BakeFile>& files, int frame);
+
+  private:
+    std::vector<Surface> make_maps(double time);
+    void put(const BakeFile& file, const std::function<void()>& write);
+
+    const Bake& bake_;
+    int threads_;
+    Ocean ocean_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Frame numbers and file names; see frames.hpp.
+#include "ocean/bake/frames.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <regex>
+#include <unordered_set>
+
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::size_t kMostFrames = 1000000;
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ErrorKind::invalid_value, message);
+}
+
+[[noreturn]] void refuse_frames(std::string_view part, const std::string& why) {
+    refuse("--frames " + std::string(part) + ": " + why +
+           "; allowed are FIRST, FIRST-LAST and FIRST-LASTxSTEP in comma lists, such as 1-250x2");
+}
+
+/// Takes an integer from the front of `rest`; false if there is none or it does not fit.
+bool take_int(std::string_view& rest, int& value) {
+    const auto [stop, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    if (code != std::errc()) return false;
+    rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
+    return true;
+}
+
+bool take_char(std::string_view& rest, char c) {
+    if (rest.empty() || rest.front() != c) return false;
+    rest.remove_prefix(1);
+    return true;
+}
+
+struct FrameRange {
+    int first;
+    int last;
+    int step;
+};
+
+FrameRange parse_range(std::string_view part) {
+    std::string_view rest = part;
+    FrameRange range{0, 0, 1};
+    if (!take_int(rest, range.first)) refuse_frames(part, "not a frame number");
+    range.last = range.first;
+    if (take_char(rest, '-')) {
+        if (!take_int(rest, range.last)) refuse_frames(part, "the range has no end");
+        if (take_char(rest, 'x') && (!take_int(rest, range.step) || range.step < 1)) {
+            refuse_frames(part, "the step must be a whole number, at least 1");
+        }
+    }
+    // y, : and fractions mean other things in other tools: better refused than misread.
+    if (!rest.empty()) refuse_frames(part, "'" + std::string(rest) + "' is not supported");
+    if (range.last < range.first) refuse_frames(part, "the last frame comes before the first");
+    return range;
+}
+
+}  // namespace
+
+std::vector<int> parse_frames(std::string_view text) {
+    std::vector<int> frames;
+    std::unordered_set<int> seen;
+    for (const std::string& part : split(text, ',')) {
+        const FrameRange range = parse_range(part);
+        for (long long frame = range.first; frame <= range.last; frame += range.step) {
+            const int number = static_cast<int>(frame);
+            if (!seen.insert(number).second) continue;
+            if (frames.size() == kMostFrames) refuse_frames(part, "more than a million frames");
+            frames.push_back(number);
+        }
+    }
+    return frames;
+}
+
+std::vector<int> Shard::of(const std::vector<int>& frames) const {
+    const auto first = [&](long long block) {
+        return frames.begin() + static_cast<long long>(frames.size()) * block / count;
+    };
+    return {first(number - 1), first(number)};
+}
+
+Shard parse_shard(std::string_view text) {
+    Shard shard;
+    std::string_view rest = text;
+    const bool numbers = take_int(rest, shard.number) && take_char(rest, '/') &&
+                         take_int(rest, shard.count) && rest.empty();
+    if (!numbers || shard.number < 1 || shard.number > shard.count) {
+        refuse("--shard " + std::string(text) +
+               ": allowed is I/N, the I-th of N parts, from 1/N to N/N");
+    }
+    return shard;
+}
+
+OutputPattern::OutputPattern(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
+    folder_ = path.substr(0, start);
+    const std::string name = path.substr(start);
+    if (name.empty()) refuse("-o '" + path + "': the name of a file is missing");
+
+    static const std::regex token("#+|%0?([0-9]*)d|\\$F([0-9]*)");
+    const auto first = std::sregex_iterator(name.begin(), name.end(), token);
+    const auto count = std::distance(first, std::sregex_iterator());
+    if (count > 1)
+        refuse("-o '" + path + "': one frame token (####) is allowed, not " +
+               std::to_string(count));
+    if (count == 0) {
+        const std::size_t dot = name.rfind('.');
+        const std::size_t end = dot == std::string::npos || dot == 0 ? name.size() : dot;
+        before_ = name.substr(0, end);
+        after_ = name.substr(end);
+        return;
+    }
+    const std::smatch match = *first;
+    before_ = match.prefix();
+    after_ = match.suffix();
+    if (match[0].str().front() == '#') {
+        // Some tools read # as four digits, others as one: a lone # means 4, #### is 4 for all.
+        width_ = match[0].length() == 1 ? 4 : static_cast<int>(match[0].length());
+    } else {
+        const std::string digits = match[1].matched ? match[1].str() : match[2].str();
+        std::string_view rest = digits;
+        width_ = 1;
+        if (!digits.empty() && (!take_int(rest, width_) || width_ < 1 || width_ > 20)) {
+            refuse("-o '" + path + "': 1 to 20 digits are allowed for a frame number");
+        }
+    }
+    if (width_ > 20) refuse("-o '" + path + "': 1 to 20 digits are allowed for a frame number");
+}
+
+OutputPattern OutputPattern::with_token() const {
+    OutputPattern pattern = *this;
+    if (!pattern.has_token()) {
+        pattern.before_ += '.';
+        pattern.width_ = 4;
+    }
+    return pattern;
+}
+
+std::string OutputPattern::extension() const {
+    const std::size_t dot = after_.rfind('.');
+    std::string extension = dot == std::string::npos ? "" : after_.substr(dot);
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
+}
+
+std::string OutputPattern::file(int frame, std::string_view product) const {
+    std::string name = before_;
+    if (!product.empty()) {
+        // sea.####.exr -> sea.normal.0001.exr, sea_####.exr -> sea_normal_0001.exr.
+        const char last = name.empty() ? '\0' : name.back();
+        const bool separated = last == '.' || last == '_' || last == '-';
+        const char separator = separated ? last : '.';
+        if (!separated && !name.empty()) name += separator;
+        name += product;
+        if (has_token()) name += separator;
+    }
+    if (has_token()) name += format_text("%0*d", width_, frame);
+    return folder_ + name + after_;
+}
+
+std::string OutputPattern::manifest() const {
+    std::string stem = before_ + after_.substr(0, std::min(after_.rfind('.'), after_.size()));
+    while (!stem.empty() && std::string_view("._-").find(stem.back()) != std::string_view::npos) {
+        stem.pop_back();
+    }
+    return folder_ + stem + (stem.empty() ? "" : ".") + "manifest.json";
+}
+
+std::string OutputPattern::folder() const {
+    if (folder_.size() <= 1) return folder_;
+    return folder_.substr(0, folder_.size() - 1);
+}
+
+}  // namespace ocean

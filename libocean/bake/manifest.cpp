@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reading, merging and writing of the manifest's file; see manifest.hpp.
+#include "manifest.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/platform.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::uintmax_t kLargestManifest = std::uintmax_t{256} << 20;  // some 500 000 files
+
+/// Keeps other runs from merging at the same time. Some network disks have no locks: there the last
+/// of two writers wins, and a file that lost its entry is looked at again by --skip-existing.
+class FolderLock {
+  public:
+    explicit FolderLock(const std::filesystem::path& folder)
+        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+    }
+    ~FolderLock() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
+/// "" if there is no such file.
+std::string read_text(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return "";
+    const auto refuse = [](const char* reason) { throw Error(ErrorKind::bad_file, reason); };
+    if (!std::filesystem::is_regular_file(path, error)) refuse("it is not a file");
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (error || size > kLargestManifest) refuse("it is larger than 256 MiB");
+    std::string text(size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    if (!file) refuse("it cannot be read");
+    return text;
+}
+
+void drop_missing_files(ManifestEntries& entries, const std::filesystem::path& folder) {
+    std::set<std::string> present;
+    std::error_code error;
+    for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end;
+         file.increment(error)) {
+        present.insert(file->path().filename().string());
+    }
+    if (error) return;
+    std::erase_if(entries, [&](const auto& entry) { return !present.contains(entry.first); });
+}
+
+}  // namespace
+
+Manifest::Manifest(std::string path) : path_(std::move(path)) {
+    try {
+        const std::string text = read_text(utf8_path(path_));
+        if (!text.empty()) found_ = parse_manifest(text);
+    } catch (const Error& error) {
+        distrust_ = path_ + " is not a manifest of ours: " + error.what();
+    }
+}
+
+const ManifestEntry* Manifest::find(const std::string& name) const {
+    const auto entry = found_.find(name);
+    return entry == found_.end() ? nullptr : &entry->second;
+}
+
+void Manifest::add(ManifestEntry entry) {
+    const std::lock_guard lock(mutex_);
+    std::string name = entry.name;
+    added_.insert_or_assign(std::move(name), std::move(entry));
+}
+
+void Manifest::save() {
+    ManifestEntries merged;
+    {
+        const std::lock_guard lock(mutex_);
+        merged = added_;
+    }
+    if (merged.empty()) return;
+    std::filesystem::path folder = utf8_path(path_).parent_path();
+    if (folder.empty()) folder = ".";
+    const FolderLock lock(folder);
+    std::string before;
+    try {
+        before = read_text(utf8_path(path_));
+        if (!before.empty()) merged.merge(parse_manifest(before));
+    } catch (const Error&) {
+        // Replaced, as the run has warned at its start.
+    }
+    drop_missing_files(merged, folder);
+    const std::string text = manifest_text(merged);
+    if (text != before) io::write_file_atomically(path_, text);
+}
+
+}  // namespace ocean

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The manifest beside baked files: what each of them is, and its hashes. Runs of one bake on many
+// machines share one file, so that writing it means merging into it. Nothing in it changes from run
+// to run.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace ocean {
+
+struct ManifestEntry {
+    std::string name;  // of the file, without a folder
+    int frame = 0;
+    double time = 0.0;    // s
+    std::string product;  // several in comma lists
+    std::uint64_t bytes = 0;
+    std::string sha256;         // of the file
+    std::string pixels_sha256;  // of the decoded samples; "" for what is no image
+    std::string recipe;         // SHA-256 of all that decides the file's content
+};
+
+/// By name.
+using ManifestEntries = std::map<std::string, ManifestEntry>;
+
+std::string manifest_text(const ManifestEntries& entries);
+/// Throws Error bad_file with the reason; safe on hostile text.
+ManifestEntries parse_manifest(std::string_view text);
+
+class Manifest {
+  public:
+    /// Reads the file `path` if it is there. What is not a manifest is not trusted: `distrust()`
+    /// says why, and save() replaces it.
+    explicit Manifest(std::string path);
+
+    const std::string& distrust() const { return distrust_; }
+    /// What the file said of `name` when this object was made; null if nothing.
+    const ManifestEntry* find(const std::string& name) const;
+
+    /// Any thread.
+    void add(ManifestEntry entry);
+    /// Merges what was added into the file; entries without a file are dropped. Any thread, one at
+    /// a time. Throws Error output.
+    void save();
+
+  private:
+    std::string path_;
+    std::string distrust_;
+    ManifestEntries found_;
+    std::mutex mutex_;
+    ManifestEntries added_;
+};
+
+}  // namespace ocean

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a bake is asked to do; see plan.hpp.
+#include "ocean/bake/plan.hpp"
+
+#include <algorithm>
+
+#include "formats/formats.hpp"
+#include "ocean/cascades.hpp"
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/seafile.hpp"
+#include "ocean/text.hpp"
+#include "ocean/version.hpp"
+#include "sha256.hpp"
+#include "source.hpp"
+
+namespace ocean {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ErrorKind::invalid_value, message);
+}
+
+/// By the extension of the output; null if there is none of it.
+const BakeFormat* find_format(const Catalogue& catalogue, const std::string& extension) {
+    for (const BakeFormat* format : catalogue.formats) {
+        if (format->extension == extension) return format;
+    }
+    return nullptr;
+}
+
+[[noreturn]] void refuse_extension(const Catalogue& catalogue, const std::string& output,
+                                   const std::string& extension) {
+    const std::string allowed = "allowed are " + catalogue.extensions("and");
+    for (const char* later : {".vdb", ".obj", ".ply", ".pc2"}) {
+        if (extension == later) {
+            throw Error(ErrorKind::unsupported,
+                        "-o " + output + ": " + later + " comes with a later version; " + allowed);
+        }
+    }
+    refuse("-o " + output + ": the extension names the format; " + allowed);
+}
+
+std::vector<FormatOption> options_of(const BakeFormat& format, const Catalogue& catalogue) {
+    return format.options == nullptr ? std::vector<FormatOption>{} : format.options(catalogue);
+}
+
+/// An option that the format would ignore is a misunderstanding.
+void refuse_foreign(const BakeOptions& options, const BakeFormat& format,
+                    const Catalogue& catalogue) {
+    const std::vector<FormatOption> known = options_of(format, catalogue);
+    const auto knows = [&](const std::string& name) {
+        return std::any_of(known.begin(), known.end(),
+                           [&](const FormatOption& option) { return option.name == name; });
+    };
+    for (const BakeFormat* home : catalogue.formats) {
+        for (const FormatOption& option : options_of(*home, catalogue)) {
+            const std::string& text = options.format_option(option.name);
+            if (text.empty()) continue;
+            const std::string typed =
+                "--" + option.name + (option.value.empty() ? "" : " " + text) + ": ";
+            if (options.format_option(option.needs.substr(0, option.needs.find(' '))).empty() &&
+                !option.needs.empty()) {
+                refuse(typed + "needs --" + option.needs);
+            }
+            if (!knows(option.name)) {
+                refuse(typed + "only files of type " + std::string(home->extension) + " know it");
+            }
+        }
+    }
+}
+
+const Backend& choose_backend(const Catalogue& catalogue, const std::string& name) {
+    for (const Backend& backend : catalogue.backends) {
+        if (backend.name == name) return backend;
+    }
+    return find_backend(name);
+}
+
+int find_resolution(const BakeOptions& options, const Grid& grid) {
+    const std::string& text = options.resolution;
+    if (text.empty()) {
+        const int shown = default_map_resolution(grid);
+        return options.largest_map > 0 ? std::min(shown, options.largest_map) : shown;
+    }
+    const int resolution =
+        parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
+    if (!is_power_of_two(resolution)) {
+        refuse(format_text("--resolution = %d: allowed is a power of two, %d .. %d", resolution,
+                           kMinResolution, kMaxResolution));
+    }
+    return resolution;
+}
+
+/// Gives the names room for the frame number and the product where several files need it.
+void settle_names(const FormatPlan& files, BakePlan& plan) {
+    const bool several = plan.frames.size() > 1 || files.named_products.size() > 1;
+    if (several) plan.pattern = plan.pattern.with_token();
+    plan.product_in_name = !files.named_products.empty() && plan.pattern.has_token();
+}
+
+}  // namespace
+
+const std::string& BakeOptions::format_option(const std::string& name) const {
+    static const std::string not_given;
+    const auto found = of_format.find(name);
+    return found == of_format.end() ? not_given : found->second;
+}
+
+void BakeOptions::take(const std::string& name, std::string_view value) {
+    std::string& option = of_format[name];
+    if (option.empty()) option = value;
+}
+
+double BakePlan::shortest_wave() const {
+    const Grid& grid = sea.parameters.grid;
+    // On an axis the modes end with the last cascade's.
+    const Lattice finest{grid.resolution, grid.patch_size / cascade_divisors(grid).back()};
+    return std::max(finest.shortest_wavelength(),
+                    Lattice{resolution, grid.patch_size}.shortest_wavelength());
+}
+
+io::FrameLabel FrameWork::label() const {
+    return {plan.sea_text, frame, plan.sea.time_of(frame), maps.front().period(),
+            plan.backend.name};
+}
+
+std::vector<int> halving_resolutions(int resolution) {
+    std::vector<int> levels = {resolution};
+    while (levels.back() > kMinResolution) levels.push_back(levels.back() / 2);
+    return levels;
+}
+
+std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format_lines) {
+    std::string text =
+        format_text("libocean %s\nformat %s\nbackend %s\nresolution %d\nframe %d\n", OCEAN_VERSION,
+                    plan.pattern.extension().c_str(), std::string(plan.backend.name).c_str(),
+                    plan.resolution, frame);
+    text += format_lines;
+    return sha256_hex(text + plan.sea_text);
+}
+
+BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
+    BakePlan plan;
+    plan.pattern = OutputPattern(typed.output);
+    plan.format = find_format(catalogue, plan.pattern.extension());
+    const BakeOptions options = with_source(typed, catalogue, plan.format);
+    if (plan.format == nullptr) {
+        refuse_extension(catalogue, options.output, plan.pattern.extension());
+    }
+    refuse_foreign(options, *plan.format, catalogue);
+    if (plan.format->read_options != nullptr) {
+        plan.settings = plan.format->read_options(options, catalogue);
+    }
+    plan.skip_existing = options.skip_existing;
+    plan.keep_going = options.keep_going;
+    plan.threads = options.threads;
+    plan.channels = catalogue.channels;
+    plan.backend = choose_backend(catalogue, options.backend.empty() ? "cpu" : options.backend);
+    if (!options.frames.empty()) plan.frames = parse_frames(options.frames);
+
+    plan.sea = options.open_sea(options.source);
+    if (!options.fps.empty()) set_parameter(plan.sea.parameters, "time.fps", options.fps);
+    if (plan.frames.empty()) plan.frames = {plan.sea.parameters.time.first_frame};
+    plan.resolution = find_resolution(options, plan.sea.parameters.grid);
+    FormatPlan settled = plan.format->settle(plan);
+    settle_names(settled, plan);
+    plan.maps = std::move(settled.maps);
+    plan.settings = std::move(settled.settings);
+    plan.shard = options.shard;
+    if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
+    plan.sea_text = write_sea(plan.sea);
+    return plan;
+}
+
+}  // namespace ocean

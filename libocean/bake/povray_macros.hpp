@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files of povray_macros/ that go into every folder for POV-Ray; the build puts them here.
+#pragma once
+
+#include <string_view>
+
+namespace ocean {
+
+extern const std::string_view kOceanInc;
+extern const std::string_view kScenePov;
+
+}  // namespace ocean

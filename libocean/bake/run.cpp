@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Baking the frames of a plan. A frame's time comes from the sea alone, so that frames may be baked
+// in any order, on any machine, and baked again after a crash with the same bytes.
+#include "ocean/bake/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "frame_baker.hpp"
+#include "frame_workers.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What became of one frame.
+struct Outcome {
+    bool skipped = false;
+    double seconds = 0.0;
+    std::vector<std::string> files;
+    std::optional<Error> error;
+};
+
+Outcome bake_frame(const BakePlan& plan, FrameBaker& baker, int frame) {
+    Outcome outcome;
+    const Clock::time_point started = Clock::now();
+    try {
+        const std::vector<BakeFile> files = plan.format->files(plan, frame);
+        for (const BakeFile& file : files) outcome.files.push_back(file.path);
+        outcome.skipped = plan.skip_existing && baker.keep(files);
+        if (!outcome.skipped) baker.make(files, frame);
+    } catch (const Error& error) {
+        outcome.error = error;
+    } catch (const std::bad_alloc&) {
+        outcome.error = Error(ErrorKind::out_of_memory, "there is not enough memory");
+    } catch (const std::exception& error) {
+        outcome.error = Error(ErrorKind::output, error.what());
+    }
+    outcome.seconds = std::chrono::duration<double>(Clock::now() - started).count();
+    return outcome;
+}
+
+/// "7, 9-11".
+std::string ranges_text(const std::vector<int>& frames) {
+    std::string text;
+    for (std::size_t i = 0; i < frames.size();) {
+        std::size_t last = i;
+        while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) ++last;
+        text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
+        if (last > i) text += "-" + std::to_string(frames[last]);
+        i = last + 1;
+    }
+    return text;
+}
+
+/// Keeps the manifest on the disk not far behind the files, at a twentieth of the time at most.
+class ManifestKeeper {
+  public:
+    explicit ManifestKeeper(const Bake& bake) : bake_(bake) {}
+
+    void save() {
+        const Clock::time_point started = Clock::now();
+        bake_.host.whole([this] { bake_.manifest.save(); });
+        saved_ = Clock::now();
+        pause_ = std::max<Clock::duration>(std::chrono::seconds(5), 20 * (saved_ - started));
+    }
+    void save_now_and_then() {
+        if (Clock::now() - saved_ > pause_) save();
+    }
+    /// When something else went wrong, which is what the user must hear.
+    void save_if_possible() noexcept {
+        try {
+            save();
+        } catch (const std::exception&) {
+        }
+    }
+
+  private:
+    const Bake& bake_;
+    Clock::time_point saved_ = Clock::now();
+    Clock::duration pause_ = std::chrono::seconds(5);
+};
+
+/// Reports each frame as it is delivered; throws what ends the run.
+class Report {
+  public:
+    Report(const BakePlan& plan, BakeHost& host) : plan_(plan), host_(host) {}
+
+    void frame(int number, const Outcome& outcome) {
+        if (outcome.error) {
+            host_.frame_failed(number, outcome.error->what(), goes_on());
+            if (!first_error_) first_error_ = outcome.error;
+            failed_.push_back(number);
+            return;
+        }
+        ++whole_;
+        if (outcome.skipped) {
+            host_.frame_kept(number, outcome.files);
+        } else {
+            host_.note(format_text("frame %d is at %.9g s", number, plan_.sea.time_of(number)));
+            host_.frame_baked(number, outcome.seconds, outcome.files);
+        }
+    }
+
+    void end() {
+        const std::size_t total = plan_.frames.size();
+        if (failed_.empty() || goes_on()) host_.end();
+        if (failed_.empty()) return;
+        if (total == 1) throw *first_error_;
+        if (goes_on()) {
+            throw Error(ErrorKind::output,
+                        format_text("%zu of %zu frames failed: ", failed_.size(), total) +
+                            ranges_text(failed_));
+        }
+        throw Error(first_error_->kind(),
+                    std::string(first_error_->what()) +
+                        format_text("; %d of %zu frames are whole", whole_, total));
+    }
+
+  private:
+    /// A lone frame's error says all there is to say.
+    bool goes_on() const { return plan_.keep_going && plan_.frames.size() > 1; }
+
+    const BakePlan& plan_;
+    BakeHost& host_;
+    int whole_ = 0;
+    std::vector<int> failed_;
+    std::optional<Error> first_error_;
+};
+
+void bake_frames(const Bake& bake, const WorkShare& share, ManifestKeeper& keeper) {
+    const BakePlan& plan = bake.plan;
+    std::vector<std::unique_ptr<FrameBaker>> bakers;
+    for (int worker = 0; worker < share.frames_at_a_time; ++worker) {
+        bakers.push_back(std::make_unique<FrameBaker>(bake, share.threads_each));
+    }
+    std::vector<Outcome> outcomes(plan.frames.size());
+    Report report(plan, bake.host);
+    run_in_order(
+        static_cast<int>(plan.frames.size()), share.frames_at_a_time,
+        [&](int worker, int index) {
+            const auto i = static_cast<std::size_t>(index);
+            outcomes[i] =
+                bake_frame(plan, *bakers[static_cast<std::size_t>(worker)], plan.frames[i]);
+            return !outcomes[i].error || plan.keep_going;
+        },
+        [&](int index) {
+            const auto i = static_cast<std::size_t>(index);
+            report.frame(plan.frames[i], std::exchange(outcomes[i], {}));
+            keeper.save_now_and_then();
+        });
+    report.end();
+}
+
+/// While it lives an interrupt saves the manifest before the process ends.
+class InterruptedManifest {
+  public:
+    InterruptedManifest(Manifest& manifest, BakeHost& host) : host_(host) {
+        host.if_interrupted([&manifest, &host] {
+            try {
+                manifest.save();
+            } catch (const std::exception& error) {
+                host.warning(error.what());
+            }
+        });
+    }
+    ~InterruptedManifest() { host_.if_interrupted({}); }
+    InterruptedManifest(const InterruptedManifest&) = delete;
+    InterruptedManifest& operator=(const InterruptedManifest&) = delete;
+
+  private:
+    BakeHost& host_;
+};
+
+}  // namespace
+
+void run_bake(const BakePlan& plan, BakeHost& host) {
+    const WorkShare share = share_work(plan);
+    if (plan.frames.empty()) {
+        host.begin(plan, share);
+        return host.end();
+    }
+    io::make_folder(plan.pattern.folder());
+    io::remove_abandoned_temporaries(plan.pattern.folder());
+    Manifest manifest(plan.pattern.manifest());
+    if (!manifest.distrust().empty()) {
+        host.warning(manifest.distrust() + "; it will be replaced");
+    }
+    host.begin(plan, share);
+    host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
+                          share.threads_each));
+    Ocean ocean(plan.sea, {.threads = plan.threads});
+    ocean.modes();  // once, for all workers
+    const Bake bake{plan, ocean, manifest, host};
+    ManifestKeeper keeper(bake);
+    const InterruptedManifest last_act(manifest, host);
+    try {
+        bake_frames(bake, share, keeper);
+    } catch (...) {
+        keeper.save_if_possible();
+        throw;
+    }
+    keeper.save();
+}
+
+}  // namespace ocean

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the header of a baked file back to the options that made it; see source.hpp. What a header
+// says becomes text in the place of an option that was not typed, so that it is checked as if it
+// had been.
+#include "source.hpp"
+
+#include <charconv>
+#include <string_view>
+
+#include "ocean/cascades.hpp"
+#include "ocean/error.hpp"
+#include "ocean/seafile.hpp"
+
+namespace ocean {
+namespace {
+
+void take(std::string& option, std::string_view value) {
+    if (option.empty()) option = value;
+}
+
+/// A file whose time is not its frame's was not baked, and would not come out again.
+void check_time(const Sea& sea, const BakedHeader& header, const std::string& path) {
+    if (sea.time_of(header.whole_number("frame")) == header.number("time")) return;
+    refuse_source(path, "its ocean:time is not that of its ocean:frame");
+}
+
+}  // namespace
+
+void refuse_source(const std::string& path, const std::string& reason) {
+    throw Error(ErrorKind::bad_file, "--from " + path + ": " + reason);
+}
+
+BakedHeader::BakedHeader(const std::string& path) : path_(path) {
+    for (io::HeaderString& string : io::read_exr_header(path)) {
+        strings_[string.name] = std::move(string.text);
+    }
+    layout_ = io::read_exr_layout(path);
+}
+
+const std::string& BakedHeader::text(const std::string& name) const {
+    const auto found = strings_.find("ocean:" + name);
+    if (found == strings_.end()) refuse_source(path_, "its header has no ocean:" + name);
+    return found->second;
+}
+
+template <typename Number>
+Number BakedHeader::read(const std::string& name) const {
+    const std::string& digits = text(name);
+    Number value{};
+    const char* end = digits.data() + digits.size();
+    const auto [stop, code] = std::from_chars(digits.data(), end, value);
+    if (code != std::errc() || stop != end) {
+        refuse_source(path_, "its ocean:" + name + " is no number");
+    }
+    return value;
+}
+
+double BakedHeader::number(const std::string& name) const {
+    return read<double>(name);
+}
+
+int BakedHeader::whole_number(const std::string& name) const {
+    return read<int>(name);
+}
+
+BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const BakeFormat* format) {
+    if (options.from.empty() == options.source.empty()) {
+        throw Error(ErrorKind::invalid_value, "bake: give SEA or --from FRAME.exr, one of them");
+    }
+    if (options.from.empty()) return options;
+    options.source = options.from;
+    const BakedHeader header(options.from);
+    const Sea sea = parse_sea(header.text("sea"), options.from, "");
+    check_time(sea, header, options.from);
+    take(options.frames, std::to_string(header.whole_number("frame")));
+    // Where the sea's own resolution was used, a changed sea may change it.
+    const int resolution = header.layout().resolution;
+    if (resolution != default_map_resolution(sea.parameters.grid)) {
+        take(options.resolution, std::to_string(resolution));
+    }
+    if (header.has("backend")) take(options.backend, header.text("backend"));
+    if (format != nullptr && format->adopt != nullptr) format->adopt(header, catalogue, options);
+    return options;
+}
+
+}  // namespace ocean

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The state of a sea as sentences and as JSON.
+#include "state/sea_state_text.hpp"
+
+#include <algorithm>
+
+#include "ocean/json.hpp"
+
+namespace ocean {
+
+namespace {
+
+Json asked_resolved(const AskedResolved& value) {
+    return JsonObject().add("asked", value.asked).add("resolved", value.resolved);
+}
+
+Json slopes_json(const std::vector<MapSlope>& slopes) {
+    JsonArray list;
+    for (const MapSlope& map : slopes) {
+        list.add(JsonObject()
+                     .add("resolution", map.resolution)
+                     .add("mean_square_slope", map.mean_square_slope));
+    }
+    return list;
+}
+
+Json cascades_json(const std::vector<CascadeShare>& cascades) {
+    JsonArray list;
+    for (const CascadeShare& share : cascades) {
+        list.add(JsonObject()
+                     .add("period", share.period)
+                     .add("shortest_wave", share.shortest_wave)
+                     .add("longest_wave", share.longest_wave)
+                     .add("height_share", share.height)
+                     .add("slope_share", share.slope));
+    }
+    return list;
+}
+
+Json loop_errors_json(const std::vector<LoopError>& errors) {
+    JsonArray list;
+    for (const LoopError& error : errors) {
+        list.add(
+            JsonObject().add("wavelength", error.wavelength).add("speed_error", error.speed_error));
+    }
+    return list;
+}
+
+}  // namespace
+
+void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
+    const auto warn = [&state](std::string text) { state.warnings.push_back(std::move(text)); };
+    if (flat) {
+        warn("the sea is flat: no wave system has any energy (wind_speed = 0?)");
+        return;
+    }
+    if (state.energy_resolved < 0.95) {
+        warn("this grid holds " + fixed_text(100.0 * state.energy_resolved, 1) +
+             " % of the energy asked for; its waves are " + fixed_text(state.shortest_wave, 2) +
+             " to " + fixed_text(state.longest_wave, 0) +
+             " m long, the peak of the spectrum is at " +
+             fixed_text(state.peak_wavelength.asked, 1) +
+             " m: change grid.patch_size or grid.resolution");
+    }
+    if (state.energy_resolved > 1.02) {
+        warn("the spectrum is narrower than the grid's modes lie apart: heights are " +
+             fixed_text(100.0 * state.energy_resolved, 1) +
+             " % of the energy asked for; make grid.patch_size larger");
+    }
+    if (state.loop_error > 0.05) {
+        warn("time.loop_period = " + fixed_text(parameters.time.loop_period, 1) +
+             " s moves the waves " + fixed_text(100.0 * state.loop_error, 1) +
+             " % off their speed; a longer loop does less");
+    }
+    for (std::size_t c = 1; c < state.cascades.size(); ++c) {
+        const CascadeShare& share = state.cascades[c];
+        if (std::max(share.height, share.slope) <= 0.5) continue;
+        warn(fixed_text(100.0 * share.height, 0) + " % of the variance of the height and " +
+             fixed_text(100.0 * share.slope, 0) + " % of that of the slope repeat every " +
+             fixed_text(share.period, 1) +
+             " m, not only at grid.patch_size: choose smaller grid.cascade_divisors, fewer "
+             "cascades or more grid.resolution");
+    }
+    if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
+        warn("fewer than three of the dominant waves (" +
+             fixed_text(state.peak_wavelength.asked, 1) + " m) fit into grid.patch_size = " +
+             fixed_text(parameters.grid.patch_size, 1) + " m: the repetition will show");
+    }
+}
+
+std::string sea_state_json(const SeaState& state) {
+    JsonObject json(JsonLines{2});
+    json.add("significant_wave_height", asked_resolved(state.significant_wave_height));
+    json.add("peak_period", asked_resolved(state.peak_period));
+    json.add("peak_wavelength", asked_resolved(state.peak_wavelength));
+    json.add("mean_square_slope", asked_resolved(state.mean_square_slope));
+    json.add("mean_direction", asked_resolved(state.mean_direction));
+    json.add("directional_spread", asked_resolved(state.directional_spread));
+    json.add("energy_resolved", state.energy_resolved);
+    json.add("shortest_wave", state.shortest_wave);
+    json.add("longest_wave", state.longest_wave);
+    json.add("period", state.period);
+    json.add("map_resolution", state.map_resolution);
+    json.add("map_shortest_wave", state.map_shortest_wave);
+    json.add("map_slopes", slopes_json(state.map_slopes));
+    json.add("cascades", cascades_json(state.cascades));
+    json.add("memory_bytes", state.memory_bytes);
+    json.add("foam_preroll_seconds", state.foam_preroll_seconds);
+    json.add("whitecap_coverage", asked_resolved(state.whitecap_coverage));
+    json.add("foam_threshold", state.foam_threshold);
+    json.add("loop_error", state.loop_error);
+    json.add("loop_errors", loop_errors_json(state.loop_errors));
+    json.add("warnings", json_array(state.warnings));
+    return json.text() + "\n";
+}
+
+}  // namespace ocean

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What can be baked, and by whom: the tables that options, help texts and plans are loops over. A
+// program that adds a format, a product or a backend of its own hands over a longer table.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "ocean/backend.hpp"
+#include "ocean/bake/format.hpp"
+#include "ocean/channel.hpp"
+
+namespace ocean {
+
+struct Catalogue {
+    std::span<const BakeFormat* const> formats;
+    std::span<const Product> products;
+    std::span<const Backend> backends;
+    std::span<const ChannelInfo> channels = {};  // beside the library's own
+
+    /// ".exr, .df3, .png (height_field) or .inc (mesh2)", with the last conjunction.
+    std::string extensions(std::string_view conjunction) const;
+    /// "height, displacement, ...".
+    std::string product_names() const;
+    /// "cpu, radix2 or dft".
+    std::string backend_names() const;
+};
+
+/// The library's own.
+const Catalogue& standard_catalogue();
+
+}  // namespace ocean

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A format of baked files: all that the rest of a bake knows of it. One constant of this type in
+// one file of bake/formats/, and one line of the table in catalogue.cpp, make a new format.
+#pragma once
+
+#include <any>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ocean/io/frame_label.hpp"
+#include "ocean/io/image.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+class BakedHeader;
+struct BakeOptions;
+struct BakePlan;
+struct Catalogue;
+
+/// An option that formats have for themselves, --NAME on the command line.
+struct FormatOption {
+    std::string name;   // "axes"
+    std::string value;  // what stands for its value in a help text, "AXES"; empty: it is a flag
+    std::string help;
+    std::string needs = "";  // another option and its value, "eye X,Y,HEIGHT": refused without it
+};
+
+/// The maps that a frame is made of.
+struct FrameMaps {
+    ChannelSet channels;
+    std::vector<int> resolutions;  // the finest first
+    bool by_place = false;  // the height alone, a function of the place instead of the label
+};
+
+/// What a format makes of its options and of the sea.
+struct FormatPlan {
+    FrameMaps maps;
+    std::any settings;  // the format's own, for its other functions
+    /// Of files that a product in their names tells apart: those products.
+    std::vector<std::string> named_products = {};
+};
+
+struct BakeFile {
+    std::string path;
+    int frame = 0;
+    std::size_t part = 0;  // its number among the files of the frame
+    std::string product;   // what it holds, several in comma lists
+    std::string recipe;    // SHA-256 of all that decides its content
+};
+
+/// A frame whose maps are there, on its way to its files.
+struct FrameWork {
+    const BakePlan& plan;
+    int frame;
+    std::span<const Surface> maps;  // as FrameMaps says
+    int threads;
+    /// Has `write` make a file, undisturbed by an interrupt; reads it back for the manifest.
+    std::function<void(const BakeFile& file, const std::function<void()>& write)> put;
+
+    io::FrameLabel label() const;
+};
+
+/// Functions get plans whose format they are. Null where a format has no such thing.
+struct BakeFormat {
+    std::string_view name;       // "height_field"
+    std::string_view extension;  // in lower case with its dot, ".png"
+    std::string_view family;     // heading of its options in a help text, "EXR files"
+
+    std::vector<FormatOption> (*options)(const Catalogue& catalogue);
+    /// The settings that the options ask for, before there is a sea. Throws Error.
+    std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue);
+    /// For a plan with sea, resolution and settings. Throws Error.
+    FormatPlan (*settle)(const BakePlan& begun);
+    /// In the order in which they are written.
+    std::vector<BakeFile> (*files)(const BakePlan& plan, int frame);
+    /// Memory that a frame needs beside its maps, at most.
+    std::uint64_t (*frame_bytes)(const BakePlan& plan);
+    /// Of a file, at most.
+    std::uint64_t (*most_bytes)(const BakePlan& plan, const BakeFile& file);
+    void (*write)(const FrameWork& work, std::span<const BakeFile> files);
+    /// The decoded samples of a file, whatever its compression; false for a file that is no image.
+    /// Throws Error bad_file for a file that is damaged or another.
+    bool (*read_pixels)(const BakePlan& plan, const BakeFile& file, int threads,
+                        const io::ByteSink& sink);
+    /// read_pixels tells by itself whether a file is the plan's; others need a manifest.
+    bool tells_its_recipe;
+    /// --from: takes what was not typed from the header of a baked file.
+    void (*adopt)(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options);
+};
+
+/// SHA-256 of what decides the content of a file without a header: version, format, backend,
+/// resolution, frame, the format's own lines and the sea.
+std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format_lines = "");
+
+}  // namespace ocean

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a bake is asked to do, settled before anything is computed: options that do not fit each
+// other or this version are refused here. A plan does not change after it is made.
+#pragma once
+
+#include <any>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ocean/bake/catalogue.hpp"
+#include "ocean/bake/format.hpp"
+#include "ocean/bake/frames.hpp"
+#include "ocean/sea.hpp"
+
+namespace ocean {
+
+/// As typed; "" = not given.
+struct BakeOptions {
+    std::string source;  // SEA
+    std::string from;    // a baked file to take everything from that is not given
+    std::string output, frames, shard, backend, resolution, fps;
+    std::map<std::string, std::string> of_format;  // by the option's name; "yes" for a flag
+    bool skip_existing = false;
+    bool keep_going = false;
+    int threads = 0;       // 0 = the cores this process may use
+    int largest_map = 0;   // samples a side, where --resolution does not say; 0 = no limit
+    /// Opens SEA, or the sea of a baked file: resolved and valid. Throws Error.
+    std::function<Sea(const std::string& source)> open_sea;
+
+    /// "" for an option that was not given.
+    const std::string& format_option(const std::string& name) const;
+    /// Gives it a value if it has none.
+    void take(const std::string& name, std::string_view value);
+};
+
+struct BakePlan {
+    Sea sea;
+    std::string sea_text;
+    const BakeFormat* format = nullptr;
+    std::any settings;  // the format's
+    FrameMaps maps;
+    OutputPattern pattern;
+    std::vector<int> frames;        // of this shard
+    std::string shard;              // as typed; "" = all
+    bool product_in_name = false;   // of each file
+    Backend backend;
+    std::span<const ChannelInfo> channels;  // of the catalogue, beside the library's
+    int resolution = 0;             // of the finest map
+    int threads = 0;
+    bool skip_existing = false;
+    bool keep_going = false;
+
+    /// Foam has a past: frames are made one after another.
+    bool has_foam() const { return maps.channels.contains(Channel::foam); }
+    /// The shortest wave of the finest map, along an axis.
+    double shortest_wave() const;
+};
+
+/// Throws Error invalid_value, unsupported, or what opening the sea throws. What the catalogue
+/// refers to must outlive the plan.
+BakePlan make_bake_plan(const BakeOptions& options, const Catalogue& catalogue);
+
+}  // namespace ocean

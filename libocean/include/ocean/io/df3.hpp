@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Maps as POV-Ray's density_file, the only binary that POV-Ray 3.7 reads.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "ocean/surface.hpp"
+
+namespace ocean::io {
+
+/// Maps along the z axis of a DF3 file: height, dx, dz, two of the normal, foam. See df3.cpp.
+inline constexpr int kDf3Slices = 6;
+/// What write_df3 needs: dx, dy, height, nx, ny, nz, foam.
+ChannelSet df3_channels();
+std::uint64_t df3_bytes(int resolution);
+/// Heights to 2.4e-7 m, offsets to half a step of the patch mesh's grid, which keeps the seam of
+/// copies free of cracks. Throws Error output, invalid_value for a length that is not finite or
+/// beyond 1024 m.
+void write_df3(const Surface& surface, const std::string& path);
+
+}  // namespace ocean::io

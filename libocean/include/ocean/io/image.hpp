@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// An image as a value: what every image writer takes, whatever the samples mean. Above it stand the
+// products of a sea (product_image.hpp); a terrain, a spectrum or a mask may stand there as well.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ocean::io {
+
+/// How a sample is stored.
+enum class PixelType { half_float, full_float };
+
+/// One channel: factor * samples, or a constant. The samples must outlive the image.
+struct ImagePlane {
+    std::string name = {};
+    PixelType type = PixelType::full_float;
+    std::span<const float> samples = {};  // width * height, row-major, the bottom row first; or none
+    float factor = 1.0f;
+    float constant = 0.0f;  // everywhere, where there are no samples
+};
+
+/// A text of the header.
+struct HeaderString {
+    std::string name;
+    std::string text;
+};
+
+struct Image {
+    int width = 0;
+    int height = 0;
+    bool periodic = false;  // its right edge continues at its left one, its top at its bottom
+    std::vector<ImagePlane> planes;
+    std::vector<HeaderString> strings;
+
+    /// Throws Error invalid_value if there is no such string.
+    const std::string& string(std::string_view name) const;
+};
+
+/// Receives the bytes of a file or of its pixels, piece by piece.
+using ByteSink = std::function<void(std::string_view)>;
+
+}  // namespace ocean::io

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a POV-Ray scene is told of a sea.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ocean/sea.hpp"
+#include "ocean/sea_state.hpp"
+
+namespace ocean::io {
+
+/// Of the folders that `ocean povray` writes: ocean.inc refuses any other.
+inline constexpr int kPovrayDataVersion = 1;
+
+/// A folder of frames for POV-Ray. References must outlive it.
+struct PovrayFolder {
+    const Sea& sea;
+    const SeaState& state;
+    std::string_view format;  // "df3", "mesh2" or "height_field"
+    std::vector<int> maps;    // samples a side of each frame's maps, the finest first
+    std::vector<int> frames;  // at least one
+
+    /// Whether POV-Ray's own frame_number can be theirs.
+    bool frames_are_consecutive() const;
+};
+/// The include file that tells a scene all of that, each parameter by its name:
+/// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
+std::string povray_declarations(const PovrayFolder& folder);
+
+}  // namespace ocean::io

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Heights by place instead of by label, for formats without overhangs: the displacement inverted, of
+// folds the top sheet.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "ocean/ocean.hpp"
+
+namespace ocean {
+
+struct WorldHeights {
+    Surface surface;         // the channel height alone; sample (i, j) is the place itself
+    std::size_t folded = 0;  // samples where several labels are shown
+};
+
+/// On resolution^2 places of the period. Throws what Ocean::query throws.
+WorldHeights world_heights(Ocean& ocean, double time, int resolution);
+/// Bytes that it needs beside the surface, at most; 0 for a sea that is never displaced.
+std::uint64_t world_heights_bytes(const Sea& sea, int resolution);
+
+}  // namespace ocean

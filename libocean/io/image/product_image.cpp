@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Channel names are chosen by what readers do with them. Cycles takes the first three or four
+// channels whatever their names, R,G,B,A first; two channels it takes for grey and alpha. Blender
+// drops a channel whose last token is longer than one letter. So a product alone is Y or R,G,B, a
+// layered file has bare R,G,B,A for the displacement, and all other names end in one letter.
+#include "ocean/io/product_image.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+#include "ocean/version.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Axes>, 3> kAxes{
+    {{"zup", Axes::zup}, {"yup", Axes::yup}, {"tnb", Axes::tnb}}};
+
+// Component c of a file vector is `sign` times component `source` of the z-up one.
+struct Component {
+    int source;
+    float sign;
+};
+
+std::array<Component, 3> component_order(Axes axes) {
+    switch (axes) {
+        case Axes::zup:
+            return {{{0, 1.0f}, {1, 1.0f}, {2, 1.0f}}};
+        case Axes::yup:
+            return {{{0, 1.0f}, {2, 1.0f}, {1, -1.0f}}};
+        case Axes::tnb:
+            break;
+    }
+    return {{{0, 1.0f}, {2, 1.0f}, {1, 1.0f}}};
+}
+
+PixelType pixel_type(const Product& product, const ProductLayout& layout) {
+    if (layout.type) return *layout.type;
+    // Half is 2 mm at 4 m: too coarse for what moves geometry.
+    const bool moves = product.name == "displacement" || product.name == "velocity";
+    return moves ? PixelType::full_float : PixelType::half_float;
+}
+
+/// The planes of an image, with the samples of a surface or, without one, none.
+class ProductPlanes {
+  public:
+    ProductPlanes(const ProductLayout& layout, const Surface* surface)
+        : layout_(layout), surface_(surface) {}
+
+    std::vector<ImagePlane> of(std::span<const Product* const> products) const {
+        if (!layout_.layered) return separate(*products.front());
+        std::vector<ImagePlane> planes;
+        for (const Product* product : products) {
+            for (ImagePlane& plane : layer(*product)) planes.push_back(std::move(plane));
+        }
+        return planes;
+    }
+
+  private:
+    std::span<const float> samples(const Product& product, Channel channel) const {
+        if (surface_ == nullptr) return {};
+        if (surface_->has(channel)) return surface_->channel(channel);
+        throw Error(ErrorKind::invalid_value, "the surface was evaluated without the channels of '" +
+                                                  std::string(product.name) + "'");
+    }
+
+    /// Named X, Y, Z, or V for a scalar; a slope lies in the plane whatever the axes.
+    std::vector<ImagePlane> components(const Product& product) const {
+        const auto order = component_order(product.count == 3 ? layout_.axes : Axes::zup);
+        std::vector<ImagePlane> planes;
+        for (int c = 0; c < product.count; ++c) {
+            const auto [source, sign] = order[static_cast<std::size_t>(c)];
+            planes.push_back({product.count == 1 ? "V" : std::string(1, "XYZ"[c]),
+                              pixel_type(product, layout_),
+                              samples(product, product.channels[static_cast<std::size_t>(source)]),
+                              sign});
+        }
+        return planes;
+    }
+
+    std::vector<ImagePlane> separate(const Product& product) const {
+        std::vector<ImagePlane> planes = components(product);
+        if (product.count == 1) {
+            planes[0].name = "Y";
+            return planes;
+        }
+        // A slope is R,G and an empty B, because Cycles would read two channels as grey and alpha.
+        planes.resize(3, ImagePlane{.type = planes[0].type});
+        for (std::size_t c = 0; c < 3; ++c) planes[c].name = std::string(1, "RGB"[c]);
+        return planes;
+    }
+
+    std::vector<ImagePlane> layer(const Product& product) const {
+        if (product.name == "displacement") {
+            std::vector<ImagePlane> planes = separate(product);
+            planes.push_back({.name = "A", .type = planes.back().type, .constant = 1.0f});
+            return planes;
+        }
+        std::vector<ImagePlane> planes = components(product);
+        for (ImagePlane& plane : planes) plane.name = std::string(product.name) + "." + plane.name;
+        return planes;
+    }
+
+    const ProductLayout& layout_;
+    const Surface* surface_;
+};
+
+std::vector<HeaderString> header_strings(std::span<const Product* const> products, Axes axes,
+                                         const FrameLabel& label) {
+    std::string names, units;
+    bool vectors = false;
+    for (const Product* product : products) {
+        const char* separator = names.empty() ? "" : ",";
+        names += separator + std::string(product->name);
+        units += separator + (product->unit.empty() ? "1" : std::string(product->unit));
+        vectors = vectors || product->count == 3;
+    }
+    // Scalars and slopes are the same in all axes: x east and y north, as in zup.
+    return {{"ocean:sea", std::string(label.sea_text)},
+            {"ocean:frame", std::to_string(label.number)},
+            {"ocean:time", shortest_text(label.time)},
+            {"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))},
+            {"ocean:period", shortest_text(label.period)},
+            {"ocean:field", names},
+            {"ocean:unit", units},
+            {"ocean:backend", std::string(label.backend)},
+            {"ocean:version", OCEAN_VERSION}};
+}
+
+Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
+                 const FrameLabel& label, int resolution, const Surface* surface) {
+    if (products.empty()) {
+        throw Error(ErrorKind::invalid_value, "an image needs at least one product");
+    }
+    return {resolution, resolution, true, ProductPlanes(layout, surface).of(products),
+            header_strings(products, layout.axes, label)};
+}
+
+}  // namespace
+
+Axes find_axes(std::string_view name) {
+    for (const auto& [text, axes] : kAxes) {
+        if (text == name) return axes;
+    }
+    throw Error(ErrorKind::invalid_value,
+                "axes '" + std::string(name) + "' are unknown; allowed: tnb, zup, yup");
+}
+
+std::string_view axes_name(Axes axes) {
+    for (const auto& [text, value] : kAxes) {
+        if (value == axes) return text;
+    }
+    return "";
+}
+
+Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
+                    const FrameLabel& label, int resolution) {
+    return make_image(products, layout, label, resolution, nullptr);
+}
+
+Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
+                    const FrameLabel& label, const Surface& surface) {
+    return make_image(products, layout, label, surface.resolution(), &surface);
+}
+
+}  // namespace ocean::io

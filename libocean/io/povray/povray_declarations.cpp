@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a POV-Ray scene can know of a sea: its parameters, what they amount to, the frames that are
+// there, and what the water does to light. A loop over the parameter table and one over that of
+// the water types.
+#include "ocean/io/povray_declarations.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "ocean/parameter_table.hpp"
+#include "ocean/text.hpp"
+#include "ocean/version.hpp"
+#include "ocean/water_types.hpp"
+
+namespace ocean::io {
+namespace {
+
+/// POV-Ray's floats end at 1e308, but its parser knows no word for what lies beyond.
+constexpr double kInfinity = 1e30;
+
+std::string number(double value) {
+    if (std::isinf(value)) value = value > 0 ? kInfinity : -kInfinity;
+    return shortest_text(value);
+}
+
+std::string string_literal(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
+    }
+    return result + "\"";
+}
+
+/// "waves.0.wind_speed" -> "Ocean_Waves_0_Wind_Speed".
+std::string identifier(std::string_view path) {
+    std::string name = "Ocean_";
+    for (const char c : path) {
+        const char next = c == '.' ? '_' : c;
+        const bool begins = name.back() == '_';
+        name += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(next))) : next;
+    }
+    return name;
+}
+
+void declare(std::string& text, const std::string& name, const std::string& value,
+             const std::string& comment = "") {
+    text += "#declare " + name + " = " + value + ";";
+    if (!comment.empty()) text += "  // " + comment;
+    text += "\n";
+}
+
+template <typename Range, typename Item>
+std::string array_of(const Range& values, const Item& item) {
+    std::string text = "array[" + std::to_string(values.size()) + "] { ";
+    bool first = true;
+    for (const auto& value : values) {
+        text += (first ? "" : ", ") + item(value);
+        first = false;
+    }
+    return text + " }";
+}
+
+std::string vector(const Rgb& colour) {
+    return "<" + number(colour[0]) + ", " + number(colour[1]) + ", " + number(colour[2]) + ">";
+}
+
+struct ValueText {
+    std::string operator()(double value) const { return number(value); }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(const std::string& value) const { return string_literal(value); }
+    std::string operator()(const std::vector<std::int64_t>& values) const {
+        return array_of(values, [](std::int64_t value) { return std::to_string(value); });
+    }
+};
+
+bool is_set(const ParameterValue& value, const ParameterInfo& info) {
+    if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) return !list->empty();
+    const auto* text = std::get_if<std::string>(&value);
+    return text == nullptr || !text->empty() || info.type() != "float";
+}
+
+void declare_parameters(std::string& text, const Parameters& parameters) {
+    text += "\n// ---- Parameters, those that are set ----\n";
+    declare(text, "Ocean_Waves", std::to_string(parameters.waves.size()), "wave systems");
+    for (const ParameterInfo& info : parameter_table()) {
+        const std::size_t systems = info.per_wave_system() ? parameters.waves.size() : 1;
+        for (std::size_t wave = 0; wave < systems; ++wave) {
+            const ParameterValue value = value_of(parameters, {&info, wave});
+            if (!is_set(value, info)) continue;
+            declare(text, identifier(info.path(wave)), std::visit(ValueText(), value),
+                    std::string(info.unit));
+        }
+    }
+}
+
+void declare_frames(std::string& text, const PovrayFolder& folder) {
+    text += "\n// ---- Frames ----\n";
+    declare(text, "Ocean_First_Frame", std::to_string(folder.frames.front()));
+    declare(text, "Ocean_Last_Frame", std::to_string(folder.frames.back()));
+    if (folder.frames_are_consecutive()) return;
+    text += "// frame_number counts them from 1.\n";
+    declare(text, "Ocean_Frames",
+            array_of(folder.frames, [](int frame) { return std::to_string(frame); }));
+}
+
+void declare_water(std::string& text) {
+    const auto types = water_types();
+    text += "\n// ---- Sea water: Jerlov's types, the clearest first; 1/m, linear rgb ----\n";
+    const auto column = [&](const char* name, const auto& item) {
+        declare(text, name, array_of(types, item));
+    };
+    column("Ocean_Water_Names", [](const WaterType& type) { return string_literal(type.name); });
+    column("Ocean_Water_Absorption", [](const WaterType& type) { return vector(type.absorption); });
+    column("Ocean_Water_Scattering", [](const WaterType& type) { return vector(type.scattering); });
+    text += "// Of a deep body of it, seen from above less the surface's reflection.\n";
+    column("Ocean_Water_Albedo",
+           [](const WaterType& type) { return vector(type.water_leaving_albedo()); });
+    declare(text, "Ocean_Water_Ior", number(kWaterIor));
+    declare(text, "Ocean_Water_Anisotropy", number(kScatteringAnisotropy));
+    declare(text, "Ocean_Foam_Albedo", number(kFoamAlbedo));
+}
+
+}  // namespace
+
+bool PovrayFolder::frames_are_consecutive() const {
+    if (frames.front() < 1) return false;  // POV-Ray counts from 0, and reserves that
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        if (frames[i] != frames[i - 1] + 1) return false;
+    }
+    return true;
+}
+
+std::string povray_declarations(const PovrayFolder& folder) {
+    const Parameters& parameters = folder.sea.parameters;
+    std::string text =
+        "//   Persistence of Vision Ray Tracer Include File\n"
+        "//   File: ocean_parameters.inc\n"
+        "//   Vers: 3.7\n"
+        "//   Desc: The sea of this folder, by libocean " OCEAN_VERSION
+        ". Written anew by each\n"
+        "//         export: change the sea file instead. Metres, seconds, degrees.\n";
+    declare(text, "Ocean_Data_Version", std::to_string(kPovrayDataVersion));
+    declare(text, "Ocean_Format", string_literal(folder.format));
+    declare(text, "Ocean_Samples", std::to_string(folder.maps.front()), "along a side");
+    declare(text, "Ocean_Period", number(parameters.grid.patch_size), "m, in both directions");
+    declare(text, "Ocean_Maps", std::to_string(folder.maps.size()),
+            "each of half the samples of the one before");
+    const auto lost_slopes = [&](int resolution) {
+        double shown = 0.0;
+        for (const MapSlope& map : folder.state.map_slopes) {
+            if (map.resolution == resolution) shown = map.mean_square_slope;
+        }
+        return number(std::max(0.0, folder.state.mean_square_slope.asked - shown));
+    };
+    declare(text, "Ocean_Lost_Slopes", array_of(folder.maps, lost_slopes),
+            "mean square slope of the waves that each leaves out");
+    declare(text, "Ocean_Mean_Square_Slope", number(folder.state.mean_square_slope.asked));
+    declare(text, "Ocean_Hs", number(folder.state.significant_wave_height.resolved),
+            "m, significant wave height");
+    declare(text, "Ocean_Tp", number(folder.state.peak_period.resolved), "s, peak period");
+    declare(text, "Ocean_Direction", number(folder.state.mean_direction.resolved),
+            "degrees from x towards z: where the waves travel to");
+    declare_frames(text, folder);
+    declare_parameters(text, parameters);
+    declare_water(text);
+    return text;
+}
+
+}  // namespace ocean::io
