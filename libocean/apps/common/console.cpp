@@ -42,33 +42,32 @@ void Console::say(std::string_view kind, std::string_view text, bool wanted) {
     if (!wanted) return;
     const std::lock_guard lock(mutex_);
     if (options_.json) {
-        write_error_line("{\"event\": " + json_string(kind) +
-                         ", \"message\": " + json_string(text) + "}");
+        write_event(kind, {{"message", text}});
     } else {
         const std::string label = kind == "error" ? "" : std::string(kind) + ": ";
         write_error_line(prefix_ + label + std::string(text));
     }
 }
 
-void Console::report(std::string_view event, std::string_view text, std::string_view json) {
+void Console::report(std::string_view event, std::string_view text, const Members& members) {
     const std::lock_guard lock(mutex_);
     if (options_.quiet) return;
     if (options_.json) {
-        write_error_line("{\"event\": " + json_string(event) + ", " + std::string(json) + "}");
+        write_event(event, members);
     } else {
         write_error_line(prefix_ + std::string(text));
     }
 }
 
-void Console::begin(int total, std::string_view summary, std::string_view json) {
+void Console::begin(int total, std::string_view summary, const Members& more) {
     {
         const std::lock_guard lock(mutex_);
         total_ = total;
         done_ = skipped_ = failed_ = 0;
         started_ = now();
     }
-    std::string members = format_text("\"total\": %d", total);
-    if (!json.empty()) members += ", " + std::string(json);
+    Members members = {{"total", total}};
+    members.insert(members.end(), more.begin(), more.end());
     report("start", summary, members);
 }
 
@@ -90,10 +89,10 @@ void Console::step(int frame, double seconds, const std::vector<std::string>& fi
     const std::lock_guard lock(mutex_);
     if (options_.quiet) return;
     if (options_.json) {
-        write_error_line(format_text("{\"event\": \"frame\", \"frame\": %d, %s, \"seconds\": %.3f, "
-                                     "\"eta_seconds\": %.1f, \"files\": ",
-                                     frame, counts_json().c_str(), seconds, eta()) +
-                         json_list(files) + "}");
+        write_event("frame",
+                    with_counts({{"frame", frame}}, {{"seconds", Json(seconds, decimals<3>)},
+                                                     {"eta_seconds", Json(eta(), decimals<1>)},
+                                                     {"files", json_array(files)}}));
     } else if (standard_error_is_terminal()) {
         draw_bar(frame, seconds);
     } else {
@@ -113,17 +112,14 @@ void Console::skip(int frame, const std::vector<std::string>& files) {
     deliver(files);
     report("skipped",
            format_text("frame %d skipped (%d of %d): it is complete", frame, done_, total_),
-           format_text("\"frame\": %d, %s, \"files\": ", frame, counts_json().c_str()) +
-               json_list(files));
+           with_counts({{"frame", frame}}, {{"files", json_array(files)}}));
 }
 
 void Console::fail(int frame, std::string_view message, bool goes_on) {
     const std::lock_guard lock(mutex_);
     ++failed_;
     if (options_.json) {
-        write_error_line(format_text("{\"event\": \"failed\", \"frame\": %d, %s, \"message\": ",
-                                     frame, counts_json().c_str()) +
-                         json_string(message) + "}");
+        write_event("failed", with_counts({{"frame", frame}}, {{"message", message}}));
     } else if (goes_on) {
         write_error_line(prefix_ + format_text("frame %d failed: ", frame) + std::string(message));
     }
@@ -135,22 +131,24 @@ void Console::finish() {
     if (skipped_ > 0) text += format_text(", %d of them skipped", skipped_);
     if (failed_ > 0) text += format_text(", %d failed", failed_);
     report("done", text + " in " + duration_text(seconds),
-           counts_json() + format_text(", \"seconds\": %.3f", seconds));
+           with_counts({}, {{"seconds", Json(seconds, decimals<3>)}}));
 }
 
 void Console::interrupted() {
     const std::lock_guard lock(mutex_);
     const std::string progress = format_text("%d of %d frames are done", done_, total_);
     if (options_.json) {
-        write_error_line("{\"event\": \"interrupted\", " + counts_json() + "}");
+        write_event("interrupted", with_counts({}, {}));
     } else {
         write_error_line(prefix_ + "interrupted" + (total_ > 0 ? ": " + progress : std::string()));
     }
 }
 
-std::string Console::counts_json() const {
-    return format_text("\"done\": %d, \"skipped\": %d, \"failed\": %d, \"total\": %d", done_,
-                       skipped_, failed_, total_);
+Console::Members Console::with_counts(Members before, const Members& after) const {
+    before.insert(before.end(),
+                  {{"done", done_}, {"skipped", skipped_}, {"failed", failed_}, {"total", total_}});
+    before.insert(before.end(), after.begin(), after.end());
+    return before;
 }
 
 double Console::eta() const {
@@ -182,18 +180,23 @@ void Console::write_error_line(std::string_view line) {
     std::fwrite(whole.data(), 1, whole.size(), stderr);
 }
 
+void Console::write_event(std::string_view event, const Members& members) {
+    JsonObject object;
+    object.add("event", event);
+    for (const auto& [key, value] : members) object.add(key, value);
+    write_error_line(object.text());
+}
+
 std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& console) {
     constexpr double kInterval = 10.0;  // s
     return [&console, said = now()](std::int64_t done, std::int64_t total) mutable {
         if (done == 0) said = now();
         if (now() - said < kInterval) return;
         said = now();
-        const auto ticks = static_cast<long long>(done);
-        const auto all = static_cast<long long>(total);
-        console.report(
-            "foam",
-            format_text("foam is followed from where it began: %lld of %lld ticks", ticks, all),
-            format_text("\"ticks_done\": %lld, \"ticks\": %lld", ticks, all));
+        console.report("foam",
+                       "foam is followed from where it began: " + std::to_string(done) + " of " +
+                           std::to_string(total) + " ticks",
+                       {{"ticks_done", done}, {"ticks", total}});
     };
 }
 

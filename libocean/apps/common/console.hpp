@@ -11,14 +11,19 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
+#include "ocean/json.hpp"
 
 namespace ocean::app {
 
 class Console {
   public:
+    /// Of a JSON object.
+    using Members = std::vector<std::pair<std::string_view, Json>>;
+
     /// Lines for people begin with the program's name. `options` is read at each call: it is
     /// filled when the command line is parsed.
     Console(const std::string& program, const RunOptions& options)
@@ -32,9 +37,8 @@ class Console {
     void warning(std::string_view text) { say("warning", text, !options_.quiet); }
     void error(std::string_view text) { say("error", text, true); }
 
-    /// A run of `total` steps begins; `summary` says what is to be done, `json` are more members
-    /// for its JSON line ("\"resolution\": 512"), or "".
-    void begin(int total, std::string_view summary, std::string_view json);
+    /// A run of `total` steps begins; `summary` says what is to be done, `more` its JSON line.
+    void begin(int total, std::string_view summary, const Members& more);
     /// One more frame is there: its files were written, or kept as they were. Prints their paths
     /// and the progress.
     void step(int frame, double seconds, const std::vector<std::string>& files);
@@ -43,8 +47,8 @@ class Console {
     void fail(int frame, std::string_view message, bool goes_on);
     /// The run went to its end.
     void finish();
-    /// One line of facts: `text` for people or the members `json`.
-    void report(std::string_view event, std::string_view text, std::string_view json);
+    /// One line of facts: `text` for people or a JSON object of `event` and `members`.
+    void report(std::string_view event, std::string_view text, const Members& members);
     /// The run is cut off by a signal. Says how far it came.
     void interrupted();
 
@@ -54,8 +58,9 @@ class Console {
     void draw_bar(int frame, double seconds);
     void clear_bar();
     void write_error_line(std::string_view line);
+    void write_event(std::string_view event, const Members& members);
     double eta() const;
-    std::string counts_json() const;
+    Members with_counts(Members before, const Members& after) const;
 
     const std::string prefix_;
     const RunOptions& options_;

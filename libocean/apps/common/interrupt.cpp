@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "ocean/io/output_file.hpp"
+
 namespace ocean::app {
 namespace {
 
@@ -71,6 +73,11 @@ InterruptWatch::LastAct::LastAct(InterruptWatch& watch, std::function<void()> ac
 InterruptWatch::LastAct::~LastAct() {
     const std::lock_guard lock(watch_.mutex_);
     watch_.last_act_ = nullptr;
+}
+
+void write_output(InterruptWatch& interrupts, const std::string& path, std::string_view bytes) {
+    const InterruptWatch::Hold whole = interrupts.hold();
+    io::write_output(path, bytes);
 }
 
 }  // namespace ocean::app

@@ -11,6 +11,8 @@
 #include <csignal>
 #include <functional>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <thread>
 
 namespace ocean::app {
@@ -65,5 +67,8 @@ class InterruptWatch {
     sigset_t signals_;
     std::thread thread_;
 };
+
+/// io::write_output, during which the process does not end.
+void write_output(InterruptWatch& interrupts, const std::string& path, std::string_view bytes);
 
 }  // namespace ocean::app

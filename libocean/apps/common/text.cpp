@@ -1,37 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text for people and for JSON; see text.hpp.
+// Text for people; see text.hpp.
 #include "text.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ocean::app {
-
-std::string json_string(std::string_view text) {
-    std::string json = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            json += '\\';
-            json += c;
-        } else if (static_cast<unsigned char>(c) < 0x20) {
-            json += format_text("\\u%04x", static_cast<unsigned>(c));
-        } else {
-            json += c;
-        }
-    }
-    return json + '"';
-}
-
-std::string json_list(const std::vector<std::string>& texts) {
-    std::string json = "[";
-    for (const std::string& text : texts) {
-        if (json.size() > 1) json += ", ";
-        json += json_string(text);
-    }
-    return json + "]";
-}
 
 std::string bytes_text(std::uint64_t bytes) {
     const double mebibytes = static_cast<double>(bytes) / (1024.0 * 1024.0);

@@ -1,22 +1,26 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text for people and for JSON. The lowest layer of the `ocean` command.
+// Text for people.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "ocean/text.hpp"
 
 namespace ocean::app {
 
-/// A JSON string with its quotes.
-std::string json_string(std::string_view text);
-/// A JSON array of strings.
-std::string json_list(const std::vector<std::string>& texts);
+/// printf's %.Nf and %.Ng, as a Json spells its number.
+template <int digits>
+std::string decimals(double value) {
+    return format_text("%.*f", digits, value);
+}
+template <int digits>
+std::string significant(double value) {
+    return format_text("%.*g", digits, value);
+}
 
 /// "12.4 MiB".
 std::string bytes_text(std::uint64_t bytes);

@@ -15,7 +15,7 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
     const int frames = static_cast<int>(plan.frames.size());
     if (frames == 0) {
         return context_.console.begin(
-            0, "--shard " + plan.shard + " is empty: there are fewer frames", "");
+            0, "--shard " + plan.shard + " is empty: there are fewer frames", {});
     }
     const double period = plan.sea.parameters.grid.patch_size;
     const double shortest = plan.shortest_wave();
@@ -25,10 +25,11 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
         format_text("%d frame%s of %d x %d samples, period %g m, shortest wave %.3g m, ", frames,
                     frames == 1 ? "" : "s", plan.resolution, plan.resolution, period, shortest) +
             bytes_text(memory) + " of memory",
-        format_text("\"resolution\": %d, \"period\": %.9g, \"shortest_wave\": %.9g, "
-                    "\"memory_bytes\": %llu, \"frames_at_a_time\": %d",
-                    plan.resolution, period, shortest, static_cast<unsigned long long>(memory),
-                    share.frames_at_a_time));
+        {{"resolution", plan.resolution},
+         {"period", Json(period, significant<9>)},
+         {"shortest_wave", Json(shortest, significant<9>)},
+         {"memory_bytes", memory},
+         {"frames_at_a_time", share.frames_at_a_time}});
 }
 
 void ConsoleHost::frame_baked(int frame, double seconds, const std::vector<std::string>& files) {
@@ -81,16 +82,15 @@ void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Con
     }
     const std::uint64_t bytes = beside.bytes + forecast.bytes;
     const std::uint64_t room = forecast.free_bytes;
-    console.report(
-        "plan",
-        format_text("%ld files, %ld of them kept, the others at most ", all, complete) +
-            bytes_text(bytes) + "; " + bytes_text(room) + " are free; " +
-            bytes_text(forecast.memory_bytes) + " of memory",
-        format_text("\"files\": %ld, \"kept\": %ld, \"bytes\": %llu, \"free_bytes\": %llu, "
-                    "\"memory_bytes\": %llu",
-                    all, complete, static_cast<unsigned long long>(bytes),
-                    static_cast<unsigned long long>(room),
-                    static_cast<unsigned long long>(forecast.memory_bytes)));
+    console.report("plan",
+                   format_text("%ld files, %ld of them kept, the others at most ", all, complete) +
+                       bytes_text(bytes) + "; " + bytes_text(room) + " are free; " +
+                       bytes_text(forecast.memory_bytes) + " of memory",
+                   {{"files", all},
+                    {"kept", complete},
+                    {"bytes", bytes},
+                    {"free_bytes", room},
+                    {"memory_bytes", forecast.memory_bytes}});
     if (bytes > room) {
         console.warning("the files may need " + bytes_text(bytes) + ", " + bytes_text(room) +
                         " are free: they may not fit");

@@ -9,12 +9,12 @@
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "gauge_output.hpp"
+#include "gauge/gauge_files.hpp"
+#include "gauge/gauge_points.hpp"
 #include "interrupt.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/io/output_file.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
 
@@ -109,7 +109,7 @@ std::function<void(std::size_t)> progress_on(Console& console, std::size_t total
         const double left = std::chrono::duration<double>(now - start).count() * (1.0 / part - 1.0);
         console.report(
             "progress", format_text("%zu of %zu times, ETA ", done, total) + duration_text(left),
-            format_text("\"done\": %zu, \"total\": %zu, \"eta_seconds\": %.1f", done, total, left));
+            {{"done", done}, {"total", total}, {"eta_seconds", Json(left, decimals<1>)}});
     };
 }
 
@@ -117,22 +117,9 @@ void require_room(const GaugePlan& plan, const Modes& modes, int threads) {
     constexpr std::uint64_t kTextBytes = 400;  // of one reading, in a string that grows
     const std::size_t samples = plan.times.count();
     const std::uint64_t text = std::uint64_t{samples} * plan.gauges.size() * kTextBytes;
-    require_memory(record_bytes(modes, plan.gauges, samples, threads) + text,
+    require_memory(gauge_series_bytes(modes, plan.gauges, samples, threads) + text,
                    format_text("a record of %zu times at %zu gauges", samples, plan.gauges.size()),
                    "choose fewer times or gauges");
-}
-
-std::vector<GaugeSummary> summaries_of(const GaugePlan& plan, const GaugeRecord& record) {
-    std::vector<GaugeSummary> summaries;
-    for (std::size_t g = 0; g < plan.gauges.size(); ++g) {
-        const std::vector<double> elevation = record.elevation(g);
-        const double rate = plan.times.rate;
-        GaugeSpectrum spectrum = estimate_spectrum(elevation, rate, plan.degrees_of_freedom);
-        const SeaEstimate sea = estimate_sea(elevation, rate, spectrum);
-        summaries.push_back(
-            {plan.gauges[g].name, count_waves(elevation, rate), sea, std::move(spectrum)});
-    }
-    return summaries;
 }
 
 void run(const GaugeOptions& options, const Context& context) {
@@ -142,17 +129,17 @@ void run(const GaugeOptions& options, const Context& context) {
     ThreadPool pool(context.options.threads);
     require_room(plan, ocean.modes(), pool.size());
     warn_of_single_modes(ocean, plan.times, context.console);
-    const GaugeRecord record = record_gauges(ocean, plan.gauges, plan.times, pool,
-                                             progress_on(context.console, plan.times.count()));
+    const GaugeSeries series = read_gauge_series(ocean, plan.gauges, plan.times, pool,
+                                                 progress_on(context.console, plan.times.count()));
 
-    const std::vector<GaugeSummary> summaries = summaries_of(plan, record);
+    const std::vector<GaugeSummary> summaries =
+        summarize(series, plan.gauges, plan.times, plan.degrees_of_freedom);
     const auto write = [&](const std::string& path, const std::string& bytes) {
-        const auto whole = context.interrupts.hold();
-        io::write_output(path, bytes);
+        write_output(context.interrupts, path, bytes);
     };
     if (!options.output.empty()) {
         const bool npy = options.output.ends_with(".npy");
-        write(options.output, npy ? record_npy(record) : record_csv(record, plan.gauges));
+        write(options.output, npy ? series_npy(series) : series_csv(series, plan.gauges));
     }
     if (!options.spectrum.empty()) write(options.spectrum, spectrum_csv(summaries));
     context.console.data(context.options.json ? summary_json(summaries, plan.times)

@@ -70,8 +70,8 @@ void warn_of_cost(const BakePlan& plan, Console& console) {
                    "POV-Ray will need about " +
                        bytes_text(static_cast<std::uint64_t>(500.0 * vertices)) +
                        format_text(" and %.0f s to read a mesh of it", std::ceil(12e-6 * vertices)),
-                   format_text("\"povray_memory_bytes\": %.0f, \"povray_parse_seconds\": %.1f",
-                               500.0 * vertices, 12e-6 * vertices));
+                   {{"povray_memory_bytes", Json(500.0 * vertices, decimals<0>)},
+                    {"povray_parse_seconds", Json(12e-6 * vertices, decimals<1>)}});
 }
 
 /// Those of all shards: their folders are one.
@@ -130,8 +130,7 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
         {"Sea",
          {{"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
         {"Output",
-         {{"-o,--output", &typed.folder, "DIR", "The folder, made where it is missing",
-           kRequired},
+         {{"-o,--output", &typed.folder, "DIR", "The folder, made where it is missing", kRequired},
           {"--frames", &bake.frames, "RANGES",
            "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
           {"--format", &typed.format, "FORMAT",

@@ -6,8 +6,8 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "ocean/json.hpp"
 #include "ocean/seafile.hpp"
-#include "text.hpp"
 
 namespace ocean::app {
 namespace {
@@ -21,13 +21,11 @@ std::string presets_text() {
 }
 
 std::string presets_json() {
-    std::string json = "[";
+    JsonArray list(JsonLines{1});
     for (const Preset& preset : presets()) {
-        json += json.size() > 1 ? ",\n " : "\n ";
-        json += "{\"name\": " + json_string(preset.name) +
-                ", \"description\": " + json_string(preset.description) + "}";
+        list.add(JsonObject().add("name", preset.name).add("description", preset.description));
     }
-    return json + "\n]\n";
+    return list.text() + "\n";
 }
 
 }  // namespace

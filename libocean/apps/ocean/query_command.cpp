@@ -4,7 +4,6 @@
 // `ocean query`: the shown surface at points of the world, as CSV in, CSV out.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -14,7 +13,6 @@
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/io/output_file.hpp"
 #include "point_table.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
@@ -36,13 +34,6 @@ struct QueryCommandOptions {
     std::optional<double> orbital_z;
     QueryOptions query;
 };
-
-/// Shortest text that reads back as the same number.
-template <typename Number>
-void append_number(std::string& text, Number value) {
-    char buffer[32];
-    text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
 
 class QueryRun {
   public:
@@ -67,10 +58,7 @@ class QueryRun {
             write(rows(ocean, table.numbers("x").subspan(first, count),
                        table.numbers("y").subspan(first, count)));
         }
-        if (!options_.output.empty()) {
-            const auto whole = context_.interrupts.hold();
-            io::write_output(options_.output, text_);
-        }
+        if (!options_.output.empty()) write_output(context_.interrupts, options_.output, text_);
         if (folded_ > 0) {
             context_.console.warning(format_text(
                 "%zu of %zu points lie where the crests have folded over: they take the top sheet",
@@ -104,9 +92,7 @@ class QueryRun {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const QuerySample& sample = samples[i];
             folded_ += sample.folded ? 1 : 0;
-            append_number(text, points[i].x);
-            text += ',';
-            append_number(text, points[i].y);
+            text += shortest_text(points[i].x) + ',' + shortest_text(points[i].y);
             append_values(text, {&sample.height, 1});
             append_values(text, sample.normal);
             append_values(text, sample.velocity);
@@ -121,11 +107,8 @@ class QueryRun {
     void append_values(std::string& text, std::span<const double> values) const {
         for (const double value : values) {
             text += ',';
-            if (options_.query.exact) {
-                append_number(text, value);
-            } else {
-                append_number(text, static_cast<float>(value));
-            }
+            text += options_.query.exact ? shortest_text(value)
+                                         : shortest_text(static_cast<float>(value));
         }
     }
 

@@ -11,9 +11,8 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/io/output_file.hpp"
+#include "plot/spectrum_plot.hpp"
 #include "sea_argument.hpp"
-#include "spectrum_plot.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
@@ -80,10 +79,7 @@ void run(const SpectrumOptions& options, const Context& context) {
     Ocean ocean(sea, {.threads = context.options.threads});
     const DirectionalSpectrum& spectrum = ocean.spectrum();
     const auto write = [&](const std::string& path, const std::string& bytes) {
-        {
-            const auto whole = context.interrupts.hold();
-            io::write_output(path, bytes);
-        }
+        write_output(context.interrupts, path, bytes);
         if (!context.options.quiet) context.console.data(path + "\n");
     };
     if (!options.plot.empty()) {

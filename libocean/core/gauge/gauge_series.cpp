@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The readings of all gauges over time; see gauge_record.hpp. Threads share blocks of times, each
+// The readings of all gauges over time; see gauge_series.hpp. Threads share blocks of times, each
 // with its own copy of the modes.
-#include "gauge_record.hpp"
+#include "ocean/gauge_series.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,30 @@
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 
-namespace ocean::app {
+namespace ocean {
+
+GaugePlace Gauge::at(double time) const {
+    if (track.size() == 1) {
+        const auto& [start, place] = track.front();
+        return {place.x + velocity_x * (time - start), place.y + velocity_y * (time - start),
+                place.z};
+    }
+    const auto later = std::upper_bound(track.begin() + 1, track.end() - 1, time,
+                                        [](double t, const Fix& fix) { return t < fix.time; });
+    const Fix& a = *(later - 1);
+    const Fix& b = *later;
+    const double part = (time - a.time) / (b.time - a.time);
+    const auto between = [part](double u, double v) { return u + part * (v - u); };
+    return {between(a.place.x, b.place.x), between(a.place.y, b.place.y),
+            between(a.place.z, b.place.z)};
+}
 
 std::size_t SampleTimes::count() const {
     // A last time that rounding puts just beyond `to` still counts.
     return static_cast<std::size_t>(std::floor((to - from) * rate * (1.0 + 1e-12) + 1e-9)) + 1;
 }
 
-std::vector<double> GaugeRecord::elevation(std::size_t gauge) const {
+std::vector<double> GaugeSeries::elevation(std::size_t gauge) const {
     std::vector<double> result(times);
     for (std::size_t i = 0; i < times; ++i) result[i] = reading(i, gauge)[kElevation];
     return result;
@@ -77,10 +93,10 @@ void read_time(const WaveSum& sea, double choppiness, const std::vector<Gauge>& 
 
 }  // namespace
 
-std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges, std::size_t times,
-                           int threads) {
+std::uint64_t gauge_series_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
+                                 std::size_t times, int threads) {
     const std::uint64_t values =
-        std::uint64_t{times} * gauges.size() * GaugeRecord::kColumns.size() * sizeof(double);
+        std::uint64_t{times} * gauges.size() * GaugeSeries::kColumns.size() * sizeof(double);
     const std::size_t copies = static_cast<std::size_t>(threads) + 1;
     return values + WaveSum::bytes(modes, copies, lasting_depths(gauges).size() + copies, 1);
 }
@@ -88,16 +104,16 @@ std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
 namespace {
 
 /// All gauges at one time, side by side.
-std::size_t row_length(const GaugeRecord& record) {
-    return record.gauges * GaugeRecord::kColumns.size();
+std::size_t row_length(const GaugeSeries& series) {
+    return series.gauges * GaugeSeries::kColumns.size();
 }
-std::span<double> row_of(GaugeRecord& record, std::size_t time) {
-    return std::span(record.values).subspan(time * row_length(record), row_length(record));
+std::span<double> row_of(GaugeSeries& series, std::size_t time) {
+    return std::span(series.values).subspan(time * row_length(series), row_length(series));
 }
 
-void record_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
-                      ThreadPool& pool, const std::function<void(std::size_t)>& progress,
-                      GaugeRecord& record) {
+void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                    ThreadPool& pool, const std::function<void(std::size_t)>& progress,
+                    GaugeSeries& series) {
     const Parameters& parameters = ocean.parameters();
     const WaveSum start(ocean.modes(), parameters.water);
     Levels levels;
@@ -105,8 +121,8 @@ void record_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Samp
 
     const WaveStep step = start.wave_step(1.0 / times.rate);
     const std::size_t batch = 2 * kBlock * static_cast<std::size_t>(pool.size());
-    for (std::size_t done = 0; done < record.times; done += batch) {
-        const std::size_t end = std::min(done + batch, record.times);
+    for (std::size_t done = 0; done < series.times; done += batch) {
+        const std::size_t end = std::min(done + batch, series.times);
         const std::size_t blocks = (end - done + kBlock - 1) / kBlock;
         pool.for_each_range(static_cast<int>(blocks), [&](int first, int last) {
             WaveSum sea = start;
@@ -115,18 +131,18 @@ void record_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Samp
             for (std::size_t i = from; i < to; ++i) {
                 i % kBlock == 0 ? sea.set_time(times.at(i)) : sea.advance(step);
                 read_time(sea, parameters.surface.choppiness, gauges, levels, times.at(i),
-                          row_of(record, i));
+                          row_of(series, i));
             }
         });
         progress(end);
     }
 }
 
-void record_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
-                        const std::function<void(std::size_t)>& progress, GaugeRecord& record) {
+void read_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
+                      const std::function<void(std::size_t)>& progress, GaugeSeries& series) {
     std::optional<WaveSum> sum;
     int made = 0;
-    for (std::size_t i = 0; i < record.times; ++i) {
+    for (std::size_t i = 0; i < series.times; ++i) {
         const double time = times.at(i);
         const Modes& modes = ocean.modes(time);
         if (!sum || ocean.stage_runs().modes != made) {
@@ -135,23 +151,24 @@ void record_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const Sa
         }
         sum->set_time(time);
         read_time(*sum, ocean.sea().at(time).surface.choppiness, gauges, {}, time,
-                  row_of(record, i));
+                  row_of(series, i));
         progress(i + 1);
     }
 }
 
 }  // namespace
 
-GaugeRecord record_gauges(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
-                          ThreadPool& pool, const std::function<void(std::size_t)>& progress) {
-    GaugeRecord record{times.count(), gauges.size(), {}};
-    record.values.resize(record.times * row_length(record));
+GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
+                              const SampleTimes& times, ThreadPool& pool,
+                              const std::function<void(std::size_t)>& progress) {
+    GaugeSeries series{times.count(), gauges.size(), {}};
+    series.values.resize(series.times * row_length(series));
     if (ocean.sea().take.empty()) {
-        record_still_sea(ocean, gauges, times, pool, progress, record);
+        read_still_sea(ocean, gauges, times, pool, progress, series);
     } else {
-        record_performance(ocean, gauges, times, progress, record);
+        read_performance(ocean, gauges, times, progress, series);
     }
-    return record;
+    return series;
 }
 
-}  // namespace ocean::app
+}  // namespace ocean

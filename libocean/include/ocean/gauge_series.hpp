@@ -1,26 +1,45 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What all gauges read over time.
+// What gauges read over time, wherever they are and go.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "gauge_points.hpp"
 #include "ocean/parameters.hpp"
 #include "ocean/wave_sum.hpp"
 
 namespace ocean {
+
 class Ocean;
 class ThreadPool;
-}  // namespace ocean
 
-namespace ocean::app {
+/// Where a gauge is at one time; z up from still water.
+struct GaugePlace {
+    double x;  // m
+    double y;
+    double z;
+};
+
+struct Gauge {
+    struct Fix {
+        double time;  // s
+        GaugePlace place;
+    };
+
+    std::string name;
+    std::vector<Fix> track;   // in order of time, straight between; a single one is left at:
+    double velocity_x = 0.0;  // m/s
+    double velocity_y = 0.0;
+
+    GaugePlace at(double time) const;
+};
 
 /// The times from + i / rate up to `to`.
 struct SampleTimes {
@@ -33,7 +52,7 @@ struct SampleTimes {
 };
 
 /// A number for each time, gauge and column, in this order, columns side by side.
-struct GaugeRecord {
+struct GaugeSeries {
     static constexpr std::array<std::string_view, 10> kColumns = {
         "time",    "x",          "y",          "elevation",  "slope_x",
         "slope_y", "velocity_x", "velocity_y", "velocity_z", "pressure"};
@@ -52,14 +71,15 @@ struct GaugeRecord {
     std::vector<double> elevation(std::size_t gauge) const;
 };
 
-/// Bytes that record_gauges needs.
-std::uint64_t record_bytes(const Modes& modes, const std::vector<Gauge>& gauges, std::size_t times,
-                           int threads);
+/// Bytes that read_gauge_series needs.
+std::uint64_t gauge_series_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
+                                 std::size_t times, int threads);
 
 /// Exact: all modes summed at each place and time. The same bits for any number of threads.
 /// `progress` is told the times done, some times in between. A sea with a take is made anew for
 /// each time at which it changes.
-GaugeRecord record_gauges(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
-                          ThreadPool& pool, const std::function<void(std::size_t)>& progress);
+GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
+                              const SampleTimes& times, ThreadPool& pool,
+                              const std::function<void(std::size_t)>& progress);
 
-}  // namespace ocean::app
+}  // namespace ocean

@@ -4,31 +4,13 @@
 // Gauges from a table of points; see gauge_points.hpp.
 #include "gauge_points.hpp"
 
-#include <algorithm>
 #include <unordered_map>
 
 #include "ocean/error.hpp"
+#include "ocean/text.hpp"
 #include "point_table.hpp"
-#include "text.hpp"
 
 namespace ocean::app {
-
-GaugePlace Gauge::at(double time) const {
-    if (track.size() == 1) {
-        const auto& [start, place] = track.front();
-        return {place.x + velocity_x * (time - start), place.y + velocity_y * (time - start),
-                place.z};
-    }
-    const auto later = std::upper_bound(track.begin() + 1, track.end() - 1, time,
-                                        [](double t, const Fix& fix) { return t < fix.time; });
-    const Fix& a = *(later - 1);
-    const Fix& b = *later;
-    const double part = (time - a.time) / (b.time - a.time);
-    const auto between = [part](double u, double v) { return u + part * (v - u); };
-    return {between(a.place.x, b.place.x), between(a.place.y, b.place.y),
-            between(a.place.z, b.place.z)};
-}
-
 namespace {
 
 class GaugeReader {

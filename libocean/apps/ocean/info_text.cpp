@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a sea is, in a few lines; see info_text.hpp.
+#include "info_text.hpp"
+
+#include <cmath>
+
+#include "any_spectra.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/seafile.hpp"
+#include "text.hpp"
+
+namespace ocean::app {
+namespace {
+
+std::string row(const char* label, const std::string& value) {
+    return format_text("%-24s%s\n", label, value.c_str());
+}
+
+std::string asked_resolved(const char* label, const AskedResolved& value, const char* unit,
+                           const char* number = "%.4g") {
+    const auto cell = [&](double x) {
+        // A direction of -1e-15 is 0, not -0.0.
+        return format_text(number, std::abs(x) < 1e-9 ? 0.0 : x) + unit;
+    };
+    return format_text("%-24s%-16s%s\n", label, cell(value.asked).c_str(),
+                       cell(value.resolved).c_str());
+}
+
+std::string waves_text(const Parameters& parameters) {
+    std::string text;
+    for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
+        const WaveSystem& waves = parameters.waves[i];
+        const std::string prefix = "waves." + std::to_string(i) + ".";
+        std::string line = get_parameter(parameters, prefix + "spectrum");
+        if (waves.measured) {
+            line += ": " + origin_text(*waves.measured);
+        } else {
+            line += format_text(", wind %g m/s towards %g deg", waves.wind_speed,
+                                waves.direction_degrees());
+        }
+        text += row(i == 0 ? "Waves" : "", line);
+    }
+    return text;
+}
+
+std::string state_text(const SeaState& state) {
+    std::string text = format_text("\n%-24s%-16s%s\n", "", "asked", "resolved by the grid");
+    text += asked_resolved("Significant height", state.significant_wave_height, " m");
+    if (state.significant_wave_height.asked > 0.0) {
+        text += asked_resolved("Peak period", state.peak_period, " s");
+        text += asked_resolved("Peak wavelength", state.peak_wavelength, " m");
+        text += asked_resolved("Mean square slope", state.mean_square_slope, "");
+        text += asked_resolved("Mean direction, to", state.mean_direction, " deg", "%.1f");
+        const AskedResolved from{coming_from(state.mean_direction.asked),
+                                 coming_from(state.mean_direction.resolved)};
+        text += asked_resolved("  nautical, from", from, " deg", "%.1f");
+        text += asked_resolved("Directional spread", state.directional_spread, " deg", "%.1f");
+    } else {
+        text += row("", "flat: there are no waves");
+    }
+    return text + row("Energy resolved", format_text("%.2f %%", 100.0 * state.energy_resolved));
+}
+
+/// Waves whose speed a loop hardly changes need no line of their own.
+std::string loop_text(const SeaState& state, double period) {
+    constexpr double kNotWorthALine = 0.001;
+    std::string text = row("Loop", format_text("%g s; waves are %.2f %% off their speed, rms",
+                                               period, 100.0 * state.loop_error));
+    for (const LoopError& error : state.loop_errors) {
+        if (std::abs(error.speed_error) < kNotWorthALine) continue;
+        text += row(
+            "", format_text("%8.4g m long: %+.1f %%", error.wavelength, 100.0 * error.speed_error));
+    }
+    return text;
+}
+
+std::string cascades_text(const SeaState& state) {
+    std::string text = format_text("%-24s%-16s%-24s%s\n", "Cascades repeat every", "",
+                                   "share of the height", "of the slope");
+    for (const CascadeShare& share : state.cascades) {
+        text += format_text("%-24s%-16s%-24s%s\n", "", format_text("%.4g m", share.period).c_str(),
+                            format_text("%.1f %%", 100.0 * share.height).c_str(),
+                            format_text("%.1f %%", 100.0 * share.slope).c_str());
+    }
+    return text;
+}
+
+std::string foam_text(const SeaState& state, const SurfaceSettings& surface,
+                      const FrameCost& cost) {
+    std::string text = "\n";
+    if (state.whitecap_coverage.resolved > 0.0) {
+        text += row("Whitecaps",
+                    format_text("%.2f %% of the sea, where its area shrinks below %.3f",
+                                100.0 * state.whitecap_coverage.resolved, state.foam_threshold));
+    } else {
+        text += row("Whitecaps", "none");
+    }
+    if (surface.foam_coverage == FoamCoverage::monahan) {
+        text += row("", format_text("this wind makes %.2f %% white",
+                                    100.0 * state.whitecap_coverage.asked));
+    }
+    text += row("Foam", format_text("lives %g s; is followed for %g s before a frame alone",
+                                    surface.foam_lifetime, state.foam_preroll_seconds));
+    return text + row("A frame with foam",
+                      format_text("takes about %.2g s alone, %.2g s after the one before it",
+                                  cost.alone, cost.in_sequence));
+}
+
+std::string grid_text(const SeaState& state, const Parameters& parameters) {
+    const Grid& grid = parameters.grid;
+    std::string text = "\n";
+    text += row("Period",
+                format_text("%g m, %d x %d samples %.4g m apart", state.period, grid.resolution,
+                            grid.resolution, state.period / grid.resolution));
+    text += row("Waves held",
+                format_text("%.4g .. %.4g m long", state.shortest_wave, state.longest_wave));
+    if (state.cascades.size() > 1) text += cascades_text(state);
+    text += row("Map", format_text("%d x %d samples hold waves of %.4g m", state.map_resolution,
+                                   state.map_resolution, state.map_shortest_wave));
+    text += row("Depth", std::isinf(parameters.water.depth)
+                             ? std::string("deep")
+                             : format_text("%g m", parameters.water.depth));
+    const Timing& time = parameters.time;
+    text += row("Time", format_text("%g s at frame %d, %g frames per second", time.start,
+                                    time.first_frame, time.fps));
+    if (time.loop_period > 0.0) text += loop_text(state, time.loop_period);
+    text += row("Memory", bytes_text(state.memory_bytes));
+    return text;
+}
+
+std::string take_text(const Sea& sea) {
+    if (sea.take.empty()) return "";
+    const std::vector<TakeEvent>& events = sea.take.events;
+    return row("Take",
+               format_text("%zu change%s from %g to %g s, each gliding for %g s", events.size(),
+                           events.size() == 1 ? "" : "s", events.front().seconds,
+                           events.back().seconds, sea.parameters.time.glide)) +
+           row("", "numbers here are those of the start");
+}
+
+}  // namespace
+
+std::string info_text(const Sea& sea, const std::string& source, const SeaState& state,
+                      const FrameCost& cost) {
+    return row("Sea", source) + waves_text(sea.parameters) + state_text(state) +
+           grid_text(state, sea.parameters) + take_text(sea) +
+           foam_text(state, sea.parameters.surface, cost);
+}
+
+}  // namespace ocean::app
