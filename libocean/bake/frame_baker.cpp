@@ -18,8 +18,8 @@ FrameBaker::FrameBaker(const Bake& bake, int threads)
       threads_(threads),
       ocean_(bake.ocean, {.threads = threads,
                           .backend = bake.plan.backend,
-                          .channels = bake.plan.channels,
-                          .foam_progress = bake.host.foam_progress()}) {}
+                          .foam_progress = bake.host.foam_progress(),
+                          .channels = bake.plan.channels}) {}
 
 bool FrameBaker::keep(const std::vector<BakeFile>& files) {
     std::vector<ManifestEntry> entries;

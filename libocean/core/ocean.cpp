@@ -10,7 +10,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/map_request.hpp"
 #include "kernel/map_kernel.hpp"
 #include "kernel/packed_modes.hpp"
 #include "modes/mode_lattice.hpp"
@@ -284,7 +283,7 @@ void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int r
 
 int Ocean::map_resolution(int asked) const {
     if (asked == 0) return default_map_resolution(sea_.parameters.grid);
-    require_map_resolution(asked);
+    require_resolution(asked);
     return asked;
 }
 

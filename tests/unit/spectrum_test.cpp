@@ -81,6 +81,22 @@ TEST(Spectrum, JonswapPeakIsNarrowerBelowThanAbove) {
     EXPECT_NEAR(enhancement(peak * 1.09), std::pow(3.3, std::exp(-0.5)), 1e-9);
 }
 
+TEST(Spectrum, JonswapLimits) {
+    const double g = 9.81;
+    const double peak = jonswap_peak(17.0, 300e3, g);
+    const double alpha = 0.076 * std::pow(g * 300e3 / (17.0 * 17.0), -0.22);
+    EXPECT_NEAR(make_frequency_spectrum(jonswap(17.0, 300e3, 1.0), Water{}, 300.0).m0 /
+                    (alpha * g * g / (5.0 * std::pow(peak, 4.0))),
+                1.0, 1e-5);
+    const double fast = 50.0 * peak;
+    EXPECT_NEAR(jonswap_density(fast, 17.0, 300e3, 3.3, g) / (alpha * g * g * std::pow(fast, -5.0)),
+                1.0, 1e-6);
+    EXPECT_EQ(jonswap_density(0.1 * peak, 17.0, 300e3, 3.3, g), 0.0);
+    // Where its peak meets that of a fully developed sea: chi = 1.88e4.
+    const double fetch = 1.877e4 * 100.0 / g;
+    EXPECT_NEAR(jonswap_peak(10.0, fetch, g) / pierson_moskowitz_peak(10.0, g), 1.0, 1e-3);
+}
+
 TEST(Spectrum, FiniteDepthFactorIsTheExactOne) {
     const double golden[][2] = {{0.1, 0.0050}, {0.3, 0.0450}, {0.5, 0.1248},
                                 {1.0, 0.4828}, {1.5, 0.8785}, {2.0, 0.9934}};

@@ -1,28 +1,21 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The modes of a lattice, first what they are and then their waves. Frequency, weight and direction
-// of a mode are those of its three mirror images in the axes, up to signs: everything is found for
-// a quadrant, a row of modes at a time.
+// What the modes of a lattice are whatever the waves: where their cells lie, their noise, their
+// rates. Frequency, weight and direction of a mode are those of its three mirror images in the
+// axes, up to signs: everything is found for a quadrant, a row of modes at a time.
 #include "modes/mode_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "modes/noise_row.hpp"
-#include "modes/quadrant_sampler.hpp"
-#include "modes/shell_sums.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
 namespace {
-
-// The rows are shared out in so many parts whatever the number of threads, so that sums over the
-// parts have the same bits. Those near the origin, which take longest, are shared out by a stride.
-constexpr int kShares = 64;
-constexpr int kShareStride = 37;
 
 /// The first n in from .. to - 1 for which `beyond` holds, which then holds for all after it; or
 /// to.
@@ -47,85 +40,6 @@ void add_point(const Dispersion& dispersion, double step, double x, double y, do
     row.omega.push_back(wave.angular_frequency);
     row.direction.push_back(std::atan2(y, x) / kTwoPi);
     row.weight.push_back(share * wave.group_velocity / k * step * step);
-}
-
-void scale(CascadeModes& cascade, double gain, ThreadPool& pool) {
-    if (gain == 1.0) return;
-    const auto amplitude = static_cast<float>(std::sqrt(gain));
-    pool.for_each_range(cascade.lattice.resolution, [&](int first, int last) {
-        const auto width = static_cast<std::size_t>(cascade.lattice.resolution);
-        const auto rows = std::span(cascade.h0)
-                              .subspan(static_cast<std::size_t>(first) * width,
-                                       static_cast<std::size_t>(last - first) * width);
-        for (std::complex<float>& h0 : rows) h0 *= amplitude;
-    });
-    for (GradientCovariance& shell : cascade.shell_covariance) shell *= gain;
-}
-
-/// Modes on an axis are their own mirror images, whose halves meet.
-void join_axes(int m, QuadrantVariances& variances) {
-    auto& v = variances.quarter;
-    v[0][0] = v[0][0] + v[1][0];
-    v[3][0] = v[2][0] + v[3][0];
-    v[1][0] = 0.0;
-    v[2][0] = 0.0;
-    if (m > 0) return;
-    for (std::size_t n = 0; n < v[0].size(); ++n) {
-        v[0][n] = v[0][n] + v[3][n];
-        v[1][n] = v[1][n] + v[2][n];
-        v[2][n] = 0.0;
-        v[3][n] = 0.0;
-    }
-}
-
-/// modal_variance of the modes of a row.
-void row_variances(const QuadrantSampler& spectrum, const QuadrantRow& row, int m, int half,
-                   QuadrantVariances& variances) {
-    auto& v = variances.quarter;
-    for (std::vector<double>& quarter : v) quarter.assign(static_cast<std::size_t>(half), 0.0);
-    auto n = static_cast<std::size_t>(row.begin);
-    std::size_t point = 0;
-    for (const std::uint32_t points : row.points) {
-        for (const std::size_t end = point + points; point < end; ++point) {
-            const auto density = spectrum.density(row.omega[point], row.direction[point]);
-            for (std::size_t q = 0; q < 4; ++q) v[q][n] += row.weight[point] * density[q];
-        }
-        ++n;
-    }
-    for (; n < static_cast<std::size_t>(row.end); ++n, ++point) {
-        const auto density = spectrum.density(row.omega[point], row.direction[point]);
-        for (std::size_t q = 0; q < 4; ++q) v[q][n] = row.weight[point] * density[q];
-    }
-    join_axes(m, variances);
-}
-
-/// The modes from the first to the last that has any waves: mostly few go against the wind.
-ModeRange with_waves(std::span<const double> variances) {
-    const auto any = [](double variance) { return variance > 0.0; };
-    const auto first = std::find_if(variances.begin(), variances.end(), any);
-    const auto last = std::find_if(variances.rbegin(), variances.rend(), any);
-    return {static_cast<int>(first - variances.begin()), static_cast<int>(variances.rend() - last)};
-}
-
-/// Each part of h0 has half of it: E|h0|^2 = variance / 2.
-double amplitude_of(double variance) {
-    return 0.5 * std::sqrt(variance);
-}
-
-/// h0 of the modes (n, m) and (-n, m), one row of the lattice in FFT order.
-void write_row(std::span<const double> east, std::span<const double> west,
-               std::span<const std::complex<float>> noise, std::span<double> amplitude,
-               std::span<std::complex<float>> h0) {
-    const std::size_t size = h0.size();
-    const std::size_t half = size / 2;
-    for (std::size_t n = 0; n < half; ++n) amplitude[n] = amplitude_of(east[n]);
-    amplitude[half] = 0.0;
-    for (std::size_t n = 1; n < half; ++n) amplitude[size - n] = amplitude_of(west[n]);
-    for (std::size_t i = 0; i < size; ++i) {
-        // Zero, and not minus zero, where there are no waves.
-        h0[i] = {static_cast<float>(amplitude[i] * static_cast<double>(noise[i].real())) + 0.0f,
-                 static_cast<float>(amplitude[i] * static_cast<double>(noise[i].imag())) + 0.0f};
-    }
 }
 
 /// What a live tool may turn: only the waves.
@@ -261,11 +175,9 @@ void ModeLattice::set_rates(const Cascade& cascade, int m, CascadeModes& modes) 
         const auto high = static_cast<float>(rate);
         const auto low = static_cast<float>(rate - static_cast<double>(high));
         const auto displacement = static_cast<float>(wave.horizontal_displacement / k);
-        const auto width = static_cast<std::size_t>(size);
         for (const int ky : {m, -m}) {
             for (const int kx : {n, -n}) {
-                const std::size_t at = static_cast<std::size_t>(fft_index(ky, size)) * width +
-                                       static_cast<std::size_t>(fft_index(kx, size));
+                const std::size_t at = mode_index(kx, ky, size);
                 modes.rate_high[at] = high;
                 modes.rate_low[at] = low;
                 modes.displacement[at] = displacement;
@@ -278,81 +190,6 @@ const QuadrantRow& ModeLattice::row_of(const Cascade& cascade, int m, QuadrantRo
     if (kept_) return cascade.rows[static_cast<std::size_t>(m)];
     made = make_row(cascade, m);
     return made;
-}
-
-void ModeLattice::variances(const QuadrantSampler& spectrum, std::size_t cascade, int m,
-                            QuadrantVariances& variances) const {
-    QuadrantRow made;
-    const QuadrantRow& row = row_of(cascades_[cascade], m, made);
-    row_variances(spectrum, row, m, parameters_.grid.resolution / 2, variances);
-}
-
-void ModeLattice::set_waves(const DirectionalSpectrum& spectrum, double wind_speed,
-                            ThreadPool& pool, Modes& modes) const {
-    modes.wind_speed = wind_speed;
-    const QuadrantSampler sampler(spectrum);
-    for (const Cascade& cascade : cascades_) {
-        CascadeModes& waves = modes.cascades[cascade.number];
-        const double measured = set_cascade(cascade, sampler, pool, waves);
-        scale(waves, band_gain(spectrum, parameters_, cascade.band, measured), pool);
-    }
-}
-
-/// Work space of one thread.
-struct ModeLattice::Work {
-    QuadrantRow made;
-    QuadrantVariances variances;
-    std::vector<double> amplitude;
-    std::vector<std::complex<float>> noise;
-};
-
-double ModeLattice::set_cascade(const Cascade& cascade, const QuadrantSampler& sampler,
-                                ThreadPool& pool, CascadeModes& modes) const {
-    const int half = cascade.lattice.resolution / 2;
-    const int shares = std::min(kShares, half);
-    std::vector<ShellSums> sums(static_cast<std::size_t>(shares));
-    pool.for_each_range(shares, [&](int first, int last) {
-        Work work;
-        work.amplitude.resize(static_cast<std::size_t>(2 * half));
-        work.noise.resize(static_cast<std::size_t>(2 * half));
-        for (int i = first; i < last; ++i) {
-            const int share = i * kShareStride % shares;
-            ShellSums& sum = sums[static_cast<std::size_t>(share)];
-            sum.start(half);
-            for (int m = half * share / shares; m < half * (share + 1) / shares; ++m) {
-                set_row(cascade, sampler, m, work, sum, modes);
-            }
-        }
-    });
-    for (std::size_t i = 1; i < sums.size(); ++i) sums.front().add(sums[i]);
-    for (std::size_t s = 0; s < modes.shell_covariance.size(); ++s) {
-        modes.shell_covariance[s] = sums.front().covariance(s);
-    }
-    return sums.front().measured();
-}
-
-void ModeLattice::set_row(const Cascade& cascade, const QuadrantSampler& sampler, int m, Work& work,
-                          ShellSums& sums, CascadeModes& modes) const {
-    const int size = cascade.lattice.resolution;
-    const QuadrantRow& row = row_of(cascade, m, work.made);
-    row_variances(sampler, row, m, size / 2, work.variances);
-    const auto& v = work.variances.quarter;
-    const auto write = [&](int ky, std::span<const double> east, std::span<const double> west) {
-        const auto width = static_cast<std::size_t>(size);
-        const std::size_t at = static_cast<std::size_t>(fft_index(ky, size)) * width;
-        std::span<const std::complex<float>> noise = work.noise;
-        if (kept_) {
-            noise = std::span(cascade.noise).subspan(at, width);
-        } else {
-            draw_row(cascade, ky, with_waves(east), with_waves(west), work.noise);
-        }
-        write_row(east, west, noise, work.amplitude, std::span(modes.h0).subspan(at, width));
-    };
-    write(m, v[0], v[1]);
-    if (m > 0) write(-m, v[3], v[2]);
-    const auto at = static_cast<std::size_t>(m) * static_cast<std::size_t>(size);
-    sums.add(cascade.lattice, m, row.end, work.variances,
-             std::span(modes.displacement).subspan(at));
 }
 
 }  // namespace ocean

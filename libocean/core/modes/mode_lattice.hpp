@@ -18,7 +18,6 @@
 namespace ocean {
 
 class QuadrantSampler;
-class ShellSums;
 class ThreadPool;
 
 /// Where a mode stands to the band and to the limits of `parameters.surface`.
@@ -59,9 +58,9 @@ struct ModeRange {
 /// Immutable, so that several seas may share one.
 class ModeLattice {
   public:
-    /// keep: holds points and noise for the next build, 14 bytes for each mode, instead of making
-    /// them again. Not for more than kLargestKept modes a side, nearly as much as the modes
-    /// themselves, of seas that nobody turns while they run.
+    /// keep: points and noise stay for the next build, 14 bytes a mode, nearly as much as the modes
+    /// themselves. With more than kLargestKept modes a side nothing is kept: nobody turns the wind
+    /// of such a sea while it runs.
     enum class Memory { none, keep };
     static constexpr int kLargestKept = 2048;
     static std::uint64_t kept_bytes(const Grid& grid);
@@ -73,7 +72,7 @@ class ModeLattice {
     /// Whether it holds all that it can.
     bool is_kept() const { return kept_ || parameters_.grid.resolution > kLargestKept; }
 
-    /// Rates and displacements; no waves.
+    /// Of still water: rates and displacements, no waves.
     Modes still_modes(ThreadPool& pool) const;
     /// The waves of `modes`, which are of this lattice, whatever they were. The bits are the same
     /// for any number of threads and whether anything is kept or not.
@@ -92,9 +91,8 @@ class ModeLattice {
         std::vector<QuadrantRow> rows;  // m = 0 .. N/2 - 1; empty if nothing is kept
         std::vector<std::complex<float>> noise;
     };
-    struct RowSums;
-
     struct Work;
+    class ShellSums;
 
     QuadrantRow make_row(const Cascade& cascade, int m) const;
     /// The row that is kept, or else `made`, which is made that row.

@@ -11,11 +11,17 @@
 
 #include "modes/mode_lattice.hpp"
 #include "ocean/dispersion.hpp"
+#include "ocean/error.hpp"
 
 namespace ocean {
 
 double turns_per_loop(double omega, double loop_period) {
     return std::max(1.0, std::round(omega * loop_period / kTwoPi));
+}
+
+void require_finite_time(double time) {
+    if (std::isfinite(time)) return;
+    throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
 }
 
 double loop_fraction(double time, double loop_period) {

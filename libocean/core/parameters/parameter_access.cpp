@@ -72,7 +72,7 @@ void store(const ParameterRef& ref, std::optional<double>& target, const Paramet
 }
 void store(const ParameterRef& ref, int& target, const ParameterValue& value) {
     const auto number = static_cast<int>(checked_integer(ref, value));
-    if (ref.info->key == "resolution" && !is_power_of_two(number)) {
+    if (ref.info->key == "resolution" && !is_resolution(number)) {
         refuse(ref, to_text(value), "is not a power of two");
     }
     if (ref.info->key == "alignment" && number % 2 != 0) {

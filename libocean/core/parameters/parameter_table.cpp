@@ -5,8 +5,11 @@
 // a member to parameters.hpp and its entry here; every host follows.
 #include "ocean/parameter_table.hpp"
 
-#include <array>
 #include <limits>
+#include <type_traits>
+
+#include "ocean/enum_words.hpp"
+#include "ocean/grid.hpp"
 
 namespace ocean {
 
@@ -31,7 +34,7 @@ constexpr ParameterInfo kTable[] = {
      900.0, 1100.0, kRebuild, Stage::spectrum},
 
     {"grid", "resolution", "samples", "Resolution", "Samples along each side; a power of two.",
-     &Grid::resolution, 32, 8192, 64, 2048, kRebuild, Stage::spectrum},
+     &Grid::resolution, kMinResolution, kMaxResolution, 64, 2048, kRebuild, Stage::spectrum},
     {"grid", "patch_size", "m", "Patch size",
      "Side of the square that repeats; a few of the longest waves should fit.", &Grid::patch_size,
      1.0, 100000.0, 10.0, 5000.0, kRebuild, Stage::spectrum},
@@ -138,19 +141,9 @@ constexpr ParameterInfo kTable[] = {
      0, kRebuild, Stage::spectrum, "measured"},
 };
 
-constexpr std::array<std::string_view, 5> kSpectra = {"phillips", "pierson_moskowitz", "jonswap",
-                                                      "tma", "measured"};
-constexpr std::array<std::string_view, 4> kSpreadings = {"cosine_squared", "mitsuyasu",
-                                                         "hasselmann", "donelan_banner"};
-constexpr std::array<std::string_view, 2> kEstimators = {"maximum_entropy", "fourier"};
-constexpr std::array<std::string_view, 2> kCoverages = {"monahan", "threshold"};
-
 template <typename Section, typename Value>
 constexpr std::span<const std::string_view> choices_of(Value Section::*) {
-    if constexpr (std::is_same_v<Value, SpectrumKind>) return kSpectra;
-    if constexpr (std::is_same_v<Value, SpreadingKind>) return kSpreadings;
-    if constexpr (std::is_same_v<Value, Estimator>) return kEstimators;
-    if constexpr (std::is_same_v<Value, FoamCoverage>) return kCoverages;
+    if constexpr (std::is_enum_v<Value>) return kEnumWords<Value>;
     return {};
 }
 

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/json.hpp"
 #include "ocean/nearest_name.hpp"
@@ -53,10 +54,6 @@ std::string joined(std::span<const std::string_view> words) {
         result += word;
     }
     return result;
-}
-
-constexpr std::string_view class_name(ParameterClass change) {
-    return change == ParameterClass::live ? "live" : "rebuild";
 }
 
 bool is_number(const ParameterInfo& info) {
@@ -159,7 +156,7 @@ std::string parameters_markdown() {
         const std::string name =
             info.per_wave_system() ? "waves.N." + std::string(info.key) : info.path();
         result += "| `" + name + "` | " + (value.empty() ? "" : "`" + value + "`") + " | " +
-                  allowed_values(info) + " | " + std::string(class_name(info.change)) + " | " +
+                  allowed_values(info) + " | " + std::string(word_of(info.change)) + " | " +
                   std::string(info.help) + " |\n";
     }
     return result;
@@ -172,7 +169,7 @@ std::string parameters_json() {
         JsonObject row;
         row.add("section", info.section).add("key", info.key).add("type", info.type());
         row.add("unit", info.unit).add("label", info.label).add("help", info.help);
-        row.add("class", class_name(info.change)).add("allowed", allowed_values(info));
+        row.add("class", word_of(info.change)).add("allowed", allowed_values(info));
         if (is_number(info)) {
             // JSON has no infinity: such a bound is null.
             row.add("min", json_number_or_null(info.min, plain_text));

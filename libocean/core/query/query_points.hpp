@@ -11,10 +11,9 @@
 #include <span>
 #include <string>
 
-#include "base/map_request.hpp"
 #include "ocean/error.hpp"
+#include "ocean/memory.hpp"
 #include "ocean/query.hpp"
-#include "ocean/sea_state.hpp"
 #include "ocean/thread_pool.hpp"
 #include "query/spline_map.hpp"
 
@@ -28,7 +27,7 @@ inline int shown_resolution(int grid_resolution, const QueryOptions& options) {
 /// Samples of the spline between which a query interpolates. Throws Error invalid_value.
 inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
     const int shown = shown_resolution(grid_resolution, options);
-    require_map_resolution(shown);
+    require_resolution(shown);
     const int finest = std::max(kMaxResolution / (2 * shown), 1);
     if (!is_power_of_two(options.refine) || options.refine > finest) {
         throw Error(ErrorKind::invalid_value,

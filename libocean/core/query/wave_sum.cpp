@@ -1,43 +1,25 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sums over all modes at single points. The field is real, so k and -k are one term and half the
-// plane is enough: sum of Re(2 h e^(i k x)). Along a row of one ky all terms share e^(i ky y), and
-// e^(i kx x) comes from a table, so that a mode costs multiplications only.
+// Sums over all modes at single points: of Re(2 h e^(i k x)) over half the plane, since the field
+// is real. Along a row of one ky all terms share e^(i ky y), and e^(i kx x) comes from a table, so
+// that a mode costs multiplications only.
 #include "ocean/wave_sum.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 #include "base/wave.hpp"
 #include "query/orbital_decay.hpp"
+#include "query/wave_sum_fixed.hpp"
 
 namespace ocean {
 
 namespace formula = wave::double_precision;
 
 namespace {
-
-/// Modes that are added up side by side, in an order that no compiler changes.
-constexpr std::size_t kLanes = 4;
-
-struct Wavenumbers {
-    double period;       // m, of the cascade
-    int half;            // modes -half .. half - 1
-    std::size_t column;  // of n = -half, in the table along x
-    std::size_t row;     // of m = 0, in the table along y
-};
-
-/// Neighbours in a row, a multiple of kLanes; waveless ones between them have h0 = 0.
-struct Run {
-    std::size_t begin;  // in the arrays of modes
-    std::size_t end;
-    std::size_t column;  // of the first, in the table along x
-    std::size_t row;
-};
 
 /// e^(i 2 pi n x / period) for n = first .. first + count - 1.
 void add_phases(double x, double period, int first, int count, double* re, double* im) {
@@ -75,103 +57,7 @@ struct LaneSum {
     }
 };
 
-/// The one mode (n, m) and its mirror, as the sum reads them.
-struct ModePair {
-    std::complex<float> h0;
-    std::complex<float> mirror;
-    std::size_t at;
-    bool empty() const { return h0 == 0.0f && mirror == 0.0f; }
-};
-
-ModePair mode_pair(const CascadeModes& cascade, int n, int m, double limit) {
-    const int size = cascade.lattice.resolution;
-    const int half = size / 2;
-    const bool upper = m > 0 || (m == 0 && n > 0);
-    const bool held = std::abs(n) * cascade.divisor < limit && m * cascade.divisor < limit;
-    if (!upper || !held || n == -half) return {};
-    const auto index = [size](int i, int j) {
-        return static_cast<std::size_t>(fft_index(j, size)) * static_cast<std::size_t>(size) +
-               static_cast<std::size_t>(fft_index(i, size));
-    };
-    const std::size_t at = index(n, m);
-    return {cascade.h0[at], cascade.h0[index(-n, -m)], at};
-}
-
 }  // namespace
-
-/// What does not change with time. Arrays of modes are as long as all runs together.
-struct WaveSum::Fixed {
-    Water water;
-    Modes clock;  // without modes: what the loop makes of time
-    std::vector<Wavenumbers> cascades;
-    std::vector<double> kx, ky;  // of the columns and rows of the tables, rad/m
-    std::vector<Run> runs;
-    std::vector<float> h0_re, h0_im, mirror_re, mirror_im;  // m
-    std::vector<double> rate;                               // turns per unit of tau
-    std::vector<float> displacement;                        // coth(kd) / k, m
-    double displacement_rms = 0.0;                          // m
-
-    std::size_t size() const { return rate.size(); }
-
-    void add_cascade(const CascadeModes& cascade, double limit) {
-        const int half = cascade.lattice.resolution / 2;
-        const double step = cascade.lattice.wavenumber_step();
-        cascades.push_back({cascade.lattice.period, half, kx.size(), ky.size()});
-        for (int n = -half; n < half; ++n) kx.push_back(step * n);
-        for (int m = 0; m < half; ++m) {
-            ky.push_back(step * m);
-            add_row(cascade, m, limit);
-        }
-    }
-
-    /// In blocks of kLanes: those without any wave are dropped, neighbours become one run.
-    void add_row(const CascadeModes& cascade, int m, double limit) {
-        const Wavenumbers& wavenumbers = cascades.back();
-        std::size_t next_column = 0;  // after the last block kept
-        for (int n0 = -wavenumbers.half; n0 < wavenumbers.half; n0 += static_cast<int>(kLanes)) {
-            ModePair block[kLanes];
-            bool empty = true;
-            for (std::size_t l = 0; l < kLanes; ++l) {
-                block[l] = mode_pair(cascade, n0 + static_cast<int>(l), m, limit);
-                empty = empty && block[l].empty();
-            }
-            if (empty) continue;
-            const std::size_t column =
-                wavenumbers.column + static_cast<std::size_t>(n0 + wavenumbers.half);
-            if (runs.empty() || column != next_column || runs.back().row != ky.size() - 1) {
-                runs.push_back({size(), size(), column, ky.size() - 1});
-            }
-            for (const ModePair& pair : block) add_mode(cascade, pair);
-            next_column = column + kLanes;
-            runs.back().end = size();
-        }
-    }
-
-    void add_mode(const CascadeModes& cascade, const ModePair& pair) {
-        h0_re.push_back(pair.h0.real());
-        h0_im.push_back(pair.h0.imag());
-        mirror_re.push_back(pair.mirror.real());
-        mirror_im.push_back(pair.mirror.imag());
-        rate.push_back(static_cast<double>(cascade.rate_high[pair.at]) + cascade.rate_low[pair.at]);
-        displacement.push_back(cascade.displacement[pair.at]);
-    }
-
-    double mean_square_displacement() const {
-        double sum = 0.0;
-        for (const Run& run : runs) {
-            for (std::size_t i = run.begin; i < run.end; ++i) {
-                const double factor = std::hypot(kx[run.column + i - run.begin], ky[run.row]) *
-                                      static_cast<double>(displacement[i]);
-                const std::complex<double> h0(h0_re[i], h0_im[i]);
-                const std::complex<double> mirror(mirror_re[i], mirror_im[i]);
-                sum += 2.0 * (std::norm(h0) + std::norm(mirror)) * factor * factor;
-            }
-        }
-        return sum;
-    }
-
-    double omega(std::size_t mode) const { return kTwoPi * clock.rate_unit() * rate[mode]; }
-};
 
 /// The waves e^(i kx x), e^(i ky y) of one point, of all columns and rows.
 struct WaveSum::Waves {
@@ -182,24 +68,18 @@ struct WaveSum::Waves {
           x_im(fixed.kx.size()),
           y_re(fixed.ky.size()),
           y_im(fixed.ky.size()) {
-        for (const Wavenumbers& w : fixed.cascades) {
+        for (const Fixed::Wavenumbers& w : fixed.cascades) {
             add_phases(x, w.period, -w.half, 2 * w.half, &x_re[w.column], &x_im[w.column]);
             add_phases(y, w.period, 0, w.half, &y_re[w.row], &y_im[w.row]);
         }
     }
 };
 
-WaveSum::WaveSum(const Modes& modes, const Water& water, int resolution) {
-    auto fixed = std::make_shared<Fixed>();
-    fixed->water = water;
-    fixed->clock.loop_period = modes.loop_period;
-    const double limit = resolution > 0 ? 0.5 * resolution : std::numeric_limits<double>::max();
-    for (const CascadeModes& cascade : modes.cascades) fixed->add_cascade(cascade, limit);
-    fixed->displacement_rms = std::sqrt(fixed->mean_square_displacement());
+WaveSum::WaveSum(const Modes& modes, const Water& water, int resolution)
+    : fixed_(std::make_shared<const Fixed>(modes, water, resolution)) {
     for (std::vector<double>* values : {&re_, &im_, &rate_re_, &rate_im_}) {
-        values->resize(fixed->size());
+        values->resize(fixed_->size());
     }
-    fixed_ = std::move(fixed);
     set_time(0.0);
 }
 
@@ -256,7 +136,7 @@ template <int kSums, typename Term, typename Row>
 void WaveSum::sweep(double x, double y, const Term& term, const Row& row) const {
     const Fixed& fixed = *fixed_;
     const Waves waves(fixed, x, y);
-    for (const Run& run : fixed.runs) {
+    for (const Fixed::Run& run : fixed.runs) {
         std::array<LaneSum, kSums> sums;
         for (std::size_t i = run.begin; i < run.end; i += kLanes) {
             for (std::size_t l = 0; l < kLanes; ++l) {
@@ -346,7 +226,7 @@ WaterLevel WaveSum::water_level(double z) const {
     level.up_.resize(fixed.size());
     z = std::min(z, 0.0);
     if (!(fixed.water.depth + z >= 0.0)) return level;
-    for (const Run& run : fixed.runs) {
+    for (const Fixed::Run& run : fixed.runs) {
         for (std::size_t i = run.begin; i < run.end; ++i) {
             const double k = std::hypot(fixed.kx[run.column + i - run.begin], fixed.ky[run.row]);
             if (k == 0.0) continue;

@@ -46,10 +46,13 @@ void moments_row(Complex c1, Complex c2, Estimator estimator, std::span<double> 
         const double theta = kTwoPi * static_cast<double>(j) / static_cast<double>(row.size());
         const Complex turn1 = std::polar(1.0, -theta);
         const Complex turn2 = std::polar(1.0, -2.0 * theta);
-        if (estimator == Estimator::maximum_entropy) {
-            row[j] = 1.0 / std::norm(1.0 - phi1 * turn1 - phi2 * turn2);
-        } else {
-            row[j] = std::max(0.0, 0.5 + (c1 * turn1).real() + (c2 * turn2).real());
+        switch (estimator) {
+            case Estimator::maximum_entropy:
+                row[j] = 1.0 / std::norm(1.0 - phi1 * turn1 - phi2 * turn2);
+                break;
+            case Estimator::fourier:
+                row[j] = std::max(0.0, 0.5 + (c1 * turn1).real() + (c2 * turn2).real());
+                break;
         }
     }
 }

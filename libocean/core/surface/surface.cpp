@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/map_request.hpp"
 #include "base/wave.hpp"
 #include "kernel/map_kernel.hpp"
 #include "ocean/error.hpp"
@@ -280,7 +279,7 @@ Surface kernel_surface(const SynthesisRequest& request, const Lattice& lattice, 
 
 int chosen_resolution(int resolution, int own) {
     if (resolution == 0) return own;
-    require_map_resolution(resolution);
+    require_resolution(resolution);
     return resolution;
 }
 

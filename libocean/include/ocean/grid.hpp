@@ -41,8 +41,20 @@ constexpr int fft_index(int wavenumber, int n) {
 constexpr int mirror_index(int index, int n) {
     return index == 0 ? 0 : n - index;
 }
+/// Place of the mode (n, m), signed, in an array of size x size modes.
+constexpr std::size_t mode_index(int n, int m, int size) {
+    return static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +
+           static_cast<std::size_t>(fft_index(n, size));
+}
+
 constexpr bool is_power_of_two(long long n) {
     return n > 0 && (n & (n - 1)) == 0;
 }
+/// What a grid may have along a side, and a map.
+constexpr bool is_resolution(long long n) {
+    return is_power_of_two(n) && n >= kMinResolution && n <= kMaxResolution;
+}
+/// Throws Error invalid_value for any other number of samples.
+void require_resolution(int resolution);
 
 }  // namespace ocean

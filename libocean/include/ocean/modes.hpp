@@ -68,6 +68,9 @@ struct Modes {
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m, const CascadeBand& band = {});
 
+/// Throws Error invalid_value: a sea has no other times than finite ones [s].
+void require_finite_time(double time);
+
 /// The time as a fraction of the loop, 0 <= f < 1, rounded to 2^-44 of it: t and t + T give the
 /// same bits after their own rounding.
 double loop_fraction(double time, double loop_period);

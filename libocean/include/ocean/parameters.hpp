@@ -17,6 +17,7 @@
 
 namespace ocean {
 
+// The words that sea files choose from (enum_words.hpp).
 enum class SpectrumKind { phillips, pierson_moskowitz, jonswap, tma, measured };
 enum class SpreadingKind { cosine_squared, mitsuyasu, hasselmann, donelan_banner };
 enum class Estimator { maximum_entropy, fourier };

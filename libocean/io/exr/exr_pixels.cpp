@@ -25,27 +25,28 @@ namespace {
 struct Plane {
     std::string name;
     Imf::PixelType type;
+    std::size_t row_bytes;
     std::vector<char> rows;
 };
 
-std::vector<Plane> make_planes(const Imf::Header& header, int n) {
+std::vector<Plane> make_planes(const Imf::Header& header, int width) {
     std::vector<Plane> planes;
     const Imf::ChannelList& channels = header.channels();
     for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
         const Imf::PixelType type = channel.channel().type;
-        const auto bytes = static_cast<std::size_t>(n) * kRowsAtATime * pixel_bytes(type);
-        planes.push_back({channel.name(), type, std::vector<char>(bytes)});
+        const std::size_t row = static_cast<std::size_t>(width) * pixel_bytes(type);
+        planes.push_back({channel.name(), type, row, std::vector<char>(row * kRowsAtATime)});
     }
     return planes;
 }
 
-void read_rows(Imf::InputFile& image, std::vector<Plane>& planes, int n, int y, int rows) {
+void read_rows(Imf::InputFile& image, std::vector<Plane>& planes, int y, int rows) {
     Imf::FrameBuffer buffer;
     for (Plane& plane : planes) {
-        const std::size_t stride = pixel_bytes(plane.type) * static_cast<std::size_t>(n);
         // OpenEXR wants the address that the pixel (0, 0) would have.
-        char* origin = plane.rows.data() - static_cast<std::size_t>(y) * stride;
-        buffer.insert(plane.name, Imf::Slice(plane.type, origin, pixel_bytes(plane.type), stride));
+        char* origin = plane.rows.data() - static_cast<std::size_t>(y) * plane.row_bytes;
+        buffer.insert(plane.name,
+                      Imf::Slice(plane.type, origin, pixel_bytes(plane.type), plane.row_bytes));
     }
     image.setFrameBuffer(buffer);
     image.readPixels(y, y + rows - 1);
@@ -55,15 +56,14 @@ void read_image(const std::string& path, int threads, const ByteSink& sink) {
     Imf::InputFile image(path.c_str(), threads);
     if (!image.isComplete()) refuse(path, "it is not complete");
     const Imath::Box2i window = image.header().dataWindow();
-    const int n = window.max.y + 1;
-    std::vector<Plane> planes = make_planes(image.header(), n);
-    for (int y = 0; y < n; y += kRowsAtATime) {
-        const int rows = std::min(kRowsAtATime, n - y);
-        read_rows(image, planes, n, y, rows);
+    const int height = window.max.y + 1;
+    std::vector<Plane> planes = make_planes(image.header(), window.max.x + 1);
+    for (int y = 0; y < height; y += kRowsAtATime) {
+        const int rows = std::min(kRowsAtATime, height - y);
+        read_rows(image, planes, y, rows);
         for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
             for (const Plane& plane : planes) {
-                const std::size_t stride = pixel_bytes(plane.type) * static_cast<std::size_t>(n);
-                sink({plane.rows.data() + row * stride, stride});
+                sink({plane.rows.data() + row * plane.row_bytes, plane.row_bytes});
             }
         }
     }

@@ -31,24 +31,25 @@ constexpr std::array kDensity = {Unit{"m2/Hz", 1.0}, Unit{"m2 s", 1.0},
 constexpr std::array kDirectionalDensity = {Unit{"m2/Hz/deg", 1.0}, Unit{"m2/Hz/rad", 1 / kDegrees},
                                             Unit{"m2 s/rad", 1 / kDegrees}};
 
-constexpr std::array<std::string_view, kColumns> kNames = {"frequency",
-                                                           "density",
-                                                           "direction",
-                                                           "direction_to",
-                                                           "direction_cartesian",
-                                                           "mean_direction",
-                                                           "mean_direction_to",
-                                                           "mean_direction_cartesian",
-                                                           "spread",
-                                                           "a1",
-                                                           "b1",
-                                                           "a2",
-                                                           "b2",
-                                                           "time",
-                                                           "station",
-                                                           "latitude",
-                                                           "longitude",
-                                                           "depth"};
+constexpr std::string_view kNames[] = {"frequency",
+                                       "density",
+                                       "direction",
+                                       "direction_to",
+                                       "direction_cartesian",
+                                       "mean_direction",
+                                       "mean_direction_to",
+                                       "mean_direction_cartesian",
+                                       "spread",
+                                       "a1",
+                                       "b1",
+                                       "a2",
+                                       "b2",
+                                       "time",
+                                       "station",
+                                       "latitude",
+                                       "longitude",
+                                       "depth"};
+static_assert(std::size(kNames) == kColumns);
 
 std::span<const Unit> units_of(Column column, bool directional) {
     if (column == frequency) return kFrequency;
@@ -93,7 +94,7 @@ Title parse_title(std::string_view field) {
 }
 
 Column column_named(std::string_view name) {
-    return static_cast<Column>(std::find(kNames.begin(), kNames.end(), name) - kNames.begin());
+    return static_cast<Column>(std::find(std::begin(kNames), std::end(kNames), name) - kNames);
 }
 
 std::string unknown_column(std::string_view name) {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/enum_words.hpp"
 #include "ocean/line_reader.hpp"
 #include "ocean/spectrum_record.hpp"
 
@@ -23,7 +24,7 @@ inline constexpr double kMaxSpread = 1.05;
 
 /// What the five tables hold: density, alpha1, alpha2, r1, r2.
 enum class Quantity { density, direction1, direction2, spread1, spread2 };
-inline constexpr std::size_t kCompanions = 4;
+inline constexpr std::size_t kCompanions = enum_count<Quantity>() - 1;  // all but the density
 
 struct Bin {
     double frequency;

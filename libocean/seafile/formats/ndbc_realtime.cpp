@@ -18,10 +18,10 @@ using ndbc::Quantity;
 using ndbc::Row;
 
 /// By quantity, as the headers name the first column.
-constexpr std::array<std::string_view, 5> kColumnNames = {"spec_1", "alpha1_1", "alpha2_1", "r1_1",
-                                                          "r2_1"};
-constexpr std::array<std::string_view, 5> kSuffixes = {".data_spec", ".swdir", ".swdir2", ".swr1",
-                                                       ".swr2"};
+constexpr std::string_view kColumnNames[] = {"spec_1", "alpha1_1", "alpha2_1", "r1_1", "r2_1"};
+constexpr std::string_view kSuffixes[] = {".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"};
+static_assert(std::size(kColumnNames) == enum_count<Quantity>());
+static_assert(std::size(kSuffixes) == enum_count<Quantity>());
 
 /// Which columns stand before the first value. Old files have no minutes, companions no separation
 /// frequency.
@@ -65,9 +65,9 @@ std::optional<Header> parse_header(std::string_view line) {
     for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word()) {
         header.minutes |= word == "mm";
         header.separation |= word == "Sep_Freq";
-        const auto name = std::find(kColumnNames.begin(), kColumnNames.end(), word);
-        if (name == kColumnNames.end()) continue;
-        header.quantity = static_cast<Quantity>(name - kColumnNames.begin());
+        const auto name = std::find(std::begin(kColumnNames), std::end(kColumnNames), word);
+        if (name == std::end(kColumnNames)) continue;
+        header.quantity = static_cast<Quantity>(name - kColumnNames);
         return header;
     }
     return std::nullopt;

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The check of a number of samples; see grid.hpp.
+#include "ocean/grid.hpp"
+
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+
+void require_resolution(int resolution) {
+    if (is_resolution(resolution)) return;
+    throw Error(ErrorKind::invalid_value,
+                format_text("resolution = %d; allowed: a power of two, %d .. %d", resolution,
+                            kMinResolution, kMaxResolution));
+}
+
+}  // namespace ocean
