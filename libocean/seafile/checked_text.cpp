@@ -40,6 +40,14 @@ std::string read_file(const std::string& path, std::size_t limit) {
     return content;
 }
 
+std::string first_bytes(const std::string& path, std::size_t count) {
+    std::ifstream stream(utf8_path(path), std::ios::binary);
+    std::string bytes(count, '\0');
+    stream.read(bytes.data(), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
+}
+
 std::string to_utf8(const std::filesystem::path& path) {
     const std::u8string bytes = path.u8string();
     return std::string(bytes.begin(), bytes.end());

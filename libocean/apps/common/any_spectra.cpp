@@ -5,21 +5,16 @@
 #include "any_spectra.hpp"
 
 #include <cmath>
-#include <fstream>
 
+#include "ocean/checked_text.hpp"
 #include "ocean/netcdf_spectra.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"
 
 namespace ocean::app {
 
 std::vector<SpectrumRecord> read_any_spectra(const std::string& path) {
-    std::ifstream file(utf8_path(path), std::ios::binary);
-    char first_bytes[8] = {};
-    file.read(first_bytes, sizeof first_bytes);
-    const std::string_view magic(first_bytes, static_cast<std::size_t>(file.gcount()));
-    return is_netcdf(magic) ? read_netcdf_spectra(path) : read_spectra(path);
+    return is_netcdf(text::first_bytes(path, 8)) ? read_netcdf_spectra(path) : read_spectra(path);
 }
 
 std::string origin_text(const SpectrumRecord& record) {

@@ -69,9 +69,9 @@ struct OptionGroup {
 };
 
 struct Command {
-    std::string name;
-    std::string summary;
-    std::vector<OptionGroup> options;
+    std::string name = {};
+    std::string summary = {};
+    std::vector<OptionGroup> options = {};
     std::string footer = {};  // "" = that of the program
     /// Throws ocean::Error when it fails.
     std::function<void(const Context&)> run = {};

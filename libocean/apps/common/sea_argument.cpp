@@ -5,9 +5,9 @@
 #include "sea_argument.hpp"
 
 #include <filesystem>
-#include <fstream>
 
 #include "any_spectra.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/parameter_table.hpp"
@@ -21,9 +21,7 @@ constexpr std::string_view kPresetPrefix = "preset:";
 
 /// By content, not by name.
 bool is_exr(const std::string& path) {
-    std::ifstream file(utf8_path(path), std::ios::binary);
-    char magic[4] = {};
-    return file.read(magic, 4) && std::string_view(magic, 4) == "\x76\x2f\x31\x01";
+    return text::first_bytes(path, 4) == "\x76\x2f\x31\x01";
 }
 
 Sea sea_of_exr(const std::string& path) {

@@ -17,6 +17,8 @@ namespace ocean::text {
 
 /// The whole file. Throws Error bad_file: missing, a directory, unreadable, larger than `limit`.
 std::string read_file(const std::string& path, std::size_t limit);
+/// The first `count` bytes of a file; fewer where it has not so many or cannot be read.
+std::string first_bytes(const std::string& path, std::size_t count);
 /// The inverse of utf8_path.
 std::string to_utf8(const std::filesystem::path& path);
 

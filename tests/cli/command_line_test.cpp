@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Commands as values: every kind of option reaches its target, what a rule refuses never runs, a
+// failure becomes one line with the program's name and its exit code, and a program may be one
+// command without a name before it. The words of `ocean` itself are tested by test_usage.py.
+#include "command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "console.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::app {
+namespace {
+
+struct Values {
+    bool flag = false;
+    bool foam = true;
+    int whole = 0;
+    std::string word;
+    std::optional<int> maybe_whole;
+    std::optional<double> maybe_number;
+    std::vector<std::string> list;
+};
+
+std::vector<OptionGroup> options_for(Values& values) {
+    return {{"",
+             {{"WORD", &values.word, "", "A word without a name"},
+              {"-f,--flag", &values.flag, "", "A flag"},
+              {"!--no-foam", &values.foam, "", "A flag that clears"}}},
+            {"Numbers",
+             {{"--whole", &values.whole, "N", "Within a range", kOptional, Within{-2, 64}},
+              {"--maybe", &values.maybe_whole, "N", "Perhaps"},
+              {"--number", &values.maybe_number, "X", "Perhaps"}}},
+            {"Texts",
+             {{"--list", &values.list, "TEXT", "As often as you like"},
+              {.names = "--not-flag",
+               .target = &RunOptions::verbose,
+               .help = "Not beside --flag",
+               .excludes = "--flag"}}},
+            run_options("Lines of JSON")};
+}
+
+struct Outcome {
+    int code;
+    std::string output;
+    std::string error;
+};
+
+Outcome run(const Program& program, std::vector<std::string> words) {
+    words.insert(words.begin(), program.main.name);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int code = run_program(static_cast<int>(arguments.size()), arguments.data(), program);
+    return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+Program single(Command command) {
+    command.name = "ocean-preview";
+    command.summary = "Shows a sea.";
+    return {.main = std::move(command), .version = "ocean-preview 1.2"};
+}
+
+TEST(CommandLine, EveryKindOfOptionReachesItsTarget) {
+    Values values;
+    RunOptions seen;
+    const Program program =
+        single({.options = options_for(values),
+                .run = [&](const Context& context) { seen = context.options; }});
+    const Outcome outcome =
+        run(program, {"-f", "--no-foam", "--whole", "-2", "--maybe=7", "--number", "0.5", "--list",
+                      "a", "--list", "b", "word", "--threads", "3", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_TRUE(values.flag);
+    EXPECT_FALSE(values.foam);
+    EXPECT_EQ(values.whole, -2);
+    EXPECT_EQ(values.maybe_whole, 7);
+    EXPECT_EQ(values.maybe_number, 0.5);
+    EXPECT_EQ(values.list, (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(values.word, "word");
+    EXPECT_EQ(seen.threads, 3);
+    EXPECT_TRUE(seen.json);
+    EXPECT_FALSE(seen.quiet);
+}
+
+TEST(CommandLine, WhatIsNotGivenStaysAsItWas) {
+    Values values;
+    EXPECT_EQ(run(single({.options = options_for(values), .run = [](const Context&) {}}), {}).code,
+              0);
+    EXPECT_TRUE(values.foam);
+    EXPECT_FALSE(values.maybe_whole || values.maybe_number);
+    EXPECT_TRUE(values.list.empty());
+}
+
+TEST(CommandLine, WrongUseNeverRunsAndNamesTheProgram) {
+    std::string needed, one_of, filled;
+    Values values;
+    std::vector<OptionGroup> options = options_for(values);
+    options.push_back({"Rules",
+                       {{"--needed", &needed, "TEXT", "", kRequired},
+                        {"--one-of", &one_of, "TEXT", "", kOptional, OneOf{{"cpu", "gl"}}},
+                        {"--filled", &filled, "TEXT", "", kOptional, NotEmpty{}}}});
+    const Program program = single({.options = options, .run = [](const Context&) { FAIL(); }});
+    const std::vector<std::vector<std::string>> wrong = {
+        {},
+        {"--needed"},
+        {"--needed", "a", "--needed", "b"},
+        {"--needed", "a", "--unknown"},
+        {"--needed", "a", "--whole", "65"},
+        {"--needed", "a", "--whole", "x"},
+        {"--needed", "a", "--one-of", "cuda"},
+        {"--needed", "a", "--filled", ""},
+        {"--needed", "a", "--flag", "--not-flag"},
+        {"--needed", "a", "word", "another"},
+    };
+    for (const std::vector<std::string>& words : wrong) {
+        const Outcome outcome = run(program, words);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.output, "");
+        EXPECT_TRUE(outcome.error.starts_with("ocean-preview: ")) << outcome.error;
+        EXPECT_TRUE(outcome.error.ends_with("(see `ocean-preview --help`)\n")) << outcome.error;
+    }
+}
+
+TEST(CommandLine, AFailureHasAnExitCode) {
+    const auto code = [](const std::function<void()>& fail) {
+        return run(single({.run = [&](const Context&) { fail(); }}), {}).code;
+    };
+    EXPECT_EQ(code([] { throw Error(ErrorKind::output, "full"); }), 1);
+    EXPECT_EQ(code([] { throw Error(ErrorKind::out_of_memory, "large"); }), 1);
+    EXPECT_EQ(code([] { throw std::bad_alloc(); }), 1);
+    EXPECT_EQ(code([] { throw Error(ErrorKind::invalid_value, "wrong"); }), 2);
+    EXPECT_EQ(code([] { throw Error(ErrorKind::bad_file, "broken"); }), 2);
+    EXPECT_EQ(code([] { throw Error(ErrorKind::interrupted, "Ctrl-C"); }), 130);
+}
+
+TEST(CommandLine, HelpAndVersionGoToStandardOutput) {
+    Values values;
+    const Program program =
+        single({.options = options_for(values), .footer = "The end.", .run = {}});
+    const Outcome help = run(program, {"--help"});
+    EXPECT_EQ(help.code, 0);
+    for (const char* part : {"Shows a sea.", "Numbers:", "--whole N", "Not beside", "The end."}) {
+        EXPECT_NE(help.output.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(run(program, {"--version"}).output, "ocean-preview 1.2\n");
+}
+
+TEST(CommandLine, ACommandRunsAloneWithItsOwnOptions) {
+    std::string ran;
+    std::string first, second;
+    const auto command = [&](const char* name, std::string& word) {
+        return Command{.name = name,
+                       .summary = "",
+                       .options = {{"", {{"WORD", &word, "", ""}}}},
+                       .run = [&ran, name](const Context&) { ran += name; }};
+    };
+    const Program program{.main = {.name = "ocean", .footer = "", .run = {}},
+                          .version = "",
+                          .commands = {command("first", first), command("second", second)}};
+    EXPECT_EQ(run(program, {"second", "x"}).code, 0);
+    EXPECT_EQ(ran, "second");
+    EXPECT_EQ(second, "x");
+    EXPECT_EQ(first, "");
+    EXPECT_EQ(run(program, {}).code, 2);
+    EXPECT_EQ(run(program, {"third"}).code, 2);
+    const Outcome wrong = run(program, {"first", "x", "y"});
+    EXPECT_TRUE(wrong.error.ends_with("(see `ocean first --help`)\n")) << wrong.error;
+    EXPECT_EQ(ran, "second");
+}
+
+}  // namespace
+}  // namespace ocean::app
