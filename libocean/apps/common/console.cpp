@@ -200,4 +200,20 @@ std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& consol
     };
 }
 
+std::function<void(std::size_t)> progress_on(Console& console, const std::string& steps,
+                                             std::size_t total) {
+    constexpr double kInterval = 5.0;  // s
+    return [&console, steps, total, start = now(), said = now()](std::size_t done) mutable {
+        const double time = now();
+        if (time - said < kInterval) return;
+        said = time;
+        const double part = static_cast<double>(done) / static_cast<double>(total);
+        const double left = (time - start) * (1.0 / part - 1.0);
+        console.report(
+            "progress",
+            format_text("%zu of %zu %s, ETA ", done, total, steps.c_str()) + duration_text(left),
+            {{"done", done}, {"total", total}, {"eta_seconds", Json(left, decimals<1>)}});
+    };
+}
+
 }  // namespace ocean::app

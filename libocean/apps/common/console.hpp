@@ -75,5 +75,8 @@ class Console {
 
 /// What an Ocean tells of the foam that it follows, said every few seconds.
 std::function<void(std::int64_t done, std::int64_t total)> foam_progress_on(Console& console);
+/// Says every few seconds how many of `total` steps, such as "times", are done.
+std::function<void(std::size_t done)> progress_on(Console& console, const std::string& steps,
+                                                  std::size_t total);
 
 }  // namespace ocean::app

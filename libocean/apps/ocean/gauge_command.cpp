@@ -3,7 +3,6 @@
 //
 // `ocean gauge`: virtual wave gauges, fixed or moving, read over time by summing all modes, and
 // what a wave scientist makes of their records.
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -12,7 +11,6 @@
 #include "gauge/gauge_files.hpp"
 #include "gauge/gauge_points.hpp"
 #include "interrupt.hpp"
-#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
 #include "sea_argument.hpp"
@@ -81,36 +79,15 @@ GaugePlan plan_of(const GaugeOptions& options, const Sea& sea) {
 /// what they add up to depends on the place.
 void warn_of_single_modes(Ocean& ocean, const SampleTimes& times, Console& console) {
     constexpr double kEnoughModes = 50.0;
-    const double peak = ocean.spectrum().moments(ocean.parameters().water).peak_omega;
     const double duration = times.to - times.from;
-    if (peak <= 0.0 || duration <= 0.0) return;
-    const double patch = ocean.parameters().grid.patch_size;
-    // n peak waves fit into the patch. The modes within 1/duration of the peak's frequency lie in a
-    // ring of radius n; deep water's 2 n / (f duration) is its width.
-    const double waves = patch * Dispersion(ocean.parameters().water).wavenumber(peak) / kTwoPi;
-    const double modes = 2.0 * kTwoPi * waves * waves / (peak / kTwoPi * duration);
+    const double modes = modes_at_peak(ocean, duration);
     if (modes >= kEnoughModes) return;
+    const double patch = ocean.parameters().grid.patch_size;
     console.warning(
         format_text("grid.patch_size = %g m holds few waves of each period: a record of %g s "
                     "depends on its place "
                     "more than the confidence limits say, unless the patch is %.0f m or more",
                     patch, duration, patch * std::sqrt(kEnoughModes / modes)));
-}
-
-/// Says how far the run is, every few seconds.
-std::function<void(std::size_t)> progress_on(Console& console, std::size_t total) {
-    using Clock = std::chrono::steady_clock;
-    constexpr double kInterval = 5.0;  // s
-    return [&console, total, start = Clock::now(), last = Clock::now()](std::size_t done) mutable {
-        const auto now = Clock::now();
-        if (std::chrono::duration<double>(now - last).count() < kInterval) return;
-        last = now;
-        const double part = static_cast<double>(done) / static_cast<double>(total);
-        const double left = std::chrono::duration<double>(now - start).count() * (1.0 / part - 1.0);
-        console.report(
-            "progress", format_text("%zu of %zu times, ETA ", done, total) + duration_text(left),
-            {{"done", done}, {"total", total}, {"eta_seconds", Json(left, decimals<1>)}});
-    };
 }
 
 void require_room(const GaugePlan& plan, const Modes& modes, int threads) {
@@ -129,8 +106,9 @@ void run(const GaugeOptions& options, const Context& context) {
     ThreadPool pool(context.options.threads);
     require_room(plan, ocean.modes(), pool.size());
     warn_of_single_modes(ocean, plan.times, context.console);
-    const GaugeSeries series = read_gauge_series(ocean, plan.gauges, plan.times, pool,
-                                                 progress_on(context.console, plan.times.count()));
+    const GaugeSeries series =
+        read_gauge_series(ocean, plan.gauges, plan.times, pool,
+                          progress_on(context.console, "times", plan.times.count()));
 
     const std::vector<GaugeSummary> summaries =
         summarize(series, plan.gauges, plan.times, plan.degrees_of_freedom);

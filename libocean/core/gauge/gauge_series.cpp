@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "ocean/dispersion.hpp"
 #include "ocean/gauge.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
@@ -169,6 +171,17 @@ GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
         read_performance(ocean, gauges, times, progress, series);
     }
     return series;
+}
+
+double modes_at_peak(Ocean& ocean, double duration) {
+    const Water& water = ocean.parameters().water;
+    const double peak = ocean.spectrum().moments(water).peak_omega;
+    if (peak <= 0.0 || duration <= 0.0) return std::numeric_limits<double>::infinity();
+    // n peak waves fit into the patch. The modes within 1/duration of the peak's frequency lie in a
+    // ring of radius n; deep water's 2 n / (f duration) is its width.
+    const double patch = ocean.parameters().grid.patch_size;
+    const double waves = patch * Dispersion(water).wavenumber(peak) / kTwoPi;
+    return 2.0 * kTwoPi * waves * waves / (peak / kTwoPi * duration);
 }
 
 }  // namespace ocean

@@ -82,4 +82,9 @@ GaugeSeries read_gauge_series(Ocean& ocean, const std::vector<Gauge>& gauges,
                               const SampleTimes& times, ThreadPool& pool,
                               const std::function<void(std::size_t)>& progress);
 
+/// About how many modes of the grid lie so near to the spectrum's peak that a series of `duration`
+/// seconds takes them for one wave; infinite in still water and for no duration. With few of them
+/// an estimate is one of the place and not of the sea.
+double modes_at_peak(Ocean& ocean, double duration);
+
 }  // namespace ocean
