@@ -55,10 +55,10 @@ std::string_view exr_compression_name(ExrCompression compression);
 
 /// One product in a flat, single-part file: R,G,B or Y. The bottom scanline is j = 0.
 /// Throws Error output.
-void write_exr(const Frame& frame, const FieldInfo& product, const std::string& path,
+void write_exr(const Frame& frame, const Product& product, const std::string& path,
                const ExrOptions& options);
 /// All products in one file for compositors: R,G,B,A = displacement and 1, then normal.X ...
-void write_exr_layered(const Frame& frame, std::span<const FieldInfo* const> products,
+void write_exr_layered(const Frame& frame, std::span<const Product* const> products,
                        const std::string& path, const ExrOptions& options);
 
 /// What the header of an image says, all of it known before its surface is computed.
@@ -68,7 +68,7 @@ struct ExrLabel {
     double time;  // s
     Backend backend;
     Lattice map;
-    std::span<const FieldInfo* const> products;  // one, or those of a layered file
+    std::span<const Product* const> products;  // one, or those of a layered file
     bool layered;
 };
 /// The bytes of the file before its pixels, as write_exr or write_exr_layered write them.
@@ -98,7 +98,7 @@ struct ExrLayout {
 /// Throws Error bad_file with the reason; safe on hostile files.
 ExrLayout read_exr_layout(const std::string& path);
 /// The channels that a file of these products has, in the file's order.
-std::vector<ExrChannel> exr_channels(std::span<const FieldInfo* const> products, bool layered,
+std::vector<ExrChannel> exr_channels(std::span<const Product* const> products, bool layered,
                                      PixelType type);
 
 /// Writes bytes so that `path` is either the old file or the whole new one, also when the disk is
