@@ -23,7 +23,7 @@ void spit(const std::string& path, const std::string& bytes) {
 std::string good_file(const TemporaryFolder& folder) {
     const Surface surface = test::sample_surface(32);
     const std::string sea = "libocean = 1\n";
-    io::write_exr({surface, sea, 1, 0.0}, find_field("height"), folder.file("good.exr"), {});
+    io::write_exr({surface, sea, 1, 0.0}, find_product("height"), folder.file("good.exr"), {});
     return test::read_bytes(folder.file("good.exr"));
 }
 
@@ -71,7 +71,7 @@ TEST(ExrHeader, LayoutIsWhatWasWritten) {
     const TemporaryFolder folder;
     const std::string sea = "libocean = 1\n", path = folder.file("a.exr");
     const Surface surface = test::sample_surface(64);
-    const FieldInfo* const products[] = {&find_field("displacement"), &find_field("normal")};
+    const Product* const products[] = {&find_product("displacement"), &find_product("normal")};
     for (const char* codec : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
         io::ExrOptions options;
         options.compression = io::find_exr_compression(codec);

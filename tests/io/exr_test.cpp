@@ -29,7 +29,7 @@ TEST(Exr, SameBytesForAnyThreadCountAndRun) {
             io::ExrOptions options;
             options.threads = threads;
             options.compression = compression;
-            io::write_exr(frame, find_field("displacement"), folder.file("a.exr"), options);
+            io::write_exr(frame, find_product("displacement"), folder.file("a.exr"), options);
             const std::string bytes = read_bytes(folder.file("a.exr"));
             if (first.empty()) first = bytes;
             EXPECT_TRUE(bytes == first) << threads << " threads";
@@ -45,7 +45,7 @@ TEST(Exr, HeaderStringsComeBack) {
     const io::Frame frame{surface, kSea, -3, 0.1};
     io::ExrOptions options;
     options.axes = io::Axes::yup;
-    io::write_exr(frame, find_field("velocity"), folder.file("a.exr"), options);
+    io::write_exr(frame, find_product("velocity"), folder.file("a.exr"), options);
     std::map<std::string, std::string> header;
     for (const auto& [name, value] : io::read_exr_header(folder.file("a.exr"))) {
         header[name] = value;
@@ -66,7 +66,7 @@ TEST(Exr, TheHeaderIsKnownWithoutASurface) {
     const TemporaryFolder folder;
     const Surface surface = test::sample_surface(64, 0.5);
     const io::Frame frame{surface, kSea, 12, 0.5, Backend::radix2};
-    const FieldInfo* const products[] = {&find_field("displacement"), &find_field("slope")};
+    const Product* const products[] = {&find_product("displacement"), &find_product("slope")};
     const Lattice map{surface.resolution(), surface.period()};
     for (const bool layered : {false, true}) {
         for (const auto type : {io::PixelType::automatic, io::PixelType::half_float}) {
@@ -92,7 +92,7 @@ TEST(Exr, TheHeaderIsKnownWithoutASurface) {
 TEST(Exr, DecodesEveryPixelOfItsOwnFiles) {
     const TemporaryFolder folder;
     const Surface surface = test::sample_surface(512);
-    const FieldInfo* const products[] = {&find_field("normal")};
+    const Product* const products[] = {&find_product("normal")};
     const Lattice map{surface.resolution(), surface.period()};
     const io::Frame frame{surface, kSea, 1, 0.0};
     std::string decoded[2], raw;
@@ -119,7 +119,7 @@ TEST(Exr, DamageAndOtherHeadersAreNotRead) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     const Surface surface = test::sample_surface(64);
-    const FieldInfo* const products[] = {&find_field("displacement")};
+    const Product* const products[] = {&find_product("displacement")};
     const Lattice map{surface.resolution(), surface.period()};
     io::write_exr({surface, kSea, 1, 0.0}, *products[0], path, {});
     const std::string bytes = read_bytes(path);
@@ -150,7 +150,7 @@ TEST(Exr, RefusesChannelsThatWereNotEvaluated) {
     const TemporaryFolder folder;
     const Surface surface(Lattice{32, 10.0}, 0.0, {Channel::height});
     const io::Frame frame{surface, kSea, 1, 0.0};
-    EXPECT_THROW(io::write_exr(frame, find_field("normal"), folder.file("a.exr"), {}), Error);
+    EXPECT_THROW(io::write_exr(frame, find_product("normal"), folder.file("a.exr"), {}), Error);
     EXPECT_THROW(io::write_exr_layered(frame, {}, folder.file("a.exr"), {}), Error);
     EXPECT_EQ(folder.entries(), 0u);
 }
@@ -161,7 +161,7 @@ TEST(Exr, FullDiskIsAnOutputError) {
         const Surface surface = test::sample_surface(n);
         const io::Frame frame{surface, kSea, 1, 0.0};
         try {
-            io::write_exr(frame, find_field("displacement"), "/dev/full", {});
+            io::write_exr(frame, find_product("displacement"), "/dev/full", {});
             ADD_FAILURE() << "no error for " << n;
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::output);

@@ -14,8 +14,8 @@ int main(int argc, char** argv) {
     const std::string folder = std::string(argv[1]) + "/", sea = "libocean = 1\nseed = 3\n";
     const Surface surface = test::sample_surface(64);
     const io::Frame frame{surface, sea, 7, surface.time()};
-    std::vector<const FieldInfo*> products;
-    for (const FieldInfo& field : field_table()) {
+    std::vector<const Product*> products;
+    for (const Product& field : product_table()) {
         products.push_back(&field);
         const std::string name(field.name);
         io::write_exr(frame, field, folder + name + ".exr", {});
@@ -24,11 +24,11 @@ int main(int argc, char** argv) {
     }
     for (const char* axes : {"zup", "yup", "tnb"}) {
         const io::ExrOptions options{.axes = io::find_axes(axes)};
-        io::write_exr(frame, find_field("velocity"), folder + axes + ".exr", options);
+        io::write_exr(frame, find_product("velocity"), folder + axes + ".exr", options);
     }
     for (const char* name : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
         const io::ExrOptions options{.compression = io::find_exr_compression(name)};
-        io::write_exr(frame, find_field("displacement"), folder + name + ".exr", options);
+        io::write_exr(frame, find_product("displacement"), folder + name + ".exr", options);
     }
     io::write_exr_layered(frame, products, folder + "layered.exr", {});
     return 0;

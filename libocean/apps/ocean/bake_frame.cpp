@@ -19,15 +19,14 @@
 namespace ocean::app {
 namespace {
 
-io::ExrLabel exr_label(const BakePlan& plan, const std::vector<const FieldInfo*>& fields,
-                       int frame) {
+io::ExrLabel exr_label(const BakePlan& plan, const std::vector<const Product*>& fields, int frame) {
     const Lattice map{plan.resolution, plan.sea.parameters.grid.patch_size};
     return {plan.sea_text, frame, plan.sea.time_of(frame), plan.backend, map, fields, plan.layered};
 }
 
-BakeFile exr_file(const BakePlan& plan, const std::vector<const FieldInfo*>& fields, int frame) {
+BakeFile exr_file(const BakePlan& plan, const std::vector<const Product*>& fields, int frame) {
     BakeFile file;
-    for (const FieldInfo* field : fields) {
+    for (const Product* field : fields) {
         file.product += (file.product.empty() ? "" : ",") + std::string(field->name);
     }
     file.path = plan.pattern.file(frame, plan.product_in_name ? file.product : "");
@@ -38,10 +37,9 @@ BakeFile exr_file(const BakePlan& plan, const std::vector<const FieldInfo*>& fie
 }
 
 std::string recipe_text(const BakePlan& plan, int frame) {
-    std::string text =
-        format_text("libocean %s\nformat %s\nbackend %s\nresolution %d\nframe %d\n", OCEAN_VERSION,
-                    plan.pattern.extension().c_str(),
-                    std::string(backend_name(plan.backend)).c_str(), plan.resolution, frame);
+    std::string text = format_text("libocean %s\nformat %s\nbackend %s\nresolution %d\nframe %d\n",
+                                   OCEAN_VERSION, plan.pattern.extension().c_str(),
+                                   std::string(plan.backend.name).c_str(), plan.resolution, frame);
     if (plan.view) {
         const io::View& view = *plan.view;
         text += format_text("view %.17g %.17g %.17g %.17g %.17g %.17g %.17g %d %d %.17g\n", view.x,
@@ -114,8 +112,7 @@ std::vector<BakeFile> files_of_frame(const BakePlan& plan, int frame) {
     if (plan.format == BakeFormat::exr && plan.layered) {
         files.push_back(exr_file(plan, plan.products, frame));
     } else if (plan.format == BakeFormat::exr) {
-        for (const FieldInfo* field : plan.products)
-            files.push_back(exr_file(plan, {field}, frame));
+        for (const Product* field : plan.products) files.push_back(exr_file(plan, {field}, frame));
     } else {
         const std::string path = plan.pattern.file(frame);
         const std::string recipe = sha256_hex(recipe_text(plan, frame));
@@ -204,7 +201,7 @@ std::vector<Surface> FrameBaker::make_levels(double time) {
         Surface level(Lattice{resolution, levels.front().period()}, time, plan.channels);
         std::vector<MapOutput> outputs = outputs_of(level);
         std::erase_if(outputs, [](const MapOutput& output) {
-            return output.channels().contains(Channel::foam);
+            return channels_of({&output, 1}).contains(Channel::foam);
         });
         ocean_.evaluate_into(time, outputs, resolution);
         io::average_foam(levels.back(), level);

@@ -20,11 +20,11 @@ class Console;
 
 struct BakeFile {
     std::string path;
-    std::string product;                   // several in comma lists
-    std::vector<const FieldInfo*> fields;  // of an EXR
-    std::string header;                    // of an EXR, byte for byte
-    std::string recipe;                    // SHA-256 of all that decides the content
-    int resolution = 0;                    // of the map of a DF3 file
+    std::string product;                 // several in comma lists
+    std::vector<const Product*> fields;  // of an EXR
+    std::string header;                  // of an EXR, byte for byte
+    std::string recipe;                  // SHA-256 of all that decides the content
+    int resolution = 0;                  // of the map of a DF3 file
 };
 
 /// In the order in which they are written.

@@ -65,11 +65,11 @@ void refuse_foreign(const BakeOptions& options, BakeFormat format) {
     needs_eye("--slope-variance", options.slope_variance);
 }
 
-std::vector<const FieldInfo*> find_products(const std::string& names) {
+std::vector<const Product*> find_products(const std::string& names) {
     const std::string list = names.empty() ? "displacement,normal,foam" : names;
-    std::vector<const FieldInfo*> products;
+    std::vector<const Product*> products;
     for (const std::string& name : split(list, ',')) {
-        const FieldInfo* product = &find_field(name);
+        const Product* product = &find_product(name);
         if (std::find(products.begin(), products.end(), product) != products.end()) {
             refuse("--products " + list + ": " + name + " is there twice");
         }
@@ -145,7 +145,7 @@ ChannelSet find_channels(const BakePlan& plan) {
     if (plan.format == BakeFormat::mesh2) return mesh;
     if (plan.format == BakeFormat::df3) return io::df3_channels();
     ChannelSet channels;
-    for (const FieldInfo* product : plan.products) channels = channels | product->set();
+    for (const Product* product : plan.products) channels = channels | product->set();
     return channels;
 }
 

@@ -45,9 +45,9 @@ struct BakePlan {
     std::string sea_text;
     BakeFormat format = BakeFormat::exr;
     OutputPattern pattern;
-    std::vector<int> frames;                 // of this shard
-    std::string shard;                       // as typed; "" = all
-    std::vector<const FieldInfo*> products;  // of an EXR
+    std::vector<int> frames;               // of this shard
+    std::string shard;                     // as typed; "" = all
+    std::vector<const Product*> products;  // of an EXR
     bool skip_existing = false;
     bool keep_going = false;
     bool layered = false;

@@ -51,9 +51,9 @@ class Header {
     std::map<std::string, std::string> strings_;
 };
 
-std::vector<const FieldInfo*> products_of(const std::string& list) {
-    std::vector<const FieldInfo*> products;
-    for (const std::string& name : split(list, ',')) products.push_back(&find_field(name));
+std::vector<const Product*> products_of(const std::string& list) {
+    std::vector<const Product*> products;
+    for (const std::string& name : split(list, ',')) products.push_back(&find_product(name));
     return products;
 }
 
@@ -62,7 +62,7 @@ void take(std::string& option, std::string_view value) {
 }
 
 /// The layout and the type that give these channels; the default, where it does, stays unsaid.
-void take_channels(BakeOptions& options, const std::vector<const FieldInfo*>& products,
+void take_channels(BakeOptions& options, const std::vector<const Product*>& products,
                    const io::ExrLayout& image) {
     for (const bool layered : {false, true}) {
         for (const auto& [type, name] :
@@ -78,8 +78,8 @@ void take_channels(BakeOptions& options, const std::vector<const FieldInfo*>& pr
 }
 
 void take_exr_options(BakeOptions& options, const Header& header, const io::ExrLayout& image) {
-    const std::vector<const FieldInfo*> products = products_of(header.text("field"));
-    const auto is_vector = [](const FieldInfo* product) { return product->count == 3; };
+    const std::vector<const Product*> products = products_of(header.text("field"));
+    const auto is_vector = [](const Product* product) { return product->count == 3; };
     // Scalars look the same in all axes, so that their header says nothing of vectors.
     if (std::any_of(products.begin(), products.end(), is_vector)) {
         take(options.axes, header.text("axes"));

@@ -31,14 +31,14 @@ std::array<Component, 3> component_order(Axes axes) {
     return {{{0, 1.0f}, {2, 1.0f}, {1, 1.0f}}};
 }
 
-bool stored_as_half(const FieldInfo& product, PixelType type) {
+bool stored_as_half(const Product& product, PixelType type) {
     if (type != PixelType::automatic) return type == PixelType::half_float;
     // Half is 2 mm at 4 m: too coarse for what moves geometry.
     return product.name != "displacement" && product.name != "velocity";
 }
 
 // Components named X, Y, Z, or V for a scalar; a slope lies in the plane whatever the axes.
-std::vector<ImageChannel> components(const FieldInfo& product, const ExrOptions& options) {
+std::vector<ImageChannel> components(const Product& product, const ExrOptions& options) {
     const auto order = component_order(product.count == 3 ? options.axes : Axes::zup);
     std::vector<ImageChannel> result;
     for (int c = 0; c < product.count; ++c) {
@@ -53,7 +53,7 @@ std::vector<ImageChannel> components(const FieldInfo& product, const ExrOptions&
     return result;
 }
 
-std::vector<ImageChannel> separate_channels(const FieldInfo& product, const ExrOptions& options) {
+std::vector<ImageChannel> separate_channels(const Product& product, const ExrOptions& options) {
     auto channels = components(product, options);
     if (product.count == 1) {
         channels[0].name = "Y";
@@ -70,10 +70,10 @@ std::vector<ImageChannel> separate_channels(const FieldInfo& product, const ExrO
     return channels;
 }
 
-std::vector<ImageChannel> layered_channels(std::span<const FieldInfo* const> products,
+std::vector<ImageChannel> layered_channels(std::span<const Product* const> products,
                                            const ExrOptions& options) {
     std::vector<ImageChannel> result;
-    for (const FieldInfo* product : products) {
+    for (const Product* product : products) {
         if (product->name == "displacement") {
             for (ImageChannel& image : separate_channels(*product, options)) {
                 result.push_back(image);
@@ -95,13 +95,13 @@ std::vector<ImageChannel> layered_channels(std::span<const FieldInfo* const> pro
 
 }  // namespace
 
-std::vector<ImageChannel> image_channels(std::span<const FieldInfo* const> products, bool layered,
+std::vector<ImageChannel> image_channels(std::span<const Product* const> products, bool layered,
                                          const ExrOptions& options) {
     return layered ? layered_channels(products, options)
                    : separate_channels(*products.front(), options);
 }
 
-std::vector<ExrChannel> exr_channels(std::span<const FieldInfo* const> products, bool layered,
+std::vector<ExrChannel> exr_channels(std::span<const Product* const> products, bool layered,
                                      PixelType type) {
     ExrOptions options;
     options.type = type;

@@ -24,7 +24,7 @@ struct ImageChannel {
 };
 
 /// A product alone in its file has Y, or R,G,B; several in one file have names of their own.
-std::vector<ImageChannel> image_channels(std::span<const FieldInfo* const> products, bool layered,
+std::vector<ImageChannel> image_channels(std::span<const Product* const> products, bool layered,
                                          const ExrOptions& options);
 
 }  // namespace ocean::io

@@ -74,7 +74,7 @@ Imf::Header make_exr_header(const ExrLabel& label, const ExrOptions& options) {
 
     std::string fields, units;
     bool vectors = false;
-    for (const FieldInfo* product : label.products) {
+    for (const Product* product : label.products) {
         fields += (fields.empty() ? "" : ",") + std::string(product->name);
         units +=
             (units.empty() ? "" : ",") + (product->unit.empty() ? "1" : std::string(product->unit));
@@ -91,7 +91,7 @@ Imf::Header make_exr_header(const ExrLabel& label, const ExrOptions& options) {
     set("ocean:period", shortest_text(label.map.period));
     set("ocean:field", fields);
     set("ocean:unit", units);
-    set("ocean:backend", std::string(backend_name(label.backend)));
+    set("ocean:backend", std::string(label.backend.name));
     set("ocean:version", OCEAN_VERSION);
     return header;
 }

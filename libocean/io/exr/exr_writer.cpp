@@ -76,7 +76,7 @@ void write_pixels(Imf::OutputFile& image, std::span<const ImageChannel> channels
     }
 }
 
-void require_channels(const Surface& surface, const FieldInfo& product) {
+void require_channels(const Surface& surface, const Product& product) {
     for (int c = 0; c < product.count; ++c) {
         if (surface.has(product.channels[static_cast<std::size_t>(c)])) continue;
         throw Error(ErrorKind::invalid_value,
@@ -85,9 +85,9 @@ void require_channels(const Surface& surface, const FieldInfo& product) {
     }
 }
 
-void write_image(const Frame& frame, std::span<const FieldInfo* const> products, bool layered,
+void write_image(const Frame& frame, std::span<const Product* const> products, bool layered,
                  const std::string& path, const ExrOptions& options) {
-    for (const FieldInfo* product : products) require_channels(frame.surface, *product);
+    for (const Product* product : products) require_channels(frame.surface, *product);
     const Lattice map{frame.surface.resolution(), frame.surface.period()};
     const ExrLabel label{frame.sea_text, frame.number, frame.time, frame.backend, map,
                          products,       layered};
@@ -108,13 +108,13 @@ void write_image(const Frame& frame, std::span<const FieldInfo* const> products,
 
 }  // namespace
 
-void write_exr(const Frame& frame, const FieldInfo& product, const std::string& path,
+void write_exr(const Frame& frame, const Product& product, const std::string& path,
                const ExrOptions& options) {
-    const FieldInfo* const products[] = {&product};
+    const Product* const products[] = {&product};
     write_image(frame, products, false, path, options);
 }
 
-void write_exr_layered(const Frame& frame, std::span<const FieldInfo* const> products,
+void write_exr_layered(const Frame& frame, std::span<const Product* const> products,
                        const std::string& path, const ExrOptions& options) {
     if (products.empty()) {
         throw Error(ErrorKind::invalid_value, "a layered file needs at least one product");
