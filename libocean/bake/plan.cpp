@@ -87,7 +87,7 @@ int find_resolution(const BakeOptions& options, const Grid& grid) {
     }
     const int resolution =
         parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
-    if (!is_power_of_two(resolution)) {
+    if (!is_resolution(resolution)) {
         refuse(format_text("--resolution = %d: allowed is a power of two, %d .. %d", resolution,
                            kMinResolution, kMaxResolution));
     }

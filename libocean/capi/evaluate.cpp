@@ -5,9 +5,12 @@
 // axes.
 #include "evaluate.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "guard.hpp"
 #include "ocean/cascades.hpp"
@@ -21,9 +24,42 @@ namespace {
 constexpr int kMaxComponents = 4;
 constexpr int kUntouched = -1;
 
-static_assert(OCEAN_DX == static_cast<int>(Channel::dx));
-static_assert(OCEAN_JACOBIAN == static_cast<int>(Channel::jacobian));
-static_assert(OCEAN_VZ == static_cast<int>(Channel::vz) && OCEAN_VZ + 1 == kChannelCount);
+/// The channels of libocean.h, with the names that they have in core's table.
+struct NamedChannel {
+    int number;
+    std::string_view name;
+};
+constexpr NamedChannel kNamed[] = {
+    {OCEAN_DX, "dx"},
+    {OCEAN_DY, "dy"},
+    {OCEAN_HEIGHT, "height"},
+    {OCEAN_NX, "nx"},
+    {OCEAN_NY, "ny"},
+    {OCEAN_NZ, "nz"},
+    {OCEAN_SLOPE_X, "slope_x"},
+    {OCEAN_SLOPE_Y, "slope_y"},
+    {OCEAN_JACOBIAN, "jacobian"},
+    {OCEAN_WHITECAP, "whitecap"},
+    {OCEAN_FOAM, "foam"},
+    {OCEAN_VX, "vx"},
+    {OCEAN_VY, "vy"},
+    {OCEAN_VZ, "vz"},
+};
+static_assert(std::ranges::equal(kNamed, kChannels,
+                                 [number = 0](const NamedChannel& ours,
+                                              const ChannelInfo& core) mutable {
+                                     return ours.number == number++ && ours.name == core.name;
+                                 }),
+              "libocean.h has other channels than core's table");
+
+/// "OCEAN_DX"
+std::string c_name(int channel) {
+    std::string name = "OCEAN_";
+    for (const char c : kNamed[channel].name) {
+        name += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+    return name;
+}
 
 ChannelSet check_output(const ocean_output& output, const std::string& name, int resolution) {
     if (output.channels < 1 || output.channels > kMaxComponents) {
@@ -44,13 +80,12 @@ ChannelSet check_output(const ocean_output& output, const std::string& name, int
     ChannelSet channels;
     for (int c = 0; c < output.channels; ++c) {
         if (output.channel[c] == kUntouched) continue;
-        if (output.channel[c] < OCEAN_DX || output.channel[c] > OCEAN_VZ) {
+        if (output.channel[c] < 0 || output.channel[c] >= kChannelCount) {
             refuse(name + ".channel[" + std::to_string(c) +
-                   "] = " + std::to_string(output.channel[c]) +
-                   "; allowed: OCEAN_DX .. OCEAN_VZ, or -1 to leave that component as it is");
+                   "] = " + std::to_string(output.channel[c]) + "; allowed: " + c_name(0) + " .. " +
+                   c_name(kChannelCount - 1) + ", or -1 to leave that component as it is");
         }
-        const auto channel = static_cast<Channel>(output.channel[c]);
-        channels = channels | ChannelSet{channel};
+        channels = channels | static_cast<Channel>(output.channel[c]);
     }
     return channels;
 }
@@ -61,18 +96,25 @@ struct Source {
     float sign;
 };
 
+/// Whether three components are the x, y and z of a vector.
+bool is_vector(std::span<const std::int32_t, 3> channels) {
+    return std::ranges::any_of(kProducts, [channels](const Product& product) {
+        return product.count == 3 &&
+               std::ranges::equal(product.channels, channels, {},
+                                  [](Channel channel) { return static_cast<int>(channel); });
+    });
+}
+
 /// The component's channels with whole vectors turned: (x, z, -y) or (x, z, y).
 std::array<Source, kMaxComponents> turned(const ocean_output& output) {
     std::array<Source, kMaxComponents> sources;
     for (std::size_t c = 0; c < kMaxComponents; ++c) sources[c] = {output.channel[c], 1.0f};
     if (output.axes == OCEAN_ZUP) return sources;
+    const std::span<const std::int32_t, kMaxComponents> channels(output.channel);
     for (std::size_t c = 0; c + 2 < static_cast<std::size_t>(output.channels); ++c) {
-        const int x = output.channel[c];
-        const bool vector = (x == OCEAN_DX || x == OCEAN_NX || x == OCEAN_VX) &&
-                            output.channel[c + 1] == x + 1 && output.channel[c + 2] == x + 2;
-        if (!vector) continue;
-        sources[c + 1] = {x + 2, 1.0f};
-        sources[c + 2] = {x + 1, output.axes == OCEAN_YUP ? -1.0f : 1.0f};
+        if (!is_vector(channels.subspan(c).first<3>())) continue;
+        sources[c + 1] = {channels[c + 2], 1.0f};
+        sources[c + 2] = {channels[c + 1], output.axes == OCEAN_YUP ? -1.0f : 1.0f};
     }
     return sources;
 }

@@ -99,7 +99,7 @@ ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
         Sea changed = sea->ocean->sea();
         set_parameter(changed.parameters, name, value);
         resolve_files(changed, sea->base_dir);
-        sea->ocean->change(std::move(changed), find_parameter(name).info->dirties);
+        sea->ocean->change(std::move(changed));
     });
 }
 

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "kernel/map_kernel.hpp"
+#include "ocean/cascade_map.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 
 // The sanitizers have these functions for themselves; other C libraries name theirs otherwise.
@@ -86,9 +88,7 @@ long allocations_of_frames(int threads) {
     ThreadPool pool(threads);
     const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
     const SurfaceSettings settings = with_threshold(parameters.surface, modes, kResolution);
-    MapKernel kernel(pack_modes(
-        synthesis_request(modes, 0.0, kResolution, linear_fields({dx, dy, height, nx, whitecap})),
-        pool));
+    MapKernel kernel(pack_modes(map_modes(modes, 0.0, kResolution), pool));
 
     const std::size_t size = modes.lattice.size();
     std::vector<float> displacement(3 * size), normal(3 * size), whitecaps(size), foams(size);
@@ -102,6 +102,43 @@ long allocations_of_frames(int threads) {
     frames(0.0);
     const long before = allocations;
     for (int frame = 1; frame <= 5; ++frame) frames(0.04 * frame);
+    return allocations - before;
+}
+
+/// The same of a cascade's small map, which real-time hosts draw.
+long allocations_of_cascade_maps(int threads) {
+    Parameters parameters;
+    parameters.grid = {128, 500.0, 2, {}};
+    Ocean sea(parameters, {.threads = threads});
+    ThreadPool pool(threads);
+    CascadeMap map(1, kResolution);
+    const auto frame = [&](double time) {
+        map.planes(sea.modes(), time, fields_of({Channel::dx, Channel::dy, Channel::nz}), pool);
+    };
+    frame(0.0);
+    const long before = allocations;
+    for (int i = 1; i <= 5; ++i) frame(0.04 * i);
+    return allocations - before;
+}
+
+/// And of a host's frames, with a channel of its own among them.
+long allocations_of_an_ocean(int threads) {
+    static constexpr ChannelInfo kFurther[] = {
+        {"steepness", "", {Linear::slope_x}, {Linear::slope_x}, [](const auto& point) {
+             return point[Linear::slope_x] * point[Linear::slope_x];
+         }}};
+    Parameters parameters;
+    parameters.grid.resolution = kResolution;
+    Ocean sea(parameters, {.threads = threads, .channels = kFurther});
+    const std::size_t size = std::size_t{kResolution} * kResolution;
+    std::vector<float> displacement(3 * size), steepness(2 * size);
+    const MapOutput outputs[] = {
+        output(displacement, {Channel::dx, Channel::dy, Channel::height}),
+        output(steepness, {static_cast<Channel>(kChannelCount), Channel::whitecap})};
+    const auto frame = [&](double time) { sea.evaluate_into(time, outputs); };
+    frame(0.0);
+    const long before = allocations;
+    for (int i = 1; i <= 5; ++i) frame(0.04 * i);
     return allocations - before;
 }
 
@@ -119,6 +156,10 @@ TEST(Allocations, AFrameMakesNoneOnOneThreadOrTwo) {
     if (!OCEAN_COUNTS_ALLOCATIONS) GTEST_SKIP() << "not with this C library or sanitizer";
     EXPECT_EQ(allocations_of_frames(1), 0);
     EXPECT_EQ(allocations_of_frames(2), 0);
+    EXPECT_EQ(allocations_of_cascade_maps(1), 0);
+    EXPECT_EQ(allocations_of_cascade_maps(2), 0);
+    EXPECT_EQ(allocations_of_an_ocean(1), 0);
+    EXPECT_EQ(allocations_of_an_ocean(2), 0);
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ class CApiFrame {
 
 /// The frame of vertices alone, in milliseconds; ours has no rivals here.
 Rounds measure_vertices(const Sea& sea, int threads, const TableOptions& options) {
-    OurFrame frame(sea, fields_of(FrameKind::vertices), threads, options.level);
+    OurFrame frame(sea, threads, options.level);
     const VertexMaps maps(sea.modes.lattice.resolution);
     const auto outputs = maps.outputs();
     frame.show({outputs.begin(), outputs.end()}, VertexMaps::settings());
@@ -144,7 +144,7 @@ bool c_api_figures(int n, const TableOptions& options, Report& report) {
     for (const int threads : {1, 2}) {
         const HugeArray<float> displacement(3 * sea.modes.lattice.size());
         const HugeArray<float> normal(3 * sea.modes.lattice.size());
-        OurFrame kernel(sea, fields_of(FrameKind::planar), threads, simd_level());
+        OurFrame kernel(sea, threads, simd_level());
         kernel.show(product_outputs(displacement, normal), sea.parameters.surface);
         const CApiFrame c_api(sea, threads);
         const Frame frames[] = {[&](double time) { c_api.run(time); },
@@ -174,8 +174,8 @@ void busy_figures(int n, const TableOptions& options, Report& report) {
     const Sea sea(n, pool);
     const VertexMaps maps(n);
     const auto outputs = maps.outputs();
-    OurFrame one(sea, fields_of(FrameKind::vertices), 1, options.level);
-    OurFrame two(sea, fields_of(FrameKind::vertices), 2, options.level);
+    OurFrame one(sea, 1, options.level);
+    OurFrame two(sea, 2, options.level);
     for (OurFrame* frame : {&one, &two}) {
         frame->show({outputs.begin(), outputs.end()}, VertexMaps::settings());
     }
@@ -214,8 +214,7 @@ void rebuild_figures(int n, const TableOptions& options, Report& report) {
     if (ocean.stage_runs().modes - runs_before != moves) {
         throw Error(ErrorKind::invalid_value, "a moved wind_speed did not rebuild the modes");
     }
-    const SynthesisRequest request =
-        synthesis_request(sea.modes, 0.0, n, fields_of(FrameKind::planar));
+    const MapModes request = map_modes(sea.modes, 0.0, n);
     ThreadPool pack_pool(kThreads);
     const Frame packs[] = {[&](double) { pack_modes(request, pack_pool, options.level); }};
     const double packing = median(measure(packs, plan).seconds[0]);
@@ -236,11 +235,11 @@ void product_figures(int n, const TableOptions& options, Report& report) {
     const HugeArray<float> whitecap(size);
     const HugeArray<float> foam(size);
     for (const int threads : {1, 2}) {
-        OurFrame product(sea, fields_of(FrameKind::planar), threads, options.level);
+        OurFrame product(sea, threads, options.level);
         std::vector<MapOutput> outputs = product_outputs(displacement, normal);
         outputs.push_back(plane_output(whitecap, Channel::whitecap));
         product.show(outputs, settings);
-        OurFrame tick(sea, fields_of(FrameKind::planar), threads, options.level);
+        OurFrame tick(sea, threads, options.level);
         tick.show({plane_output(foam, Channel::foam)}, settings,
                   {foam.data(), 0.9876f, 1.0f / 512.0f});
         const Frame frames[] = {[&](double time) { product.run(time); },

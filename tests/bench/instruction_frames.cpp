@@ -11,6 +11,7 @@
 
 #include "kernel/map_kernel.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace {
@@ -67,7 +68,7 @@ int main(int argc, char** argv) {
     const std::vector<Linear> fields = {Linear::height,  displacement_x,  displacement_y,
                                         Linear::slope_x, Linear::slope_y, gradient_xx,
                                         gradient_yy,     gradient_xy};
-    MapKernel kernel(pack_modes(synthesis_request(modes, 0.0, kResolution, fields), pool));
+    MapKernel kernel(pack_modes(map_modes(modes, 0.0, kResolution), pool));
     const SurfaceSettings choppy = with_threshold(parameters.surface, modes, kResolution);
     SurfaceSettings flat = choppy;
     flat.choppiness = 0.0;

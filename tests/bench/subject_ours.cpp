@@ -10,11 +10,10 @@
 
 namespace ocean::bench {
 
-OurFrame::OurFrame(const Sea& sea, const std::vector<Linear>& fields, int threads, SimdLevel level)
+OurFrame::OurFrame(const Sea& sea, int threads, SimdLevel level)
     : modes_(&sea.modes),
       pool_(std::make_unique<ThreadPool>(threads)),
-      kernel_(pack_modes(synthesis_request(sea.modes, 0.0, sea.modes.lattice.resolution, fields),
-                         *pool_, level)) {
+      kernel_(pack_modes(map_modes(sea.modes, 0.0, sea.modes.lattice.resolution), *pool_, level)) {
     frame_.settings = VertexMaps::settings();
 }
 
@@ -40,7 +39,7 @@ Subject make_ours(const Cell& cell) {
     const int n = cell.resolution();
     const std::vector<Linear> fields = fields_of(cell.kind);
     const auto state = std::make_shared<State>(
-        State{OurFrame(*cell.sea, fields, cell.threads, cell.level), nullptr, nullptr});
+        State{OurFrame(*cell.sea, cell.threads, cell.level), nullptr, nullptr});
     if (cell.kind == FrameKind::vertices) {
         state->vertices = std::make_unique<VertexMaps>(n);
         const auto outputs = state->vertices->outputs();

@@ -16,7 +16,7 @@ namespace ocean::bench {
 class OurFrame {
   public:
     /// `sea` must outlive this. The modes are packed for the fields that outputs may need.
-    OurFrame(const Sea& sea, const std::vector<Linear>& fields, int threads, SimdLevel level);
+    OurFrame(const Sea& sea, int threads, SimdLevel level);
 
     void show(std::vector<MapOutput> outputs, const SurfaceSettings& settings,
               const FoamLayer& foam = {});

@@ -34,18 +34,12 @@ def test_struct_fields_and_channels_are_those_of_the_header():
     header = (ROOT / "libocean/include/libocean.h").read_text()
     assert int(re.search(r"OCEAN_ABI_VERSION (\d+)", header)[1]) == _library.ABI_VERSION
     channels = re.search(r"enum \{\s*(OCEAN_DX,.*?)\}", header, re.S)[1]
-    names = re.findall(r"OCEAN_(\w+)", channels)
-    spelled = {
-        "height": ["HEIGHT"],
-        "displacement": ["DX", "DY", "HEIGHT"],
-        "slope": ["SLOPE_X", "SLOPE_Y"],
-        "normal": ["NX", "NY", "NZ"],
-        "jacobian": ["JACOBIAN"],
-        "whitecap": ["WHITECAP"],
-        "foam": ["FOAM"],
-        "velocity": ["VX", "VY", "VZ"],
-    }
-    assert {field: [names[c] for c in cs] for field, cs in _sea.FIELDS.items()} == spelled
+    assert [name.lower() for name in re.findall(r"OCEAN_(\w+)", channels)] == list(_sea.CHANNELS)
+    table = (ROOT / "libocean/include/ocean/channel.hpp").read_text()
+    products = re.findall(r'detail::product\("(\w+)", \{(.+?)\}\)', table)
+    assert {name: tuple(channels.split(", ")) for name, channels in products} == _sea.PRODUCTS
+    for name in _sea.PRODUCTS:
+        assert isinstance(getattr(libocean.Surface, name), property)
     assert re.findall(r"OCEAN_(\w+)", re.search(r"enum \{ (OCEAN_ZUP.*?)\}", header)[1]) == [
         name.upper() for name in _library.AXES
     ]

@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "base/wave.hpp"
+#include "ocean/cascade_map.hpp"
 #include "ocean/error.hpp"
 #include "test_seas.hpp"
 
@@ -159,14 +160,14 @@ TEST(Cascades, TheMapIsTheSumOfTheSmallMaps) {
     const Surface map = sea.evaluate(kTime, test::kAllChannels, kSize);
 
     ThreadPool pool(2);
-    const std::vector<Linear> fields = linear_fields(test::kAllChannels);
     LinearPlanes<float> sums;
-    for (const Linear field : fields) sums[field].assign(std::size_t{kSize} * kSize, 0.0f);
+    for (const Linear field : kLinears) sums[field].assign(std::size_t{kSize} * kSize, 0.0f);
     for (std::size_t c = 0; c < 3; ++c) {
-        const LinearPlanes<float> small =
-            make_cascade_planes(sea.modes(), c, kTime, fields, Backend::cpu, pool, kSize);
+        CascadeMap map_of_cascade(c, kSize);
+        const LinearPlanes<float>& small =
+            map_of_cascade.planes(sea.modes(), kTime, fields_of(test::kAllChannels), pool);
         const int divisor = sea.modes().cascades[c].divisor;
-        for (const Linear field : fields) {
+        for (const Linear field : kLinears) {
             for (int j = 0; j < kSize; ++j) {
                 for (int i = 0; i < kSize; ++i) {
                     sums[field][static_cast<std::size_t>(j * kSize + i)] +=
@@ -192,6 +193,52 @@ TEST(Cascades, TheMapIsTheSumOfTheSmallMaps) {
     }
 }
 
+int packings = 0;
+
+/// The cpu backend, which says how often it packs.
+const Backend kCounting = {"counting", {}, [] {
+                               return MapFunction([cpu = Backend::cpu.start()](
+                                                      const MapRequest& request, ThreadPool& pool) {
+                                   const bool packed = cpu(request, pool);
+                                   packings += packed ? 1 : 0;
+                                   return packed;
+                               });
+                           }};
+
+TEST(CascadeMap, PacksAgainOnlyWhereTheModesAreOthers) {
+    Ocean sea(cascade_sea(32, 300.0, {1, 3}), {.threads = 1});
+    ThreadPool pool(1);
+    CascadeMap kept(1, 64, kCounting);
+    const auto same = [&](double time, const Backend& backend) {
+        CascadeMap fresh(1, 64, backend);
+        const LinearSet fields = {Linear::height, Linear::gradient_xy};
+        const auto& a = kept.planes(sea.modes(), time, fields, pool);
+        const auto& b = fresh.planes(sea.modes(), time, fields, pool);
+        EXPECT_LT(test::relative_error(a[Linear::height], b[Linear::height]), 2e-6);
+        return a[Linear::height] == b[Linear::height] &&
+               a[Linear::gradient_xy] == b[Linear::gradient_xy] && b[Linear::slope_x].empty();
+    };
+    packings = 0;
+    EXPECT_TRUE(same(1.0, Backend::cpu));
+    EXPECT_TRUE(same(2.0, Backend::cpu));
+    EXPECT_EQ(packings, 1);
+    sea.set("choppiness", "0.5");  // of no mode
+    EXPECT_TRUE(same(2.0, Backend::cpu));
+    EXPECT_EQ(packings, 1);
+    sea.set("wind_speed", "14");
+    EXPECT_TRUE(same(2.0, Backend::cpu));
+    EXPECT_EQ(packings, 2);
+    same(2.0, Backend::dft);
+    // Modes that nobody counts are never taken for others.
+    Modes scaled = sea.modes();
+    scaled.revision = 0;
+    kept.planes(scaled, 2.0, {Linear::height}, pool);
+    kept.planes(scaled, 2.0, {Linear::height}, pool);
+    EXPECT_EQ(packings, 4);
+    EXPECT_THROW(CascadeMap(0, 48), Error);
+    EXPECT_THROW(kept.planes(scaled, std::nan(""), {}, pool), Error);
+}
+
 TEST(Cascades, BackendsAgreeOnAMapWithCascades) {
     const Parameters parameters = cascade_sea(32, 300.0, {1, 3, 4});
     Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
@@ -204,7 +251,7 @@ TEST(Cascades, BackendsAgreeOnAMapWithCascades) {
                                           Channel::jacobian, Channel::vy, Channel::vz}) {
                 EXPECT_LT(test::relative_error(surface.channel(channel), exact.channel(channel)),
                           2e-6)
-                    << backend_name(backend) << " " << resolution;
+                    << backend.name << " " << resolution;
             }
         }
     }

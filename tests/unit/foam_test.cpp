@@ -306,6 +306,12 @@ TEST(FoamPreroll, FullFoamHasFadedInFloatsToo) {
     }
 }
 
+float over(const FoamLayer& layer, float whitecap, std::size_t i) {
+    const float left = layer.map != nullptr ? layer.fade * layer.map[i] : 0.0f;
+    const float foam = std::max(whitecap, left);
+    return foam < layer.least ? 0.0f : foam;
+}
+
 /// Whitecaps that come and go at random, for each sample and each instant its own; they count how
 /// often they are asked for.
 class RandomWhitecaps {
@@ -319,7 +325,7 @@ class RandomWhitecaps {
             ++calls;
             if (calls == fail_at) throw std::runtime_error("no whitecap");
             fill(time, map_);
-            for (std::size_t i = 0; i < kSamples; ++i) foam[i] = before.over(map_[i], i);
+            for (std::size_t i = 0; i < kSamples; ++i) foam[i] = over(before, map_[i], i);
         };
     }
 
@@ -327,7 +333,7 @@ class RandomWhitecaps {
         std::vector<float> out(kSamples);
         fill(time, out);
         const FoamLayer before = state.layer(time, source_);
-        for (std::size_t i = 0; i < kSamples; ++i) out[i] = before.over(out[i], i);
+        for (std::size_t i = 0; i < kSamples; ++i) out[i] = over(before, out[i], i);
         return out;
     }
     std::vector<float> alone(double time) {

@@ -60,9 +60,9 @@ std::vector<Linear> all_fields() {
 }
 
 /// The linear fields of a map by a full transform in double.
-std::vector<float> exact_plane(const SynthesisRequest& request, Linear field) {
-    auto grid = coefficient_grid<double>(request, field);
-    Radix2Fft<double>(request.resolution).transform_2d(grid, FftDirection::inverse);
+std::vector<float> exact_plane(const MapModes& modes, Linear field) {
+    auto grid = coefficient_grid<double>(modes, field);
+    Radix2Fft<double>(modes.resolution).transform_2d(grid, FftDirection::inverse);
     std::vector<float> plane;
     for (const auto& value : grid) plane.push_back(static_cast<float>(value.real()));
     return plane;
@@ -80,16 +80,15 @@ struct Planes {
     }
 };
 
-void expect_exact(const SynthesisRequest& request, const std::string& what) {
+void expect_exact(const MapModes& modes, const std::string& what) {
     ThreadPool pool(2);
     const std::vector<Linear> fields = all_fields();
     for (const SimdLevel level : levels()) {
-        Planes planes(request.resolution, fields);
-        MapKernel(pack_modes(request, pool, level))
-            .run({request.tau, {}, planes.outputs, {}}, pool);
+        Planes planes(modes.resolution, fields);
+        MapKernel(pack_modes(modes, pool, level)).run({modes.tau, {}, planes.outputs, {}}, pool);
         for (std::size_t f = 0; f < fields.size(); ++f) {
-            EXPECT_LT(test::relative_error(planes.plane[f], exact_plane(request, fields[f])), 5e-7)
-                << what << ", " << simd_name(level) << ", N = " << request.resolution << ", field "
+            EXPECT_LT(test::relative_error(planes.plane[f], exact_plane(modes, fields[f])), 5e-7)
+                << what << ", " << simd_name(level) << ", N = " << modes.resolution << ", field "
                 << f;
         }
     }
@@ -101,7 +100,7 @@ TEST(Kernel, EverySizeOnEveryInstructionSetIsTheTransformInDouble) {
         Parameters parameters = test::wind_sea(size, 400.0);
         parameters.water.depth = 30.0;
         const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
-        expect_exact(synthesis_request(modes, 1e6, size, {}), "own map");
+        expect_exact(map_modes(modes, 1e6, size), "own map");
     }
 }
 
@@ -112,13 +111,13 @@ TEST(Kernel, LargeSizesAreTheTransformInDouble) {
     const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
     const std::vector<Linear> fields = {Linear::height, Linear::gradient_xy};
     for (const int size : {2048, 4096}) {
-        const SynthesisRequest request = synthesis_request(modes, 12.0, size, {});
+        const MapModes request = map_modes(modes, 12.0, size);
         for (const SimdLevel level : levels()) {
             Planes planes(size, fields);
             MapKernel(pack_modes(request, pool, level))
                 .run({request.tau, {}, planes.outputs, {}}, pool);
             // The coarse map is every so manieth sample of the fine one.
-            const SynthesisRequest coarse = synthesis_request(modes, 12.0, 64, {});
+            const MapModes coarse = map_modes(modes, 12.0, 64);
             const int step = size / 64;
             for (std::size_t f = 0; f < fields.size(); ++f) {
                 std::vector<float> picked;
@@ -140,13 +139,12 @@ TEST(Kernel, MapsThatCutOrPadTheModesAndMapsOfCascadesAreExactToo) {
     ThreadPool pool(2);
     Parameters parameters = test::wind_sea(64, 400.0);
     const Modes one = make_modes(make_directional_spectrum(parameters), parameters, pool);
-    expect_exact(synthesis_request(one, 3.0, 32, {}), "cut");
-    expect_exact(synthesis_request(one, 3.0, 256, {}), "padded");
+    expect_exact(map_modes(one, 3.0, 32), "cut");
+    expect_exact(map_modes(one, 3.0, 256), "padded");
     parameters.grid.cascades = 3;
     const Modes three = make_modes(make_directional_spectrum(parameters), parameters, pool);
-    expect_exact(synthesis_request(three, 3.0, 512, {}), "three cascades");
-    const CascadeModes& last = three.cascades.back();
-    expect_exact({{&last, 1}, last.lattice.period, last.divisor, 3.0, 1.0, 64, {}}, "small map");
+    expect_exact(map_modes(three, 3.0, 512), "three cascades");
+    expect_exact(cascade_modes(three, 2, 3.0, 64), "small map");
 }
 
 /// A sea with every kind of output, and one frame of it.
@@ -156,7 +154,7 @@ class KernelFrames : public testing::Test {
     ThreadPool pool_{2};
     Parameters parameters_ = test::wind_sea(kSize, 150.0);
     Modes modes_ = make_modes(make_directional_spectrum(parameters_), parameters_, pool_);
-    SynthesisRequest request_ = synthesis_request(modes_, 77.7, kSize, {});
+    MapModes request_ = map_modes(modes_, 77.7, kSize);
 
     /// Every channel that has no past, planar, one after the other.
     std::vector<PageVector<float>> channels(SimdLevel level, int threads) {
@@ -197,7 +195,7 @@ TEST_F(KernelFrames, HaveTheSameBitsOnAvx2AndAvx512) {
 TEST_F(KernelFrames, DifferByRoundingAloneWithoutFusedProducts) {
     const auto best = channels(levels().back(), 1);
     const auto plain = channels(SimdLevel::portable, 1);
-    for (const FieldInfo& field : field_table()) {
+    for (const Product& field : product_table()) {
         if (field.name == "foam") continue;
         // A vector field is one field: its components' errors and variances add.
         double error = 0.0;

@@ -18,7 +18,7 @@ namespace {
 
 using test::kAllChannels;
 
-constexpr Backend kBackends[] = {Backend::cpu, Backend::radix2, Backend::dft};
+const Backend kBackends[] = {Backend::cpu, Backend::radix2, Backend::dft};
 
 /// Value of a periodic map at sample (i, j), any integers.
 float sample(const Surface& surface, Channel channel, int i, int j) {
@@ -108,7 +108,7 @@ TEST(Surface, BackendsAgreeWithTheDirectSumNowAndAfterElevenDays) {
         for (const Backend backend : {Backend::cpu, Backend::radix2}) {
             Ocean sea(parameters, {.threads = 2, .backend = backend});
             const Surface surface = sea.evaluate(time, kAllChannels);
-            for (const FieldInfo& field : field_table()) {
+            for (const Product& field : product_table()) {
                 if (field.name == "foam") continue;  // made of whitecaps, see foam_test.cpp
                 // A vector field is one field: its components' errors and variances add.
                 double error = 0.0;

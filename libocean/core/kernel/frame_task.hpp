@@ -14,12 +14,20 @@
 //   index of a wavenumber: j + B i (i < A, j < B); index of a sample: k + A l (k < A, l < B).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "map_kernel.hpp"
+#include "ocean/channel.hpp"
+#include "ocean/foam_layer.hpp"
+#include "ocean/map_output.hpp"
+#include "simd_level.hpp"
 
 namespace ocean {
+
+/// The channels made of several linear fields that the kernel has code for, in outputs.hpp.
+inline constexpr ChannelSet kKernelFormulas = {Channel::nx,       Channel::ny,       Channel::nz,
+                                               Channel::jacobian, Channel::whitecap, Channel::foam};
 
 /// A, and B = N / A: codelets of 16, 32 and 64 points first, at most 128 second.
 constexpr int first_factor(int size) {
@@ -107,6 +115,13 @@ struct FrameTask {
     int derived_slot[kChannelCount];
     int derived_slots;    // how many
     bool needs_jacobian;  // for itself, whitecaps or foam
+};
+
+/// Linear fields that are there as planes. plane[field]: null, or the first row of the map,
+/// row_stride floats from row to row.
+struct PlanarFields {
+    std::array<const float*, kLinearCount> plane{};
+    std::size_t row_stride = 0;
 };
 
 /// The functions of one instruction set.

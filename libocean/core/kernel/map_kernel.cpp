@@ -60,39 +60,20 @@ class Plan {
 
   private:
     static constexpr ChannelSet kNormal = {Channel::nx, Channel::ny, Channel::nz};
-    static constexpr ChannelSet kDerived =
-        kNormal | ChannelSet{Channel::jacobian, Channel::whitecap, Channel::foam};
-
-    static bool is_channel(Quantity quantity) {
-        return quantity.id >= 0 && quantity.id < kChannelCount;
-    }
 
     void number_slots(std::span<const MapOutput> outputs) {
-        ChannelSet channels;
-        std::array<bool, kLinearCount> wanted{};
-        for (const MapOutput& output : outputs) {
-            for (int c = 0; c < output.components; ++c) {
-                const Quantity quantity = output.component[static_cast<std::size_t>(c)].quantity;
-                if (is_channel(quantity)) {
-                    channels = channels | ChannelSet{static_cast<Channel>(quantity.id)};
-                } else if (quantity != Quantity{}) {
-                    wanted[static_cast<std::size_t>(quantity.id - kChannelCount)] = true;
-                }
-            }
-        }
+        const ChannelSet channels = channels_of(outputs);
+        const LinearSet fields = fields_of(outputs) | fields_of(channels, is_flat());
         task_.slots = 0;
         task_.used_count = 0;
-        for (int f = 0; f < kLinearCount; ++f) {
-            if (wanted[static_cast<std::size_t>(f)] ||
-                is_made_of(channels, static_cast<Linear>(f), task_.choppiness == 0.0f)) {
-                task_.slot_of[f] = task_.slots++;
-            }
+        for (const Linear field : kLinears) {
+            if (fields.contains(field)) task_.slot_of[static_cast<int>(field)] = task_.slots++;
         }
         const ChannelSet normal = channels.intersects(kNormal) ? kNormal : ChannelSet{};
         int slot = task_.slots;
         for (int c = 0; c < kChannelCount; ++c) {
             const auto channel = static_cast<Channel>(c);
-            if ((channels | normal).contains(channel) && kDerived.contains(channel)) {
+            if ((channels | normal).contains(channel) && kKernelFormulas.contains(channel)) {
                 task_.derived_slot[c] = slot++;
                 use_fields(channel);
             }
@@ -102,12 +83,13 @@ class Plan {
             channels.intersects({Channel::jacobian, Channel::whitecap, Channel::foam});
     }
 
+    bool is_flat() const { return task_.choppiness == 0.0f; }
+
     /// The fields of a channel that is made of several.
     void use_fields(Channel channel) {
-        for (int f = 0; f < kLinearCount; ++f) {
-            if (is_made_of({channel}, static_cast<Linear>(f), task_.choppiness == 0.0f)) {
-                use(task_.slot_of[f]);
-            }
+        const LinearSet fields = fields_of(channel, is_flat());
+        for (const Linear field : kLinears) {
+            if (fields.contains(field)) use(task_.slot_of[static_cast<int>(field)]);
         }
     }
 
@@ -129,37 +111,17 @@ class Plan {
     }
 
     Multiple multiple(Quantity quantity) const {
-        const auto of = [this](Linear field, float factor) {
-            return Multiple{task_.slot_of[static_cast<int>(field)], factor};
+        const auto slot_of = [this](Linear field) {
+            return task_.slot_of[static_cast<int>(field)];
         };
-        if (!is_channel(quantity)) {
-            return of(static_cast<Linear>(quantity.id - kChannelCount), 1.0f);
-        }
-        switch (static_cast<Channel>(quantity.id)) {
-            case Channel::height:
-                return of(Linear::height, 1.0f);
-            case Channel::dx:
-                return of(Linear::displacement_x, -task_.choppiness);
-            case Channel::dy:
-                return of(Linear::displacement_y, -task_.choppiness);
-            case Channel::slope_x:
-                return of(Linear::slope_x, 1.0f);
-            case Channel::slope_y:
-                return of(Linear::slope_y, 1.0f);
-            case Channel::vz:
-                return of(Linear::height_rate, 1.0f);
-            case Channel::vx:
-                return of(Linear::displacement_x_rate, -task_.choppiness);
-            case Channel::vy:
-                return of(Linear::displacement_y_rate, -task_.choppiness);
-            default:
-                return {task_.derived_slot[quantity.id], 1.0f};
-        }
+        if (quantity.is_linear()) return {slot_of(quantity.linear()), 1.0f};
+        const ChannelInfo& info = channel_info(quantity.channel());
+        if (!info.is_multiple()) return {task_.derived_slot[quantity.id], 1.0f};
+        return {slot_of(info.field), info.times(task_.choppiness)};
     }
 
     void add_output(MapOutput output) {
-        for (int c = 0; c < output.components; ++c) {
-            MapOutput::Component& component = output.component[static_cast<std::size_t>(c)];
+        for (MapOutput::Component& component : output.used()) {
             if (component.quantity == Quantity{}) continue;
             const Multiple source = multiple(component.quantity);
             component.quantity.id = source.slot;
@@ -175,8 +137,8 @@ class Plan {
         bool& whole = task_.whole[task_.output_count];
         task_.outputs[task_.output_count++] = output;
         whole = true;
-        for (int c = 0; c < output.components; ++c) {
-            const int slot = output.component[static_cast<std::size_t>(c)].quantity.id;
+        for (const MapOutput::Component& component : output.used()) {
+            const int slot = component.quantity.id;
             whole = whole && slot >= 0;
             if (slot >= 0 && slot < task_.slots) use(slot);
         }
@@ -288,17 +250,6 @@ void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {
         state_->run(frame, left.first(count), pool);
         left = left.subspan(count);
     }
-}
-
-LinearPlanes<float> synthesize_cpu(const SynthesisRequest& request, ThreadPool& pool) {
-    LinearPlanes<float> planes;
-    std::vector<MapOutput> outputs;
-    for (const Linear field : request.fields) {
-        planes[field].resize(Lattice{request.resolution, 1.0}.size());
-        outputs.push_back({planes[field].data(), 1, {{{field, 1.0f}}}});
-    }
-    MapKernel(pack_modes(request, pool)).run({request.tau, {}, outputs, {}}, pool);
-    return planes;
 }
 
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,

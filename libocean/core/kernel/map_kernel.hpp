@@ -1,38 +1,33 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The cpu backend: from the modes of a map to the maps of one time, in one go. The mathematics is
-// in pass_one.hpp and pass_two.hpp, compiled once per instruction set; here is what the rest of
-// core sees of it.
+// The kernel of the cpu backend: from the modes of a map to the maps of one time, in one go. The
+// mathematics is in pass_one.hpp and pass_two.hpp, compiled once per instruction set; here is what
+// the rest of core sees of it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
-#include "ocean/foam.hpp"
-#include "ocean/map_output.hpp"
-#include "ocean/surface.hpp"
-#include "simd_level.hpp"
-#include "synthesis/synthesis.hpp"
+#include "frame_task.hpp"
+#include "ocean/backend.hpp"
 
 namespace ocean {
 
-class ThreadPool;
 class PackedModes;
 
 /// One frame.
 struct KernelFrame {
-    double tau = 0.0;          // of Modes
-    SurfaceSettings settings;  // choppiness; for whitecaps as from with_threshold
-    std::span<const MapOutput> outputs;
+    double tau = 0.0;                    // of Modes
+    SurfaceSettings settings;            // choppiness; for whitecaps as from with_threshold
+    std::span<const MapOutput> outputs;  // of linear fields, their multiples and kKernelFormulas
     FoamLayer foam;
 };
 
 /// The modes of one map in the order in which the kernel walks them. Immutable: many kernels, in
 /// any threads, may share it.
-std::shared_ptr<const PackedModes> pack_modes(const SynthesisRequest& request, ThreadPool& pool,
+std::shared_ptr<const PackedModes> pack_modes(const MapModes& modes, ThreadPool& pool,
                                               SimdLevel level = simd_level());
 
 /// Makes frames of one map. Owns the arrays between the passes, so that a frame allocates nothing
@@ -55,11 +50,7 @@ class MapKernel {
 };
 
 /// The last stage alone, for linear fields that are there as planes: rows first .. last - 1 of the
-/// outputs. plane[field]: null, or the first row of the map, row_stride floats from row to row.
-struct PlanarFields {
-    std::array<const float*, kLinearCount> plane{};
-    std::size_t row_stride = 0;
-};
+/// outputs.
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,
                 const KernelFrame& frame, SimdLevel level = simd_level());
 

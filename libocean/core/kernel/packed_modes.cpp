@@ -15,9 +15,9 @@ namespace {
 /// Rows of numbers of one block of ky, [kx][lane] each.
 enum Number { kPRe, kPIm, kQRe, kQIm, kRateHigh, kRateLow, kDisplacement, kNumbers };
 
-int whole_columns(const SynthesisRequest& request, int second_factor) {
+int whole_columns(const MapModes& modes, int second_factor) {
     const int unit = std::max(second_factor, 16);
-    return std::min((request.half_band() + unit - 1) / unit * unit, request.resolution / 2);
+    return std::min((modes.half_band() + unit - 1) / unit * unit, modes.resolution / 2);
 }
 
 }  // namespace
@@ -25,10 +25,10 @@ int whole_columns(const SynthesisRequest& request, int second_factor) {
 /// Packs block after block of `lanes` neighbouring ky.
 class PackedModes::Packing {
   public:
-    Packing(const SynthesisRequest& request, int lanes)
-        : request_(request),
+    Packing(const MapModes& modes, int lanes)
+        : modes_(modes),
           lanes_(lanes),
-          size_(request.resolution),
+          size_(modes.resolution),
           first_(first_factor(size_)),
           second_(size_ / first_) {}
 
@@ -62,8 +62,8 @@ class PackedModes::Packing {
     /// `dense` as from dense_block or from another block.
     void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* packets) const {
         // One cascade has the same places in every block and overwrites them.
-        if (request_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
-        for (const CascadeModes& cascade : request_.cascades) gather(cascade, block, dense);
+        if (modes_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
+        for (const CascadeModes& cascade : modes_.cascades) gather(cascade, block, dense);
         const auto row = [&](Number number, std::size_t kx) {
             return dense.data() +
                    (static_cast<std::size_t>(number) * static_cast<std::size_t>(size_) + kx) *
@@ -106,11 +106,11 @@ class PackedModes::Packing {
         int row;
     };
     std::vector<LaneRow> rows_in(const CascadeModes& cascade, int block) const {
-        const int stride = request_.stride(cascade);
+        const int stride = modes_.stride(cascade);
         std::vector<LaneRow> rows;
         for (int lane = 0; lane < lanes_; ++lane) {
             const int ky = block * lanes_ + lane;
-            if (ky % stride == 0 && ky / stride < request_.half(cascade)) {
+            if (ky % stride == 0 && ky / stride < modes_.half(cascade)) {
                 rows.push_back({lane, ky / stride});
             }
         }
@@ -119,11 +119,11 @@ class PackedModes::Packing {
 
     void mark_occupied(int block, std::vector<char>& occupied) const {
         std::fill(occupied.begin(), occupied.end(), char{0});
-        for (const CascadeModes& cascade : request_.cascades) {
+        for (const CascadeModes& cascade : modes_.cascades) {
             if (rows_in(cascade, block).empty()) continue;
-            const int half = request_.half(cascade);
+            const int half = modes_.half(cascade);
             for (int n = -half + 1; n < half; ++n) {
-                const int kx = fft_index(n * request_.stride(cascade), size_);
+                const int kx = fft_index(n * modes_.stride(cascade), size_);
                 occupied[static_cast<std::size_t>(kx)] = 1;
             }
         }
@@ -132,7 +132,7 @@ class PackedModes::Packing {
     /// Puts the modes of one cascade in place, in tiles that stay in L1 while all lanes write.
     void gather(const CascadeModes& cascade, int block, std::vector<float>& dense) const {
         constexpr int kTile = 64;
-        const int half = request_.half(cascade);
+        const int half = modes_.half(cascade);
         const std::vector<LaneRow> rows = rows_in(cascade, block);
         for (int n = -half + 1; n < half; n += kTile) {
             for (const LaneRow& row : rows) {
@@ -145,12 +145,12 @@ class PackedModes::Packing {
     void gather_row(const CascadeModes& cascade, const LaneRow& lane_row, int first, int last,
                     std::vector<float>& dense) const {
         const int width = cascade.lattice.resolution;
-        const int stride = request_.stride(cascade);
+        const int stride = modes_.stride(cascade);
         const auto index = [width](int m, int n) {
             return static_cast<std::size_t>(fft_index(m, width)) * static_cast<std::size_t>(width) +
                    static_cast<std::size_t>(fft_index(n, width));
         };
-        const bool alone = request_.cascades.size() == 1;
+        const bool alone = modes_.cascades.size() == 1;
         const auto lanes = static_cast<std::size_t>(lanes_);
         const std::size_t plane = static_cast<std::size_t>(size_) * lanes;
         for (int n = first; n < last; ++n) {
@@ -172,37 +172,37 @@ class PackedModes::Packing {
         }
     }
 
-    const SynthesisRequest& request_;
+    const MapModes& modes_;
     int lanes_;
     int size_;
     int first_;
     int second_;
 };
 
-PackedModes::PackedModes(const SynthesisRequest& request, ThreadPool& pool, SimdLevel level)
+PackedModes::PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level)
     : level_(level),
-      size_(request.resolution),
-      columns_(whole_columns(request, size_ / first_factor(size_))),
-      rate_unit_(request.rate_unit),
-      wavenumber_step_(request.wavenumber_step()) {
+      size_(modes.resolution),
+      columns_(whole_columns(modes, size_ / first_factor(size_))),
+      rate_unit_(modes.rate_unit),
+      wavenumber_step_(modes.wavenumber_step()) {
     const int lanes = kernel_code(level).lanes;
-    const Packing packing(request, lanes);
+    const Packing packing(modes, lanes);
     packets_ = PageVector<float>(packing.lay_out(columns_ / lanes, groups_));
     pack_all(packing, pool);
 }
 
-bool PackedModes::refill(const SynthesisRequest& request, ThreadPool& pool) {
-    if (request.resolution != size_ ||
-        whole_columns(request, size_ / first_factor(size_)) != columns_) {
+bool PackedModes::refill(const MapModes& modes, ThreadPool& pool) {
+    if (modes.resolution != size_ ||
+        whole_columns(modes, size_ / first_factor(size_)) != columns_) {
         return false;
     }
     const int lanes = kernel_code(level_).lanes;
-    const Packing packing(request, lanes);
+    const Packing packing(modes, lanes);
     std::vector<ModeGroup> groups;
     packing.lay_out(columns_ / lanes, groups);
     if (groups != groups_) return false;
-    rate_unit_ = request.rate_unit;
-    wavenumber_step_ = request.wavenumber_step();
+    rate_unit_ = modes.rate_unit;
+    wavenumber_step_ = modes.wavenumber_step();
     pack_all(packing, pool);
     return true;
 }
@@ -218,9 +218,9 @@ void PackedModes::pack_all(const Packing& packing, ThreadPool& pool) {
     });
 }
 
-std::shared_ptr<const PackedModes> pack_modes(const SynthesisRequest& request, ThreadPool& pool,
+std::shared_ptr<const PackedModes> pack_modes(const MapModes& modes, ThreadPool& pool,
                                               SimdLevel level) {
-    return std::make_shared<const PackedModes>(request, pool, level);
+    return std::make_shared<const PackedModes>(modes, pool, level);
 }
 
 }  // namespace ocean

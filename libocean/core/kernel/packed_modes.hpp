@@ -9,17 +9,18 @@
 #include <vector>
 
 #include "frame_task.hpp"
+#include "ocean/backend.hpp"
 #include "ocean/page_vector.hpp"
 
 namespace ocean {
 
 class PackedModes {
   public:
-    PackedModes(const SynthesisRequest& request, ThreadPool& pool, SimdLevel level);
+    PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level);
 
     /// The same for other modes in the memory that is there. False, with nothing changed, if their
     /// lattices or the map are others.
-    bool refill(const SynthesisRequest& request, ThreadPool& pool);
+    bool refill(const MapModes& modes, ThreadPool& pool);
 
     SimdLevel level() const { return level_; }
     int size() const { return size_; }

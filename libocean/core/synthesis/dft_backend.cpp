@@ -44,14 +44,15 @@ class DirectSum {
 
 }  // namespace
 
-LinearPlanes<double> synthesize_dft(const SynthesisRequest& request, ThreadPool& pool) {
+LinearPlanes<double> synthesize_dft(const MapModes& modes, LinearSet fields, ThreadPool& pool) {
     LinearPlanes<double> planes;
-    const auto size = static_cast<std::size_t>(request.resolution);
-    for (const Linear field : request.fields) {
-        std::vector<std::complex<double>> grid = coefficient_grid<double>(request, field);
+    const auto size = static_cast<std::size_t>(modes.resolution);
+    for (const Linear field : kLinears) {
+        if (!fields.contains(field)) continue;
+        std::vector<std::complex<double>> grid = coefficient_grid<double>(modes, field);
         const auto along = [&](std::size_t line_step, std::size_t stride) {
-            pool.for_each_range(request.resolution, [&](int first, int last) {
-                DirectSum sum(request.resolution);
+            pool.for_each_range(modes.resolution, [&](int first, int last) {
+                DirectSum sum(modes.resolution);
                 for (int line = first; line < last; ++line) {
                     sum.inverse(grid.data() + static_cast<std::size_t>(line) * line_step, stride);
                 }

@@ -48,21 +48,21 @@ inline std::complex<double> linear_coefficient(Linear field,
 
 /// Row-major [ky][kx] in FFT order of a map of `resolution`, zero where there are no modes.
 template <typename Real>
-std::vector<std::complex<Real>> coefficient_grid(const SynthesisRequest& request, Linear field) {
-    const int size = request.resolution;
+std::vector<std::complex<Real>> coefficient_grid(const MapModes& modes, Linear field) {
+    const int size = modes.resolution;
     const auto at = [](int n, int m, int width) {
         return static_cast<std::size_t>(fft_index(m, width)) * static_cast<std::size_t>(width) +
                static_cast<std::size_t>(fft_index(n, width));
     };
     std::vector<std::complex<Real>> grid(static_cast<std::size_t>(size) *
                                          static_cast<std::size_t>(size));
-    for (const CascadeModes& cascade : request.cascades) {
-        const int half = request.half(cascade);
-        const int stride = request.stride(cascade);
+    for (const CascadeModes& cascade : modes.cascades) {
+        const int half = modes.half(cascade);
+        const int stride = modes.stride(cascade);
         const double step = cascade.lattice.wavenumber_step();
         for (int m = -half + 1; m < half; ++m) {
             for (int n = -half + 1; n < half; ++n) {
-                const auto state = state_of_mode(cascade, request.tau, request.rate_unit, n, m);
+                const auto state = state_of_mode(cascade, modes.tau, modes.rate_unit, n, m);
                 const std::complex<double> value =
                     linear_coefficient(field, state, step * n, step * m,
                                        cascade.displacement[at(n, m, cascade.lattice.resolution)]);

@@ -11,27 +11,25 @@
 
 namespace ocean {
 
-LinearPlanes<float> synthesize_radix2(const SynthesisRequest& request, ThreadPool& pool) {
+LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, ThreadPool& pool) {
     LinearPlanes<float> planes;
-    const Radix2Fft<float> fft(request.resolution);
+    const Radix2Fft<float> fft(modes.resolution);
     // A field per item: the planes are independent of each other.
-    pool.for_each_range(static_cast<int>(request.fields.size()), [&](int first, int last) {
-        for (int item = first; item < last; ++item) {
-            const Linear field = request.fields[static_cast<std::size_t>(item)];
-            auto grid = coefficient_grid<float>(request, field);
-            fft.transform_2d(grid, FftDirection::inverse);
-            planes[field].resize(grid.size());
-            for (std::size_t i = 0; i < grid.size(); ++i) planes[field][i] = grid[i].real();
-        }
+    pool.for_each_item(kLinearCount, [&](int item, int) {
+        const Linear field = kLinears[static_cast<std::size_t>(item)];
+        if (!fields.contains(field)) return;
+        auto grid = coefficient_grid<float>(modes, field);
+        fft.transform_2d(grid, FftDirection::inverse);
+        planes[field].resize(grid.size());
+        for (std::size_t i = 0; i < grid.size(); ++i) planes[field][i] = grid[i].real();
     });
     return planes;
 }
 
 double imaginary_residue(const Modes& modes, double time) {
-    const SynthesisRequest request =
-        synthesis_request(modes, time, modes.lattice.resolution, {Linear::height});
-    auto grid = coefficient_grid<double>(request, Linear::height);
-    Radix2Fft<double>(request.resolution).transform_2d(grid, FftDirection::inverse);
+    const MapModes all = map_modes(modes, time, modes.lattice.resolution);
+    auto grid = coefficient_grid<double>(all, Linear::height);
+    Radix2Fft<double>(all.resolution).transform_2d(grid, FftDirection::inverse);
     double largest = 0.0;
     double sum = 0.0;
     for (const std::complex<double>& value : grid) {

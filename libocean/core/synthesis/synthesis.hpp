@@ -1,56 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every backend does: from the modes at one time to planes of real, linear fields. The
-// nonlinear fields (normal, Jacobian) are combined from these planes in surface.cpp.
+// What every backend does: from the modes at one time to planes of real, linear fields, here as the
+// references do it. Channels are made of these planes in surface/plane_channels.cpp.
 #pragma once
 
-#include <algorithm>
-#include <span>
-#include <utility>
-#include <vector>
-
-#include "ocean/modes.hpp"
+#include "ocean/backend.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
 
 class ThreadPool;
-
-/// The modes of a map: those of a whole sea, or of one of its cascades over its own period.
-struct SynthesisRequest {
-    std::span<const CascadeModes> cascades;
-    double period;     // of the map, m
-    int divisor;       // patch_size / period
-    double tau;        // of Modes
-    double rate_unit;  // of Modes
-    int resolution;    // of the map; may be more or less than that of the modes
-    std::vector<Linear> fields;
-
-    double wavenumber_step() const { return kTwoPi / period; }
-    /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
-    int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
-    /// The map holds the modes -half + 1 .. half - 1 of a cascade along each axis.
-    int half(const CascadeModes& cascade) const {
-        const int below_nyquist = (resolution / 2 - 1) / stride(cascade) + 1;
-        return std::min(cascade.lattice.resolution / 2, below_nyquist);
-    }
-    /// Of the map itself: its modes beyond -half_band + 1 .. half_band - 1 are zero.
-    int half_band() const {
-        int half_band = 0;
-        for (const CascadeModes& cascade : cascades) {
-            half_band = std::max(half_band, (half(cascade) - 1) * stride(cascade) + 1);
-        }
-        return half_band;
-    }
-};
-
-/// All modes of a sea.
-inline SynthesisRequest synthesis_request(const Modes& modes, double time, int resolution,
-                                          std::vector<Linear> fields) {
-    return {modes.cascades, modes.lattice.period, 1, modes.tau(time), modes.rate_unit(),
-            resolution,     std::move(fields)};
-}
 
 /// How a field follows from a mode's h or dh/dt: it is multiplied by
 /// sign * i^odd * kx^x_power * ky^y_power * (coth(kd)/k)^displacement.
@@ -81,11 +41,9 @@ constexpr LinearShape linear_shape(Linear field) {
     return kShapes[static_cast<int>(field)];
 }
 
-/// Direct sums along each axis in double: the judge. N^3 work.
-LinearPlanes<double> synthesize_dft(const SynthesisRequest& request, ThreadPool& pool);
-/// Full complex radix-2 transforms in float, one field at a time: to be read.
-LinearPlanes<float> synthesize_radix2(const SynthesisRequest& request, ThreadPool& pool);
-/// The default: half spectrum, vectorised across lines, two real rows per complex line.
-LinearPlanes<float> synthesize_cpu(const SynthesisRequest& request, ThreadPool& pool);
+/// Direct sums along each axis in double.
+LinearPlanes<double> synthesize_dft(const MapModes& modes, LinearSet fields, ThreadPool& pool);
+/// Full complex radix-2 transforms in float, one field at a time.
+LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, ThreadPool& pool);
 
 }  // namespace ocean

@@ -6,12 +6,12 @@
 // clock of its own, fading with foam_lifetime. A pure function of the sea and the time.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "ocean/foam_layer.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/page_vector.hpp"
 
@@ -52,18 +52,6 @@ struct FoamClock {
     std::int64_t before(std::int64_t tick, std::int64_t count) const;
 };
 FoamClock foam_clock(const SurfaceSettings& settings, double loop_period);
-
-/// What is left of earlier foam: foam = max(W, fade * map), and 0 where that is below `least`.
-struct FoamLayer {
-    const float* map = nullptr;  // null: nothing
-    float fade = 0.0f;
-    float least = 0.0f;
-
-    float over(float whitecap, std::size_t sample) const {
-        const float value = map != nullptr ? std::max(whitecap, fade * map[sample]) : whitecap;
-        return value < least ? 0.0f : value;
-    }
-};
 
 /// What foam is made of.
 struct FoamSource {

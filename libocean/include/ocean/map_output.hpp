@@ -6,9 +6,9 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <span>
 
-#include "ocean/surface.hpp"
+#include "ocean/channel.hpp"
 
 namespace ocean {
 
@@ -17,9 +17,14 @@ struct Quantity {
     int id = kNone;
 
     static constexpr int kNone = -1;
+    static constexpr int kFirstLinear = 256;
     constexpr Quantity() = default;
     constexpr Quantity(Channel channel) : id(static_cast<int>(channel)) {}
-    constexpr Quantity(Linear field) : id(kChannelCount + static_cast<int>(field)) {}
+    constexpr Quantity(Linear field) : id(kFirstLinear + static_cast<int>(field)) {}
+    constexpr bool is_channel() const { return id != kNone && id < kFirstLinear; }
+    constexpr bool is_linear() const { return id >= kFirstLinear; }
+    constexpr Channel channel() const { return static_cast<Channel>(id); }
+    constexpr Linear linear() const { return static_cast<Linear>(id - kFirstLinear); }
     constexpr bool operator==(const Quantity&) const = default;
 };
 
@@ -34,18 +39,33 @@ struct MapOutput {
     int components = 1;
     std::array<Component, 4> component;
 
-    /// The channels among its quantities.
-    ChannelSet channels() const {
-        ChannelSet set;
-        for (int c = 0; c < components; ++c) {
-            const int id = component[static_cast<std::size_t>(c)].quantity.id;
-            if (id >= 0 && id < kChannelCount) set = set | ChannelSet{static_cast<Channel>(id)};
-        }
-        return set;
-    }
+    std::span<Component> used() { return std::span(component).first(count()); }
+    std::span<const Component> used() const { return std::span(component).first(count()); }
+
+  private:
+    std::size_t count() const { return static_cast<std::size_t>(components); }
 };
 
-/// The planes of a surface as outputs: all of its channels.
-std::vector<MapOutput> outputs_of(Surface& surface);
+/// The channels among their quantities.
+inline ChannelSet channels_of(std::span<const MapOutput> outputs) {
+    ChannelSet channels;
+    for (const MapOutput& output : outputs) {
+        for (const auto& [quantity, factor] : output.used()) {
+            if (quantity.is_channel()) channels = channels | quantity.channel();
+        }
+    }
+    return channels;
+}
+
+/// The linear fields among their quantities.
+inline LinearSet fields_of(std::span<const MapOutput> outputs) {
+    LinearSet fields;
+    for (const MapOutput& output : outputs) {
+        for (const auto& [quantity, factor] : output.used()) {
+            if (quantity.is_linear()) fields = fields | quantity.linear();
+        }
+    }
+    return fields;
+}
 
 }  // namespace ocean

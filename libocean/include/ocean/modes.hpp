@@ -50,6 +50,9 @@ struct Modes {
     double loop_period = 0.0;  // s, 0 = never
     double wind_speed = 0.0;   // m/s, U10: how much whitecap there is
     std::vector<CascadeModes> cascades;
+    /// Another number for every change that their owner makes, so that what was made of them can be
+    /// kept; 0 where nobody counts.
+    std::uint64_t revision = 0;
 
     /// Of the modes that a map of `resolution` samples holds.
     GradientCovariance gradient_covariance(int resolution) const;

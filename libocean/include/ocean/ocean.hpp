@@ -6,29 +6,29 @@
 // several objects run in parallel.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <span>
 #include <string_view>
 
+#include "ocean/backend.hpp"
 #include "ocean/float_pose.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/map_output.hpp"
-#include "ocean/parameter_table.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
+#include "ocean/stage_runs.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
-class MapKernel;
-class ModeLattice;
-class PackedModes;
+class Chain;
+class MapWriter;
 
 struct OceanOptions {
     int threads = 0;  // 0 = the cores this process may use
@@ -38,24 +38,15 @@ struct OceanOptions {
     FoamStart foam_start = FoamStart::settled;
     /// Called while foam is followed from its beginning; may throw to stop that.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
+    /// Channels beside those of the table, made by their formulas with any backend:
+    /// Channel(kChannelCount + i) is row i. Rows and names must outlive the Ocean.
+    std::span<const ChannelInfo> channels = {};
 };
 
 /// Seconds that one frame of displacement, normal and foam takes on this machine, about.
 struct FrameCost {
     double alone = 0.0;        // with all the past that its foam has
     double in_sequence = 0.0;  // after the frame before it
-};
-
-/// How often each stage of the chain ran.
-struct StageRuns {
-    int spectrum = 0;
-    int modes = 0;
-    int packing = 0;     // of the modes for one resolution of maps
-    int threshold = 0;   // of the whitecaps
-    int surface = 0;     // maps that were asked for
-    int foam_ticks = 0;  // whitecap maps of the foam's clock
-
-    bool operator==(const StageRuns&) const = default;
 };
 
 class Ocean {
@@ -73,8 +64,8 @@ class Ocean {
     /// when the sea is next asked for anything. Files that are named are for seafile's
     /// resolve_files to read: give it the changed sea, and this the result.
     void set(std::string_view name, std::string_view value);
-    /// All of the sea at once, of which only what dirties `first_stage` or later may differ.
-    void change(Sea sea, Stage first_stage);
+    /// All of the sea at once: what differs from the one before says what is done again.
+    void change(Sea sea);
 
     /// At a time, which matters for a sea with a take; the start where none is given.
     const DirectionalSpectrum& spectrum(double time);
@@ -85,7 +76,8 @@ class Ocean {
 
     /// A map of `resolution` samples; 0 = default_map_resolution of the grid. Foam is followed from
     /// where it begins or, faster, from the last time that it was asked for: the same bits.
-    /// Throws Error out_of_memory before it allocates more than there is.
+    /// Throws Error for a channel that is not known, and out_of_memory before it allocates more
+    /// than there is.
     Surface evaluate(double time, ChannelSet channels, int resolution = 0);
     /// The same into the buffers of a host, which need no alignment (64 bytes are fastest) and must
     /// hold resolution^2 samples. With the cpu backend each value is written once, from the last
@@ -111,20 +103,15 @@ class Ocean {
     void float_poses(double time, std::span<const FloatBody> bodies, std::span<FloatPose> poses);
 
   private:
-    void require_valid();
-    /// Makes the chain stand for that time.
+    /// Makes the chain stand for that time. Throws if the sea is not valid.
     void go_to(double time);
-    void dirty(Stage first_stage);
-    const DirectionalSpectrum& current_spectrum();
+    const Parameters& now() const;
     const Modes& current_modes();
-    /// The surface settings with the whitecaps' threshold found.
-    const SurfaceSettings& shown_settings(int resolution);
-    /// The kernel of the current modes for that map.
-    MapKernel& kernel(int resolution);
     /// Writes the current sea's maps, foam over what the layer says.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
     FoamLayer foam_layer(double time, int resolution);
+    bool has_foam(ChannelSet channels) const;
     int map_resolution(int asked) const;
     /// For so many maps beside what the channels need.
     void require_map_memory(int resolution, int maps, ChannelSet channels) const;
@@ -134,31 +121,15 @@ class Ocean {
     const OrbitalVelocity& water_velocity(double time, double z, const QueryOptions& options);
 
     Sea sea_;
-    Parameters now_;  // what the stages below stand for
-    bool validated_ = false;
+    std::uint64_t revision_ = 1;  // of the sea: another number when it is changed
+    std::uint64_t checked_ = 0;   // the revision that was last found valid
     OceanOptions options_;
     ThreadPool pool_;
     StageRuns runs_;
-    std::shared_ptr<const DirectionalSpectrum> spectrum_;
-    // Modes that a change has made wrong stay: their arrays are filled again, unless another sea
-    // has them too.
-    std::shared_ptr<const ModeLattice> lattice_;
-    std::shared_ptr<Modes> modes_;
-    bool modes_right_ = false;
-    mutable std::atomic<bool> modes_lent_ = false;
-    std::optional<SurfaceSettings> shown_;
-    int shown_resolution_ = 0;
-    /// The modes packed for maps of one resolution, and the arrays of the transform; kept like
-    /// modes_. A map half as large needs a quarter: all of them are kept.
-    struct KernelOfMap {
-        std::shared_ptr<PackedModes> packed;
-        bool right = false;
-        mutable std::atomic<bool> lent = false;
-        std::unique_ptr<MapKernel> kernel;
-    };
-    std::map<int, KernelOfMap> kernels_;
+    std::unique_ptr<Chain> chain_;
+    std::unique_ptr<MapWriter> maps_;
+    std::set<int> made_;  // resolutions of the maps so far: what the backend keeps is there
     std::optional<FoamState> foam_;
-    int foam_resolution_ = 0;
 
     /// What was asked last, and for what.
     template <typename Query>

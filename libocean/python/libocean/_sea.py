@@ -25,16 +25,16 @@ CHANNELS = (
     *("jacobian", "whitecap", "foam", "vx", "vy", "vz"),
 )
 
-# The channels of each field, numbered as in libocean.h.
-FIELDS: dict[str, tuple[int, ...]] = {
-    "height": (2,),
-    "displacement": (0, 1, 2),
-    "slope": (6, 7),
-    "normal": (3, 4, 5),
-    "jacobian": (8,),
-    "whitecap": (9,),
-    "foam": (10,),
-    "velocity": (11, 12, 13),
+# The channels of each field that a Surface has.
+PRODUCTS: dict[str, tuple[str, ...]] = {
+    "height": ("height",),
+    "displacement": ("dx", "dy", "height"),
+    "slope": ("slope_x", "slope_y"),
+    "normal": ("nx", "ny", "nz"),
+    "jacobian": ("jacobian",),
+    "whitecap": ("whitecap",),
+    "foam": ("foam",),
+    "velocity": ("vx", "vy", "vz"),
 }
 
 
@@ -236,7 +236,7 @@ class Sea:
         """One array for each field, filled by the library in place."""
         maps: list[tuple[Array, tuple[int, ...]]] = []
         for name in names:
-            channels = FIELDS[name]
+            channels = tuple(CHANNELS.index(channel) for channel in PRODUCTS[name])
             vector = (len(channels),) if len(channels) > 1 else ()
             maps.append((np.empty((resolution, resolution, *vector), np.float32), channels))
         self._write_maps(time, resolution, axes, maps)
@@ -277,7 +277,7 @@ class Surface:
 
     def _compute(self, names: list[str]) -> None:
         for name in names:
-            _choose("field", name, tuple(FIELDS))
+            _choose("field", name, tuple(PRODUCTS))
         with self._sea._lock:
             if self._changes != self._sea._changes:
                 raise _library.error(

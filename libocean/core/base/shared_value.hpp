@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A large value that copies of its owner share, in other threads too, until one of them wants
+// another: it is filled again in its memory where nobody else ever had it.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <utility>
+
+namespace ocean {
+
+template <typename T>
+class SharedValue {
+  public:
+    SharedValue() = default;
+    SharedValue(const SharedValue& other) : value_(other.value_), lent_(true) {
+        other.lent_ = true;
+    }
+    SharedValue& operator=(std::shared_ptr<T> value) {
+        value_ = std::move(value);
+        lent_ = false;
+        return *this;
+    }
+
+    const T* get() const { return value_.get(); }
+    std::shared_ptr<const T> share() const { return value_; }
+    /// To be changed; null where there is nothing, or a copy had it. Counting its owners would not
+    /// do: one that has just let go of it may still be reading in another thread's eyes.
+    T* own() { return lent_ ? nullptr : value_.get(); }
+
+  private:
+    std::shared_ptr<T> value_;
+    mutable std::atomic<bool> lent_ = false;
+};
+
+}  // namespace ocean

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "chain.hpp"
+
+#include <string>
+#include <utility>
+
+#include "modes/mode_lattice.hpp"
+#include "ocean/sea_state.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+void Chain::stand_for(Parameters parameters, Lasts lasts) {
+    const bool first_time = last_revision_ == 0;
+    const auto first = first_time ? Stage::spectrum : first_dirty_stage(parameters_, parameters);
+    if (first) dirty(*first);
+    parameters_ = std::move(parameters);
+    lasts_ = lasts;
+}
+
+void Chain::dirty(Stage first) {
+    ++last_revision_;
+    for (auto stage = static_cast<std::size_t>(first); stage < kStages; ++stage) {
+        revisions_[stage] = last_revision_;
+    }
+}
+
+const DirectionalSpectrum& Chain::spectrum(ThreadPool& pool, StageRuns& runs) {
+    if (spectrum_.revision != revision(Stage::spectrum)) {
+        spectrum_ = {};
+        ++runs.spectrum;
+        spectrum_.value = std::make_shared<const DirectionalSpectrum>(
+            make_directional_spectrum(parameters_, pool));
+        spectrum_.revision = revision(Stage::spectrum);
+    }
+    return *spectrum_.value;
+}
+
+bool Chain::has_modes() const {
+    return modes_.get() != nullptr && modes_.get()->revision == revision(Stage::modes);
+}
+
+const Modes& Chain::modes(ThreadPool& pool, StageRuns& runs) {
+    if (!has_modes()) make_modes(pool, runs);
+    return *modes_.get();
+}
+
+void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
+    const DirectionalSpectrum& spectrum = this->spectrum(pool, runs);
+    ++runs.modes;
+    const bool same_lattice = modes_.get() != nullptr && lattice_->is_of(parameters_);
+    // The first modes of a lattice are mostly the last: what only rebuilds need is kept from the
+    // second on, or where others are expected.
+    const bool keep = same_lattice || lasts_ == Lasts::one_time;
+    const Grid& grid = parameters_.grid;
+    if (!same_lattice) {
+        modes_ = nullptr;
+        lattice_.reset();
+        require_memory(modes_bytes(grid) + (keep ? ModeLattice::kept_bytes(grid) : 0),
+                       "grid.resolution = " + std::to_string(grid.resolution));
+    }
+    if (!same_lattice || (keep && !lattice_->is_kept())) {
+        const auto memory = keep ? ModeLattice::Memory::keep : ModeLattice::Memory::none;
+        lattice_ = std::make_shared<const ModeLattice>(parameters_, memory, pool);
+    }
+    if (!same_lattice) {
+        modes_ = std::make_shared<Modes>(lattice_->still_modes(pool));
+    } else if (modes_.own() == nullptr) {
+        modes_ = std::make_shared<Modes>(*modes_.get());
+    }
+    Modes& modes = *modes_.own();
+    modes.revision = 0;  // while they are neither the old ones nor the new
+    lattice_->set_waves(spectrum, strongest_wind(parameters_), pool, modes);
+    modes.revision = revision(Stage::modes);
+}
+
+const SurfaceSettings& Chain::shown_settings(int resolution, ThreadPool& pool, StageRuns& runs) {
+    const Modes& modes = this->modes(pool, runs);
+    Made<SurfaceSettings>& shown = shown_[resolution];
+    if (shown.revision != revision(Stage::foam)) {
+        ++runs.threshold;
+        shown.value = with_threshold(parameters_.surface, modes, resolution);
+        shown.revision = revision(Stage::foam);
+    }
+    return shown.value;
+}
+
+}  // namespace ocean

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is asked of the tables of channels and products.
+#include <string>
+
+#include "ocean/channel.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean {
+
+const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> further) {
+    const auto index = static_cast<std::size_t>(channel);
+    if (index < kChannels.size()) return kChannels[index];
+    const std::size_t count = kChannels.size() + further.size();
+    if (index < count) return further[index - kChannels.size()];
+    throw Error(ErrorKind::invalid_value, "channel " + std::to_string(static_cast<int>(channel)) +
+                                              " is not known; allowed: 0 .. " +
+                                              std::to_string(count - 1));
+}
+
+namespace {
+
+/// Calls visit(row) for each channel of the set.
+template <typename Visit>
+void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> further,
+                      const Visit& visit) {
+    for (int c = 0; c < kMostChannels; ++c) {
+        const auto channel = static_cast<Channel>(c);
+        if (channels.contains(channel)) visit(channel_info(channel, further));
+    }
+    const auto none = static_cast<Channel>(kMostChannels);
+    if (channels.contains(none)) channel_info(none, further.first(0));  // throws
+}
+
+}  // namespace
+
+void require_channels(ChannelSet channels, std::span<const ChannelInfo> further) {
+    for_each_channel(channels, further, [](const ChannelInfo&) {});
+}
+
+LinearSet fields_of(ChannelSet channels, bool flat, std::span<const ChannelInfo> further) {
+    LinearSet fields;
+    for_each_channel(channels, further, [&](const ChannelInfo& info) {
+        fields = fields | (flat ? info.flat : info.choppy);
+    });
+    return fields;
+}
+
+FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further) {
+    FoamUse most = FoamUse::none;
+    for_each_channel(channels, further,
+                     [&](const ChannelInfo& info) { most = std::max(most, info.foam); });
+    return most;
+}
+
+std::span<const Product> product_table() {
+    return kProducts;
+}
+
+const Product& find_product(std::string_view name, std::span<const Product> products) {
+    std::string known;
+    for (const Product& product : products) {
+        if (product.name == name) return product;
+        known += (known.empty() ? "" : ", ") + std::string(product.name);
+    }
+    throw Error(ErrorKind::invalid_value,
+                "unknown product '" + std::string(name) + "'; known: " + known);
+}
+
+const Product& find_product(std::string_view name) {
+    return find_product(name, product_table());
+}
+
+}  // namespace ocean

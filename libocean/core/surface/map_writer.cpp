@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "surface/map_writer.hpp"
+
+#include "surface/plane_channels.hpp"
+
+namespace ocean {
+
+MapWriter::MapWriter(const Backend& backend, std::span<const ChannelInfo> further)
+    : backend_(backend), further_(further), maps_(backend.start()) {}
+
+MapWriter::MapWriter(const MapWriter& other, std::span<const ChannelInfo> further)
+    : backend_(other.backend_), further_(further), maps_(other.maps_) {}
+
+namespace {
+
+/// Appends the outputs without the components that hold other channels.
+void append_with(ChannelSet channels, bool fields, std::span<const MapOutput> outputs,
+                 std::vector<MapOutput>& to) {
+    for (MapOutput output : outputs) {
+        bool any = false;
+        for (auto& [quantity, factor] : output.used()) {
+            const bool wanted = quantity.is_channel() ? channels.contains(quantity.channel())
+                                                      : quantity.is_linear() && fields;
+            if (!wanted) quantity = {};
+            any = any || wanted;
+        }
+        if (any) to.push_back(output);
+    }
+}
+
+}  // namespace
+
+bool MapWriter::write(const MapRequest& request, ThreadPool& pool) {
+    const ChannelSet asked = channels_of(request.outputs);
+    require_channels(asked, further_);
+    const ChannelSet others = asked.without(backend_.makes);
+    if (others.empty()) return maps_(request, pool);
+
+    outputs_.clear();
+    append_with(backend_.makes, true, request.outputs, outputs_);
+    const LinearSet fields = fields_of(others, request.settings.choppiness == 0.0, further_);
+    const std::size_t samples = Lattice{request.modes.resolution, 1.0}.size();
+    for (const Linear field : kLinears) {
+        if (!fields.contains(field)) continue;
+        planes_[field].resize(samples);
+        outputs_.push_back({planes_[field].data(), 1, {{{field, 1.0f}}}});
+    }
+    MapRequest part = request;
+    part.outputs = outputs_;
+    const bool packed = maps_(part, pool);
+
+    outputs_.clear();
+    append_with(others, false, request.outputs, outputs_);
+    part.outputs = outputs_;
+    write_channels(planes_, part, further_, pool);
+    return packed;
+}
+
+}  // namespace ocean

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A backend at work, and the channels that it has no code for: the one way to maps, for the facade
+// and for a single surface.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ocean/backend.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+class MapWriter {
+  public:
+    /// `further`: the rows of the host's channels, which must outlive it.
+    explicit MapWriter(const Backend& backend, std::span<const ChannelInfo> further = {});
+    /// With other channels: a copy shares what the backend made of the modes.
+    MapWriter(const MapWriter& other, std::span<const ChannelInfo> further);
+
+    const Backend& backend() const { return backend_; }
+    /// As MapFunction. Throws Error for a channel that is not known.
+    bool write(const MapRequest& request, ThreadPool& pool);
+
+  private:
+    Backend backend_;
+    std::span<const ChannelInfo> further_;
+    MapFunction maps_;
+    // Of the channels without code; kept, so that frames allocate nothing.
+    LinearPlanes<float> planes_;
+    std::vector<MapOutput> outputs_;
+};
+
+}  // namespace ocean

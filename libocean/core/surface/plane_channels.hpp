@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Channels by their rows of the table, from planes of their linear fields: how the references make
+// every channel, and how any backend's planes become one that it has no code for.
+#pragma once
+
+#include <span>
+
+#include "ocean/backend.hpp"
+#include "ocean/surface.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// Writes every output of the request, in the precision of the planes, rounded once at the end.
+/// `further`: the rows of the host's channels.
+template <typename Real>
+void write_channels(const LinearPlanes<Real>& planes, const MapRequest& request,
+                    std::span<const ChannelInfo> further, ThreadPool& pool);
+
+extern template void write_channels(const LinearPlanes<float>&, const MapRequest&,
+                                    std::span<const ChannelInfo>, ThreadPool&);
+extern template void write_channels(const LinearPlanes<double>&, const MapRequest&,
+                                    std::span<const ChannelInfo>, ThreadPool&);
+
+}  // namespace ocean

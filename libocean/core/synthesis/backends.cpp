@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The backends of core, in one table.
+#include "ocean/backend.hpp"
+
+#include <string>
+
+#include "kernel/cpu_backend.hpp"
+#include "ocean/error.hpp"
+#include "surface/plane_channels.hpp"
+#include "synthesis/synthesis.hpp"
+
+namespace ocean {
+
+MapModes map_modes(const Modes& modes, double time, int resolution) {
+    return {modes.cascades,    modes.lattice.period, 1,         modes.tau(time),
+            modes.rate_unit(), modes.revision,       resolution};
+}
+
+MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution) {
+    const CascadeModes& own = modes.cascades[cascade];
+    return {{&own, 1},         own.lattice.period, own.divisor, modes.tau(time),
+            modes.rate_unit(), modes.revision,     resolution};
+}
+
+namespace {
+
+constexpr ChannelSet kAll = [] {
+    ChannelSet all;
+    for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
+    return all;
+}();
+
+/// A reference makes planes of all that the channels may be made of, and keeps nothing.
+template <auto kSynthesize>
+MapFunction start_reference() {
+    return [](const MapRequest& request, ThreadPool& pool) {
+        const LinearSet fields =
+            fields_of(request.outputs) | fields_of(channels_of(request.outputs));
+        write_channels(kSynthesize(request.modes, fields, pool), request, {}, pool);
+        return false;
+    };
+}
+
+}  // namespace
+
+constexpr Backend Backend::cpu = {"cpu", kCpuChannels, start_cpu};
+constexpr Backend Backend::radix2 = {"radix2", kAll, start_reference<synthesize_radix2>};
+constexpr Backend Backend::dft = {"dft", kAll, start_reference<synthesize_dft>};
+
+std::span<const Backend> core_backends() {
+    static constexpr Backend kBackends[] = {Backend::cpu, Backend::radix2, Backend::dft};
+    return kBackends;
+}
+
+const Backend& find_backend(std::string_view name) {
+    std::string known;
+    for (const Backend& backend : core_backends()) {
+        if (backend.name == name) return backend;
+        known += (known.empty() ? "" : ", ") + std::string(backend.name);
+    }
+    if (name == "gl") {
+        throw Error(ErrorKind::unsupported,
+                    "backend gl comes with a later version of libocean; use cpu");
+    }
+    throw Error(ErrorKind::invalid_value,
+                "unknown backend '" + std::string(name) + "'; known: " + known);
+}
+
+}  // namespace ocean

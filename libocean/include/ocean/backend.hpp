@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Backends: what makes the maps of one time out of the modes. A backend is a value, its name and
+// one function; core has three, and a library above core adds its own without core knowing it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "ocean/foam_layer.hpp"
+#include "ocean/map_output.hpp"
+#include "ocean/modes.hpp"
+
+namespace ocean {
+
+class ThreadPool;
+
+/// The modes of a map at one time: those of a whole sea, or of one of its cascades over its own
+/// period.
+struct MapModes {
+    std::span<const CascadeModes> cascades;
+    double period = 0.0;         // of the map, m
+    int divisor = 1;             // patch_size / period
+    double tau = 0.0;            // of Modes
+    double rate_unit = 1.0;      // of Modes
+    std::uint64_t revision = 0;  // of Modes
+    int resolution = 0;          // of the map; may be more or less than that of the modes
+
+    double wavenumber_step() const { return kTwoPi / period; }
+    /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
+    int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
+    /// The map holds the modes -half + 1 .. half - 1 of a cascade along each axis.
+    int half(const CascadeModes& cascade) const {
+        const int below_nyquist = (resolution / 2 - 1) / stride(cascade) + 1;
+        return std::min(cascade.lattice.resolution / 2, below_nyquist);
+    }
+    /// Of the map itself: its modes beyond -half_band + 1 .. half_band - 1 are zero.
+    int half_band() const {
+        int half_band = 0;
+        for (const CascadeModes& cascade : cascades) {
+            half_band = std::max(half_band, (half(cascade) - 1) * stride(cascade) + 1);
+        }
+        return half_band;
+    }
+};
+
+/// All modes of a sea.
+MapModes map_modes(const Modes& modes, double time, int resolution);
+/// Those of one of its cascades.
+MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution);
+
+/// What a backend is asked for: maps of one time.
+struct MapRequest {
+    MapModes modes;
+    SurfaceSettings settings;  // the choppiness; for whitecaps as from with_threshold
+    std::span<const MapOutput> outputs;
+    FoamLayer foam;
+};
+
+/// Writes the outputs. It may keep what it makes of the modes for requests with the same revision
+/// of them (0 is never the same), and its arrays. Returns whether it had to make anything of the
+/// modes. One call at a time; copies of it run in parallel, share what they keep and change it for
+/// themselves alone.
+using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
+
+struct Backend {
+    std::string_view name;
+    /// The channels that it makes itself. Others are made, by their formulas, of the linear fields,
+    /// which every backend writes.
+    ChannelSet makes;
+    MapFunction (*start)() = nullptr;
+
+    bool operator==(const Backend& other) const { return name == other.name; }
+
+    static const Backend cpu;     // the default: half spectrum, vectorised, on all threads
+    static const Backend radix2;  // full complex transforms in float, one field at a time: to read
+    static const Backend dft;     // direct sums along each axis in double: the judge. N^3 work
+};
+
+/// cpu, radix2, dft.
+std::span<const Backend> core_backends();
+/// One of those by name. Throws Error; "gl" is not in this version.
+const Backend& find_backend(std::string_view name);
+
+}  // namespace ocean

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Channels: the scalar maps of a surface. One table says of each its name, its unit, and what it is
+// made of; another which of them a user asks for under one name. Whoever needs to know what a
+// channel is made of (planner, kernel, references, estimates, hosts) asks the table.
+//
+// A new channel is an enumerator and a row here, an enumerator of libocean.h with its line in
+// capi/evaluate.cpp, and a name in python/libocean/_sea.py: what is left out does not compile, or
+// fails tests/python/wrapper_test.py. It needs nothing in the kernel, which may have faster code.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace ocean {
+
+/// Fields that are sums over the modes. D is the horizontal displacement at choppiness 1 (towards
+/// -D), rates are per second.
+enum class Linear : int {
+    height,
+    displacement_x,
+    displacement_y,
+    slope_x,
+    slope_y,
+    gradient_xx,  // dDx/dx
+    gradient_yy,
+    gradient_xy,
+    height_rate,
+    displacement_x_rate,
+    displacement_y_rate,
+};
+inline constexpr int kLinearCount = 11;
+inline constexpr auto kLinears = [] {
+    std::array<Linear, kLinearCount> all{};
+    for (int i = 0; i < kLinearCount; ++i) {
+        all[static_cast<std::size_t>(i)] = static_cast<Linear>(i);
+    }
+    return all;
+}();
+
+/// One scalar map. The order is that of the C API's enum.
+enum class Channel : int {
+    dx,
+    dy,
+    height,
+    nx,
+    ny,
+    nz,
+    slope_x,
+    slope_y,
+    jacobian,
+    whitecap,
+    foam,
+    vx,
+    vy,
+    vz,
+};
+inline constexpr int kChannelCount = 14;
+
+/// With those that a host adds (OceanOptions::channels): Channel(kChannelCount + i) is its row i.
+inline constexpr int kMostChannels = 32;
+
+/// A set of channels or of linear fields.
+template <typename Value>
+class SetOf {
+  public:
+    constexpr SetOf() = default;
+    constexpr SetOf(Value value) : bits_(bit(value)) {}
+    constexpr SetOf(std::initializer_list<Value> values) {
+        for (const Value value : values) bits_ |= bit(value);
+    }
+    constexpr bool contains(Value value) const { return (bits_ & bit(value)) != 0; }
+    constexpr bool contains(SetOf other) const { return (other.bits_ & ~bits_) == 0; }
+    constexpr bool intersects(SetOf other) const { return (bits_ & other.bits_) != 0; }
+    constexpr SetOf operator|(SetOf other) const { return SetOf(bits_ | other.bits_); }
+    constexpr SetOf without(SetOf other) const { return SetOf(bits_ & ~other.bits_); }
+    constexpr bool empty() const { return bits_ == 0; }
+    constexpr int size() const {
+        int n = 0;
+        for (std::uint64_t b = bits_; b != 0; b &= b - 1) ++n;
+        return n;
+    }
+    constexpr bool operator==(const SetOf&) const = default;
+
+  private:
+    constexpr explicit SetOf(std::uint64_t bits) : bits_(bits) {}
+    /// The last bit stands for every value that no set has room for, so that none goes unnoticed.
+    static constexpr std::uint64_t bit(Value value) {
+        const int index = static_cast<int>(value);
+        return std::uint64_t{1} << (index >= 0 && index < kMostChannels ? index : 63);
+    }
+    std::uint64_t bits_ = 0;
+};
+using ChannelSet = SetOf<Channel>;
+using LinearSet = SetOf<Linear>;
+
+/// One sample, as a channel's formula sees it: what the row leaves out is not a number.
+template <typename Real>
+struct SurfacePoint {
+    std::array<Real, kLinearCount> field{};  // of a flat surface those that fall out are 0
+    Real choppiness{};
+    Real foam_threshold{};    // the Jacobian where whitecaps begin
+    Real foam_width{};        // and how much lower they are whole
+    float foam_left = 0.0f;   // of earlier foam
+    float foam_least = 0.0f;  // below it there is none
+
+    constexpr Real operator[](Linear linear) const {
+        return field[static_cast<std::size_t>(linear)];
+    }
+};
+
+/// A formula in both precisions: that of the fast backend, and that of the judge.
+struct ChannelFormula {
+    using InFloat = float (*)(const SurfacePoint<float>&);
+    using InDouble = double (*)(const SurfacePoint<double>&);
+
+    InFloat in_float = nullptr;
+    InDouble in_double = nullptr;
+
+    constexpr ChannelFormula() = default;
+    constexpr ChannelFormula(InFloat f, InDouble d) : in_float(f), in_double(d) {}
+    /// [](const auto& point) { return point[Linear::slope_x] * point[Linear::slope_x]; }
+    template <typename Function>
+    constexpr ChannelFormula(Function function) : in_float(function), in_double(function) {}
+
+    constexpr bool empty() const { return in_float == nullptr; }
+    constexpr float operator()(const SurfacePoint<float>& point) const { return in_float(point); }
+    constexpr double operator()(const SurfacePoint<double>& point) const {
+        return in_double(point);
+    }
+};
+
+/// What a formula reads of the foam: nothing, the threshold and width of the whitecaps, or what is
+/// left of the past as well.
+enum class FoamUse { none, threshold, past };
+
+/// A row of the table: a multiple of one linear field, or a formula of several.
+struct ChannelInfo {
+    enum class Factor { one, minus_choppiness };
+
+    std::string_view name;
+    std::string_view unit;
+    LinearSet choppy;  // the fields it is made of
+    LinearSet flat;    // and those that are left of them where the choppiness is 0
+    Linear field{};    // of a multiple
+    Factor factor{};
+    ChannelFormula formula;  // empty: a multiple
+    FoamUse foam{};
+
+    constexpr ChannelInfo() = default;
+    constexpr ChannelInfo(std::string_view channel, std::string_view its_unit, Linear of,
+                          Factor times = Factor::one)
+        : name(channel), unit(its_unit), choppy{of}, flat{of}, field(of), factor(times) {}
+    constexpr ChannelInfo(std::string_view channel, std::string_view its_unit, LinearSet of,
+                          LinearSet of_when_flat, ChannelFormula of_these,
+                          FoamUse of_foam = FoamUse::none)
+        : name(channel),
+          unit(its_unit),
+          choppy(of),
+          flat(of_when_flat),
+          formula(of_these),
+          foam(of_foam) {}
+
+    constexpr bool is_multiple() const { return formula.empty(); }
+    template <typename Real>
+    constexpr Real times(Real choppiness) const {
+        return factor == Factor::one ? Real(1) : -choppiness;
+    }
+};
+
+/// The formulas of shaders/wave/surface.glsl.
+namespace channel_formula {
+template <typename Real>
+Real normal_x(const SurfacePoint<Real>& point);
+template <typename Real>
+Real normal_y(const SurfacePoint<Real>& point);
+template <typename Real>
+Real normal_z(const SurfacePoint<Real>& point);
+template <typename Real>
+Real jacobian_of(const SurfacePoint<Real>& point);
+template <typename Real>
+Real whitecap_of(const SurfacePoint<Real>& point);
+template <typename Real>
+Real foam_of(const SurfacePoint<Real>& point);
+}  // namespace channel_formula
+
+namespace detail {
+
+inline constexpr LinearSet kSlopes = {Linear::slope_x, Linear::slope_y};
+inline constexpr LinearSet kGradients = {Linear::gradient_xx, Linear::gradient_yy,
+                                         Linear::gradient_xy};
+
+constexpr ChannelInfo normal(std::string_view name, ChannelFormula formula) {
+    return {name, "", kSlopes | kGradients, kSlopes, formula};
+}
+constexpr ChannelInfo squeezed(std::string_view name, ChannelFormula formula,
+                               FoamUse foam = FoamUse::none) {
+    return {name, "", kGradients, {}, formula, foam};
+}
+
+}  // namespace detail
+
+/// The table, in the order of the enumerators.
+inline constexpr auto kChannels = [] {
+    using enum Channel;
+    using enum ChannelInfo::Factor;
+    using namespace channel_formula;
+    constexpr std::pair<Channel, ChannelInfo> kRows[] = {
+        // The offset of the displaced point.
+        {dx, {"dx", "m", Linear::displacement_x, minus_choppiness}},
+        {dy, {"dy", "m", Linear::displacement_y, minus_choppiness}},
+        {height, {"height", "m", Linear::height}},
+        // The unit normal of the displaced surface.
+        {nx, detail::normal("nx", {normal_x, normal_x})},
+        {ny, detail::normal("ny", {normal_y, normal_y})},
+        {nz, detail::normal("nz", {normal_z, normal_z})},
+        // dh/dx by label, before displacement.
+        {slope_x, {"slope_x", "", Linear::slope_x}},
+        {slope_y, {"slope_y", "", Linear::slope_y}},
+        {jacobian, detail::squeezed("jacobian", {jacobian_of, jacobian_of})},
+        {whitecap, detail::squeezed("whitecap", {whitecap_of, whitecap_of}, FoamUse::threshold)},
+        {foam, detail::squeezed("foam", {foam_of, foam_of}, FoamUse::past)},
+        // d/dt of the displaced point at a fixed label.
+        {vx, {"vx", "m/s", Linear::displacement_x_rate, minus_choppiness}},
+        {vy, {"vy", "m/s", Linear::displacement_y_rate, minus_choppiness}},
+        {vz, {"vz", "m/s", Linear::height_rate}},
+    };
+    std::array<ChannelInfo, kChannelCount> table{};
+    for (const auto& [channel, info] : kRows) table[static_cast<std::size_t>(channel)] = info;
+    return table;
+}();
+static_assert(std::ranges::none_of(kChannels, &std::string_view::empty, &ChannelInfo::name),
+              "a channel without a row");
+static_assert(kChannelCount <= kMostChannels);
+
+/// The channel's row. `further`: those of the host. Throws Error for a channel that has none.
+const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> further = {});
+/// Throws the same if one of them has none.
+void require_channels(ChannelSet channels, std::span<const ChannelInfo> further = {});
+/// The linear fields that the channels are made of.
+LinearSet fields_of(ChannelSet channels, bool flat = false,
+                    std::span<const ChannelInfo> further = {});
+
+/// The most that any of them reads.
+FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further = {});
+
+/// What users ask for by name: a channel, or the components of a vector.
+struct Product {
+    std::string_view name;
+    std::array<Channel, 3> channels;  // the first `count` hold
+    int count;
+    std::string_view unit;
+
+    constexpr ChannelSet set() const {
+        ChannelSet result;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            result = result | channels[i];
+        }
+        return result;
+    }
+};
+
+namespace detail {
+
+constexpr Product product(std::string_view name, std::initializer_list<Channel> channels) {
+    Product result{name, {}, static_cast<int>(channels.size()), {}};
+    std::copy(channels.begin(), channels.end(), result.channels.begin());
+    result.unit = kChannels[static_cast<std::size_t>(result.channels[0])].unit;
+    return result;
+}
+
+}  // namespace detail
+
+inline constexpr auto kProducts = [] {
+    using enum Channel;
+    return std::to_array<Product>({
+        detail::product("height", {height}),
+        detail::product("displacement", {dx, dy, height}),
+        detail::product("slope", {slope_x, slope_y}),
+        detail::product("normal", {nx, ny, nz}),
+        detail::product("jacobian", {jacobian}),
+        detail::product("whitecap", {whitecap}),
+        detail::product("foam", {foam}),
+        detail::product("velocity", {vx, vy, vz}),
+    });
+}();
+
+namespace detail {
+
+/// Every channel is in a product, a product of one channel has its name, and units are those of all
+/// components.
+constexpr bool products_fit_channels() {
+    ChannelSet all;
+    for (const Product& product : kProducts) {
+        all = all | product.set();
+        for (std::size_t i = 0; i < static_cast<std::size_t>(product.count); ++i) {
+            const ChannelInfo& info = kChannels[static_cast<std::size_t>(product.channels[i])];
+            if (info.unit != product.unit) return false;
+            if (product.count == 1 && info.name != product.name) return false;
+        }
+    }
+    return all.size() == kChannelCount;
+}
+static_assert(products_fit_channels());
+
+}  // namespace detail
+
+/// height, displacement, slope, normal, jacobian, whitecap, foam, velocity.
+std::span<const Product> product_table();
+/// Throws Error invalid_value for an unknown name, which lists those that there are.
+const Product& find_product(std::string_view name);
+const Product& find_product(std::string_view name, std::span<const Product> products);
+
+}  // namespace ocean
