@@ -36,7 +36,7 @@ def _parts() -> list:
     from . import (
         bake,
         floating,
-        live,
+        handlers,
         manual,
         material,
         operators,
@@ -53,7 +53,7 @@ def _parts() -> list:
         records,
         bake,
         panels,
-        live,
+        handlers,
         floating,
         manual,
     ]

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import bpy
 
-from . import baked_nodes, exr_files, node_group, properties, sea_text
+from . import baked_nodes, changes, exr_files, node_group, parameter_values, sea_text
 from .compat import tr
 
 # Names of the fields in files, by those of the node group's inputs.
@@ -83,7 +83,7 @@ def others_in(ob, path: Path) -> list:
 def recipe(settings, values: sea_text.SeaValues) -> str:
     """A short text that is another one where the sea shown at a frame is."""
     time = settings.custom_time if settings.use_custom_time else None
-    text = sea_text.write(properties.TABLE, values)
+    text = sea_text.write(parameter_values.TABLE, values)
     whole = f"{time} {settings.render_resolution}\n{text}"
     return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
@@ -186,7 +186,7 @@ def follow(ob) -> bool:
     live to baked or back."""
     settings = ob.libocean
     if settings.use_bake and not exists(ob):
-        with properties.quiet():
+        with changes.quiet():
             settings.use_bake = False
     modifiers = node_group.modifiers(ob)
     changed = [m for m in modifiers if node_group.is_baked(m.node_group) != settings.use_bake]

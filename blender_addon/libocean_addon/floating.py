@@ -15,7 +15,7 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from . import live, node_group, properties
+from . import changes, live, node_group
 from .compat import tr
 
 
@@ -24,7 +24,7 @@ def _is_ocean(_self, ob) -> bool:
 
 
 def _changed(self, context) -> None:
-    if not properties.is_quiet() and self.ocean is not None:
+    if not changes.is_quiet() and self.ocean is not None:
         ride(self.id_data, None, live.Moment(context.scene, rendering=False))
 
 
@@ -206,7 +206,7 @@ class AddFloat(bpy.types.Operator):
                 ob.rotation_mode = "QUATERNION"
                 self.report({"INFO"}, tr("{} turns by quaternions now", ob.name))
             settings = ob.libocean_float
-            with properties.quiet():
+            with changes.quiet():
                 settings.length, settings.width = ob.dimensions.xy
                 settings.ocean = ocean
             ride(ob, None, live.Moment(context.scene, rendering=False))
@@ -234,7 +234,7 @@ class RemoveFloat(_OnFloating, bpy.types.Operator):
     def execute(self, context):
         for ob in context.selected_objects:
             _free(ob)
-            with properties.quiet():
+            with changes.quiet():
                 ob.libocean_float.ocean = None
         return {"FINISHED"}
 

@@ -1,28 +1,25 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seas that are kept open, one for each object, and the filling of the images that show them.
+"""What an object with an ocean shows is brought up to date.
 
     parameters (evaluated: keyframes and drivers count) + time -> libocean -> float images -> nodes
 
 Blender's data is never held from call to call: objects are found anew, by the node groups that they
-use, and seas by the names of their objects. Objects that play a bake are left alone.
+use, and seas (open_sea) by the names of their objects. Objects that play a bake are left alone.
+handlers and the properties' listener call it.
 """
 
 from __future__ import annotations
 
 import contextlib
 import dataclasses
-import threading
 from collections.abc import Callable, Iterator
 
 import bpy
-import numpy as np
-from bpy.app.handlers import persistent
 
-from . import atlas, baked, compat, images, meshes, node_group, properties, sea_text
+from . import atlas, baked, images, meshes, node_group, parameter_values, sea_text
 from .native import libocean
-
-CHANNELS = atlas.FINEST
+from .open_sea import OpenSea, sea_of
 
 # Of a sea at rest.
 BLANKS = {
@@ -31,135 +28,8 @@ BLANKS = {
     "Normal": (0.0, 0.0, 1.0, 0.0),
 }
 
-
-# One open sea -----------------------------------------------------------------
-
-
-class OpenSea:
-    """The library's sea of one object, its buffers, and what was shown last."""
-
-    def __init__(self) -> None:
-        self.lock = threading.Lock()  # renders run in a thread of their own
-        self.sea = None
-        self.values: sea_text.SeaValues | None = None
-        self.changes = 0
-        self.state: dict | None = None  # read_state()
-        self.point_sea = None
-        self.point_changes = 0
-        self.buffers: dict[tuple[str, int], np.ndarray] = {}
-        self.shown: dict[str, tuple] = {}  # by image: what it holds
-
-    def follow(self, values: sea_text.SeaValues) -> None:
-        """Makes it the sea of these values. Raises libocean.Error and stays what it was."""
-        if values == self.values:
-            return
-        if self.sea is None or values.structure() != self.values.structure():
-            self._open(values)
-        else:
-            before = self.values.by_name()
-            try:
-                for name, text in values.by_name().items():
-                    if before[name] != text:
-                        self.sea.set(name, text)
-            except libocean.Error:
-                # One after the other is not always allowed where all together are.
-                self._open(values)
-        self.values = values
-        self.state = None
-        self.changes += 1
-
-    def _open(self, values: sea_text.SeaValues) -> None:
-        text = sea_text.write(properties.TABLE, values)
-        opened = libocean.parse(text, base_dir=bpy.path.abspath("//") or None)
-        if self.sea is not None:
-            self.sea.close()
-        self.sea = opened
-
-    def for_points(self):
-        """The same sea in another handle: maps and points at the same time would each undo what
-        the library keeps for the other."""
-        if self.point_sea is None or self.point_changes != self.changes:
-            if self.point_sea is not None:
-                self.point_sea.close()
-            self.point_sea = libocean.parse(self.sea.text)
-            self.point_changes = self.changes
-        return self.point_sea
-
-    def buffer(self, name: str, size: int) -> np.ndarray:
-        """What goes into an image for maps of size x size samples."""
-        if (name, size) not in self.buffers:
-            # Of one size for the viewport and one for renders.
-            kept = {s for _, s in self.buffers} - {size}
-            if len(kept) > 1:
-                self.buffers.clear()
-            shape = (size, size) if name in CHANNELS else atlas.shape(size)
-            self.buffers[name, size] = images.aligned(shape)
-        return self.buffers[name, size]
-
-    def read_state(self) -> dict:
-        if self.state is None:
-            self.state = self.sea.state
-        return self.state
-
-    def show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
-        """Fills these images, by the inputs of the node group, with the maps of `time`."""
-        with self.lock:
-            self._show(time, size, targets)
-
-    def _show(self, time: float, size: int, targets: dict[str, bpy.types.Image]) -> None:
-        for image in targets.values():
-            if images.let_go(image):
-                self.shown.pop(image.name_full, None)
-        state = (self.changes, time, size)
-        stale = {
-            name: image
-            for name, image in targets.items()
-            if self.shown.get(image.name_full) != state
-        }
-        if not stale:
-            return
-        far = [field for field in CHANNELS if node_group.far_image(field) in stale]
-        fields = [field for field in CHANNELS if field in stale or field in far]
-        self.sea.fill(time, [(self.buffer(field, size), CHANNELS[field]) for field in fields])
-        if far:
-            if "Normal" in far:
-                self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)
-            finest = {field: self.buffer(field, size) for field in far}
-            atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
-            atlas.fill(self.sea, time, size, finest, atlases, self.read_state())
-        for name, image in stale.items():
-            pixels = self.buffer(name, size)
-            images.resize(image, pixels.shape[:2])
-            images.fill(image, pixels)
-            self.shown[image.name_full] = state
-
-    def close(self) -> None:
-        for handle in (self.sea, self.point_sea):
-            if handle is not None:
-                handle.close()
-
-
-_seas: dict[str, OpenSea] = {}
-
 followers: list[Callable[[object, Moment], None]] = []
 """Called with the depsgraph, or None, and the moment after the seas of a scene were shown."""
-
-
-def sea_of(ob) -> OpenSea:
-    return _seas.setdefault(ob.name_full, OpenSea())
-
-
-def forget(names: set[str]) -> None:
-    """After undo and loading: what images hold is not known any more, and of the seas there are
-    those of the objects with these names."""
-    for name in list(_seas):
-        if name in names:
-            _seas[name].shown.clear()
-        else:
-            _seas.pop(name).close()
-
-
-# Objects ----------------------------------------------------------------------
 
 
 def ocean_objects() -> list[bpy.types.Object]:
@@ -197,7 +67,7 @@ def frame_rate(scene) -> float:
 
 
 def current_values(settings, scene) -> sea_text.SeaValues:
-    values = properties.values_of(settings)
+    values = parameter_values.values_of(settings)
     if settings.use_scene_frame_rate:
         rate = frame_rate(scene)
         values.values["fps"] = repr(rate)
@@ -387,93 +257,3 @@ def state_of(ob) -> list[tuple[str, str]] | None:
         ("Energy resolved", f"{state['energy_resolved']:.1%}"),
         ("Shortest wave", metres(state["map_shortest_wave"])),
     ]
-
-
-# Handlers ---------------------------------------------------------------------
-
-_locked_by_us: set[str] = set()  # scenes
-
-
-def _own_images(oceans: list[bpy.types.Object]) -> None:
-    """A copy of an object shows images of its own."""
-    owners: dict[str, str] = {}
-    for ob in oceans:
-        for modifier in node_group.live_modifiers(ob):
-            for name in node_group.image_inputs(modifier.node_group):
-                image = node_group.value(modifier, name)
-                if image is None:
-                    continue
-                if owners.setdefault(image.name_full, ob.name_full) != ob.name_full:
-                    node_group.assign(modifier, {name: None})
-
-
-@persistent
-def _frame_changed(scene, depsgraph=None) -> None:
-    rendering = depsgraph is not None and depsgraph.mode == "RENDER"
-    show_all(ocean_objects(), scene, depsgraph, rendering=rendering)
-
-
-@persistent
-def _depsgraph_updated(scene, depsgraph) -> None:
-    if depsgraph.mode == "RENDER":
-        return
-    if any(isinstance(update.id, bpy.types.Object) for update in depsgraph.updates):
-        oceans = ocean_objects()
-        _own_images(oceans)
-        show_all(oceans, scene, depsgraph)
-
-
-@persistent
-def _data_replaced(*_) -> None:
-    oceans = ocean_objects()
-    forget({ob.name_full for ob in oceans})
-    show_all(oceans, bpy.context.scene)
-
-
-@persistent
-def _lock_interface(scene, *_) -> None:
-    """Blender may not draw what a render in another thread rewrites."""
-    if ocean_objects() and not scene.render.use_lock_interface:
-        scene.render.use_lock_interface = True
-        _locked_by_us.add(scene.name_full)
-
-
-@persistent
-def _unlock_interface(scene, *_) -> None:
-    if scene.name_full in _locked_by_us:
-        _locked_by_us.remove(scene.name_full)
-        scene.render.use_lock_interface = False
-
-
-_HANDLERS = {
-    "frame_change_post": _frame_changed,
-    "depsgraph_update_post": _depsgraph_updated,
-    "load_post": _data_replaced,
-    "undo_post": _data_replaced,
-    "redo_post": _data_replaced,
-    "render_init": _lock_interface,
-    "render_complete": _unlock_interface,
-    "render_cancel": _unlock_interface,
-}
-
-
-def _remove_handlers() -> None:
-    for name, handler in _HANDLERS.items():
-        handlers = getattr(bpy.app.handlers, name)
-        if handler in handlers:
-            handlers.remove(handler)
-
-
-def register() -> None:
-    for name, handler in _HANDLERS.items():
-        getattr(bpy.app.handlers, name).append(handler)
-    properties.listener = parameters_changed
-    compat.remove_handlers_at_exit(_remove_handlers)
-
-
-def unregister() -> None:
-    _remove_handlers()
-    properties.listener = None
-    for sea in _seas.values():
-        sea.close()
-    _seas.clear()

@@ -8,7 +8,7 @@ import bpy
 from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import live, material, node_group, properties, sea_text
+from . import changes, live, material, node_group, parameter_values, sea_text
 from .compat import tr
 from .native import libocean
 
@@ -23,7 +23,7 @@ PRESETS = [
 
 def take_over(ob, sea) -> None:
     """Puts an open sea into an object."""
-    properties.assign(ob.libocean, sea_text.read(properties.TABLE, sea))
+    parameter_values.assign(ob.libocean, sea_text.read(parameter_values.TABLE, sea))
 
 
 def add_modifier(ob, kind: str = "MESH"):
@@ -84,13 +84,13 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
 
     def execute(self, context):
         with libocean.preset(self.preset) as sea:
-            values = sea_text.read(properties.TABLE, sea)
+            values = sea_text.read(parameter_values.TABLE, sea)
         mesh = bpy.data.meshes.new("Ocean")
         ob = object_utils.object_data_add(context, mesh, operator=self)
         add_modifier(ob, self.kind)
-        with properties.quiet():
+        with changes.quiet():
             ob.libocean.kind = self.kind
-        properties.assign(ob.libocean, values)
+        parameter_values.assign(ob.libocean, values)
         if self.use_material:
             material.assign(ob, material.make(self.water_type))
         return {"FINISHED"}
@@ -157,7 +157,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
     def execute(self, context):
         values = live.current_values(context.object.libocean, context.scene)
         try:
-            with libocean.parse(sea_text.write(properties.TABLE, values)) as sea:
+            with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
                 text = sea.text
             with open(bpy.path.abspath(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
@@ -191,10 +191,10 @@ class AddWaves(OnOcean, bpy.types.Operator):
 
     def execute(self, context):
         settings = context.object.libocean
-        with properties.quiet():
+        with changes.quiet():
             settings.waves.add().spectrum = "jonswap"
             settings.active_wave = len(settings.waves) - 1
-        properties.tell(context.object)
+        changes.tell(context.object)
         return {"FINISHED"}
 
 
@@ -212,7 +212,7 @@ class RemoveWaves(OnOcean, bpy.types.Operator):
             return {"CANCELLED"}
         settings.waves.remove(settings.active_wave)
         settings.active_wave = min(settings.active_wave, len(settings.waves) - 1)
-        properties.tell(context.object)
+        changes.tell(context.object)
         return {"FINISHED"}
 
 

@@ -8,12 +8,13 @@ import bpy
 
 from . import (
     bake,
+    bake_state,
     baked,
     live,
     material,
     node_group,
     operators,
-    properties,
+    parameter_values,
     records,
     sea_text,
     translations,
@@ -32,7 +33,7 @@ def is_used(group, entry) -> bool:
     """Whether the spectrum, say, that is chosen has this parameter."""
     chosen = {
         getattr(group, other["key"])
-        for other in properties.TABLE
+        for other in parameter_values.TABLE
         if other["section"] == entry["section"] and other["type"] == "enum"
     }
     return "used_by" not in entry or not chosen.isdisjoint(entry["used_by"])
@@ -53,7 +54,7 @@ def _draw_parameter(layout, group, entry) -> None:
 
 
 def _draw_section(layout, settings, section: str) -> None:
-    for entry in properties.entries(waves=False):
+    for entry in parameter_values.entries(waves=False):
         if entry["section"] == section:
             _draw_parameter(layout, settings, entry)
 
@@ -134,7 +135,7 @@ class WavesPanel(_Panel, bpy.types.Panel):
         system = settings.waves[settings.active_wave]
         layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
         layout.use_property_split = True
-        for entry in properties.entries(waves=True):
+        for entry in parameter_values.entries(waves=True):
             _draw_parameter(layout, system, entry)
 
 
@@ -211,7 +212,7 @@ class BakePanel(_Panel, bpy.types.Panel):
         row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
         row.operator(bake.FreeBake.bl_idname, text="Free")
         row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
-        for text, icon in bake.state(ob, context.scene):
+        for text, icon in bake_state.state(ob, context.scene):
             layout.label(text=text, icon=icon, translate=False)
 
 

@@ -13,7 +13,7 @@ import os
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from . import live, operators, properties, sea_text
+from . import live, operators, parameter_values, sea_text
 from .native import libocean
 
 
@@ -107,13 +107,13 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
         ob = context.object
         settings = ob.libocean
         number = min(settings.active_wave, len(settings.waves) - 1)
-        values = properties.values_of(settings)
+        values = parameter_values.values_of(settings)
         system = values.waves[number]
         system.record = ""
         system.values.update(spectrum="measured", file=path, record=self.record, place=self.place)
         # The measured mean, height and period, not those of the waves before.
         system.values.update(wind_direction="", significant_wave_height="", peak_period="")
-        with libocean.parse(sea_text.write(properties.TABLE, values)) as sea:
+        with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
             operators.take_over(ob, sea)
         settings.active_wave = number
         live.parameters_changed(ob)

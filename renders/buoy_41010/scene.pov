@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sea of one frame under an afternoon sky. "sea_0001.inc" lies beside this file and declares
-// the surface and the camera that it was made for. Lengths are metres, x east, y up, z north.
-//   povray scene.pov +W1280 +H720 +AM2 +A0.05 +R3
+// The sea of one frame under an afternoon sky. "sea_0001.inc" declares the surface and the camera
+// that it was made for. Lengths are metres, x east, y up, z north.
+//   scripts/pictures buoy_41010/buoy_41010.jpg
 #version 3.7;
 #include "sea_0001.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 6 }

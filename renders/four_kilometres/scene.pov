@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One whole period of 4 km from straight above: what repeats would show here. Beside this file lie
-// the heights and the whitecaps of one frame. Lengths are metres, x east, y up, z north; north is
-// up in the picture.
-//   povray scene.pov +Ofour_kilometres.jpg +FJ +W1200 +H1200 +AM2 +A0.1 +R2
+// One whole period of 4 km from straight above: what repeats would show here, from the
+// heights and the whitecaps of one frame. Lengths are metres, x east, y up, z north; north is up in
+// the picture.
+//   scripts/pictures four_kilometres/four_kilometres.jpg
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 

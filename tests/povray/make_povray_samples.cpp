@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes what test_povray.py renders: make_povray_samples FOLDER. Six sine waves of known height,
+// Writes what test_baked_files.py renders: make_povray_samples FOLDER. Six sine waves of known height,
 // flat and choppy, as a height_field and as patch meshes.
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 constexpr int kSamples = 128;
 constexpr double kPeriod = 100.0;
 
-// Waves per period in x and y, amplitude in metres, phase. test_povray.py has the same table.
+// Waves per period in x and y, amplitude in metres, phase. test_baked_files.py has the same table.
 struct Wave {
     int n, m;
     double amplitude, phase;

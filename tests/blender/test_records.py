@@ -6,7 +6,7 @@ from pathlib import Path
 
 import bpy
 import pytest
-from libocean_addon import live, properties, records
+from libocean_addon import open_sea, parameter_values, records
 from libocean_addon.bundled import libocean
 
 SPECTRA = Path(__file__).parents[1] / "data" / "spectra"
@@ -21,7 +21,7 @@ def ocean():
 
 
 def height_of(ob) -> float:
-    return live.sea_of(ob).sea.state["significant_wave_height"]["asked"]
+    return open_sea.sea_of(ob).sea.state["significant_wave_height"]["asked"]
 
 
 @pytest.mark.parametrize("path", [BUOY, MODEL])
@@ -57,9 +57,9 @@ def test_another_record_can_be_typed_in(ocean):
 def test_the_active_wave_system_alone_becomes_the_record(ocean):
     bpy.ops.libocean.add_waves()
     ocean.libocean.waves[1].significant_wave_height = 3.0
-    before = properties.values_of(ocean.libocean).waves[0]
+    before = parameter_values.values_of(ocean.libocean).waves[0]
     bpy.ops.libocean.pick_record(filepath=BUOY)
-    after = properties.values_of(ocean.libocean)
+    after = parameter_values.values_of(ocean.libocean)
     assert after.waves[0] == before
     assert after.waves[1].values["spectrum"] == "measured"
     assert after.waves[1].values["significant_wave_height"] == ""
@@ -84,10 +84,10 @@ def test_the_record_needs_its_file_no_more(ocean, tmp_path):
     ],
 )
 def test_what_cannot_be_read_is_refused_and_changes_nothing(ocean, arguments, sentence):
-    before = properties.values_of(ocean.libocean)
+    before = parameter_values.values_of(ocean.libocean)
     with pytest.raises(RuntimeError, match=sentence):
         bpy.ops.libocean.pick_record(**arguments)
-    assert properties.values_of(ocean.libocean) == before
+    assert parameter_values.values_of(ocean.libocean) == before
 
 
 def test_the_list_says_time_place_height_and_period():

@@ -14,12 +14,14 @@ import pytest
 from conftest import plane
 from libocean_addon import (
     bake,
+    bake_state,
     compat,
     floating,
     live,
     material,
     operators,
     panels,
+    parameter_values,
     properties,
     records,
     sea_text,
@@ -167,7 +169,7 @@ def test_panels_and_operators_have_german_names(german):
 
 
 @pytest.mark.only_reads
-@pytest.mark.parametrize("entry", properties.TABLE, ids=lambda entry: entry["key"])
+@pytest.mark.parametrize("entry", parameter_values.TABLE, ids=lambda entry: entry["key"])
 def test_blenders_own_words_do_not_come_before_the_seas(german, entry):
     found = bpy.app.translations.pgettext_iface(entry["label"], translations.SEA)
     assert found == translations.GERMAN[translations.SEA][entry["label"]]
@@ -176,7 +178,7 @@ def test_blenders_own_words_do_not_come_before_the_seas(german, entry):
 def test_the_panel_asks_for_the_seas_words():
     bpy.ops.libocean.add(use_material=False)
     settings = bpy.context.object.libocean
-    for entry in properties.TABLE:
+    for entry in parameter_values.TABLE:
         group = settings.waves[0] if entry["section"] == "waves" else settings
         layout = unittest.mock.MagicMock()
         panels._draw_parameter(layout, group, entry)
@@ -204,7 +206,7 @@ def test_an_operator_that_cannot_run_says_why_in_german(german):
 
 def test_the_state_of_a_bake_is_told_in_german(german, scene):
     bpy.ops.libocean.add(use_material=False)
-    (text, _icon) = bake.state(bpy.context.object, scene)[-1]
+    (text, _icon) = bake_state.state(bpy.context.object, scene)[-1]
     assert re.match(r"Bilder 0 bis 251 mit 512 x 512 Stützstellen: höchstens [\d.]+ GB, in ", text)
 
 

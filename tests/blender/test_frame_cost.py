@@ -8,7 +8,7 @@ import time
 import bpy
 import pytest
 from conftest import evaluated_mesh
-from libocean_addon import images, live
+from libocean_addon import images, open_sea
 
 FRAMES = range(2, 26)
 LIMIT = 0.35 if bpy.app.version < (4, 2) else 0.20
@@ -48,8 +48,8 @@ def frame_seconds(scene, ob) -> tuple[float, int]:
 
 def library_seconds(ob, side: int) -> float:
     """The library's part of such a frame, into buffers like the add-on's."""
-    sea = live.sea_of(ob).sea
-    buffers = [(images.aligned((side, side)), channels) for channels in live.CHANNELS.values()]
+    sea = open_sea.sea_of(ob).sea
+    buffers = [(images.aligned((side, side)), channels) for channels in open_sea.CHANNELS.values()]
     times = []
     for frame in FRAMES:
         start = time.perf_counter()

@@ -279,10 +279,10 @@ def test_a_horizon_plays_around_the_camera(scene, tmp_path):
 
 
 def test_nothing_is_asked_of_the_library_while_it_plays(scene, sea, monkeypatch):
-    from libocean_addon import live
+    from libocean_addon import open_sea
 
     bpy.ops.libocean.bake()
-    monkeypatch.setattr(live.OpenSea, "follow", lambda *_: pytest.fail("the sea was asked"))
+    monkeypatch.setattr(open_sea.OpenSea, "follow", lambda *_: pytest.fail("the sea was asked"))
     scene.frame_set(4)
     sea.libocean.choppiness = 0.25
     assert sea.libocean.use_bake
@@ -491,12 +491,12 @@ def test_what_the_library_refuses_is_told(sea, tmp_path):
 
 
 def test_the_panel_says_what_is_baked(scene, sea):
-    from libocean_addon import bake
+    from libocean_addon import bake_state
 
     bpy.ops.libocean.bake()
 
     def said() -> str:
-        return "\n".join(text for text, _ in bake.state(sea, scene))
+        return "\n".join(text for text, _ in bake_state.state(sea, scene))
 
     assert "6 of 6 frames" in said()
     assert "another sea" not in said()
@@ -511,7 +511,7 @@ def test_the_panel_says_what_is_baked(scene, sea):
 
 
 def test_the_panel_compares_a_keyframed_sea_at_its_frame(scene, sea):
-    from libocean_addon import bake
+    from libocean_addon import bake_state
 
     for frame, value in ((2, 0.0), (5, 1.5)):
         sea.libocean.choppiness = value
@@ -519,9 +519,9 @@ def test_the_panel_compares_a_keyframed_sea_at_its_frame(scene, sea):
     bpy.ops.libocean.bake()
     for frame in (2, 4):
         scene.frame_set(frame)
-        assert not any("another sea" in text for text, _ in bake.state(sea, scene))
+        assert not any("another sea" in text for text, _ in bake_state.state(sea, scene))
     sea.libocean.seed = 5
-    assert any("another sea" in text for text, _ in bake.state(sea, scene))
+    assert any("another sea" in text for text, _ in bake_state.state(sea, scene))
 
 
 def test_the_object_keeps_the_sea_that_its_files_name(sea, tmp_path):
@@ -540,9 +540,9 @@ def test_a_missing_package_is_told(sea, tmp_path, monkeypatch):
 
 
 def test_a_stopped_bake_keeps_what_is_finished_and_goes_on(scene, sea, tmp_path):
-    from libocean_addon import bake
+    from libocean_addon import bake_plan
 
-    planned = bake.Bake(bpy.context, sea, "//ocean_bake/Ocean/", (2, 5), overwrite=False)
+    planned = bake_plan.Bake(bpy.context, sea, "//ocean_bake/Ocean/", (2, 5), overwrite=False)
     job = planned.job
 
     def stop_after_two() -> None:
@@ -580,22 +580,22 @@ def invoke(last):
 
 
 def steps():
-    from libocean_addon import bake
+    from libocean_addon import bake, bake_state
 
     invoke(2000)
-    while bake._running.job.done < 3:
+    while bake.running.job.done < 3:
         yield
-    said["state"] = bake.state(ob, scene)[0][0]
+    said["state"] = bake_state.state(ob, scene)[0][0]
     window = bpy.context.window_manager.windows[0]
     window.event_simulate(type="ESC", value="PRESS", x=300, y=300)
     yield
     window.event_simulate(type="ESC", value="RELEASE", x=300, y=300)
-    while bake._running is not None:
+    while bake.running is not None:
         yield
     said["after_escape"] = ob.libocean.use_bake
     said["files"] = len(os.listdir(os.path.join(folder, "ocean_bake", "Ocean")))
     invoke(2)
-    while bake._running is not None:
+    while bake.running is not None:
         yield
     said["after_the_end"] = ob.libocean.use_bake
     with open(os.path.join(folder, "said.json"), "w") as file:

@@ -12,11 +12,13 @@ import pytest
 from conftest import plane
 from libocean_addon import (
     bake,
+    changes,
     floating,
     manual,
     material,
     operators,
     panels,
+    parameter_values,
     properties,
     records,
     sea_text,
@@ -33,11 +35,11 @@ def ocean():
 
 
 def text_of(ob) -> str:
-    return sea_text.write(properties.TABLE, properties.values_of(ob.libocean))
+    return sea_text.write(parameter_values.TABLE, parameter_values.values_of(ob.libocean))
 
 
 def test_every_parameter_is_a_property(ocean):
-    for entry in properties.TABLE:
+    for entry in parameter_values.TABLE:
         owner = ocean.libocean.waves[0] if entry["section"] == "waves" else ocean.libocean
         prop = owner.bl_rna.properties[entry["key"]]
         assert prop.name == entry["label"]
@@ -53,7 +55,7 @@ def test_every_parameter_is_a_property(ocean):
 
 def test_what_the_spectrum_does_not_use_is_grey(ocean):
     system = ocean.libocean.waves[0]
-    entries = {entry["key"]: entry for entry in properties.entries(waves=True)}
+    entries = {entry["key"]: entry for entry in parameter_values.entries(waves=True)}
 
     def used() -> set[str]:
         return {key for key, entry in entries.items() if panels.is_used(system, entry)}
@@ -64,7 +66,7 @@ def test_what_the_spectrum_does_not_use_is_grey(ocean):
     system.spectrum = "measured"
     assert {"file", "estimator", "wind_speed"} <= used()
     assert not {"fetch", "amplitude"} & used()
-    (threshold,) = (e for e in properties.TABLE if e["key"] == "foam_threshold")
+    (threshold,) = (e for e in parameter_values.TABLE if e["key"] == "foam_threshold")
     assert not panels.is_used(ocean.libocean, threshold)
     ocean.libocean.foam_coverage = "threshold"
     assert panels.is_used(ocean.libocean, threshold)
@@ -146,7 +148,7 @@ def test_f1_leads_to_a_section_of_the_documentation(cls):
 
 def test_every_preset_comes_back_from_properties_as_it_was(ocean):
     for preset in libocean.presets():
-        with libocean.preset(preset) as sea, properties.quiet():
+        with libocean.preset(preset) as sea, changes.quiet():
             operators.take_over(ocean, sea)
             with libocean.parse(text_of(ocean)) as again:
                 assert again.text == sea.text
@@ -169,17 +171,17 @@ def test_digits_that_a_property_cannot_hold_stay(ocean, tmp_path):
     with libocean.parse(text) as sea, libocean.parse(text_of(ocean)) as again:
         assert again.text == sea.text
     ocean.libocean.patch_size = 150.0
-    assert properties.values_of(ocean.libocean).values["patch_size"] == "150.0"
-    assert properties.values_of(ocean.libocean).values["seed"] == "4294967295"
+    assert parameter_values.values_of(ocean.libocean).values["patch_size"] == "150.0"
+    assert parameter_values.values_of(ocean.libocean).values["seed"] == "4294967295"
 
 
 def test_giving_an_optional_value_turns_it_on(ocean):
     assert not ocean.libocean.use_depth
     ocean.libocean.depth = 12.0
     assert ocean.libocean.use_depth
-    assert properties.values_of(ocean.libocean).values["depth"] == "12.0"
+    assert parameter_values.values_of(ocean.libocean).values["depth"] == "12.0"
     ocean.libocean.use_depth = False
-    assert properties.values_of(ocean.libocean).values["depth"] == "inf"
+    assert parameter_values.values_of(ocean.libocean).values["depth"] == "inf"
 
 
 def test_save_and_load(ocean, tmp_path):

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane
-from libocean_addon import properties, sea_text
+from libocean_addon import parameter_values, sea_text
 from libocean_addon.bundled import libocean
 
 
@@ -31,7 +31,9 @@ def boat(ocean):
 
 
 def sea_of(ocean):
-    return libocean.parse(sea_text.write(properties.TABLE, properties.values_of(ocean.libocean)))
+    return libocean.parse(
+        sea_text.write(parameter_values.TABLE, parameter_values.values_of(ocean.libocean))
+    )
 
 
 def assert_rides(boat, pose, tilt=True):

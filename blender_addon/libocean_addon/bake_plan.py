@@ -1,0 +1,172 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a bake of an object is to be, frame by frame, and the record of it that the object keeps.
+
+scene and parameters (here) -> bake_job (a thread) -> record, baked group (here)
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import bpy
+
+from . import bake_job, baked, changes, exr_files, live, node_group, parameter_values, sea_text
+from .compat import tr
+from .native import libocean
+
+
+class BakeError(Exception):
+    """Why nothing is baked, in a sentence."""
+
+
+def asked_range(ob, scene) -> tuple[int, int]:
+    """First and last frame of the shot."""
+    settings = ob.libocean.bake
+    if settings.use_custom_range:
+        return settings.frame_start, settings.frame_end
+    return scene.frame_start, scene.frame_end
+
+
+def with_margins(first: int, last: int) -> tuple[int, int]:
+    """The frames that have files: motion blur looks beyond the first and the last. Blender's image
+    sequences have no negative numbers."""
+    return max(first - 1, 0), last + 1
+
+
+def size_estimate(ob, resolution: int, frames: int) -> int:
+    """Bytes at most."""
+    samples = 0
+    for field in baked.wanted_fields(ob.libocean):
+        rows, columns = exr_files.shape(field, resolution)
+        samples += rows * columns * len(exr_files.channels(field))
+    return frames * 4 * samples
+
+
+def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -> None:
+    """A bake has one period and one size."""
+    names = ("patch_size", "resolution", "cascades")
+    before.add((resolution, *(values.values[name] for name in names)))
+    if len(before) > 1:
+        raise BakeError(
+            tr(
+                "The patch size, the resolution or the cascades are animated: "
+                "a bake has one of each"
+            )
+        )
+
+
+def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dict[str, str]]:
+    """What is shown at each frame, and the recipes by frame; one, by "", where all are the same."""
+    scene = context.scene
+    numbers = range(first, last + 1)
+    frames, recipes, maps = [], {}, set()
+
+    def add(number: int, at: float, settings) -> None:
+        values = live.current_values(settings, scene)
+        _require_one_map(values, settings.render_resolution, maps)
+        text = sea_text.write(parameter_values.TABLE, values)
+        frames.append(bake_job.Frame(number, live.time_at(at, settings, values), text))
+        recipes[str(number)] = baked.recipe(settings, values)
+
+    if ob.animation_data is None and baked.frame_length(scene) == 1.0:
+        for number in numbers:
+            add(number, float(number), ob.libocean)
+    else:
+        now, part = scene.frame_current, scene.frame_subframe
+        try:
+            with live.paused():
+                for number in numbers:
+                    scene.frame_set(number)
+                    seen = ob.evaluated_get(context.evaluated_depsgraph_get())
+                    add(number, scene.frame_current_final, seen.libocean)
+        finally:
+            scene.frame_set(now, subframe=part)
+    if len(set(recipes.values())) == 1:
+        recipes = {"": next(iter(recipes.values()))}
+    return frames, recipes
+
+
+def _made_folder(ob, asked: str, recipes: dict[str, str]) -> Path:
+    if asked.startswith("//") and not bpy.data.filepath:
+        raise BakeError(tr("Save the blend file first: the bake's folder is relative to it"))
+    path = baked.absolute(asked)
+    for other in baked.others_in(ob, path):
+        if json.loads(other.libocean.bake.recipes) != recipes:
+            text = tr("The bake of {} is in {}: choose another folder", other.name, asked)
+            raise BakeError(text)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as failure:
+        text = tr("The folder {} cannot be made: {}", path, failure.strerror)
+        raise BakeError(text) from failure
+    return path
+
+
+class Bake:
+    """A bake from its plan to the object's record."""
+
+    def __init__(self, context, ob, folder: str, shot: tuple[int, int], *, overwrite: bool) -> None:
+        if shot[1] < shot[0]:
+            text = tr("The last frame, {}, comes before the first, {}", *reversed(shot))
+            raise BakeError(text)
+        try:
+            package = exr_files.load_package()
+        except ImportError as failure:
+            text = tr(
+                "To write EXR files takes the Python package OpenEXR, which this copy of the "
+                "add-on does not have for Python {}: {}",
+                exr_files.PYTHON,
+                failure,
+            )
+            raise BakeError(text) from failure
+        self.object_name = ob.name
+        self.folder = folder
+        self.range = with_margins(*shot)
+        self.frame_length = baked.frame_length(context.scene)
+        frames, self.recipes = _plan(context, ob, *self.range)
+        base_dir = bpy.path.abspath("//") or None
+        try:
+            with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
+                resolution = ob.libocean.render_resolution or sea.map_resolution()
+                self.period = float(sea.get("patch_size"))
+                self.samples = live.samples_of(ob.libocean, sea.map_resolution())
+        except libocean.Error as failure:
+            raise BakeError(str(failure)) from failure
+        self.job = bake_job.Job(
+            _made_folder(ob, folder, self.recipes),
+            frames,
+            baked.wanted_fields(ob.libocean),
+            resolution,
+            base_dir,
+            overwrite,
+            package,
+        )
+
+    def finish(self) -> str:
+        """The object plays what was baked. Returns what was done, in words."""
+        job = self.job
+        ob = bpy.data.objects.get(self.object_name)
+        if ob is None or not node_group.modifiers(ob):
+            text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
+            raise BakeError(text)
+        settings, record = ob.libocean, ob.libocean.bake
+        with changes.quiet():
+            # Live first: playing, the folder would be that of the bake before.
+            settings.use_bake = False
+            baked.follow(ob)
+            record.fields = ",".join(job.fields)
+            record.folder = self.folder
+            record.first, record.last = self.range
+            record.resolution, record.period = job.resolution, self.period
+            record.samples, record.slope_variance = self.samples, job.slope_variance
+            record.frame_length = self.frame_length
+            record.sea = job.first_sea
+            record.recipes = json.dumps(self.recipes)
+            settings.use_bake = True
+        changes.tell(ob)
+        kept = job.done - job.written
+        return tr(
+            "{} frames in {}: {} written, {} were there", job.done, self.folder, job.written, kept
+        )

@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panel says of a bake: the one that runs, the one that there is, the next."""
+
+from __future__ import annotations
+
+import os
+
+from . import bake, baked, exr_files, live
+from .bake_plan import asked_range, size_estimate, with_margins
+from .compat import tr_label
+
+
+def _bytes(count: int) -> str:
+    return f"{count / 1e9:.1f} GB" if count >= 1e9 else f"{count / 1e6:.1f} MB"
+
+
+def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
+    record = ob.libocean.bake
+    fields = record.fields.split(",")
+    there, size = _inventory(str(baked.folder_path(ob)), record.first, record.last, tuple(fields))
+    count = record.last - record.first + 1
+    lines = [(tr_label("{} of {} frames, {}", there, count, _bytes(size)), "FILE_CACHE")]
+    values = live.current_values(ob.libocean, scene)
+    if baked.is_other_sea(ob, scene, values):
+        text = tr_label("The bake is of another sea than the parameters say: bake again")
+        lines.append((text, "ERROR"))
+    if abs(record.frame_length - baked.frame_length(scene)) > 1e-6:
+        text = tr_label("The bake is for another time remapping: bake again")
+        lines.append((text, "ERROR"))
+    lacking = [field for field in baked.wanted_fields(ob.libocean) if field not in fields]
+    if lacking:
+        lines.append((tr_label("Not in the bake: {}", ", ".join(lacking)), "ERROR"))
+    first, last = with_margins(*asked_range(ob, scene))
+    if first < record.first or last > record.last:
+        text = tr_label(
+            "Frames {} to {}: the sea stands still beyond them", record.first, record.last
+        )
+        lines.append((text, "INFO"))
+    return lines
+
+
+def state(ob, scene) -> list[tuple[str, str]]:
+    """Lines of text about the bake of an object, with icons."""
+    if bake.running is not None and bake.running.object_name == ob.name:
+        job = bake.running.job
+        return [(tr_label("{} of {} frames; ESC stops", job.done, len(job.frames)), "TIME")]
+    lines = _of_the_bake(ob, scene) if baked.exists(ob) else []
+    resolution = ob.libocean.render_resolution or live.map_resolution(ob)
+    if resolution:
+        first, last = with_margins(*asked_range(ob, scene))
+        most = size_estimate(ob, resolution, max(last - first + 1, 0))
+        text = tr_label(
+            "Frames {} to {} of {} x {} samples: {} at most, in {}",
+            first,
+            last,
+            resolution,
+            resolution,
+            _bytes(most),
+            baked.asked_folder(ob),
+        )
+        lines.append((text, "DISK_DRIVE"))
+    return lines
+
+
+_looked_at: dict[tuple, tuple[float, tuple[int, int]]] = {}
+
+
+def _inventory(folder: str, first: int, last: int, fields: tuple[str, ...]) -> tuple[int, int]:
+    """Frames that are there and their bytes, looked up anew when the folder has changed."""
+    asked = (folder, first, last, fields)
+    try:
+        changed = os.stat(folder).st_mtime
+    except OSError:
+        return 0, 0
+    if asked not in _looked_at or _looked_at[asked][0] != changed:
+        _looked_at[asked] = changed, exr_files.inventory(folder, first, last, fields)
+    return _looked_at[asked][1]

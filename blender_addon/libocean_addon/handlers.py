@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's handlers: the seas follow its frames, edits, undo, files and renders."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.app.handlers import persistent
+
+from . import changes, compat, live, node_group, open_sea
+
+_locked_by_us: set[str] = set()  # scenes
+
+
+def _own_images(oceans: list[bpy.types.Object]) -> None:
+    """A copy of an object shows images of its own."""
+    owners: dict[str, str] = {}
+    for ob in oceans:
+        for modifier in node_group.live_modifiers(ob):
+            for name in node_group.image_inputs(modifier.node_group):
+                image = node_group.value(modifier, name)
+                if image is None:
+                    continue
+                if owners.setdefault(image.name_full, ob.name_full) != ob.name_full:
+                    node_group.assign(modifier, {name: None})
+
+
+@persistent
+def _frame_changed(scene, depsgraph=None) -> None:
+    rendering = depsgraph is not None and depsgraph.mode == "RENDER"
+    live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering)
+
+
+@persistent
+def _depsgraph_updated(scene, depsgraph) -> None:
+    if depsgraph.mode == "RENDER":
+        return
+    if any(isinstance(update.id, bpy.types.Object) for update in depsgraph.updates):
+        oceans = live.ocean_objects()
+        _own_images(oceans)
+        live.show_all(oceans, scene, depsgraph)
+
+
+@persistent
+def _data_replaced(*_) -> None:
+    oceans = live.ocean_objects()
+    open_sea.forget({ob.name_full for ob in oceans})
+    live.show_all(oceans, bpy.context.scene)
+
+
+@persistent
+def _lock_interface(scene, *_) -> None:
+    """Blender may not draw what a render in another thread rewrites."""
+    if live.ocean_objects() and not scene.render.use_lock_interface:
+        scene.render.use_lock_interface = True
+        _locked_by_us.add(scene.name_full)
+
+
+@persistent
+def _unlock_interface(scene, *_) -> None:
+    if scene.name_full in _locked_by_us:
+        _locked_by_us.remove(scene.name_full)
+        scene.render.use_lock_interface = False
+
+
+_HANDLERS = {
+    "frame_change_post": _frame_changed,
+    "depsgraph_update_post": _depsgraph_updated,
+    "load_post": _data_replaced,
+    "undo_post": _data_replaced,
+    "redo_post": _data_replaced,
+    "render_init": _lock_interface,
+    "render_complete": _unlock_interface,
+    "render_cancel": _unlock_interface,
+}
+
+
+def _remove_handlers() -> None:
+    for name, handler in _HANDLERS.items():
+        handlers = getattr(bpy.app.handlers, name)
+        if handler in handlers:
+            handlers.remove(handler)
+
+
+def register() -> None:
+    for name, handler in _HANDLERS.items():
+        getattr(bpy.app.handlers, name).append(handler)
+    changes.listener = live.parameters_changed
+    compat.remove_handlers_at_exit(_remove_handlers)
+
+
+def unregister() -> None:
+    _remove_handlers()
+    changes.listener = None
+    open_sea.close_all()
