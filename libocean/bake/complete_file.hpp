@@ -15,7 +15,8 @@ namespace ocean {
 /// A device or a pipe has nothing to keep, and nothing to read back.
 bool is_regular(const BakeFile& file);
 
-/// Reads all of a file, and its pixels. Throws Error bad_file if it is damaged or none of this plan.
+/// Reads all of a file, and its pixels. Throws Error bad_file if it is damaged or none of this
+/// plan.
 ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads);
 
 /// What is to be said of a file that is whole and what this plan would write; nothing for any

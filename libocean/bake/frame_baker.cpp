@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One frame; see frame_baker.hpp. A file is read back as soon as it is written: its hashes are those
-// of what the disk holds, and a disk that lies is found out.
+// One frame; see frame_baker.hpp. A file is read back as soon as it is written: its hashes are
+// those of what the disk holds, and a disk that lies is found out.
 #include "frame_baker.hpp"
 
 #include "complete_file.hpp"

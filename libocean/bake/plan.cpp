@@ -85,8 +85,7 @@ int find_resolution(const BakeOptions& options, const Grid& grid) {
         const int shown = default_map_resolution(grid);
         return options.largest_map > 0 ? std::min(shown, options.largest_map) : shown;
     }
-    const int resolution =
-        parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
+    const int resolution = parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
     if (!is_resolution(resolution)) {
         refuse(format_text("--resolution = %d: allowed is a power of two, %d .. %d", resolution,
                            kMinResolution, kMaxResolution));
@@ -134,10 +133,9 @@ std::vector<int> halving_resolutions(int resolution) {
 }
 
 std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format_lines) {
-    std::string text =
-        format_text("libocean %s\nformat %s\nbackend %s\nresolution %d\nframe %d\n", OCEAN_VERSION,
-                    plan.pattern.extension().c_str(), std::string(plan.backend.name).c_str(),
-                    plan.resolution, frame);
+    std::string text = format_text("libocean %s\nformat %s\nbackend %s\nresolution %d\nframe %d\n",
+                                   OCEAN_VERSION, plan.pattern.extension().c_str(),
+                                   std::string(plan.backend.name).c_str(), plan.resolution, frame);
     text += format_lines;
     return sha256_hex(text + plan.sea_text);
 }

@@ -52,8 +52,8 @@ TEST(Exr, SameBytesForAnyThreadCountAndRun) {
 TEST(Exr, HeaderStringsComeBack) {
     const TemporaryFolder folder;
     const Surface surface = test::sample_surface(32, 0.1);
-    io::write_exr(image_of(surface, "velocity", -3, {.axes = io::Axes::yup}),
-                  folder.file("a.exr"), io::ExrCompression::zip);
+    io::write_exr(image_of(surface, "velocity", -3, {.axes = io::Axes::yup}), folder.file("a.exr"),
+                  io::ExrCompression::zip);
     std::map<std::string, std::string> header;
     for (const auto& [name, value] : io::read_exr_header(folder.file("a.exr"))) {
         header[name] = value;
@@ -123,9 +123,8 @@ TEST(Exr, WritesAnyImage) {
     image.strings = {{"ocean:field", "mask"}};
     io::write_exr(image, folder.file("a.exr"), io::ExrCompression::none);
     std::vector<float> decoded;
-    io::read_exr_pixels(folder.file("a.exr"),
-                        io::exr_header_bytes(image, io::ExrCompression::none), 1,
-                        [&](std::string_view bytes) {
+    io::read_exr_pixels(folder.file("a.exr"), io::exr_header_bytes(image, io::ExrCompression::none),
+                        1, [&](std::string_view bytes) {
                             const auto* floats = reinterpret_cast<const float*>(bytes.data());
                             decoded.insert(decoded.end(), floats, floats + bytes.size() / 4);
                         });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes what test_baked_files.py renders: make_povray_samples FOLDER. Six sine waves of known height,
-// flat and choppy, as a height_field and as patch meshes.
+// Writes what test_baked_files.py renders: make_povray_samples FOLDER. Six sine waves of known
+// height, flat and choppy, as a height_field and as patch meshes.
 #include <algorithm>
 #include <array>
 #include <cmath>

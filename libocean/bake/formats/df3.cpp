@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Maps for POV-Ray as density files: one a frame and, for the sea to the horizon, coarser ones beside
-// it, sea_0001_far1.df3 and so on.
+// Maps for POV-Ray as density files: one a frame and, for the sea to the horizon, coarser ones
+// beside it, sea_0001_far1.df3 and so on.
+#include "ocean/io/df3.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/io/df3.hpp"
 
 namespace ocean {
 namespace {
@@ -20,8 +20,8 @@ std::any read_options(const BakeOptions& options, const Catalogue&) {
 
 FormatPlan settle(const BakePlan& begun) {
     const bool far_maps = std::any_cast<bool>(begun.settings);
-    return {{io::df3_channels(), far_maps ? halving_resolutions(begun.resolution)
-                                          : std::vector<int>{begun.resolution}},
+    return {{io::df3_channels(),
+             far_maps ? halving_resolutions(begun.resolution) : std::vector<int>{begun.resolution}},
             begun.settings};
 }
 

@@ -147,9 +147,8 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
     for (const BakeFile& file : files) {
         const io::Image image = io::product_image(settings.of_file(file.part), settings.layout,
                                                   work.label(), work.maps.front());
-        work.put(file, [&] {
-            io::write_exr(image, file.path, settings.compression, work.threads);
-        });
+        work.put(file,
+                 [&] { io::write_exr(image, file.path, settings.compression, work.threads); });
     }
 }
 

@@ -3,9 +3,9 @@
 //
 // POV-Ray's height_field: a 16-bit PNG of the heights by place, with what its codes mean beside it,
 // for people (.txt) and for scenes (.inc).
+#include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/io/height_field.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/world_heights.hpp"

@@ -117,10 +117,10 @@ FormatPlan settle(const BakePlan& begun) {
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     std::string lines;
     if (const auto& view = settings_of(plan).view) {
-        lines = format_text("view %.17g %.17g %.17g %.17g %.17g %.17g %.17g %d %d %.17g\n", view->x,
-                            view->y, view->height, view->heading, view->field_of_view,
-                            view->nearest, view->horizon, view->columns, view->rows,
-                            view->unresolved_slope_variance);
+        lines =
+            format_text("view %.17g %.17g %.17g %.17g %.17g %.17g %.17g %d %d %.17g\n", view->x,
+                        view->y, view->height, view->heading, view->field_of_view, view->nearest,
+                        view->horizon, view->columns, view->rows, view->unresolved_slope_variance);
     }
     return {{plan.pattern.file(frame), frame, 0, "mesh", bake_recipe(plan, frame, lines)}};
 }

@@ -4,7 +4,6 @@
 
 #include <array>
 
-
 namespace ocean {
 
 CascadeMap::CascadeMap(std::size_t cascade, int resolution, const Backend& backend)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Heights by place instead of by label, for formats without overhangs: the displacement inverted, of
-// folds the top sheet.
+// Heights by place instead of by label, for formats without overhangs: the displacement inverted,
+// of folds the top sheet.
 #pragma once
 
 #include <cstddef>

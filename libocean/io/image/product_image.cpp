@@ -65,8 +65,9 @@ class ProductPlanes {
     std::span<const float> samples(const Product& product, Channel channel) const {
         if (surface_ == nullptr) return {};
         if (surface_->has(channel)) return surface_->channel(channel);
-        throw Error(ErrorKind::invalid_value, "the surface was evaluated without the channels of '" +
-                                                  std::string(product.name) + "'");
+        throw Error(ErrorKind::invalid_value,
+                    "the surface was evaluated without the channels of '" +
+                        std::string(product.name) + "'");
     }
 
     /// Named X, Y, Z, or V for a scalar; a slope lies in the plane whatever the axes.
@@ -75,10 +76,9 @@ class ProductPlanes {
         std::vector<ImagePlane> planes;
         for (int c = 0; c < product.count; ++c) {
             const auto [source, sign] = order[static_cast<std::size_t>(c)];
-            planes.push_back({product.count == 1 ? "V" : std::string(1, "XYZ"[c]),
-                              pixel_type(product, layout_),
-                              samples(product, product.channels[static_cast<std::size_t>(source)]),
-                              sign});
+            planes.push_back(
+                {product.count == 1 ? "V" : std::string(1, "XYZ"[c]), pixel_type(product, layout_),
+                 samples(product, product.channels[static_cast<std::size_t>(source)]), sign});
         }
         return planes;
     }

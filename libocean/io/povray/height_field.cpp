@@ -96,8 +96,8 @@ std::string height_field_description(const Image& image) {
     text += "samples = " + std::to_string(image.width + 1) +
             "  # along each side, the first repeated as the last\n";
     text += "period = " + period + "\n";
-    text += "frame = " + image.string("ocean:frame") + "\ntime = " + image.string("ocean:time") +
-            "\n";
+    text +=
+        "frame = " + image.string("ocean:frame") + "\ntime = " + image.string("ocean:time") + "\n";
     text += "# POV-Ray: height_field { png \"...\" smooth scale <" + period + ", " +
             number(fit.scale) + ", " + period + "> translate " + number(fit.base) + "*y }\n";
     return text;

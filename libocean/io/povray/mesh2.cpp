@@ -151,7 +151,8 @@ std::string povray_faces(std::span<const int> triangles) {
     return out.text();
 }
 
-void write_mesh2(const Mesh& mesh, const FrameLabel& label, const std::string& path, const View* view) {
+void write_mesh2(const Mesh& mesh, const FrameLabel& label, const std::string& path,
+                 const View* view) {
     if (mesh.positions.empty() || mesh.normals.size() != mesh.positions.size() ||
         mesh.triangles.empty()) {
         throw Error(ErrorKind::invalid_value, "a mesh2 needs vertices, as many normals, triangles");

@@ -37,7 +37,7 @@ struct FormatOption {
 struct FrameMaps {
     ChannelSet channels;
     std::vector<int> resolutions;  // the finest first
-    bool by_place = false;  // the height alone, a function of the place instead of the label
+    bool by_place = false;         // the height alone, a function of the place instead of the label
 };
 
 /// What a format makes of its options and of the sea.

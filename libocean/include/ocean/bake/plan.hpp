@@ -27,8 +27,8 @@ struct BakeOptions {
     std::map<std::string, std::string> of_format;  // by the option's name; "yes" for a flag
     bool skip_existing = false;
     bool keep_going = false;
-    int threads = 0;       // 0 = the cores this process may use
-    int largest_map = 0;   // samples a side, where --resolution does not say; 0 = no limit
+    int threads = 0;      // 0 = the cores this process may use
+    int largest_map = 0;  // samples a side, where --resolution does not say; 0 = no limit
     /// Opens SEA, or the sea of a baked file: resolved and valid. Throws Error.
     std::function<Sea(const std::string& source)> open_sea;
 
@@ -45,12 +45,12 @@ struct BakePlan {
     std::any settings;  // the format's
     FrameMaps maps;
     OutputPattern pattern;
-    std::vector<int> frames;        // of this shard
-    std::string shard;              // as typed; "" = all
-    bool product_in_name = false;   // of each file
+    std::vector<int> frames;       // of this shard
+    std::string shard;             // as typed; "" = all
+    bool product_in_name = false;  // of each file
     Backend backend;
     std::span<const ChannelInfo> channels;  // of the catalogue, beside the library's
-    int resolution = 0;             // of the finest map
+    int resolution = 0;                     // of the finest map
     int threads = 0;
     bool skip_existing = false;
     bool keep_going = false;

@@ -20,7 +20,8 @@ enum class PixelType { half_float, full_float };
 struct ImagePlane {
     std::string name = {};
     PixelType type = PixelType::full_float;
-    std::span<const float> samples = {};  // width * height, row-major, the bottom row first; or none
+    std::span<const float> samples =
+        {};  // width * height, row-major, the bottom row first; or none
     float factor = 1.0f;
     float constant = 0.0f;  // everywhere, where there are no samples
 };
