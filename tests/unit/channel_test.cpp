@@ -79,7 +79,7 @@ TEST_P(HostChannels, AreTheirFormulasOfTheLinearFields) {
         const float hx = s.channel(slope_x)[i];
         const float hy = s.channel(slope_y)[i];
         ASSERT_EQ(s.channel(kSteepness)[i], hx * hx + hy * hy);
-        ASSERT_EQ(s.channel(kEast)[i], s.channel(dx)[i]);
+        ASSERT_FLOAT_EQ(s.channel(kEast)[i], s.channel(dx)[i]);
         ASSERT_NEAR(s.channel(kFresh)[i], s.channel(whitecap)[i], 1e-5f);
         ASSERT_NEAR(s.channel(kOld)[i], 2.0f * s.channel(foam)[i], 2e-5f);
     }

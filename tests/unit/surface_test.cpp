@@ -8,6 +8,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
@@ -346,6 +349,53 @@ TEST(Ocean, EachParameterRunsItsOwnStagesAgainAndNoOthers) {
         EXPECT_LE(after.spectrum - before.spectrum, 1) << name;
         EXPECT_LE(after.modes - before.modes, 1) << name;
         EXPECT_LE(after.threshold - before.threshold, 1) << name;
+    }
+}
+
+TEST(Ocean, AValueThatIsThereAlreadyRedoesNothing) {
+    Ocean sea(test::wind_sea(32, 100.0), {.threads = 1});
+    const ChannelSet channels = {Channel::height, Channel::foam};
+    sea.evaluate(1.0, channels);
+    StageRuns expected = sea.stage_runs();
+    ++expected.surface;
+    sea.set("wind_speed", get_parameter(sea.parameters(), "wind_speed"));
+    sea.set("seed", "7");
+    sea.set("seed", "1");
+    sea.change(sea.sea());
+    sea.evaluate(1.0, channels);
+    // Only the foam had another sea for a while.
+    expected.foam_ticks = sea.stage_runs().foam_ticks;
+    EXPECT_EQ(sea.stage_runs(), expected);
+}
+
+TEST(Ocean, MadeFromOneRunInParallelAndChangeForThemselves) {
+    using enum Channel;
+    const ChannelSet channels = {height, dx, nz, whitecap};
+    Ocean built(test::wind_sea(64), {.threads = 1});
+    const Surface before = built.evaluate(1.0, channels);
+    constexpr int kWorkers = 3;
+    const auto wind = [](int worker) { return std::to_string(8 + worker); };
+    std::vector<Surface> same(kWorkers), changed(kWorkers);
+    std::vector<std::thread> workers;
+    for (int w = 0; w < kWorkers; ++w) {
+        workers.emplace_back([&, w] {
+            Ocean copy(built, OceanOptions{.threads = 1});
+            same[static_cast<std::size_t>(w)] = copy.evaluate(1.0, channels);
+            copy.set("wind_speed", wind(w));
+            changed[static_cast<std::size_t>(w)] = copy.evaluate(1.0, channels);
+        });
+    }
+    for (std::thread& worker : workers) worker.join();
+    const auto equal = [](const Surface& a, const Surface& b) {
+        return std::ranges::equal(a.channel(height), b.channel(height)) &&
+               std::ranges::equal(a.channel(whitecap), b.channel(whitecap));
+    };
+    EXPECT_TRUE(equal(built.evaluate(1.0, channels), before));
+    for (int w = 0; w < kWorkers; ++w) {
+        EXPECT_TRUE(equal(same[static_cast<std::size_t>(w)], before));
+        Ocean alone(test::wind_sea(64), {.threads = 1});
+        alone.set("wind_speed", wind(w));
+        EXPECT_TRUE(equal(changed[static_cast<std::size_t>(w)], alone.evaluate(1.0, channels)));
     }
 }
 
