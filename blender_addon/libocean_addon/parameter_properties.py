@@ -29,25 +29,25 @@ def changed(self, _context) -> None:
 
 
 def _switched_on(switch: str):
-    def changed(self, context) -> None:
+    def update(self, context) -> None:
         if not changes.is_quiet():
             with changes.quiet():
                 setattr(self, switch, True)
         changed(self, context)
 
-    return changed
+    return update
 
 
 def _named_anew(lines: str):
     """For the name of what a sea keeps a copy of, as lines of its file: the copy is of what was
     named before."""
 
-    def changed(self, _context) -> None:
+    def update(self, _context) -> None:
         if not changes.is_quiet():
             setattr(self, lines, "")
         changed(self, _context)
 
-    return changed
+    return update
 
 
 # Parameters that name a file, or a part of one, and the property with the copy.

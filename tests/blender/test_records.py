@@ -80,7 +80,7 @@ def test_the_record_needs_its_file_no_more(ocean, tmp_path):
     [
         ({"filepath": BUOY, "record": "1999-01-01T00:00"}, "1999"),
         ({"filepath": str(SPECTRA / "nowhere.spec")}, "nowhere"),
-        ({"filepath": __file__}, "records_test"),
+        ({"filepath": __file__}, "test_records"),
     ],
 )
 def test_what_cannot_be_read_is_refused_and_changes_nothing(ocean, arguments, sentence):
