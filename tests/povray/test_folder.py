@@ -34,6 +34,26 @@ def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
     assert share <= 0.25
 
 
+def test_the_frames_are_those_of_a_bake(tmp_path):
+    sea = sea_text(resolution=64, period=60.0)
+    for form, extension, option in (("df3", "df3", "--far-maps"), ("mesh2", "inc", "--mesh-foam")):
+        folder = Folder(tmp_path / form, sea, "--format", form)
+        baked = tmp_path / ("baked_" + form)
+        done = ocean(
+            tmp_path,
+            "bake",
+            folder.path / "sea.toml",
+            "-o",
+            baked / f"sea_####.{extension}",
+            option,
+        )
+        assert done.returncode == 0, done.stderr
+        frames = sorted(baked.glob(f"sea_0001*.{extension}"))
+        assert len(frames) == (2 if form == "df3" else 1)
+        for frame in frames:
+            assert frame.read_bytes() == (folder.path / frame.name).read_bytes(), frame.name
+
+
 def test_every_parameter_is_declared(choppy):
     text = (choppy.path / "ocean_parameters.inc").read_text()
     sea = libocean.open(choppy.path / "sea.toml")
