@@ -150,8 +150,7 @@ namespace {
 int checked_resolution(const ocean_request& request, const Parameters& parameters) {
     const int resolution = request.resolution;
     if (resolution == 0) return default_map_resolution(parameters.grid);
-    if (resolution < kMinResolution || resolution > kMaxResolution ||
-        !is_power_of_two(resolution)) {
+    if (!is_resolution(resolution)) {
         refuse("resolution = " + std::to_string(resolution) +
                "; allowed: 0 (ocean_map_resolution) or a power of two, 32 .. 8192");
     }

@@ -134,8 +134,8 @@ OCEAN_API ocean_result ocean_parse(const char* toml, size_t length, const char* 
 OCEAN_API void ocean_free(ocean_sea* sea);
 
 /* Sets a parameter by name ("wind_speed", "waves.1.fetch") from text. A refused value changes
- * nothing. `file` and `record` of a measured system read the file again. INVALID_VALUE,
- * UNSUPPORTED; BAD_FILE and NOT_FOUND for those two. */
+ * nothing. `file`, `record` and `place` of a measured system read the file again. INVALID_VALUE,
+ * UNSUPPORTED; BAD_FILE and NOT_FOUND for those three. */
 OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
 /* Its value as text into out[size], with a final 0; an unset one is "". INVALID_VALUE;
  * BUFFER_TOO_SMALL, and then the sentence says the size needed. */

@@ -11,7 +11,7 @@ struct SinCos {
 
 // Any finite number of turns. Reduced to |r| <= 1/8 turn, then the Taylor series of sine and
 // cosine to x^15 and x^16: truncation below 1e-16. Written out so that the bits do not depend on
-// a platform's sin and cos. Proved against the C library in turns_test.cpp.
+// a platform's sin and cos. Proved against the C library in noise_test.cpp.
 formula SinCos sin_cos_turns(real turns) {
     real quarter = floor(real(4.0) * turns + real(0.5));
     real x = (turns - real(0.25) * quarter) * real(6.283185307179586);

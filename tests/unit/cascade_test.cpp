@@ -102,14 +102,11 @@ TEST(Cascades, HaveNoiseOfTheirOwn) {
     double a = 0.0, b = 0.0;
     for (int m = -63; m < 64; ++m) {
         for (int n = -63; n < 64; ++n) {
-            const auto at = [](int i, int j, int size) {
-                return static_cast<std::size_t>(fft_index(j, size) * size + fft_index(i, size));
-            };
-            const std::complex<double> x = modes.cascades[1].h0[at(n, m, 128)];
+            const std::complex<double> x = modes.cascades[1].h0[mode_index(n, m, 128)];
             if (std::norm(x) == 0.0) continue;
             for (const std::complex<double> y :
-                 {std::complex<double>(modes.cascades[0].h0[at(n, m, 128)]),
-                  std::complex<double>(lone.cascades[0].h0[at(2 * n, 2 * m, 256)])}) {
+                 {std::complex<double>(modes.cascades[0].h0[mode_index(n, m, 128)]),
+                  std::complex<double>(lone.cascades[0].h0[mode_index(2 * n, 2 * m, 256)])}) {
                 product += x * std::conj(y);
                 a += std::norm(x);
                 b += std::norm(y);
@@ -136,7 +133,7 @@ TEST(Cascades, TheModesHaveTheEnergyThatIsReported) {
                 const double v = modal_variance(spectrum, parameters, n, m, bands[c]);
                 const auto xi = wave::double_precision::gaussian_noise(
                     parameters.seed, static_cast<std::uint32_t>(c), n, m);
-                const auto at = static_cast<std::size_t>(fft_index(m, 32) * 32 + fft_index(n, 32));
+                const std::size_t at = mode_index(n, m, 32);
                 drawn += std::norm(modes.cascades[c].h0[at]);
                 unscaled += 0.25 * v * (xi.re * xi.re + xi.im * xi.im);
                 variance += v;

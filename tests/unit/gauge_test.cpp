@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gauges: what one reads is the shown surface; what is estimated from a record lies within its own
+// Gauges: what one reads is the shown surface; what is estimated from a series lies within its own
 // limits of what the sea's modes say, as often as the limits promise.
 #include "ocean/gauge.hpp"
 
@@ -63,16 +63,16 @@ TEST(ChiSquared, QuantilesAreThoseOfTheTables) {
 }
 
 std::vector<double> sampled(double rate, double duration, const auto& function) {
-    std::vector<double> record;
-    for (int i = 0; i < rate * duration; ++i) record.push_back(function(i / rate));
-    return record;
+    std::vector<double> series;
+    for (int i = 0; i < rate * duration; ++i) series.push_back(function(i / rate));
+    return series;
 }
 
 TEST(WaveCount, ASineHasItsOwnHeightAndPeriodWhateverItsMean) {
     for (const double mean : {0.0, -3.0}) {
-        const auto record = sampled(
+        const auto series = sampled(
             8.0, 100.3, [mean](double t) { return mean + 1.5 * std::sin(kTwoPi * t / 7.1 + 0.3); });
-        const WaveCount count = count_waves(record, 8.0);
+        const WaveCount count = count_waves(series, 8.0);
         EXPECT_EQ(count.waves, 13);  // whole ones between the up-crossings
         EXPECT_NEAR(count.mean_period.value, 7.1, 1e-3);
         EXPECT_NEAR(count.significant_period, 7.1, 2e-2);
@@ -85,14 +85,14 @@ TEST(WaveCount, ASineHasItsOwnHeightAndPeriodWhateverItsMean) {
 
 TEST(WaveCount, ThirdsAndTenthsAreOfTheHighestWaves) {
     // 30 waves of 4 s with the heights 2, 4 .. 60, in a shuffled order.
-    std::vector<double> record;
+    std::vector<double> series;
     for (int i = 0; i < 30; ++i) {
         const int height = 2 * ((i * 11) % 30 + 1);
-        for (const double part : {0.0, 1.0, 0.0, -1.0}) record.push_back(0.5 * part * height);
+        for (const double part : {0.0, 1.0, 0.0, -1.0}) series.push_back(0.5 * part * height);
     }
-    record.insert(record.begin(), -1.0);
-    record.insert(record.end(), {0.0, 1.0});
-    const WaveCount count = count_waves(record, 1.0);
+    series.insert(series.begin(), -1.0);
+    series.insert(series.end(), {0.0, 1.0});
+    const WaveCount count = count_waves(series, 1.0);
     EXPECT_EQ(count.waves, 30);
     EXPECT_DOUBLE_EQ(count.highest_wave, 60.0);
     EXPECT_DOUBLE_EQ(count.tenth_height, 58.0);
@@ -103,17 +103,17 @@ TEST(WaveCount, ThirdsAndTenthsAreOfTheHighestWaves) {
 }
 
 TEST(WaveCount, CrossingsLieBetweenTheSamples) {
-    const std::vector<double> record = {-1.0, 3.0, 1.0, -3.0, 1.0, 1.0, -2.0};
-    const WaveCount count = count_waves(record, 2.0);  // from 0.25 to 3.75 samples
+    const std::vector<double> series = {-1.0, 3.0, 1.0, -3.0, 1.0, 1.0, -2.0};
+    const WaveCount count = count_waves(series, 2.0);  // from 0.25 to 3.75 samples
     EXPECT_EQ(count.waves, 1);
     EXPECT_DOUBLE_EQ(count.mean_period.value, 1.75);
     EXPECT_DOUBLE_EQ(count.mean_height, 6.0);
 }
 
-TEST(WaveCount, RecordsWithoutAWaveHaveNone) {
-    for (const std::vector<double>& record :
+TEST(WaveCount, SeriesWithoutAWaveHaveNone) {
+    for (const std::vector<double>& series :
          {std::vector<double>{}, {1.0}, {2.0, 2.0, 2.0}, {0.0, 1.0, 2.0, 3.0}}) {
-        const WaveCount count = count_waves(record, 4.0);
+        const WaveCount count = count_waves(series, 4.0);
         EXPECT_EQ(count.waves, 0);
         EXPECT_EQ(count.mean_period.value, 0.0);
         EXPECT_EQ(count.significant_height, 0.0);
@@ -121,9 +121,9 @@ TEST(WaveCount, RecordsWithoutAWaveHaveNone) {
 }
 
 TEST(GaugeSpectrum, ItsSumIsTheVarianceAndItsPeakIsWhereTheWaveIs) {
-    const auto record =
+    const auto series =
         sampled(4.0, 900.0, [](double t) { return 5.0 + 2.0 * std::cos(kTwoPi * 0.125 * t); });
-    const GaugeSpectrum spectrum = estimate_spectrum(record, 4.0, 40.0);
+    const GaugeSpectrum spectrum = estimate_spectrum(series, 4.0, 40.0);
     double sum = 0.0;
     for (const double density : spectrum.density) sum += density * spectrum.frequency_step;
     EXPECT_NEAR(sum, 2.0, 1e-3);
@@ -150,18 +150,18 @@ TEST(GaugeSpectrum, ScattersAsItsDegreesOfFreedomSay) {
     // White noise of variance 1 at 2 Hz: density 1 m^2/Hz, relative variance 2 / freedom.
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
-    std::vector<double> record(1 << 18);
-    for (double& value : record) value = normal(random);
+    std::vector<double> series(1 << 18);
+    for (double& value : series) value = normal(random);
     const std::size_t piece = 2048;
     Coverage coverage;
     double squares = 0.0;
     double last = 0.0;
     double freedom = 0.0;
-    for (std::size_t at = 0; at < record.size(); at += piece) {
+    for (std::size_t at = 0; at < series.size(); at += piece) {
         const GaugeSpectrum spectrum =
-            estimate_spectrum(std::span(record).subspan(at, piece), 2.0, 14.0);
+            estimate_spectrum(std::span(series).subspan(at, piece), 2.0, 14.0);
         freedom = spectrum.degrees_of_freedom;
-        last += spectrum.density.back() / static_cast<double>(record.size() / piece);
+        last += spectrum.density.back() / static_cast<double>(series.size() / piece);
         for (std::size_t i = 2; i + 2 < spectrum.density.size(); i += 3) {  // apart: independent
             coverage.add(density_of(spectrum, i), 1.0);
             squares += std::pow(spectrum.density[i] - 1.0, 2.0);
@@ -173,7 +173,7 @@ TEST(GaugeSpectrum, ScattersAsItsDegreesOfFreedomSay) {
     EXPECT_NEAR(coverage.share(), 0.95, 3.0 * coverage.standard_error());
 }
 
-TEST(SeaEstimate, StillWaterIsKnownExactlyAndShortRecordsHaveNoLimits) {
+TEST(SeaEstimate, StillWaterIsKnownExactlyAndShortSeriesHaveNoLimits) {
     const std::vector<double> still(1000, 2.5);
     const SeaEstimate flat = estimate_sea(still, 4.0, estimate_spectrum(still, 4.0, 20.0));
     EXPECT_EQ(flat.significant_wave_height.upper, 0.0);
@@ -184,8 +184,8 @@ TEST(SeaEstimate, StillWaterIsKnownExactlyAndShortRecordsHaveNoLimits) {
     EXPECT_TRUE(std::isnan(sea.significant_wave_height.lower));
 }
 
-/// A Gaussian record of a JONSWAP spectrum with its peak at 0.1 Hz, from lines so dense that no
-/// record of an hour tells them apart.
+/// A Gaussian series of a JONSWAP spectrum with its peak at 0.1 Hz, from lines so dense that no
+/// series of an hour tells them apart.
 class GaussianProcess {
   public:
     static constexpr int kSamples = 1 << 17;
@@ -198,7 +198,7 @@ class GaussianProcess {
         }
         return sum;
     }
-    std::vector<double> record(unsigned seed) const {
+    std::vector<double> series(unsigned seed) const {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         std::vector<std::complex<double>> data(kSamples);
@@ -209,9 +209,9 @@ class GaussianProcess {
             data[static_cast<std::size_t>(i)] = {amplitude * re, amplitude * im};
         }
         fft_.transform(data.data(), 1, FftDirection::inverse);
-        std::vector<double> record;
-        for (const std::complex<double>& value : data) record.push_back(value.real());
-        return record;
+        std::vector<double> series;
+        for (const std::complex<double>& value : data) series.push_back(value.real());
+        return series;
     }
 
   private:
@@ -235,17 +235,17 @@ TEST(SeaEstimate, LimitsHoldTheTruthNineteenTimesInTwenty) {
     const double tz = std::sqrt(m0 / process.moment(2));
     Coverage height, period, counted_period, rough_height;
     for (unsigned seed = 1; seed <= 40; ++seed) {
-        const std::vector<double> all = process.record(seed);
+        const std::vector<double> all = process.series(seed);
         for (std::size_t at = 0; at + kHour <= all.size(); at += kHour) {
-            const std::span<const double> record = std::span(all).subspan(at, kHour);
+            const std::span<const double> series = std::span(all).subspan(at, kHour);
             const SeaEstimate sea =
-                estimate_sea(record, kRate, estimate_spectrum(record, kRate, 40.0));
+                estimate_sea(series, kRate, estimate_spectrum(series, kRate, 40.0));
             height.add(sea.significant_wave_height, 4.0 * std::sqrt(m0));
             period.add(sea.zero_crossing_period, tz);
-            counted_period.add(count_waves(record, kRate).mean_period, tz);
+            counted_period.add(count_waves(series, kRate).mean_period, tz);
             // However rough the spectrum is that they are made from.
             const SeaEstimate rough =
-                estimate_sea(record, kRate, estimate_spectrum(record, kRate, 3.0));
+                estimate_sea(series, kRate, estimate_spectrum(series, kRate, 3.0));
             rough_height.add(rough.significant_wave_height, 4.0 * std::sqrt(m0));
         }
     }
@@ -306,14 +306,14 @@ Parameters wide_sea() {
 }
 
 /// Of gauges far apart and on no line of the lattice.
-std::vector<std::vector<double>> gauge_records(const Parameters& parameters, std::size_t gauges,
-                                               int samples, double rate) {
+std::vector<std::vector<double>> gauge_series(const Parameters& parameters, std::size_t gauges,
+                                              int samples, double rate) {
     Ocean ocean(parameters, {.threads = 2});
     const WaveSum start(ocean.modes(), parameters.water);
     const WaterLevel level = start.water_level(0.0);
     const WaveStep step = start.wave_step(1.0 / rate);
-    std::vector<std::vector<double>> records(
-        gauges, std::vector<double>(static_cast<std::size_t>(samples)));
+    std::vector<std::vector<double>> all(gauges,
+                                         std::vector<double>(static_cast<std::size_t>(samples)));
     ThreadPool pool(2);
     pool.for_each_range(samples, [&](int first, int last) {
         WaveSum sea = start;
@@ -325,14 +325,14 @@ std::vector<std::vector<double>> gauge_records(const Parameters& parameters, std
             }
             for (std::size_t g = 0; g < gauges; ++g) {
                 const auto [column, row] = std::div(static_cast<int>(g), 3);
-                records[g][static_cast<std::size_t>(i)] =
+                all[g][static_cast<std::size_t>(i)] =
                     read_gauge(sea, 0.0, 4000.0 * column + 370.0 * row,
                                4000.0 * row + 710.0 * column, level)
                         .elevation;
             }
         }
     });
-    return records;
+    return all;
 }
 
 TEST(SeaEstimate, AnHourAtAGaugeLiesWithinItsLimitsOfTheSea) {
@@ -343,13 +343,13 @@ TEST(SeaEstimate, AnHourAtAGaugeLiesWithinItsLimitsOfTheSea) {
     ModeStatistics modes;
     for (std::uint32_t seed = 1; seed <= 8; ++seed) {
         parameters.seed = seed;
-        for (const std::vector<double>& record : gauge_records(parameters, kGauges, 900, kRate)) {
-            const GaugeSpectrum spectrum = estimate_spectrum(record, kRate, 25.0);
+        for (const std::vector<double>& series : gauge_series(parameters, kGauges, 900, kRate)) {
+            const GaugeSpectrum spectrum = estimate_spectrum(series, kRate, 25.0);
             if (modes.density.empty()) {
                 modes =
                     mode_statistics(parameters, spectrum.frequency_step, spectrum.density.size());
             }
-            const SeaEstimate sea = estimate_sea(record, kRate, spectrum);
+            const SeaEstimate sea = estimate_sea(series, kRate, spectrum);
             height.add(sea.significant_wave_height, 4.0 * std::sqrt(modes.m0));
             period.add(sea.zero_crossing_period, std::sqrt(modes.m0 / modes.m2));
             const double largest = *std::max_element(modes.density.begin(), modes.density.end());
@@ -377,7 +377,7 @@ Modes long_crested(const Parameters& parameters) {
     return modes;
 }
 
-/// Phase by which the second record lags behind the first in each bin, rad.
+/// Phase by which the second series lags behind the first in each bin, rad.
 std::vector<double> lags(std::span<const double> first, std::span<const double> second,
                          std::size_t segment) {
     const Radix2Fft<double> fft(static_cast<int>(segment));

@@ -108,7 +108,7 @@ TEST(ModeLattice, EveryModeIsItsOwnNoiseTimesTheRootOfItsOwnVariance) {
                 const auto xi = wave::double_precision::gaussian_noise(parameters.seed, 0, n, m);
                 const double half_root =
                     0.5 * std::sqrt(modal_variance(spectrum, parameters, n, m));
-                const auto at = static_cast<std::size_t>(fft_index(m, 64) * 64 + fft_index(n, 64));
+                const std::size_t at = mode_index(n, m, 64);
                 const std::complex<double> h0(modes.cascades.front().h0[at]);
                 const std::complex<double> expected(half_root * xi.re, half_root * xi.im);
                 ASSERT_LE(std::abs(h0 - expected), 2e-7 * std::abs(expected)) << n << " " << m;

@@ -21,11 +21,6 @@ Modes modes_of(const Parameters& parameters, int threads = 1) {
     return make_modes(make_directional_spectrum(parameters), parameters, pool);
 }
 
-std::size_t at(int n, int m, int size) {
-    return static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +
-           static_cast<std::size_t>(fft_index(n, size));
-}
-
 TEST(Grid, WavenumbersAreThoseOfFftfreq) {
     const int expected[] = {0, 1, 2, 3, -4, -3, -2, -1};
     for (int i = 0; i < 8; ++i) {
@@ -44,8 +39,8 @@ TEST(Modes, AFinerGridKeepsTheBitsOfSharedModes) {
     int compared = 0;
     for (int m = -31; m < 32; ++m) {
         for (int n = -31; n < 32; ++n) {
-            const auto& a = coarse.cascades[0].h0[at(n, m, 64)];
-            const auto& b = fine.cascades[0].h0[at(n, m, 256)];
+            const auto& a = coarse.cascades[0].h0[mode_index(n, m, 64)];
+            const auto& b = fine.cascades[0].h0[mode_index(n, m, 256)];
             ASSERT_EQ(std::memcmp(&a, &b, sizeof(a)), 0) << n << " " << m;
             compared += a != std::complex<float>(0.0f) ? 1 : 0;
         }
@@ -77,7 +72,7 @@ TEST(Modes, AmplitudeIsHalfTheRootOfTheModalVariance) {
         for (int m = -20; m <= 20; ++m) {
             for (int n = 1; n <= 20; ++n) {
                 const double v = modal_variance(spectrum, parameters, n, m);
-                drawn += 2.0 * std::norm(modes.cascades[0].h0[at(n, m, 64)]);
+                drawn += 2.0 * std::norm(modes.cascades[0].h0[mode_index(n, m, 64)]);
                 expected += v;
                 weight += v * v;
             }
@@ -133,8 +128,8 @@ TEST(Modes, PhaseRateIsTheDispersionRelationForNegativeWavenumbersToo) {
             for (int n = -31; n < 32; ++n) {
                 if (n == 0 && m == 0) continue;
                 const double k = kTwoPi / 400.0 * std::hypot(n, m);
-                const double rate = static_cast<double>(cascade.rate_high[at(n, m, 64)]) +
-                                    cascade.rate_low[at(n, m, 64)];
+                const double rate = static_cast<double>(cascade.rate_high[mode_index(n, m, 64)]) +
+                                    cascade.rate_low[mode_index(n, m, 64)];
                 EXPECT_NEAR(rate * kTwoPi / dispersion.angular_frequency(k), 1.0, 1e-13);
             }
         }
@@ -151,10 +146,10 @@ TEST(Loop, RatesAreRoundedToWholeTurnsAndNeverToZero) {
     for (int m = -31; m < 32; ++m) {
         for (int n = -31; n < 32; ++n) {
             if (n == 0 && m == 0) continue;
-            const float rate = modes.cascades[0].rate_high[at(n, m, 64)];
+            const float rate = modes.cascades[0].rate_high[mode_index(n, m, 64)];
             EXPECT_GE(rate, 1.0f);
             EXPECT_EQ(rate, std::round(rate));
-            EXPECT_EQ(modes.cascades[0].rate_low[at(n, m, 64)], 0.0f);
+            EXPECT_EQ(modes.cascades[0].rate_low[mode_index(n, m, 64)], 0.0f);
         }
     }
 }

@@ -69,8 +69,7 @@ inline Modes single_wave(const Parameters& parameters, int n, int m) {
     CascadeModes& cascade = modes.cascades.front();
     const int size = cascade.lattice.resolution;
     std::fill(cascade.h0.begin(), cascade.h0.end(), std::complex<float>(0.0f));
-    cascade.h0[static_cast<std::size_t>(fft_index(m, size)) * static_cast<std::size_t>(size) +
-               static_cast<std::size_t>(fft_index(n, size))] = 0.5f;
+    cascade.h0[mode_index(n, m, size)] = 0.5f;
     return modes;
 }
 

@@ -104,17 +104,14 @@ TEST(WaveSum, CascadesAddUpEachOnItsOwnLattice) {
     fine.divisor = 4;
     fine.lattice.period = 75.0;
     std::fill(fine.h0.begin(), fine.h0.end(), 0.0f);
-    const auto index = [](int n, int m) {
-        return static_cast<std::size_t>(fft_index(m, 128)) * 128 +
-               static_cast<std::size_t>(fft_index(n, 128));
-    };
     for (int m = -15; m <= 15; ++m) {
         for (int n = -15; n <= 15; ++n) {
             if (std::abs(n) <= 2 && std::abs(m) <= 2) continue;
-            std::swap(fine.h0[index(n, m)], coarse.h0[index(4 * n, 4 * m)]);
-            fine.rate_high[index(n, m)] = coarse.rate_high[index(4 * n, 4 * m)];
-            fine.rate_low[index(n, m)] = coarse.rate_low[index(4 * n, 4 * m)];
-            fine.displacement[index(n, m)] = coarse.displacement[index(4 * n, 4 * m)];
+            std::swap(fine.h0[mode_index(n, m, 128)], coarse.h0[mode_index(4 * n, 4 * m, 128)]);
+            fine.rate_high[mode_index(n, m, 128)] = coarse.rate_high[mode_index(4 * n, 4 * m, 128)];
+            fine.rate_low[mode_index(n, m, 128)] = coarse.rate_low[mode_index(4 * n, 4 * m, 128)];
+            fine.displacement[mode_index(n, m, 128)] =
+                coarse.displacement[mode_index(4 * n, 4 * m, 128)];
         }
     }
     parts.cascades.push_back(fine);

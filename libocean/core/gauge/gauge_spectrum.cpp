@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spectrum of a record by Welch's method; see gauge.hpp. [Welch 1967].
+// The spectrum of a series by Welch's method; see gauge.hpp. [Welch 1967].
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "gauge/chi_squared.hpp"
-#include "gauge/record_moments.hpp"
+#include "gauge/series_moments.hpp"
 #include "ocean/fft.hpp"
 #include "ocean/gauge.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kShortestSegment = 32;
 constexpr std::size_t kLongestSegment = 1 << 20;  // of the transform
 
-/// That fit into the record, each half a segment after the one before.
+/// That fit into the series, each half a segment after the one before.
 std::size_t segments_of(std::size_t samples, std::size_t segment) {
     return samples < segment ? 0 : (samples - segment) / (segment / 2) + 1;
 }

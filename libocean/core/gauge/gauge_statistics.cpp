@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a record of elevations says about its waves and about the sea; see gauge.hpp.
+// What a series of elevations says about its waves and about the sea; see gauge.hpp.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "gauge/chi_squared.hpp"
-#include "gauge/record_moments.hpp"
+#include "gauge/series_moments.hpp"
 #include "ocean/gauge.hpp"
 
 namespace ocean {
@@ -50,7 +50,7 @@ double mean_of_first(std::span<const Wave> waves, int part, double Wave::*member
     return sum / static_cast<double>(count);
 }
 
-// The record in twenty runs of waves, far longer than waves remember each other: their mean periods
+// The series in twenty runs of waves, far longer than waves remember each other: their mean periods
 // are independent, and the mean of all is off by Student's t of 19 degrees of freedom times the
 // standard error of these. [Bendat and Piersol 2010] section 4.5.
 Estimate mean_period_of(std::span<const Wave> waves) {
@@ -92,7 +92,7 @@ WaveCount count_waves(std::span<const double> elevation, double rate) {
     return count;
 }
 
-// For a Gaussian record of length T with the density S(f), moments m_j = sum of f^j S df over it
+// For a Gaussian series of length T with the density S(f), moments m_j = sum of f^j S df over it
 // have the covariances (1/T) int f^(i+j) S^2 df. [Bendat and Piersol 2010] section 8.2.
 // So m0 scatters like a chi-squared variable of 2 T m0^2 / int S^2 df degrees of freedom, and
 // r = m0/m2 has the relative variance (1/T) int S^2 (1/m0 - f^2/m2)^2 df; the period is sqrt(r),

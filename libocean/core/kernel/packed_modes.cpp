@@ -146,17 +146,13 @@ class PackedModes::Packing {
                     std::vector<float>& dense) const {
         const int width = cascade.lattice.resolution;
         const int stride = modes_.stride(cascade);
-        const auto index = [width](int m, int n) {
-            return static_cast<std::size_t>(fft_index(m, width)) * static_cast<std::size_t>(width) +
-                   static_cast<std::size_t>(fft_index(n, width));
-        };
         const bool alone = modes_.cascades.size() == 1;
         const auto lanes = static_cast<std::size_t>(lanes_);
         const std::size_t plane = static_cast<std::size_t>(size_) * lanes;
         for (int n = first; n < last; ++n) {
-            const std::size_t at = index(lane_row.row, n);
+            const std::size_t at = mode_index(n, lane_row.row, width);
             const std::complex<float> a = cascade.h0[at];
-            const std::complex<float> b = cascade.h0[index(-lane_row.row, -n)];
+            const std::complex<float> b = cascade.h0[mode_index(-n, -lane_row.row, width)];
             float* to = dense.data() +
                         static_cast<std::size_t>(fft_index(n * stride, size_)) * lanes +
                         static_cast<std::size_t>(lane_row.lane);

@@ -5,6 +5,7 @@
 // a member to parameters.hpp and its entry here; every host follows.
 #include "ocean/parameter_table.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 
@@ -20,7 +21,8 @@ constexpr ParameterClass kLive = ParameterClass::live;
 constexpr ParameterClass kRebuild = ParameterClass::rebuild;
 
 // Soft ranges of live parameters begin where a tenth of the range still moves the sea by less than
-// 2 % of its height in a frame while it glides: TakeMotion.AStepOfATenth...
+// 2 % of its height in a frame while it glides, see
+// TakeMotion.AStepOfATenthOfTheSoftRangeMovesLittleWithinAFrame.
 // section, key, unit, label, help, member, hard range, soft range, class, dirties
 constexpr ParameterInfo kTable[] = {
     {"water", "depth", "m", "Depth", "Water depth; inf is deep water.", &Water::depth, 0.01, kInf,
@@ -140,6 +142,36 @@ constexpr ParameterInfo kTable[] = {
      "How directional moments become a distribution (measured).", &WaveSystem::estimator, 0, 0, 0,
      0, kRebuild, Stage::spectrum, "measured"},
 };
+
+/// Stands for a value of any type.
+struct Anything {
+    template <typename Value>
+    constexpr operator Value() const {
+        return {};
+    }
+};
+
+/// Members of a plain struct: as many as there are values that it can be made from.
+template <typename Struct, typename... Values>
+constexpr std::size_t member_count() {
+    if constexpr (requires { Struct{Values{}..., Anything{}}; }) {
+        return member_count<Struct, Values..., Anything>();
+    } else {
+        return sizeof...(Values);
+    }
+}
+
+constexpr std::size_t rows_of(std::string_view section) {
+    return static_cast<std::size_t>(
+        std::ranges::count(kTable, section, [](const ParameterInfo& row) { return row.section; }));
+}
+
+// A member without a row is one that nobody can set.
+static_assert(rows_of("water") == member_count<Water>());
+static_assert(rows_of("grid") == member_count<Grid>());
+static_assert(rows_of("surface") == member_count<SurfaceSettings>());
+static_assert(rows_of("time") == member_count<Timing>());
+static_assert(rows_of("waves") + 2 == member_count<WaveSystem>());  // energy_share, measured
 
 template <typename Section, typename Value>
 constexpr std::span<const std::string_view> choices_of(Value Section::*) {

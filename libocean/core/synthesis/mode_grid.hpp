@@ -18,13 +18,9 @@ namespace ocean {
 inline wave::double_precision::ModeState state_of_mode(const CascadeModes& cascade, double tau,
                                                        double rate_unit, int n, int m) {
     const int size = cascade.lattice.resolution;
-    const auto index = [size](int i, int j) {
-        return static_cast<std::size_t>(fft_index(j, size)) * static_cast<std::size_t>(size) +
-               static_cast<std::size_t>(fft_index(i, size));
-    };
-    const std::size_t at = index(n, m);
+    const std::size_t at = mode_index(n, m, size);
     const std::complex<double> h0 = cascade.h0[at];
-    const std::complex<double> mirror = cascade.h0[index(-n, -m)];
+    const std::complex<double> mirror = cascade.h0[mode_index(-n, -m, size)];
     const double rate = static_cast<double>(cascade.rate_high[at]) + cascade.rate_low[at];
     const double turns = wave::double_precision::phase_turns(rate, 0.0, tau, 0.0);
     return wave::double_precision::mode_state(h0.real(), h0.imag(), mirror.real(), mirror.imag(),
@@ -50,10 +46,6 @@ inline std::complex<double> linear_coefficient(Linear field,
 template <typename Real>
 std::vector<std::complex<Real>> coefficient_grid(const MapModes& modes, Linear field) {
     const int size = modes.resolution;
-    const auto at = [](int n, int m, int width) {
-        return static_cast<std::size_t>(fft_index(m, width)) * static_cast<std::size_t>(width) +
-               static_cast<std::size_t>(fft_index(n, width));
-    };
     std::vector<std::complex<Real>> grid(static_cast<std::size_t>(size) *
                                          static_cast<std::size_t>(size));
     for (const CascadeModes& cascade : modes.cascades) {
@@ -63,11 +55,11 @@ std::vector<std::complex<Real>> coefficient_grid(const MapModes& modes, Linear f
         for (int m = -half + 1; m < half; ++m) {
             for (int n = -half + 1; n < half; ++n) {
                 const auto state = state_of_mode(cascade, modes.tau, modes.rate_unit, n, m);
-                const std::complex<double> value =
-                    linear_coefficient(field, state, step * n, step * m,
-                                       cascade.displacement[at(n, m, cascade.lattice.resolution)]);
+                const std::complex<double> value = linear_coefficient(
+                    field, state, step * n, step * m,
+                    cascade.displacement[mode_index(n, m, cascade.lattice.resolution)]);
                 // The bands share no mode: all but one of the cascades add zero.
-                grid[at(n * stride, m * stride, size)] += std::complex<Real>(
+                grid[mode_index(n * stride, m * stride, size)] += std::complex<Real>(
                     static_cast<Real>(value.real()), static_cast<Real>(value.imag()));
             }
         }

@@ -14,8 +14,8 @@
 namespace ocean {
 
 /// A ring of wavenumbers, half-open: inner <= |k| < outer in steps of the patch's lattice. A
-/// cascade reaches from where the one before it ends to its own Nyquist line; the last one keeps
-/// the corners of its square.
+/// cascade reaches from where the one before it ends to its own Nyquist line; the last one also
+/// keeps the corners of its square, beyond that line.
 struct CascadeBand {
     int divisor = 1;  // m_c
     double inner = 0.0;

@@ -26,9 +26,9 @@ struct SpectralMoments {
     double significant_wave_height() const;  // 4 sqrt(m0)
 };
 
-/// Immutable; copies share the table. Rows at uneven angular frequencies (close where the density
-/// bends), columns at even directions 2 pi j / directions, a multiple of four of them, density in
-/// m^2 s/rad^2 by bilinear interpolation, 0 outside.
+/// Immutable; copies share the table. A row for each of some angular frequencies, which lie close
+/// where the density bends; a column for each direction 2 pi j / directions, a multiple of four of
+/// them. Densities are in m^2 s/rad^2: bilinear between the entries, 0 outside the rows.
 class DirectionalSpectrum {
   public:
     DirectionalSpectrum() = default;
@@ -41,7 +41,7 @@ class DirectionalSpectrum {
     double frequency_density(double omega) const;
     /// Over wavelengths shortest..longest metres (0 = no limit).
     SpectralMoments moments(const Water& water, double shortest = 0.0, double longest = 0.0) const;
-    /// Their m0 alone.
+    /// The m0 of moments() alone, in far less time.
     double variance(const Water& water, double shortest = 0.0, double longest = 0.0) const;
 
     std::span<const double> angular_frequencies() const { return omega_; }

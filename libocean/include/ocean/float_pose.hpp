@@ -30,9 +30,9 @@ struct FloatPose {
 void require_body(const FloatBody& body);
 
 /// The least-squares plane through the surface over the rectangle, on samples as close as those of
-/// the shown map, at most 64 a side: of a body longer than 64 of them the shortest waves are left
-/// to chance. Along a side shorter than one sample the slope is that of the surface itself, so that
-/// a small body takes the surface's normal. Throws as require_body.
+/// the shown map, at most 64 a side, which are too few for the shortest waves below a longer body.
+/// Along a side shorter than one sample the slope is that of the surface itself, so that a small
+/// body takes the surface's normal. Throws as require_body.
 FloatPose float_pose(const SurfaceQuery& query, const FloatBody& body, ThreadPool& pool);
 
 }  // namespace ocean

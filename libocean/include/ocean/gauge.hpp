@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wave gauges: what one reads in the sea, and what a record of its elevation says: waves by zero
-// crossings, a spectrum by Welch's method, and how far both can be trusted.
+// Wave gauges: what one reads in the sea, and what a time series of its elevation says: waves by
+// zero crossings, a spectrum by Welch's method, and how far both can be trusted.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ struct Estimate {
     double upper;
 };
 
-/// One-sided density of a record's variance at the frequencies i * frequency_step, i = 0 .. up to
+/// One-sided density of a series' variance at the frequencies i * frequency_step, i = 0 .. up to
 /// half the sampling rate, scaled so that the sum of density * frequency_step is the variance.
 struct GaugeSpectrum {
     double frequency_step = 0.0;      // Hz
@@ -45,11 +45,11 @@ struct GaugeSpectrum {
     Estimate limits() const;
 };
 
-/// Samples of a segment: the largest power of two that leaves the record the degrees of freedom
-/// asked for, at least 32; 0 if the record is too short.
+/// Samples of a segment: the largest power of two that leaves the series the degrees of freedom
+/// asked for, at least 32; 0 if the series is too short.
 std::size_t gauge_segment(std::size_t samples, double degrees_of_freedom);
 /// Welch's method: segments of gauge_segment samples that overlap by half, Hann windows, the
-/// record's mean removed. `rate` in Hz. An empty spectrum for a record that is too short.
+/// series' mean removed. `rate` in Hz. An empty spectrum for a series that is too short.
 GaugeSpectrum estimate_spectrum(std::span<const double> elevation, double rate,
                                 double degrees_of_freedom);
 
@@ -61,14 +61,15 @@ struct WaveCount {
     double tenth_height = 0.0;        // H1/10
     double mean_height = 0.0;
     double highest_wave = 0.0;        // Hmax
-    double highest_crest = 0.0;       // of the record, m above its mean
+    double highest_crest = 0.0;       // of the series, m above its mean
     Estimate mean_period = {};        // Tz, s: of the zero crossings. Limits NaN below 100 waves
     double significant_period = 0.0;  // T1/3: mean over the highest third
 };
 WaveCount count_waves(std::span<const double> elevation, double rate);
 
-/// What holds for the sea and not only for its record. Both are those of the record; their limits
-/// are NaN without a spectrum, and equal to the value for a record of still water.
+/// Of the sea, as far as a series of it tells: both values are those of the series; the limits say
+/// where the sea's own may lie. They are NaN without a spectrum, and the value itself in still
+/// water.
 struct SeaEstimate {
     Estimate significant_wave_height;  // 4 sqrt(m0), m
     Estimate zero_crossing_period;     // sqrt(m0/m2), s

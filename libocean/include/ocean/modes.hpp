@@ -39,7 +39,7 @@ struct CascadeModes {
     Lattice lattice;
     std::vector<std::complex<float>> h0;  // m
     std::vector<float> rate_high;         // omega / 2 pi, Hz; with a loop: whole turns per loop
-    std::vector<float> rate_low;          // what float leaves of it
+    std::vector<float> rate_low;          // the rest of it, which rate_high cannot hold
     std::vector<float> displacement;      // coth(k d) / k, m: that of h is -i kvec * this * h
     /// [s]: of the modes with max(|n|, |m|) = s.
     std::vector<GradientCovariance> shell_covariance;
@@ -63,26 +63,27 @@ struct Modes {
     double rate_unit() const { return loop_period > 0.0 ? 1.0 / loop_period : 1.0; }
 };
 
-/// The variance of one mode, S D c_g / k dkx dky [m^2], without any random draw; n, m signed, on
-/// the lattice of the band, whose share of the wavenumbers it belongs to. S D c_g / k is its mean
-/// over the mode's cell of the lattice, so that no energy falls between the modes, however narrow
-/// the swell. Zero outside the band, outside the limits (a wave of exactly that length is kept) of
-/// `parameters.surface` and at k = 0.
+/// The variance of the mode (n, m), signed, on the lattice of the band: S D c_g / k dkx dky [m^2],
+/// no random draw. S D c_g / k is a mean over the mode's cell of the lattice, so that no energy
+/// falls between the modes, however narrow the swell. Zero outside the band, outside the limits of
+/// `parameters.surface` (a wave of exactly that length is kept) and at k = 0.
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m, const CascadeBand& band = {});
 
-/// Throws Error invalid_value: a sea has no other times than finite ones [s].
+/// Throws Error invalid_value for a time that is not finite.
 void require_finite_time(double time);
 
-/// The time as a fraction of the loop, 0 <= f < 1, rounded to 2^-44 of it: t and t + T give the
-/// same bits after their own rounding.
+/// The time as a fraction of the loop, 0 <= f < 1, rounded to 2^-44 of it: so much that t and
+/// t + T give the same bits although each is rounded to a double.
 double loop_fraction(double time, double loop_period);
 
-/// A lattice cuts a ring unevenly: `variance`, the sum over the modes that `measures` picks, times
-/// this is the integral over their band. 1 for a sea of one cascade, whose band is all its lattice.
+/// The modes of a band cover its ring of wavenumbers unevenly. This factor makes `variance`, the
+/// sum over the modes that measures_band picks, the integral over the ring. 1 for a sea of one
+/// cascade, whose band is all its lattice.
 double band_gain(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                  const CascadeBand& band, double variance);
-/// Modes inside the circle of the lattice's Nyquist line: the last band has corners beyond it.
+/// Whether a mode of the band lies inside the circle of the lattice's Nyquist line: the last band
+/// has corners beyond it.
 bool measures_band(const CascadeBand& band, int resolution, int n, int m);
 
 /// h0(k) = 1/2 (xi_r + i xi_i) sqrt(S D c_g/k dkx dky). [Horvath 2015] eq. 62, [Tessendorf 2001]

@@ -47,8 +47,8 @@ struct ParameterInfo {
     double soft_max;
     ParameterClass change;
     Stage dirties;
-    /// Choices of another parameter of the section: without one of them this one does nothing.
-    /// "jonswap, tma"; empty: it always counts.
+    /// Words of another parameter of the section, "jonswap, tma": while that has another word,
+    /// this one does nothing. Empty: it always counts.
     std::string_view used_by = "";
 
     bool per_wave_system() const { return section == "waves"; }
@@ -72,12 +72,12 @@ struct ParameterRef {
 /// waves.0. Throws Error invalid_value naming the nearest known names.
 ParameterRef find_parameter(std::string_view name);
 
-/// A typed value between text or TOML and a member. A number stands for float, int and enum index.
+/// A typed value on its way between text or TOML and a member; words are texts.
 using ParameterValue = std::variant<double, std::int64_t, std::string, std::vector<std::int64_t>>;
 
-/// Checks type, finiteness and hard range and stores. Throws Error invalid_value with name, value
-/// and allowed range.
-/// A wave index equal to waves.size() is an error: systems are never made on the fly.
+/// Checks type and hard range and stores. What does not pass is an Error invalid_value with name,
+/// value and allowed range.
+/// So is a wave system that is not there: none is made on the fly.
 void assign(Parameters& parameters, const ParameterRef& ref, const ParameterValue& value);
 /// The value as the type the table gives; an unset optional gives an empty text.
 ParameterValue value_of(const Parameters& parameters, const ParameterRef& ref);
@@ -90,7 +90,7 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
 std::string get_parameter(const Parameters& parameters, std::string_view name);
 std::string to_text(const ParameterValue& value);
 
-/// "0.01 .. inf m", "one of: jonswap, tma", "a power of two, 32 .. 8192".
+/// "0.01 .. inf m", "one of monahan, threshold", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterInfo& info);
 
 /// The first stage to be redone when parameters change from `before` to `after`; nothing if none.

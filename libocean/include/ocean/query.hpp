@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The shown surface at points of the world: its height, normal, velocity and foam where a buoy, a
-// ship or a camera is. The displacement is inverted: found is the label that is shown there.
+// ship or a camera is. The displacement is inverted: a sample is that of the label which is shown
+// at the point.
 //
-// Between the samples of maps twice as fine as those that are shown, fields are cubic splines,
+// Fields are interpolated by cubic splines on maps twice as fine as the one that is shown. That is
 // exact but for the aliases of the shortest waves: a wave of l metres is off by (s / (l - s))^4 of
-// itself, s = spacing of the samples, at most 1/81. Over the rms height of a sea that its grid
-// resolves this is less than 2e-3, and less than 1e-4 with refine = 2; slopes are off by at most
-// 1/27 and 1/343 of the shortest waves. Proved in query_test.cpp, for the presets in
-// preset_query_test.cpp.
+// its height, s = spacing of the fine samples, at most 1/81. The rms of that is less than 2e-3 of
+// the rms height of a sea that its grid resolves, and less than 1e-4 with refine = 2; slopes are
+// off by at most 1/27 and 1/343 of those of the shortest waves. Proved in query_test.cpp, for the
+// presets in preset_query_test.cpp.
 #pragma once
 
 #include <array>
@@ -41,7 +42,7 @@ struct QuerySample {
 
 struct QueryOptions {
     bool exact = false;  // add up all modes in double
-    int refine = 1;      // 1, 2, 4 ...: finer maps between which less is interpolated
+    int refine = 1;      // 1, 2, 4 ...: maps so many times finer still, for smaller errors
     bool foam = true;    // false: foam is 0 and costs nothing
     int resolution = 0;  // of the map that is shown: waves it does not hold are not there; 0 = the
                          // modes' own
@@ -59,8 +60,7 @@ struct FoamMap {
 class SurfaceQuery {
   public:
     /// Throws Error invalid_value for a refine that is no power of two or needs maps of more than
-    /// 8192 samples. (refine = 1 is allowed for every sea: on 8192 samples maps are no finer than
-    /// that.)
+    /// 8192 samples. (refine = 1 is always allowed: of a map of 8192 samples there is no finer.)
     SurfaceQuery(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                  double time, const QueryOptions& options, ThreadPool& pool, FoamMap foam = {});
     ~SurfaceQuery();
@@ -76,7 +76,8 @@ class SurfaceQuery {
     double time() const;
     /// Distance of the samples of the shown map, m.
     double spacing() const;
-    /// Largest horizontal displacement, m; a tenth more, since it may lie between samples.
+    /// Largest horizontal displacement of the samples and a tenth more, for what lies between them,
+    /// m.
     double reach() const;
     /// Where the interpolated surface shows a label. sample() finds its inverse to 2e-6 of reach().
     WorldPoint shown(WorldPoint label) const;

@@ -18,8 +18,8 @@ struct Sea {
     /// to its value by a one-pole filter of time.glide seconds. A pure function: any frame alone.
     ///   y(t) = v + (y(s) - v) exp(-(t - s) / glide) from the time s of an event with the value v.
     /// Of peak_period the logarithm glides, of fetch the root, and directions the short way round.
-    /// Of two spreadings the wave system carries both while it glides: copies of it with an
-    /// energy_share follow behind the systems of the file. foam_coverage switches at once. After
+    /// While its spreading glides, a wave system has both: copies of it, each with its
+    /// energy_share, stand behind the systems of the file. foam_coverage switches at once. After
     /// about 20 glides a parameter is its value in every bit.
     Parameters at(double time) const;
     /// at(time).surface.foam_lifetime, for those who follow foam over many ticks.
@@ -29,8 +29,9 @@ struct Sea {
     double time_of(double frame) const;
 };
 
-/// The parameters' rules and the take's: live parameters of wave systems that there are, values in
-/// range, in order of time, and no loop, which repeats where a take does not. Throws Error.
+/// The parameters' rules and those of a take: it names live parameters, of wave systems that are
+/// there; its values are in range and its events in order of time; the sea has no loop, for a take
+/// does not repeat. Throws Error.
 void validate(const Sea& sea);
 
 }  // namespace ocean

@@ -13,7 +13,8 @@
 
 namespace ocean {
 
-/// A: integral of the spectrum in double. B: sum over the modes of the grid, no random draw.
+/// asked: integral of the spectrum, in double. resolved: sum over the modes of the grid. Neither
+/// holds a random draw.
 struct AskedResolved {
     double asked = 0.0;
     double resolved = 0.0;
@@ -25,7 +26,7 @@ struct LoopError {
     double speed_error = 0.0;  // (speed in the loop - speed) / speed, 1 = twice as fast
 };
 
-/// What repeats more often than the sea does.
+/// One cascade: its waves repeat more often than the sea does.
 struct CascadeShare {
     double period = 0.0;         // m
     double shortest_wave = 0.0;  // m, of the waves that this cascade holds; 0 = it holds none
@@ -34,8 +35,8 @@ struct CascadeShare {
     double slope = 0.0;
 };
 
-/// The slopes that a map shows. A host that draws a coarser one far away makes what is missing
-/// from the sea's mean square slope into roughness.
+/// The slopes that a map shows. Far away a host draws a coarse map; what that lacks of the sea's
+/// mean square slope becomes roughness.
 struct MapSlope {
     int resolution = 0;
     double mean_square_slope = 0.0;

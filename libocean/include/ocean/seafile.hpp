@@ -37,8 +37,8 @@ Sea parse_sea(std::string_view toml, const std::string& name, const std::string&
 void resolve_files(Sea& sea, const std::string& base_dir,
                    const SpectrumReader& reader = read_spectra);
 /// The resolved sea as text: every key of the table, the chosen records inlined as
-/// [waves.measured_record] and the take as [take], which a reader takes before any `file` or
-/// `take`. parse_sea(write_sea(s)) gives the same sea in every bit. Throws Error invalid_value for
+/// [waves.measured_record] and the take as [take]. A reader prefers these to `file` and `take`.
+/// parse_sea(write_sea(s)) gives the same sea in every bit. Throws Error invalid_value for
 /// a text that is not UTF-8.
 std::string write_sea(const Sea& sea);
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Mean and variance of a gauge's record: what its waves, its spectrum and its sea state begin with.
+// Mean and variance of a gauge's time series: what its waves, its spectrum and its sea state begin
+// with.
 #pragma once
 
 #include <numeric>
@@ -9,16 +10,16 @@
 
 namespace ocean {
 
-struct RecordMoments {
+struct SeriesMoments {
     double mean = 0.0;
     double variance = 0.0;  // about the mean, over the number of samples
 };
 
-/// 0 and 0 for an empty record.
-inline RecordMoments moments_of(std::span<const double> values) {
+/// 0 and 0 for an empty series.
+inline SeriesMoments moments_of(std::span<const double> values) {
     if (values.empty()) return {};
     const auto count = static_cast<double>(values.size());
-    RecordMoments moments;
+    SeriesMoments moments;
     moments.mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
     for (const double value : values) {
         moments.variance += (value - moments.mean) * (value - moments.mean);
