@@ -3,7 +3,7 @@
 //
 // Short inverse transforms of R points, one line per lane: the straight-line pieces that passes of
 // the kernel are made of. Written once for all widths; each is proved against the plain sum in
-// kernel_codelet_test.cpp.
+// kernel_test.cpp.
 //
 //   X_k = sum over j < R of x_j w_R^(j k),   w_R = exp(+2 pi i / R), not normalised.
 //

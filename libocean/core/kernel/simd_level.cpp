@@ -14,7 +14,6 @@
 
 namespace ocean {
 
-#if defined(OCEAN_X86_KERNELS)
 namespace avx512 {
 extern const KernelCode kCode;
 }
@@ -24,25 +23,73 @@ extern const KernelCode kCode;
 namespace sse4 {
 extern const KernelCode kCode;
 }
-#endif
 namespace portable {
 extern const KernelCode kCode;
 }
 
 namespace {
 
-constexpr SimdLevel kLevels[] = {SimdLevel::avx512, SimdLevel::avx2, SimdLevel::sse4,
-                                 SimdLevel::portable};
+/// A kernel that is compiled in, and what it asks of the processor: bits as in Processor.
+struct Kernel {
+    SimdLevel level;
+    const KernelCode* code;
+    unsigned leaf_1, leaf_7, saved_states;
+};
+
+#if defined(OCEAN_X86_KERNELS)
+constexpr unsigned kAvxStates = 0x06;     // of XMM and YMM registers
+constexpr unsigned kAvx512States = 0xE6;  // and of masks and ZMM
+constexpr unsigned kAvx512 = bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
+#endif
+
+/// The best first. A build may leave out any but the last: OCEAN_KERNELS in CMake.
+constexpr Kernel kKernels[] = {
+#if defined(OCEAN_KERNEL_AVX512)
+    {SimdLevel::avx512, &avx512::kCode, bit_FMA, bit_AVX2 | kAvx512, kAvx512States},
+#endif
+#if defined(OCEAN_KERNEL_AVX2)
+    {SimdLevel::avx2, &avx2::kCode, bit_FMA, bit_AVX2, kAvxStates},
+#endif
+#if defined(OCEAN_KERNEL_SSE4)
+    {SimdLevel::sse4, &sse4::kCode, bit_SSE4_2, 0, 0},
+#endif
+    {SimdLevel::portable, &portable::kCode, 0, 0, 0},
+};
+
+/// What the processor can and the system saves between threads. [Intel SDM] vol. 1 sec. 14.3, 15.2;
+/// the compilers' own question for it is missing from some of their run-time libraries.
+struct Processor {
+    unsigned leaf_1 = 0;        // ecx of cpuid 1
+    unsigned leaf_7 = 0;        // ebx of cpuid 7
+    unsigned saved_states = 0;  // XCR0
+
+    Processor() {
+#if defined(OCEAN_X86_KERNELS)
+        unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;
+        if (__get_cpuid(1, &eax, &ebx, &ecx, &edx) != 0) leaf_1 = ecx;
+        if (__get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0) leaf_7 = ebx;
+        if ((leaf_1 & bit_OSXSAVE) != 0) {
+            __asm__ volatile("xgetbv" : "=a"(saved_states), "=d"(edx) : "c"(0));
+        }
+#endif
+    }
+    bool runs(const Kernel& kernel) const {
+        return (leaf_1 & kernel.leaf_1) == kernel.leaf_1 &&
+               (leaf_7 & kernel.leaf_7) == kernel.leaf_7 &&
+               (saved_states & kernel.saved_states) == kernel.saved_states;
+    }
+};
 
 SimdLevel choose() {
     const char* word = std::getenv("OCEAN_SIMD");
     const std::string_view limit = word != nullptr ? word : "";
     SimdLevel most = SimdLevel::avx512;
-    for (const SimdLevel level : kLevels) {
+    for (const SimdLevel level : {SimdLevel::portable, SimdLevel::sse4, SimdLevel::avx2}) {
         if (simd_name(level) == limit) most = level;
     }
-    for (const SimdLevel level : kLevels) {
-        if (level <= most && simd_available(level)) return level;
+    const Processor processor;
+    for (const Kernel& kernel : kKernels) {
+        if (kernel.level <= most && processor.runs(kernel)) return kernel.level;
     }
     return SimdLevel::portable;
 }
@@ -63,54 +110,12 @@ std::string_view simd_name(SimdLevel level) {
     return "portable";
 }
 
-#if defined(OCEAN_X86_KERNELS)
-namespace {
-
-/// What the processor can and the system saves between threads. [Intel SDM] vol. 1 sec. 14.3, 15.2;
-/// the compilers' own question for it is missing from some of their run-time libraries.
-struct Processor {
-    unsigned leaf_1 = 0;        // ecx of cpuid 1
-    unsigned leaf_7 = 0;        // ebx of cpuid 7
-    unsigned saved_states = 0;  // XCR0
-
-    Processor() {
-        unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;
-        if (__get_cpuid(1, &eax, &ebx, &ecx, &edx) != 0) leaf_1 = ecx;
-        if (__get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0) leaf_7 = ebx;
-        if ((leaf_1 & bit_OSXSAVE) != 0) {
-            __asm__ volatile("xgetbv" : "=a"(saved_states), "=d"(edx) : "c"(0));
-        }
-    }
-    bool has(unsigned in_leaf_1, unsigned in_leaf_7, unsigned states) const {
-        return (leaf_1 & in_leaf_1) == in_leaf_1 && (leaf_7 & in_leaf_7) == in_leaf_7 &&
-               (saved_states & states) == states;
-    }
-};
-
-}  // namespace
-
 bool simd_available(SimdLevel level) {
-    constexpr unsigned kAvxStates = 0x06;     // of XMM and YMM registers
-    constexpr unsigned kAvx512States = 0xE6;  // and of masks and ZMM
-    constexpr unsigned kAvx512 = bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
-    const Processor processor;
-    switch (level) {
-        case SimdLevel::avx512:
-            return processor.has(bit_FMA, bit_AVX2 | kAvx512, kAvx512States);
-        case SimdLevel::avx2:
-            return processor.has(bit_FMA, bit_AVX2, kAvxStates);
-        case SimdLevel::sse4:
-            return processor.has(bit_SSE4_2, 0, 0);
-        case SimdLevel::portable:
-            break;
+    for (const Kernel& kernel : kKernels) {
+        if (kernel.level == level) return Processor().runs(kernel);
     }
-    return true;
+    return false;
 }
-#else
-bool simd_available(SimdLevel level) {
-    return level == SimdLevel::portable;
-}
-#endif
 
 SimdLevel simd_level() {
     static const SimdLevel chosen = choose();
@@ -118,20 +123,9 @@ SimdLevel simd_level() {
 }
 
 const KernelCode& kernel_code(SimdLevel level) {
-#if defined(OCEAN_X86_KERNELS)
-    switch (level) {
-        case SimdLevel::avx512:
-            return avx512::kCode;
-        case SimdLevel::avx2:
-            return avx2::kCode;
-        case SimdLevel::sse4:
-            return sse4::kCode;
-        case SimdLevel::portable:
-            break;
+    for (const Kernel& kernel : kKernels) {
+        if (kernel.level == level) return *kernel.code;
     }
-#else
-    static_cast<void>(level);
-#endif
     return portable::kCode;
 }
 
