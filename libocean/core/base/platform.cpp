@@ -19,6 +19,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <ctime>
 #include <fstream>
 #endif
 
@@ -31,6 +32,19 @@ int available_cores() {
     if (sched_getaffinity(0, sizeof(set), &set) == 0) return std::max(CPU_COUNT(&set), 1);
 #endif
     return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+}
+
+ThreadUsage usage_of_this_thread() {
+#if defined(__linux__)
+    rusage usage{};
+    timespec time{};  // getrusage's is that of the last tick
+    if (getrusage(RUSAGE_THREAD, &usage) == 0 &&
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0) {
+        return {usage.ru_nivcsw,
+                static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)};
+    }
+#endif
+    return {};
 }
 
 #if defined(__linux__)

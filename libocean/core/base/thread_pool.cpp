@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/crew_size.hpp"
 #include "ocean/platform.hpp"
 
 namespace ocean {
@@ -58,6 +59,7 @@ struct ThreadPool::State {
     int size = 1;
     std::vector<std::thread> workers;
     std::vector<ItemRange> ranges;  // of each thread
+    CrewSize crew_size{1};          // the caller's
     std::mutex mutex;
     std::condition_variable start;
     std::condition_variable done;
@@ -65,17 +67,28 @@ struct ThreadPool::State {
     const std::function<void(int, int)>* body = nullptr;  // of the call that goes on, if any
     std::uint64_t call = 0;                               // its number
     int crew = 1;                                         // threads that may take part
+    bool measured = false;                                // what they use
+    ThreadUsage used;                                     // by all in this call
     int taking_part = 0;                                  // workers
     bool stopping = false;
     std::exception_ptr failure;
 
     /// A thread walks through its own range, whose items are neighbours; after that it helps the
-    /// others from the far end of theirs.
-    void take_items(const std::function<void(int, int)>& run, int thread) {
+    /// others from the far end of theirs. Returns what the thread used.
+    ThreadUsage take_items(const std::function<void(int, int)>& run, int thread) {
+        const ThreadUsage before = measured ? usage_of_this_thread() : ThreadUsage{};
         for (int other = 0; other < crew; ++other) {
             ItemRange& range = ranges[static_cast<std::size_t>((thread + other) % crew)];
             for (int item; (item = range.take(other == 0)) >= 0;) run_item(run, item, thread);
         }
+        const ThreadUsage after = measured ? usage_of_this_thread() : ThreadUsage{};
+        return {after.preemptions - before.preemptions, after.seconds - before.seconds};
+    }
+
+    /// With the mutex locked.
+    void add(ThreadUsage usage) {
+        used.preemptions += usage.preemptions;
+        used.seconds += usage.seconds;
     }
 
     void run_item(const std::function<void(int, int)>& run, int item, int thread) {
@@ -99,8 +112,9 @@ struct ThreadPool::State {
             const std::function<void(int, int)>& run = *body;
             ++taking_part;
             lock.unlock();
-            take_items(run, thread);
+            const ThreadUsage usage = take_items(run, thread);
             lock.lock();
+            add(usage);
             if (--taking_part == 0) done.notify_one();
         }
     }
@@ -119,6 +133,7 @@ ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
             break;
         }
     }
+    state_->crew_size = CrewSize(state_->size);
 }
 
 ThreadPool::~ThreadPool() {
@@ -137,7 +152,9 @@ int ThreadPool::size() const {
 void ThreadPool::for_each_item(int count, const std::function<void(int item, int thread)>& body) {
     if (count <= 0) return;
     State& state = *state_;
-    const int crew = std::min(state.size, count);
+    const CrewSize::Clock::time_point began = CrewSize::Clock::now();
+    const int chosen = state.crew_size.choose(began);
+    const int crew = std::min(chosen, count);
     {
         const std::lock_guard lock(state.mutex);
         for (int thread = 0; thread < crew; ++thread) {
@@ -145,15 +162,20 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
                                                                share_edge(count, thread + 1, crew));
         }
         state.crew = crew;
+        // Threads without an item would look as if they had waited for a core.
+        state.measured = crew == chosen && state.crew_size.asks_for_usage();
+        state.used = {};
         state.body = &body;
         ++state.call;
     }
     if (crew > 1) state.start.notify_all();
-    state.take_items(body, 0);
+    const ThreadUsage usage = state.take_items(body, 0);
     std::unique_lock lock(state.mutex);
     // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
     state.body = nullptr;
     state.done.wait(lock, [&] { return state.taking_part == 0; });
+    state.add(usage);
+    state.crew_size.ended(began, CrewSize::Clock::now(), state.used);
     if (state.failure) std::rethrow_exception(std::exchange(state.failure, nullptr));
 }
 

@@ -7,7 +7,7 @@
 //
 // A new channel is an enumerator and a row here, an enumerator of libocean.h with its line in
 // capi/evaluate.cpp, and a name in python/libocean/_sea.py: what is left out does not compile, or
-// fails tests/python/wrapper_test.py. It needs nothing in the kernel, which may have faster code.
+// fails tests/python/test_wrapper.py. It needs nothing in the kernel, which may have faster code.
 #pragma once
 
 #include <algorithm>

@@ -13,6 +13,12 @@ namespace ocean {
 
 /// Cores that this process may run on (affinity respected), at least 1.
 int available_cores();
+/// What the calling thread has had so far; zeros where the system does not tell.
+struct ThreadUsage {
+    std::int64_t preemptions = 0;  // how often its core was taken for another thread
+    double seconds = 0.0;          // of a core
+};
+ThreadUsage usage_of_this_thread();
 /// Bytes that can still be allocated (free memory, container and process limits), or the largest
 /// value where the system does not tell.
 std::uint64_t available_memory();

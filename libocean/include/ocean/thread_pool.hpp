@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A small blocking pool: the work is cut the same way for any number of threads, no spinning, no
-// globals. Equal bits for any number of threads follow from the items being independent.
+// globals. Equal bits for any number of threads follow from the items being independent. Where
+// other processes want the cores too, it gets by with fewer threads (core/base/crew_size.hpp).
 #pragma once
 
 #include <functional>
