@@ -84,10 +84,10 @@ class Workers {
 
 void run_in_order(int count, int workers, const std::function<bool(int worker, int index)>& job,
                   const std::function<void(int index)>& deliver) {
-    Workers crew(count, workers, job);
-    for (int index = 0; index < count && crew.wait_for(index); ++index) {
+    Workers all(count, workers, job);
+    for (int index = 0; index < count && all.wait_for(index); ++index) {
         deliver(index);
-        crew.delivered(index);
+        all.delivered(index);
     }
 }
 

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: a program bakes by the library alone; its host hears of each frame in order, each file is
+// written whole, and what a host throws ends the bake without losing what was finished.
+#include "ocean/bake/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "ocean/error.hpp"
+#include "ocean/seafile.hpp"
+#include "temporary_folder.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+BakeOptions small_bake(const TemporaryFolder& folder, const std::string& output) {
+    BakeOptions options;
+    options.source = "preset:beaufort_4";
+    options.output = folder.file(output);
+    options.frames = "3,1-2";
+    options.resolution = "32";
+    options.threads = 2;
+    options.open_sea = [](const std::string&) {
+        return parse_sea(find_preset("beaufort_4").toml, "beaufort_4", "");
+    };
+    return options;
+}
+
+BakePlan plan_of(const BakeOptions& options) {
+    return make_bake_plan(options, standard_catalogue());
+}
+
+struct Diary : BakeHost {
+    std::string events;
+    const TemporaryFolder* folder = nullptr;  // of the files
+    int whole_files = 0;                      // that came while nothing could interrupt
+    bool last_act = false;
+    bool foam = true;
+    int leave_at = 0;  // a frame, or 0
+
+    void begin(const BakePlan&, const WorkShare& share) override {
+        EXPECT_TRUE(!foam || share.frames_at_a_time == 1) << "foam has a past";
+        events += "begin ";
+    }
+    void frame_baked(int frame, double, const std::vector<std::string>& files) override {
+        for (const std::string& file : files) EXPECT_TRUE(std::filesystem::exists(file)) << file;
+        EXPECT_TRUE(last_act);
+        events += "baked" + std::to_string(frame) + " ";
+        if (frame == leave_at) throw std::runtime_error("nobody listens any more");
+    }
+    void frame_kept(int frame, const std::vector<std::string>&) override {
+        events += "kept" + std::to_string(frame) + " ";
+    }
+    void frame_failed(int frame, const std::string&, bool goes_on) override {
+        events += "failed" + std::to_string(frame) + (goes_on ? "," : " ");
+    }
+    void end() override { events += "end"; }
+    void whole(const std::function<void()>& write) override {
+        const std::size_t before = folder != nullptr ? folder->entries() : 0;
+        write();
+        if (folder != nullptr && folder->entries() > before) ++whole_files;
+    }
+    void if_interrupted(std::function<void()> act) override { last_act = act != nullptr; }
+};
+
+TEST(RunBake, TellsItsHostOfEachFrameInTheOrderAsked) {
+    const TemporaryFolder folder;
+    const BakePlan plan = plan_of(small_bake(folder, "sea.exr"));
+    Diary diary;
+    diary.folder = &folder;
+    run_bake(plan, diary);
+    EXPECT_EQ(diary.events, "begin baked3 baked1 baked2 end");
+    EXPECT_EQ(diary.whole_files, 3 * 3 + 1) << "displacement, normal, foam, and the manifest";
+    EXPECT_FALSE(diary.last_act);
+    EXPECT_EQ(folder.entries(), 3u * 3u + 1u);
+}
+
+TEST(RunBake, NeedsNobodyToListen) {
+    const TemporaryFolder folder;
+    BakeHost nobody;
+    run_bake(plan_of(small_bake(folder, "sea.####.df3")), nobody);
+    EXPECT_EQ(folder.entries(), 3u + 1u);
+}
+
+TEST(RunBake, WhatTheHostThrowsEndsItAndLosesNothing) {
+    const TemporaryFolder folder;
+    BakeOptions options = small_bake(folder, "sea.exr");
+    Diary leaving;
+    leaving.leave_at = 1;
+    EXPECT_THROW(run_bake(plan_of(options), leaving), std::runtime_error);
+    EXPECT_FALSE(leaving.last_act);
+    options.skip_existing = true;
+    Diary again;
+    run_bake(plan_of(options), again);
+    EXPECT_TRUE(again.events.starts_with("begin kept3 kept1 ")) << again.events;
+    EXPECT_TRUE(again.events.ends_with("2 end")) << again.events;
+}
+
+TEST(RunBake, AFrameThatFailsIsToldAndThrown) {
+    const TemporaryFolder folder;
+    BakeOptions options = small_bake(folder, "sea.exr");
+    std::filesystem::create_directories(folder.file("sea.normal.0001.exr"));
+    Diary diary;
+    EXPECT_THROW(run_bake(plan_of(options), diary), Error);
+    EXPECT_TRUE(diary.events.starts_with("begin baked3 failed1 ")) << diary.events;
+    options.keep_going = true;
+    Diary going_on;
+    EXPECT_THROW(run_bake(plan_of(options), going_on), Error);
+    EXPECT_EQ(going_on.events, "begin baked3 failed1,baked2 end");
+}
+
+TEST(RunBake, KeepsWhatItWouldWriteAndNothingElse) {
+    const TemporaryFolder folder;
+    BakeOptions options = small_bake(folder, "sea.####.inc");
+    options.of_format = {{"eye", "0,0,6"}, {"mesh-columns", "20"}, {"mesh-rows", "20"}};
+    options.skip_existing = true;
+    const auto events = [&] {
+        Diary diary;
+        diary.foam = false;
+        run_bake(plan_of(options), diary);
+        return diary.events;
+    };
+    EXPECT_EQ(events(), "begin baked3 baked1 baked2 end");
+    EXPECT_EQ(events(), "begin kept3 kept1 kept2 end");
+    {
+        std::fstream file(folder.file("sea.0001.inc"), std::ios::in | std::ios::out);
+        file.seekp(200);
+        file << "!";
+    }
+    EXPECT_EQ(events(), "begin kept3 baked1 kept2 end") << "a damaged file";
+    options.of_format["heading"] = "10";
+    EXPECT_EQ(events(), "begin baked3 baked1 baked2 end") << "another option of the format";
+    options.frames = "1";
+    options.fps = "12";
+    EXPECT_EQ(events(), "begin baked1 end") << "another sea";
+}
+
+// A dry run reads what is there and writes nothing.
+TEST(RunBake, AForecastNamesTheFilesAndTheirRoom) {
+    const TemporaryFolder folder;
+    BakeOptions options = small_bake(folder, "sea.####.png");
+    const BakeForecast before = forecast_bake(plan_of(options));
+    ASSERT_EQ(before.files.size(), 9u);
+    EXPECT_EQ(folder.entries(), 0u);
+    BakeHost nobody;
+    run_bake(plan_of(options), nobody);
+    std::uint64_t bytes = 0;
+    for (const BakeForecast::File& file : before.files) {
+        EXPECT_FALSE(file.kept);
+        bytes += std::filesystem::file_size(file.path);
+    }
+    EXPECT_LE(bytes, before.bytes);
+    EXPECT_GE(2 * bytes + 9 * 4096, before.bytes);
+    options.skip_existing = true;
+    EXPECT_EQ(forecast_bake(plan_of(options)).bytes, 0u);
+}
+
+}  // namespace
+}  // namespace ocean
