@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// The chain of one time; see chain.hpp. What a stage makes carries the revision it was made for.
 #include "chain.hpp"
 
 #include <string>

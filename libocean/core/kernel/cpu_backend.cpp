@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// The `cpu` backend; see cpu_backend.hpp.
 #include "kernel/cpu_backend.hpp"
 
 #include <map>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// The small map of one cascade; see cascade_map.hpp.
 #include "ocean/cascade_map.hpp"
 
 #include <array>

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// A backend at work; see map_writer.hpp. Channels that it has no code for are made of the linear
+// fields that it writes.
 #include "surface/map_writer.hpp"
 
 #include "surface/plane_channels.hpp"
