@@ -123,14 +123,15 @@ struct ChannelFormula {
 
     InFloat in_float = nullptr;
     InDouble in_double = nullptr;
+    bool given = false;  // with a sanitizer, whether a function is null is no constant expression
 
     constexpr ChannelFormula() = default;
-    constexpr ChannelFormula(InFloat f, InDouble d) : in_float(f), in_double(d) {}
+    constexpr ChannelFormula(InFloat f, InDouble d) : in_float(f), in_double(d), given(true) {}
     /// [](const auto& point) { return point[Linear::slope_x] * point[Linear::slope_x]; }
     template <typename Function>
-    constexpr ChannelFormula(Function function) : in_float(function), in_double(function) {}
+    constexpr ChannelFormula(Function function)
+        : in_float(function), in_double(function), given(true) {}
 
-    constexpr bool empty() const { return in_float == nullptr; }
     constexpr float operator()(const SurfacePoint<float>& point) const { return in_float(point); }
     constexpr double operator()(const SurfacePoint<double>& point) const {
         return in_double(point);
@@ -168,7 +169,7 @@ struct ChannelInfo {
           formula(of_these),
           foam(of_foam) {}
 
-    constexpr bool is_multiple() const { return formula.empty(); }
+    constexpr bool is_multiple() const { return !formula.given; }
     template <typename Real>
     constexpr Real times(Real choppiness) const {
         return factor == Factor::one ? Real(1) : -choppiness;
