@@ -121,9 +121,13 @@ double BakePlan::shortest_wave() const {
                     Lattice{resolution, grid.patch_size}.shortest_wavelength());
 }
 
-io::FrameLabel FrameWork::label() const {
-    return {plan.sea_text, frame, plan.sea.time_of(frame), maps.front().period(),
+io::FrameLabel frame_label(const BakePlan& plan, int frame) {
+    return {plan.sea_text, frame, plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
             plan.backend.name};
+}
+
+io::FrameLabel FrameWork::label() const {
+    return frame_label(plan, frame);
 }
 
 std::vector<int> halving_resolutions(int resolution) {

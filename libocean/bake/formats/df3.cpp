@@ -61,12 +61,8 @@ const BakeFormat kDf3Format = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
-    .frame_bytes = nullptr,
     .most_bytes = most_bytes,
     .write = write,
-    .read_pixels = nullptr,
-    .tells_its_recipe = false,
-    .adopt = nullptr,
 };
 
 }  // namespace ocean

@@ -107,16 +107,11 @@ FormatPlan settle(const BakePlan& begun) {
     return result;
 }
 
-io::FrameLabel label_of(const BakePlan& plan, int frame) {
-    return {plan.sea_text, frame, plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
-            plan.backend.name};
-}
-
 /// The image of a file, without its samples.
 io::Image image_of(const BakePlan& plan, const BakeFile& file) {
     const Settings& settings = settings_of(plan);
     return io::product_image(settings.of_file(file.part), settings.layout,
-                             label_of(plan, file.frame), plan.resolution);
+                             frame_label(plan, file.frame), plan.resolution);
 }
 
 std::string header_of(const BakePlan& plan, const BakeFile& file) {
@@ -209,7 +204,6 @@ const BakeFormat kExrFormat = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
-    .frame_bytes = nullptr,
     .most_bytes = most_bytes,
     .write = write,
     .read_pixels = read_pixels,

@@ -60,16 +60,12 @@ const BakeFormat kHeightFieldFormat = {
     .name = "height_field",
     .extension = ".png",
     .family = "Height fields",
-    .options = nullptr,
-    .read_options = nullptr,
     .settle = settle,
     .files = list_files,
     .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,
     .write = write,
     .read_pixels = read_pixels,
-    .tells_its_recipe = false,
-    .adopt = nullptr,
 };
 
 }  // namespace ocean

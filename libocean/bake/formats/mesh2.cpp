@@ -169,9 +169,6 @@ const BakeFormat kMesh2Format = {
     .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,
     .write = write,
-    .read_pixels = nullptr,
-    .tells_its_recipe = false,
-    .adopt = nullptr,
 };
 
 }  // namespace ocean

@@ -84,12 +84,9 @@ const BakeFormat kStatsFormat = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
-    .frame_bytes = nullptr,
     .most_bytes = most_bytes,
     .write = write,
     .read_pixels = read_pixels,
-    .tells_its_recipe = false,
-    .adopt = nullptr,
 };
 
 }  // namespace

@@ -67,33 +67,37 @@ struct FrameWork {
 
     io::FrameLabel label() const;
 };
+/// What the files of a frame say of it; refers to the plan.
+io::FrameLabel frame_label(const BakePlan& plan, int frame);
 
-/// Functions get plans whose format they are. Null where a format has no such thing.
+/// Functions get plans whose format they are. Those without a default every format has, or it does
+/// not compile; the others are null where it has no such thing.
 struct BakeFormat {
     std::string_view name;       // "height_field"
     std::string_view extension;  // in lower case with its dot, ".png"
     std::string_view family;     // heading of its options in a help text, "EXR files"
 
-    std::vector<FormatOption> (*options)(const Catalogue& catalogue);
+    std::vector<FormatOption> (*options)(const Catalogue& catalogue) = nullptr;
     /// The settings that the options ask for, before there is a sea. Throws Error.
-    std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue);
+    std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue) = nullptr;
     /// For a plan with sea, resolution and settings. Throws Error.
     FormatPlan (*settle)(const BakePlan& begun);
     /// In the order in which they are written.
     std::vector<BakeFile> (*files)(const BakePlan& plan, int frame);
     /// Memory that a frame needs beside its maps, at most.
-    std::uint64_t (*frame_bytes)(const BakePlan& plan);
+    std::uint64_t (*frame_bytes)(const BakePlan& plan) = nullptr;
     /// Of a file, at most.
     std::uint64_t (*most_bytes)(const BakePlan& plan, const BakeFile& file);
     void (*write)(const FrameWork& work, std::span<const BakeFile> files);
     /// The decoded samples of a file, whatever its compression; false for a file that is no image.
     /// Throws Error bad_file for a file that is damaged or another.
     bool (*read_pixels)(const BakePlan& plan, const BakeFile& file, int threads,
-                        const io::ByteSink& sink);
+                        const io::ByteSink& sink) = nullptr;
     /// read_pixels tells by itself whether a file is the plan's; others need a manifest.
-    bool tells_its_recipe;
+    bool tells_its_recipe = false;
     /// --from: takes what was not typed from the header of a baked file.
-    void (*adopt)(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options);
+    void (*adopt)(const BakedHeader& header, const Catalogue& catalogue,
+                  BakeOptions& options) = nullptr;
 };
 
 /// SHA-256 of what decides the content of a file without a header: version, format, backend,
