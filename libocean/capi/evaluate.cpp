@@ -161,7 +161,7 @@ int checked_resolution(const ocean_request& request, const Parameters& parameter
 
 ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require(resolution, "resolution");
         *resolution = default_map_resolution(sea->ocean->parameters().grid);
     });
@@ -169,7 +169,7 @@ ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution) {
 
 ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require(request, "request");
         const ocean_request asked = read_struct(request, sizeof(ocean_request), "ocean_request");
         if (!std::isfinite(asked.time)) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cfenv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -42,9 +43,26 @@ const char* last_error() noexcept;
 /// The code of the exception being handled; keeps its sentence. Only inside a catch block.
 ocean_result translate_exception() noexcept;
 
+/// The calling thread's floating-point modes, set to the standard's while the object lives: what a
+/// host rounds by, or flushes to zero, is its own.
+class PlainFloats {
+  public:
+    PlainFloats() {
+        std::fegetenv(&host_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~PlainFloats() { std::fesetenv(&host_); }
+    PlainFloats(const PlainFloats&) = delete;
+    PlainFloats& operator=(const PlainFloats&) = delete;
+
+  private:
+    std::fenv_t host_;
+};
+
 /// Runs `body` so that nothing is thrown out of it.
 template <typename Body>
 ocean_result guarded(Body&& body) noexcept {
+    const PlainFloats plain;
     try {
         std::forward<Body>(body)();
         return OCEAN_OK;

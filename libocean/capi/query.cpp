@@ -95,7 +95,7 @@ float* put(float* out, std::span<const double> values) {
 ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n, float* samples,
                          size_t stride) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require_finite(time, "time", "seconds");
         const Lists lists{xy, "xy", 2, n, samples, "samples", kSampleFloats, stride};
         lists.check();
@@ -122,7 +122,7 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
 ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z, const double* xy,
                                     size_t n, float* velocities, size_t stride) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require_finite(time, "time", "seconds");
         require_finite(z, "z", "metres");
         const Lists lists{xy, "xy", 2, n, velocities, "velocities", kVelocityFloats, stride};
@@ -142,7 +142,7 @@ ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z, const
 ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                               float* poses, size_t stride) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require_finite(time, "time", "seconds");
         const Lists lists{bodies, "bodies", kBodyDoubles, n, poses, "poses", kPoseFloats, stride};
         lists.check();

@@ -6,10 +6,12 @@
 #include "sea_handle.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "guard.hpp"
 #include "ocean/json.hpp"
@@ -40,8 +42,33 @@ OceanOptions read_options(const ocean_options* given) {
         refuse("backend = " + std::to_string(asked.backend) +
                "; allowed: OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT");
     }
-    return {asked.threads, find_backend(kBackends[static_cast<std::size_t>(asked.backend)])};
+    if (asked.foam_start < OCEAN_FOAM_SETTLED || asked.foam_start > OCEAN_FOAM_EMPTY) {
+        refuse("foam_start = " + std::to_string(asked.foam_start) +
+               "; allowed: OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY");
+    }
+    OceanOptions options;
+    options.threads = asked.threads;
+    options.backend = find_backend(kBackends[static_cast<std::size_t>(asked.backend)]);
+    if (asked.foam_start == OCEAN_FOAM_EMPTY) options.foam_start = FoamStart::empty;
+    if (asked.progress != nullptr) {
+        const auto report = [progress = asked.progress, user = asked.user](std::int64_t done,
+                                                                           std::int64_t total) {
+            if (progress(user, done, total) == 0) return;
+            throw CallError(OCEAN_CANCELLED, "the host's progress function ended the call");
+        };
+        options.foam_progress = report;
+        options.interrupt = [report] { report(0, 0); };
+    }
+    return options;
 }
+
+/// Never 0, which stands for nobody.
+std::uint64_t this_process() {
+    return process_number() + 1;
+}
+
+/// Of ocean_free, until the thread that is in the sea has left.
+constexpr std::chrono::milliseconds kBetweenTries{1};
 
 std::string folder_of(const char* path) {
     const std::u8string folder = utf8_path(path).parent_path().u8string();
@@ -55,6 +82,15 @@ std::string preset_names_json() {
 }
 
 }  // namespace
+
+ocean::capi::Visit::Visit(const ocean_sea* sea) : sea_(sea) {
+    require(sea, "sea");
+    std::uint64_t nobody = 0;
+    if (!sea->user.compare_exchange_strong(nobody, this_process(), std::memory_order_acquire)) {
+        throw CallError(OCEAN_BUSY,
+                        "another thread is in this sea; give each thread its own: ocean_clone");
+    }
+}
 
 uint32_t ocean_abi_version(void) {
     return OCEAN_ABI_VERSION;
@@ -87,13 +123,32 @@ ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
     });
 }
 
+ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* options, ocean_sea** out) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(out, "out");
+        const OceanOptions opened_with = options != nullptr ? read_options(options) : sea->options;
+        *out = std::make_unique<ocean_sea>(*sea, opened_with).release();
+    });
+}
+
 void ocean_free(ocean_sea* sea) {
+    if (sea == nullptr) return;
+    const PlainFloats plain;
+    std::uint64_t user = 0;
+    while (!sea->user.compare_exchange_strong(user, this_process(), std::memory_order_acquire)) {
+        // Of another process: that thread was in the sea at the fork, and is not here to leave it
+        // nor to say what state it is in.
+        if (user != this_process()) return;
+        std::this_thread::sleep_for(kBetweenTries);
+        user = 0;
+    }
     delete sea;
 }
 
 ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require(name, "name");
         require(value, "value");
         Sea changed = sea->ocean->sea();
@@ -103,9 +158,38 @@ ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
     });
 }
 
+ocean_result ocean_set_all(ocean_sea* sea, const char* const* names, const char* const* values,
+                           size_t count) {
+    return guarded([&] {
+        const Visit visit(sea);
+        if (count > 0) {
+            require(names, "names");
+            require(values, "values");
+        }
+        Sea changed = sea->ocean->sea();
+        for (std::size_t i = 0; i < count; ++i) {
+            require(names[i], ("names[" + std::to_string(i) + "]").c_str());
+            require(values[i], ("values[" + std::to_string(i) + "]").c_str());
+            set_parameter(changed.parameters, names[i], values[i]);
+        }
+        resolve_files(changed, sea->base_dir);
+        validate(changed);
+        sea->ocean->change(std::move(changed));
+    });
+}
+
+ocean_result ocean_perform(ocean_sea* sea, double time, const char* name, const char* value) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(name, "name");
+        require(value, "value");
+        sea->ocean->perform(time, name, value);
+    });
+}
+
 ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require(name, "name");
         require(out, "out");
         copy_text(get_parameter(sea->ocean->parameters(), name), out, &size);
@@ -114,7 +198,7 @@ ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t
 
 ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         copy_text(write_sea(sea->ocean->sea()), out, size);
     });
 }
@@ -125,7 +209,7 @@ ocean_result ocean_parameters_json(char* out, size_t* size) {
 
 ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size) {
     return guarded([&] {
-        require(sea, "sea");
+        const Visit visit(sea);
         require(size, "size");
         copy_text(sea_state_json(sea->ocean->state()), out, size);
     });

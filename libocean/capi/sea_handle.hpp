@@ -4,6 +4,8 @@
 // What stands behind the opaque ocean_sea of libocean.h.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,13 +17,36 @@
 
 struct ocean_sea {
     ocean_sea(ocean::Sea sea, ocean::OceanOptions opened_with, std::string folder)
-        : options(opened_with),
+        : options(std::move(opened_with)),
           base_dir(std::move(folder)),
           ocean(std::make_unique<ocean::Ocean>(std::move(sea), options)) {}
+    ocean_sea(const ocean_sea& built, ocean::OceanOptions opened_with)
+        : options(std::move(opened_with)),
+          base_dir(built.base_dir),
+          ocean(std::make_unique<ocean::Ocean>(*built.ocean, options)) {}
 
+    /// The process whose thread is in this sea; 0: none.
+    mutable std::atomic<std::uint64_t> user = 0;
     ocean::OceanOptions options;
     std::string base_dir;                 // where a relative `file` or `take` starts
     std::unique_ptr<ocean::Ocean> ocean;  // readers may make it build what they ask for
     std::vector<ocean::MapOutput>
         map_outputs;  // of the request, kept so that frames allocate nothing
 };
+
+namespace ocean::capi {
+
+/// The one thread that may be in a sea, while the object lives.
+class Visit {
+  public:
+    /// Throws CallError OCEAN_BUSY if another is in it, OCEAN_INVALID_ARGUMENT for NULL.
+    explicit Visit(const ocean_sea* sea);
+    ~Visit() { sea_->user.store(0, std::memory_order_release); }
+    Visit(const Visit&) = delete;
+    Visit& operator=(const Visit&) = delete;
+
+  private:
+    const ocean_sea* sea_;
+};
+
+}  // namespace ocean::capi

@@ -13,6 +13,7 @@
 #include "chain.hpp"
 #include "kernel/map_kernel.hpp"
 #include "ocean/parameter_table.hpp"
+#include "parameters/performer.hpp"
 #include "surface/map_writer.hpp"
 
 namespace ocean {
@@ -23,6 +24,7 @@ Ocean::Ocean(Sea sea, OceanOptions options)
       pool_(options_.threads),
       chain_(std::make_unique<Chain>()),
       maps_(std::make_unique<MapWriter>(options_.backend, options_.channels)) {
+    pool_.set_interrupt(options_.interrupt);
     go_to(sea_.parameters.time.start);
 }
 
@@ -47,7 +49,9 @@ Ocean::Ocean(const Ocean& built, OceanOptions options)
       options_(std::move(options)),
       pool_(options_.threads),
       chain_(std::make_unique<Chain>(*built.chain_)),
-      maps_(writer_like(*built.maps_, options_)) {}
+      maps_(writer_like(*built.maps_, options_)) {
+    pool_.set_interrupt(options_.interrupt);
+}
 
 Ocean::~Ocean() = default;
 
@@ -61,10 +65,24 @@ void Ocean::change(Sea sea) {
     // A take's past may have changed anything.
     const bool performed = !sea_.take.empty() || !sea.take.empty();
     const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
-    if (performed || (first && *first != Stage::clock)) foam_.reset();
+    if (performed || (first && *first != Stage::clock)) foam_.clear();
+    if (sea_.parameters.grid != sea.parameters.grid) surface_query_.reset();
     sea_ = std::move(sea);
     ++revision_;
-    surface_query_.reset();
+    performer_.reset();
+    water_velocity_.reset();
+}
+
+void Ocean::perform(double time, std::string_view name, std::string_view value) {
+    const bool checked = checked_ == revision_;
+    if (!checked) validate(sea_);
+    if (!performer_) performer_ = std::make_unique<Performer>(sea_);
+    const double from = performer_->perform(sea_, time, name, value);
+    if (from > kLatestTime) return;
+    ++revision_;
+    // What the performer lets in breaks no rule, so a long take is not gone through every time.
+    if (checked) checked_ = revision_;
+    for (auto& [resolution, foam] : foam_) foam.forget_from(from);
     water_velocity_.reset();
 }
 
@@ -82,11 +100,13 @@ const Parameters& Ocean::now() const {
 }
 
 const DirectionalSpectrum& Ocean::spectrum(double time) {
+    require_time(time);
     go_to(time);
     return chain_->spectrum(pool_, runs_);
 }
 
 const Modes& Ocean::modes(double time) {
+    require_time(time);
     go_to(time);
     return current_modes();
 }
@@ -142,6 +162,7 @@ void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int reso
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
+    require_time(time);
     resolution = map_resolution(resolution);
     go_to(time);
     require_map_memory(resolution, channels.size(), channels);
@@ -151,7 +172,7 @@ Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
 }
 
 void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int resolution) {
-    require_finite_time(time);
+    require_time(time);
     resolution = map_resolution(resolution);
     go_to(time);
     const ChannelSet channels = channels_of(outputs);
@@ -172,7 +193,7 @@ int Ocean::map_resolution(int asked) const {
 }
 
 void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
-    const int foam = has_foam(channels) ? kFoamMaps : 0;
+    const int foam = has_foam(channels) && !foam_.contains(resolution) ? kFoamMaps : 0;
     require_memory(
         (chain_->has_modes() ? 0 : modes_bytes(now().grid)) +
             (made_.contains(resolution) ? 0 : kernel_bytes(resolution, channels.size())) +
@@ -184,12 +205,16 @@ bool Ocean::has_foam(ChannelSet channels) const {
     return foam_use(channels, options_.channels) == FoamUse::past;
 }
 
+std::int64_t Ocean::foam_settling_ticks() const {
+    std::int64_t ticks = 0;
+    for (const auto& [resolution, foam] : foam_) ticks = std::max(ticks, foam.settling_ticks());
+    return ticks;
+}
+
 FoamLayer Ocean::foam_layer(double time, int resolution) {
-    const std::size_t samples = Lattice{resolution, 1.0}.size();
-    if (!foam_ || foam_->samples() != samples) {
-        foam_.emplace(foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
-                      samples, options_.foam_start);
-    }
+    const auto [place, is_new] = foam_.try_emplace(
+        resolution, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
+        Lattice{resolution, 1.0}.size(), options_.foam_start);
     const FoamSource source{
         [this](double t) { return sea_.foam_lifetime(t); },
         [this, resolution](double t, const FoamLayer& before, std::span<float> foam) {
@@ -199,7 +224,7 @@ FoamLayer Ocean::foam_layer(double time, int resolution) {
             write_maps(t, {&output, 1}, resolution, before);
         },
         options_.foam_progress};
-    return foam_->layer(time, source);
+    return place->second.layer(time, source);
 }
 
 namespace {
@@ -219,22 +244,30 @@ QueryOptions Ocean::shown(QueryOptions options) const {
 
 const SurfaceQuery& Ocean::surface_query(double time, const QueryOptions& asked) {
     const QueryOptions options = shown(asked);
-    const auto& kept = surface_query_;
-    if (!kept || kept->time != time || kept->options != options) {
-        surface_query_.reset();
-        require_query_memory(SurfaceQuery::bytes(modes(time), options));
-        FoamMap foam;
-        if (options.foam) {
-            const Surface map = evaluate(time, {Channel::foam}, options.resolution);
-            const std::span<const float> values = map.channel(Channel::foam);
-            foam = {{values.begin(), values.end()}, map.resolution()};
-        }
-        const Modes& modes = this->modes(time);  // foam has been in the past
-        surface_query_ = {
-            time, 0.0, options,
-            SurfaceQuery(modes, now().surface, now().water, time, options, pool_, std::move(foam))};
+    auto& kept = surface_query_;
+    if (kept && kept->revision == revision_ && kept->time == time && kept->options == options) {
+        return kept->query;
     }
-    return surface_query_->query;
+    if (kept && kept->options != options) kept.reset();
+    FoamMap foam;
+    if (options.foam) {
+        const Surface map = evaluate(time, {Channel::foam}, options.resolution);
+        const std::span<const float> values = map.channel(Channel::foam);
+        foam = {{values.begin(), values.end()}, map.resolution()};
+    }
+    const Modes& modes = this->modes(time);  // foam has been in the past
+    if (!kept) {
+        require_query_memory(SurfaceQuery::bytes(modes, options));
+        kept = {
+            revision_, time, 0.0, options,
+            SurfaceQuery(modes, now().surface, now().water, time, options, pool_, std::move(foam))};
+        return kept->query;
+    }
+    kept->revision = 0;  // while it is neither the old one nor the new
+    kept->query.move_to(modes, now().surface, now().water, time, pool_, std::move(foam));
+    kept->time = time;
+    kept->revision = revision_;
+    return kept->query;
 }
 
 const OrbitalVelocity& Ocean::water_velocity(double time, double z, const QueryOptions& asked) {
@@ -244,7 +277,7 @@ const OrbitalVelocity& Ocean::water_velocity(double time, double z, const QueryO
         water_velocity_.reset();
         const Modes& modes = this->modes(time);
         require_query_memory(OrbitalVelocity::bytes(modes, options));
-        water_velocity_ = {time, z, options,
+        water_velocity_ = {revision_, time, z, options,
                            OrbitalVelocity(modes, now().water, time, z, options, pool_)};
     }
     return water_velocity_->query;
@@ -266,7 +299,8 @@ void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
     // A pose needs no foam, but the query that is kept may have some.
     QueryOptions options = shown({});
     const auto& kept = surface_query_;
-    options.foam = kept && kept->time == time && kept->options == options;
+    options.foam =
+        kept && kept->revision == revision_ && kept->time == time && kept->options == options;
     const SurfaceQuery& query = surface_query(time, options);
     std::vector<FloatPose> found;
     for (const FloatBody& body : bodies) found.push_back(float_pose(query, body, pool_));

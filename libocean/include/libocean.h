@@ -8,8 +8,13 @@
 // - No exception crosses. A function that fails returns a code, leaves its outputs alone and keeps
 //   a sentence for ocean_last_error(). Any function may return OCEAN_INVALID_ARGUMENT,
 //   OCEAN_OUT_OF_MEMORY and OCEAN_INTERNAL; the other codes stand beside it.
-// - An ocean_sea is for one thread at a time, several run in parallel; functions without one may
-//   be called from any thread.
+// - An ocean_sea is for one thread at a time, several run in parallel: a call while another thread
+//   is in the same sea returns OCEAN_BUSY, and ocean_free waits for that thread. Functions without
+//   a sea may be called from any thread.
+// - A child process after fork() may use and free the seas that no thread was in.
+// - The rounding and flush-to-zero modes of the calling thread neither change a bit nor are
+// changed.
+// - Times reach from -1e9 to 1e9 s; others are OCEAN_INVALID_ARGUMENT or OCEAN_INVALID_VALUE.
 // - Texts are UTF-8. Buffers and texts belong to the caller and are not kept.
 // - A text result goes to `out`, with a final 0. Pass *size = capacity of out in bytes; *size
 //   becomes the size needed, the final 0 included. If that is more than the capacity, nothing is
@@ -51,7 +56,9 @@ enum {
     OCEAN_OUTPUT = 6,      /* writing failed */
     OCEAN_OUT_OF_MEMORY = 7,
     OCEAN_BUFFER_TOO_SMALL = 8,
-    OCEAN_INTERNAL = 9 /* a fault of the library: please report it */
+    OCEAN_INTERNAL = 9,   /* a fault of the library: please report it */
+    OCEAN_CANCELLED = 10, /* by the host's own progress function */
+    OCEAN_BUSY = 11       /* another thread is in this sea */
 };
 
 /* Channels. dx, dy: offsets of the displaced point [m]; slope by label; velocity [m/s]. */
@@ -78,6 +85,16 @@ enum { OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB };
 /* Backends. */
 enum { OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT };
 
+/* Where foam begins: from as far back as it lives, so that a map is the same whatever was asked
+ * before; or from nothing at the first time asked for, for live tools, which do not wait. */
+enum { OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY };
+
+/* Called by the thread that called the library, about a hundred times a second while it works. Of
+ * foam that is followed from its beginning done and total are ticks; otherwise both are 0. A result
+ * other than 0 ends the call: within 50 ms it returns OCEAN_CANCELLED. What it was to write is then
+ * unfinished; the sea is as usable as before. It must not call functions of this sea. */
+typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
+
 /* struct_size = sizeof(ocean_options). threads: 0 = the cores this process may use, else 1 .. 1024,
  * the caller's own among them. backend: OCEAN_CPU; OCEAN_RADIX2 and OCEAN_DFT are the slow
  * references. */
@@ -85,6 +102,10 @@ typedef struct {
     size_t struct_size;
     int32_t threads;
     int32_t backend;
+    int32_t foam_start;      /* OCEAN_FOAM_... */
+    int32_t reserved;        /* 0 */
+    ocean_progress progress; /* may be NULL */
+    void* user;              /* handed to it */
 } ocean_options;
 
 /* One destination of 1 to 4 interleaved channels: component c of sample (i, j), which lies i steps
@@ -130,13 +151,30 @@ OCEAN_API ocean_result ocean_open(const char* path, const ocean_options* options
  * starts, NULL = the current directory. */
 OCEAN_API ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
                                    const ocean_options* options, ocean_sea** out);
-/* Frees the sea and all it holds. NULL is allowed. */
+/* The same sea for another thread: shares what `sea` has built, until either is changed. options
+ * may be NULL: those of `sea`. */
+OCEAN_API ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* options,
+                                   ocean_sea** out);
+/* Frees the sea and all it holds; waits for a thread that is in it. NULL is allowed. */
 OCEAN_API void ocean_free(ocean_sea* sea);
 
 /* Sets a parameter by name ("wind_speed", "waves.1.fetch") from text. A refused value changes
  * nothing. `file`, `record` and `place` of a measured system read the file again. INVALID_VALUE,
  * UNSUPPORTED; BAD_FILE and NOT_FOUND for those three. */
 OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
+/* Several in one call, names[i] from values[i], checked together: of values that go with each other
+ * alone all are taken, or none. Codes as ocean_set. */
+OCEAN_API ocean_result ocean_set_all(ocean_sea* sea, const char* const* names,
+                                     const char* const* values, size_t count);
+/* A live parameter glides to the value from that time on, while the sea is shown: an event of the
+ * sea's own take, which ocean_text then holds, so that every frame can be made again in every bit.
+ * What was before that time stays, foam included, and costs nothing again. Values of one parameter
+ * that follow each other within 1/60 s wait for the rest of it, and the last of them counts.
+ * ocean_set, in contrast, makes another sea. INVALID_VALUE, with nothing changed: a parameter that
+ * is not live, a sea with a loop, a time before the last that was performed, a take that is full
+ * (32768 events). */
+OCEAN_API ocean_result ocean_perform(ocean_sea* sea, double time, const char* name,
+                                     const char* value);
 /* Its value as text into out[size], with a final 0; an unset one is "". INVALID_VALUE;
  * BUFFER_TOO_SMALL, and then the sentence says the size needed. */
 OCEAN_API ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size);

@@ -16,28 +16,16 @@
 namespace ocean {
 namespace {
 
-constexpr std::size_t kMaxTakeBytes = std::size_t{2} << 20;
-/// Nine minutes of a knob that never rests, at 60 changes a second; inlined they fit a sea file.
-constexpr std::size_t kMaxEvents = 32768;
 constexpr std::string_view kForm = "; allowed: SECONDS NAME VALUE, such as 12.5 wind_speed 14";
 
 Error refused(const std::string& message) {
     return Error(ErrorKind::invalid_value, message);
 }
 
-std::string live_names() {
-    std::string names;
-    for (const ParameterInfo& info : parameter_table()) {
-        if (info.change != ParameterClass::live) continue;
-        names += (names.empty() ? "" : ", ") + std::string(info.key);
-    }
-    return names;
-}
-
 double checked_seconds(std::string_view word, const std::vector<TakeEvent>& before) {
     const std::string given = text::printable(word) + ": ";
     const std::optional<double> seconds = text::parse_number(word);
-    if (!seconds || !std::isfinite(*seconds)) {
+    if (!seconds || !(std::abs(*seconds) <= kLatestTime)) {
         throw refused(given + "is not a time in seconds" + std::string(kForm));
     }
     if (!before.empty() && *seconds < before.back().seconds) {
@@ -53,8 +41,8 @@ void TakeReader::add(std::string_view line, std::size_t number) {
     line = line.substr(0, line.find('#'));
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) return;
     try {
-        if (events_.size() == kMaxEvents) {
-            throw refused("is one event too many; allowed: " + std::to_string(kMaxEvents));
+        if (events_.size() == kMaxTakeEvents) {
+            throw refused("is one event too many; allowed: " + std::to_string(kMaxTakeEvents));
         }
         events_.push_back(event_of(line));
     } catch (const Error& error) {
@@ -73,7 +61,8 @@ TakeEvent TakeReader::event_of(std::string_view line) {
     const ParameterInfo& info = *event.parameter.info;
     const std::string given = info.path(event.parameter.wave) + " = " + value + ": ";
     if (info.change != ParameterClass::live) {
-        throw refused(given + "is not live, a take cannot change it; allowed: " + live_names());
+        throw refused(given +
+                      "is not live, a take cannot change it; allowed: " + live_parameter_names());
     }
     if (const std::string_view more = take_word(rest); !more.empty()) {
         throw refused(given + "is followed by " + text::printable(more) + std::string(kForm));
@@ -81,11 +70,6 @@ TakeEvent TakeReader::event_of(std::string_view line) {
     set_parameter(checked_, name, value);
     event.value = value_of(checked_, event.parameter);
     return event;
-}
-
-std::string take_line(const TakeEvent& event) {
-    return to_text(event.seconds) + " " + event.parameter.info->path(event.parameter.wave) + " " +
-           to_text(event.value);
 }
 
 Take parse_take(std::string_view content, const std::string& name, const Parameters& parameters) {

@@ -36,10 +36,6 @@ class TakeReader {
     std::vector<TakeEvent> events_;
 };
 
-/// An event as a line, without its end: full path, shortest numbers that read back to the same
-/// bits.
-std::string take_line(const TakeEvent& event);
-
 /// The take that `time.take` names, if it is not the one that the sea has.
 void resolve_take(Sea& sea, const std::string& base_dir);
 

@@ -81,7 +81,9 @@ class CApiFrame {
             "libocean = 1\n[grid]\nresolution = " + std::to_string(sea.modes.lattice.resolution) +
             "\npatch_size = " + std::to_string(sea.modes.lattice.period) +
             "\n[water]\ndepth = 200.0\nsurface_tension = 0.0\n";
-        const ocean_options options{sizeof(ocean_options), threads, OCEAN_CPU};
+        ocean_options options{};
+        options.struct_size = sizeof(options);
+        options.threads = threads;
         require_ok(ocean_parse(text.data(), text.size(), nullptr, &options, &sea_));
         const std::size_t count = 3 * sea.modes.lattice.size();
         outputs_[0] = {

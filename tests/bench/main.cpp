@@ -26,7 +26,7 @@ constexpr const char* kUsage =
     "usage: ocean_bench --table [--sizes 256,512] [--only PART[,PART]] [--simd avx2|avx512]\n"
     "                   [--quick] [--all-variants] [--json FILE]\n"
     "       ocean_bench [--benchmark_filter=REGEX] [--benchmark_...]\n"
-    "parts: vertices planar peers floor capi busy rebuild product large\n";
+    "parts: vertices planar peers floor capi busy rebuild product hosts large\n";
 
 struct Arguments {
     TableOptions table;
@@ -128,6 +128,9 @@ int run_table(const Arguments& arguments) {
     if (arguments.wants("busy")) busy_figures(n, options, report);
     if (arguments.wants("rebuild")) rebuild_figures(n, options, report);
     if (arguments.wants("product")) product_figures(n, options, report);
+    if (arguments.wants("hosts")) {
+        for (const int size : {512, 1024}) host_figures(size, options, report);
+    }
     if (arguments.wants("large") && !options.quick) large_figures(options, report);
     return right ? 0 : 1;
 }

@@ -36,6 +36,8 @@ void busy_figures(int n, const TableOptions& options, Report& report);
 void rebuild_figures(int n, const TableOptions& options, Report& report);
 /// Frames of our own that no rival makes: the product, a foam tick.
 void product_figures(int n, const TableOptions& options, Report& report);
+/// What hosts ask for beside frames, against a map frame.
+void host_figures(int n, const TableOptions& options, Report& report);
 /// Vertices on maps too large for the caches.
 void large_figures(const TableOptions& options, Report& report);
 

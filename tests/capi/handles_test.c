@@ -64,7 +64,7 @@ static ocean_result parse_with(const ocean_options* options) {
 
 void options_of_other_versions_are_understood(void) {
     const size_t refused[] = {0, 1, 4, 10, 4100, (size_t)-1};
-    ocean_options options = {sizeof(ocean_options), 2, OCEAN_RADIX2};
+    ocean_options options = {sizeof(ocean_options), 2, OCEAN_RADIX2, 0, 0, NULL, NULL};
     struct newer_options newer;
     CHECK_RESULT(OCEAN_OK, parse_with(&options));
     for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); ++i) {
@@ -177,4 +177,53 @@ void set_of_a_record_reads_it(void) {
     free(other);
     free(kept);
     ocean_free(sea);
+}
+
+void values_that_go_together_are_set_together(void) {
+    const char* const limits[] = {"shortest_wavelength", "longest_wavelength"};
+    const char* const metres[] = {"50", "100"};
+    const char* const crossed[] = {"200", "150"};
+    const char* const with_unknown[] = {"shortest_wavelength", "no_such_thing"};
+    char text[64];
+    ocean_sea* sea = open_small_sea(NULL);
+    CHECK_RESULT(OCEAN_OK, ocean_set_all(sea, limits, metres, 2));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_all(sea, limits, crossed, 2));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set_all(sea, with_unknown, crossed, 2));
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "shortest_wavelength", text, sizeof(text)));
+    CHECK(strcmp(text, "50") == 0);
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "longest_wavelength", text, sizeof(text)));
+    CHECK(strcmp(text, "100") == 0);
+    CHECK_RESULT(OCEAN_OK, ocean_set_all(sea, NULL, NULL, 0));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_all(sea, limits, NULL, 2));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_all(NULL, limits, metres, 2));
+    ocean_free(sea);
+}
+
+void a_performed_sea_is_made_again_by_its_text(void) {
+    enum { kFrames = 12, kText = 1 << 16 };
+    float* shown[kFrames];
+    char* text = malloc(kText);
+    size_t size = kText;
+    ocean_sea* again = NULL;
+    ocean_sea* sea = open_small_sea(NULL);
+    for (int frame = 0; frame < kFrames; ++frame) {
+        const double time = 10.0 + frame / 24.0;
+        if (frame == 3) CHECK_RESULT(OCEAN_OK, ocean_perform(sea, time, "wind_speed", "9"));
+        if (frame == 7) CHECK_RESULT(OCEAN_OK, ocean_perform(sea, time, "choppiness", "1.4"));
+        shown[frame] = planar_map(sea, time, 0, frame % 2 == 0 ? OCEAN_FOAM : OCEAN_HEIGHT);
+    }
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_perform(sea, 10.0, "wind_speed", "8"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_perform(sea, 20.0, "grid.resolution", "128"));
+    CHECK_RESULT(OCEAN_OK, ocean_text(sea, text, &size));
+    CHECK_RESULT(OCEAN_OK, ocean_parse(text, size - 1, NULL, NULL, &again));
+    for (int frame = kFrames - 1; frame >= 0; --frame) {
+        float* map =
+            planar_map(again, 10.0 + frame / 24.0, 0, frame % 2 == 0 ? OCEAN_FOAM : OCEAN_HEIGHT);
+        CHECK(memcmp(map, shown[frame], kSmallCount * sizeof(float)) == 0);
+        free(map);
+        free(shown[frame]);
+    }
+    ocean_free(again);
+    ocean_free(sea);
+    free(text);
 }

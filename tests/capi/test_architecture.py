@@ -47,9 +47,11 @@ class Library:
 LIBRARIES = {
     "core": Library(
         below=(),
-        # The one file that may know the operating system, and those that know the processor.
+        # The one file that may know the operating system, that which reads its files, and those
+        # that know the processor.
         foreign={
             "": ("wave/",),
+            "base/control_groups.cpp": ("fstream",),
             "base/platform.cpp": ("fstream", "sched.h", "sys/", "unistd.h", "windows.h"),
             "base/text.cpp": ("cstdio",),  # snprintf alone
             "kernel/simd.hpp": ("immintrin.h",),

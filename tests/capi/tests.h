@@ -13,31 +13,38 @@
 
 #include "libocean.h"
 
-#define CAPI_TESTS(TEST)                                  \
-    TEST(version_is_the_header_s)                         \
-    TEST(open_reads_files_and_refuses_bad_ones)           \
-    TEST(parse_takes_text_without_a_final_zero)           \
-    TEST(options_of_other_versions_are_understood)        \
-    TEST(null_is_refused_everywhere)                      \
-    TEST(set_and_get_go_through_the_table)                \
-    TEST(set_of_a_record_reads_it)                        \
-    TEST(texts_say_their_size_and_never_overrun)          \
-    TEST(resolved_text_gives_the_same_sea)                \
-    TEST(presets_open)                                    \
-    TEST(records_of_a_buoy_are_listed)                    \
-    TEST(water_types_are_listed)                          \
-    TEST(interleaved_outputs_hold_the_planar_maps)        \
-    TEST(axes_turn_whole_vectors_only)                    \
-    TEST(a_finer_map_passes_through_the_coarse_samples)   \
-    TEST(bad_requests_are_refused_and_write_nothing)      \
-    TEST(foam_and_whitecaps_are_channels_like_others)     \
-    TEST(queries_find_the_surface_that_the_maps_show)     \
-    TEST(long_lists_of_points_are_answered_as_short_ones) \
-    TEST(water_moves_as_the_surface_and_less_below)       \
-    TEST(small_bodies_lie_as_the_surface)                 \
-    TEST(bad_queries_are_refused_and_write_nothing)       \
-    TEST(handles_in_two_threads_give_equal_bits)          \
-    TEST(errors_are_kept_per_thread)
+#define CAPI_TESTS(TEST)                                      \
+    TEST(version_is_the_header_s)                             \
+    TEST(open_reads_files_and_refuses_bad_ones)               \
+    TEST(parse_takes_text_without_a_final_zero)               \
+    TEST(options_of_other_versions_are_understood)            \
+    TEST(null_is_refused_everywhere)                          \
+    TEST(set_and_get_go_through_the_table)                    \
+    TEST(set_of_a_record_reads_it)                            \
+    TEST(texts_say_their_size_and_never_overrun)              \
+    TEST(resolved_text_gives_the_same_sea)                    \
+    TEST(presets_open)                                        \
+    TEST(records_of_a_buoy_are_listed)                        \
+    TEST(water_types_are_listed)                              \
+    TEST(interleaved_outputs_hold_the_planar_maps)            \
+    TEST(axes_turn_whole_vectors_only)                        \
+    TEST(a_finer_map_passes_through_the_coarse_samples)       \
+    TEST(bad_requests_are_refused_and_write_nothing)          \
+    TEST(foam_and_whitecaps_are_channels_like_others)         \
+    TEST(queries_find_the_surface_that_the_maps_show)         \
+    TEST(long_lists_of_points_are_answered_as_short_ones)     \
+    TEST(water_moves_as_the_surface_and_less_below)           \
+    TEST(small_bodies_lie_as_the_surface)                     \
+    TEST(bad_queries_are_refused_and_write_nothing)           \
+    TEST(handles_in_two_threads_give_equal_bits)              \
+    TEST(errors_are_kept_per_thread)                          \
+    TEST(a_second_thread_in_a_sea_is_told_and_free_waits)     \
+    TEST(a_progress_function_ends_a_call_and_the_sea_goes_on) \
+    TEST(a_clone_gives_the_same_maps_and_changes_alone)       \
+    TEST(the_host_s_rounding_changes_nothing_and_stays)       \
+    TEST(children_use_and_free_the_seas_of_their_parent)      \
+    TEST(values_that_go_together_are_set_together)            \
+    TEST(a_performed_sea_is_made_again_by_its_text)
 
 #define DECLARE(name) void name(void);
 CAPI_TESTS(DECLARE)

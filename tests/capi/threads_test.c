@@ -5,6 +5,8 @@
 #if !defined(_WIN32)
 #define _POSIX_C_SOURCE 200809L
 #endif
+#include <fenv.h>
+
 #include "tests.h"
 
 #if defined(_WIN32)
@@ -21,6 +23,9 @@ static void join(thread_handle thread) {
 }
 #else
 #include <pthread.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 typedef pthread_t thread_handle;
 typedef void* (*thread_body)(void*);
 #define THREAD_BODY(name, argument) static void* name(void* argument)
@@ -44,7 +49,7 @@ struct job {
 
 THREAD_BODY(evaluate_frames, argument) {
     struct job* job = argument;
-    ocean_options options = {sizeof(ocean_options), 0, OCEAN_CPU};
+    ocean_options options = {sizeof(ocean_options), 0, OCEAN_CPU, 0, 0, NULL, NULL};
     ocean_sea* sea = NULL;
     options.threads = job->threads;
     job->result = ocean_parse(kSmallSea, strlen(kSmallSea), NULL, &options, &sea);
@@ -105,3 +110,210 @@ void errors_are_kept_per_thread(void) {
     CHECK_RESULT(OCEAN_OK, ocean_preset(NULL, NULL, &size));
     CHECK(strstr(ocean_last_error(), "breeze") != NULL);
 }
+
+/* What a progress function is told, and what it does. */
+struct host {
+    int inside; /* a call is under way */
+    int go_on;  /* it may end */
+    int answer; /* what the function returns */
+    int told;   /* how often foam was reported */
+    int freed;
+    ocean_result result;
+    ocean_sea* sea;
+};
+
+static int is_set(const int* flag) {
+    return __atomic_load_n(flag, __ATOMIC_ACQUIRE);
+}
+static void set(int* flag) {
+    __atomic_store_n(flag, 1, __ATOMIC_RELEASE);
+}
+
+static int32_t wait_inside(void* user, int64_t done, int64_t total) {
+    struct host* host = user;
+    if (total > 0 && done <= total) ++host->told;
+    set(&host->inside);
+    while (!is_set(&host->go_on)) {
+    }
+    return host->answer;
+}
+
+static ocean_options watched_by(struct host* host) {
+    ocean_options options = {
+        sizeof(ocean_options), 1, OCEAN_CPU, OCEAN_FOAM_SETTLED, 0, NULL, NULL};
+    options.progress = wait_inside;
+    options.user = host;
+    return options;
+}
+
+static ocean_result evaluate_foam(ocean_sea* sea, double time, float* foam) {
+    ocean_output output = {NULL, kSmallCount, {OCEAN_FOAM, -1, -1, -1}, 1, OCEAN_ZUP};
+    ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+    output.data = foam;
+    request.time = time;
+    request.outputs = &output;
+    return ocean_evaluate(sea, &request);
+}
+
+THREAD_BODY(follow_foam, argument) {
+    struct host* host = argument;
+    float* foam = calloc(kSmallCount, sizeof(float));
+    host->result = evaluate_foam(host->sea, 5.0, foam);
+    free(foam);
+    return 0;
+}
+
+THREAD_BODY(free_sea, argument) {
+    struct host* host = argument;
+    ocean_free(host->sea);
+    set(&host->freed);
+    return 0;
+}
+
+void a_second_thread_in_a_sea_is_told_and_free_waits(void) {
+    struct host host = {0, 0, 0, 0, 0, OCEAN_INTERNAL, NULL};
+    const ocean_options options = watched_by(&host);
+    const double place[2] = {1.0, 2.0};
+    float sample[9];
+    char text[64];
+    size_t size = 0;
+    int32_t resolution = 0;
+    ocean_sea* clone = NULL;
+    thread_handle threads[2];
+    host.sea = open_small_sea(&options);
+    start(&threads[0], follow_foam, &host);
+    while (!is_set(&host.inside)) {
+    }
+    CHECK_RESULT(OCEAN_BUSY, ocean_query(host.sea, 1.0, place, 1, sample, 9));
+    CHECK_RESULT(OCEAN_BUSY, ocean_set(host.sea, "wind_speed", "3"));
+    CHECK_RESULT(OCEAN_BUSY, ocean_perform(host.sea, 0.0, "wind_speed", "3"));
+    CHECK_RESULT(OCEAN_BUSY, ocean_get(host.sea, "wind_speed", text, sizeof(text)));
+    CHECK_RESULT(OCEAN_BUSY, ocean_text(host.sea, NULL, &size));
+    CHECK_RESULT(OCEAN_BUSY, ocean_map_resolution(host.sea, &resolution));
+    CHECK_RESULT(OCEAN_BUSY, ocean_clone(host.sea, NULL, &clone));
+    CHECK(clone == NULL);
+    start(&threads[1], free_sea, &host);
+    for (int i = 0; i < 20000; ++i) { /* a few hundredths of a second */
+        CHECK(ocean_query(host.sea, 1.0, place, 1, sample, 9) == OCEAN_BUSY);
+    }
+    CHECK(!is_set(&host.freed));
+    set(&host.go_on);
+    for (int i = 0; i < 2; ++i) join(threads[i]);
+    CHECK(is_set(&host.freed));
+    CHECK(host.result == OCEAN_OK);
+    CHECK(host.told > 100);
+}
+
+void a_progress_function_ends_a_call_and_the_sea_goes_on(void) {
+    struct host host = {0, 1, 1, 0, 0, OCEAN_INTERNAL, NULL};
+    ocean_options options = watched_by(&host);
+    float* foam = calloc(kSmallCount, sizeof(float));
+    float* expected;
+    ocean_sea* sea = open_small_sea(&options);
+    ocean_sea* undisturbed = open_small_sea(NULL);
+    CHECK_RESULT(OCEAN_CANCELLED, evaluate_foam(sea, 5.0, foam));
+    CHECK(host.told == 1);
+    host.answer = 0;
+    CHECK_RESULT(OCEAN_OK, evaluate_foam(sea, 5.0, foam));
+    expected = planar_map(undisturbed, 5.0, 0, OCEAN_FOAM);
+    CHECK(memcmp(foam, expected, kSmallCount * sizeof(float)) == 0);
+    ocean_free(undisturbed);
+    ocean_free(sea);
+    free(expected);
+    free(foam);
+    options.foam_start = 2;
+    sea = NULL;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
+                 ocean_parse(kSmallSea, strlen(kSmallSea), NULL, &options, &sea));
+    CHECK(sea == NULL);
+}
+
+void a_clone_gives_the_same_maps_and_changes_alone(void) {
+    const ocean_options one = {sizeof(ocean_options), 1, OCEAN_CPU, 0, 0, NULL, NULL};
+    ocean_sea* sea = open_small_sea(NULL);
+    float* of_sea = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
+    ocean_sea* clone = NULL;
+    float* map;
+    CHECK_RESULT(OCEAN_OK, ocean_clone(sea, &one, &clone));
+    map = planar_map(clone, 3.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(of_sea, map, kSmallCount * sizeof(float)) == 0);
+    free(map);
+    CHECK_RESULT(OCEAN_OK, ocean_set(clone, "wind_speed", "5"));
+    map = planar_map(clone, 3.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(of_sea, map, kSmallCount * sizeof(float)) != 0);
+    free(map);
+    map = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(of_sea, map, kSmallCount * sizeof(float)) == 0);
+    free(map);
+    ocean_free(sea);
+    map = planar_map(clone, 4.0, 0, OCEAN_HEIGHT); /* lives on without it */
+    free(map);
+    ocean_free(clone);
+    free(of_sea);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_clone(NULL, NULL, &clone));
+}
+
+void the_host_s_rounding_changes_nothing_and_stays(void) {
+    ocean_sea* sea = open_small_sea(NULL);
+    ocean_sea* other = open_small_sea(NULL);
+    float* expected = planar_map(sea, 7.0, 0, OCEAN_FOAM);
+    float* map;
+    CHECK(fesetround(FE_UPWARD) == 0);
+    map = planar_map(other, 7.0, 0, OCEAN_FOAM);
+    CHECK(fegetround() == FE_UPWARD);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(other, "wind_speed", "x"));
+    CHECK(fegetround() == FE_UPWARD);
+    ocean_free(other);
+    CHECK(fegetround() == FE_UPWARD);
+    fesetround(FE_TONEAREST);
+    CHECK(memcmp(expected, map, kSmallCount * sizeof(float)) == 0);
+    free(map);
+    /* A pool whose threads began under other modes. */
+    fesetround(FE_DOWNWARD);
+    other = open_small_sea(NULL);
+    fesetround(FE_TONEAREST);
+    map = planar_map(other, 7.0, 0, OCEAN_FOAM);
+    CHECK(memcmp(expected, map, kSmallCount * sizeof(float)) == 0);
+    free(map);
+    ocean_free(other);
+    ocean_free(sea);
+    free(expected);
+}
+
+#if defined(_WIN32)
+void children_use_and_free_the_seas_of_their_parent(void) {}
+#else
+enum { kForks = 1000, kPatience = 120 /* s, in which none must hang */ };
+
+void children_use_and_free_the_seas_of_their_parent(void) {
+    const ocean_options two = {sizeof(ocean_options), 2, OCEAN_CPU, 0, 0, NULL, NULL};
+    ocean_sea* sea = open_small_sea(&two);
+    float* expected = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
+    alarm(kPatience);
+    for (int i = 0; i < kForks; ++i) {
+        int status = 1;
+        const pid_t child = fork();
+        if (child < 0) {
+            CHECK(child >= 0);
+            break;
+        }
+        if (child == 0) {
+            int right = 1;
+            if (i % 4 != 0) {
+                float* map = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
+                right = memcmp(map, expected, kSmallCount * sizeof(float)) == 0;
+                free(map);
+            }
+            if (i % 2 == 0) ocean_free(sea);
+            _exit(right && failures == 0 ? 0 : 1);
+        }
+        CHECK(waitpid(child, &status, 0) == child);
+        CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    }
+    alarm(0);
+    free(expected);
+    expected = planar_map(sea, 4.0, 0, OCEAN_HEIGHT); /* the parent's goes on */
+    free(expected);
+    ocean_free(sea);
+}
+#endif

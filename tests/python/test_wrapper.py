@@ -291,3 +291,109 @@ def test_fill_writes_the_maps_of_a_surface_into_arrays(sea):
 def test_fill_refuses_what_the_library_would_write_beside(sea, array, names, words):
     with pytest.raises(libocean.Error, match=words):
         sea.fill(0.0, [(array, names)])
+
+
+def test_a_performed_sea_shows_its_frames_again_from_its_text(sea):
+    frames = []
+    for frame in range(10):
+        if frame == 4:
+            sea.perform(5.0 + frame / 24, "wind_speed", 14)
+        frames.append(sea.surface(5.0 + frame / 24, fields=["height", "foam"]))
+    again = libocean.parse(sea.text)
+    for frame, shown in reversed(list(enumerate(frames))):
+        made = again.surface(5.0 + frame / 24, fields=["height", "foam"])
+        assert np.array_equal(made.height, shown.height)
+        assert np.array_equal(made.foam, shown.foam)
+    with pytest.raises(libocean.InvalidValueError, match="before"):
+        sea.perform(1.0, "wind_speed", 3)
+
+
+def test_values_that_go_together_are_set_together(sea):
+    sea.set_all({"shortest_wavelength": 5.0, "longest_wavelength": 50.0})
+    with pytest.raises(libocean.InvalidValueError):
+        sea.set_all({"shortest_wavelength": 500.0, "longest_wavelength": 400.0})
+    assert (sea.get("shortest_wavelength"), sea.get("longest_wavelength")) == ("5", "50")
+
+
+def test_a_clone_is_the_same_sea_for_another_thread(sea):
+    clone = sea.clone()
+    assert np.array_equal(clone.surface(3.0).height, sea.surface(3.0).height)
+    clone.set("wind_speed", 3)
+    assert sea.get("wind_speed") != clone.get("wind_speed")
+    sea.close()
+    assert clone.surface(3.0).height.any()
+
+
+def test_progress_hears_of_foam_and_what_it_raises_ends_the_call():
+    class EnoughError(Exception):
+        pass
+
+    heard = []
+
+    def progress(done, total):
+        heard.append((done, total))
+        if len(heard) == 3:
+            raise EnoughError
+
+    sea = libocean.parse(SMALL, progress=progress)
+    with pytest.raises(EnoughError):
+        sea.surface(5.0, fields=["foam"])
+    assert [done for done, _ in heard] == [0, 1, 2]
+    assert heard[0][1] > 100
+    foam = sea.surface(5.0).foam  # goes on, and is what it always is
+    assert np.array_equal(foam, libocean.parse(SMALL).surface(5.0).foam)
+
+
+def test_foam_of_a_live_tool_begins_at_once():
+    heard = []
+    live = libocean.parse(
+        SMALL, foam_start="empty", progress=lambda done, total: heard.append(total)
+    )
+    live.surface(5.0, fields=["foam"])
+    assert max(heard) == 1
+    with pytest.raises(libocean.InvalidValueError, match="foam_start"):
+        libocean.parse(SMALL, foam_start="warm")
+
+
+def test_control_c_ends_a_long_call_and_leaves_the_sea_usable():
+    script = """
+import os, signal, threading, time
+import libocean
+
+sea = libocean.preset("beaufort_8", threads=1)
+sea.set_all({"grid.resolution": 2048, "foam_lifetime": 60.0})
+sea.surface(1.0, fields=["height"])
+sent = []
+
+def interrupt():
+    time.sleep(1.0)
+    sent.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+
+threading.Thread(target=interrupt).start()
+try:
+    sea.surface(1.0, fields=["foam"])
+    print("not interrupted")
+except KeyboardInterrupt:
+    print(f"{time.monotonic() - sent[0]:.3f}")
+assert sea.surface(2.0, resolution=64).height.any()
+assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+"""
+    result = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=120
+    )
+    assert result.returncode == 0, result.stderr
+    # 50 ms as the library promises; the rest is for a busy machine.
+    assert float(result.stdout) < 0.5
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_a_forked_child_uses_and_frees_the_sea(sea):
+    expected = sea.surface(3.0).height
+    for _ in range(20):
+        child = os.fork()
+        if child == 0:
+            right = np.array_equal(sea.surface(3.0).height, expected)
+            sea.close()
+            os._exit(0 if right else 1)
+        assert os.waitpid(child, 0)[1] == 0

@@ -10,13 +10,12 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <thread>
 
 #include "base/wave.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/wave_sum.hpp"
-#include "query/query_folds.hpp"
-#include "query/spline_map.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -203,6 +202,17 @@ TEST(Query, RepeatsWithThePeriodHoweverFarAway) {
     EXPECT_TRUE(std::isfinite(query.sample({1e300, -1e300}).height));
 }
 
+/// All that a sample says.
+void expect_same(const QuerySample& a, const QuerySample& b) {
+    EXPECT_EQ(a.height, b.height);
+    EXPECT_EQ(0, std::memcmp(a.normal, b.normal, sizeof(a.normal)));
+    EXPECT_EQ(0, std::memcmp(a.velocity, b.velocity, sizeof(a.velocity)));
+    EXPECT_EQ(0, std::memcmp(a.label, b.label, sizeof(a.label)));
+    EXPECT_EQ(a.foam, b.foam);
+    EXPECT_EQ(a.folded, b.folded);
+    EXPECT_EQ(a.undecided, b.undecided);
+}
+
 TEST(Query, HasTheSameBitsForAnyNumberOfThreadsAndOnePointAlone) {
     Parameters parameters = test::wind_sea(64, 60.0);
     parameters.surface.choppiness = 3.0;
@@ -215,16 +225,74 @@ TEST(Query, HasTheSameBitsForAnyNumberOfThreadsAndOnePointAlone) {
         std::vector<QuerySample> samples(points.size());
         query.sample(points, samples, pool);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            ASSERT_EQ(samples[i].height, expected[i].height);
-            ASSERT_EQ(0, std::memcmp(samples[i].normal, expected[i].normal, sizeof(double[3])));
-            ASSERT_EQ(0, std::memcmp(samples[i].velocity, expected[i].velocity, sizeof(double[3])));
-            ASSERT_EQ(0, std::memcmp(samples[i].label, expected[i].label, sizeof(double[2])));
-            ASSERT_EQ(samples[i].folded, expected[i].folded);
-            if (i % 100 == 0) {
-                ASSERT_EQ(query.sample(points[i]).height, expected[i].height);
-            }
+            expect_same(samples[i], expected[i]);
+            if (i % 100 == 0) expect_same(query.sample(points[i]), expected[i]);
         }
     }
+}
+
+TEST(Query, OfOnePointMakesAFewColumnsToTheSameBits) {
+    for (const double choppiness : {0.0, 1.0, 3.0}) {
+        Parameters parameters = test::wind_sea(128, 400.0);
+        parameters.surface.choppiness = choppiness;
+        TestSea sea(parameters);
+        const auto points = random_points(40, -500.0, 500.0);
+        const auto together = sea.samples(sea.query(), points);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            expect_same(sea.query().sample(points[i]), together[i]);
+        }
+    }
+}
+
+TEST(Query, MovesToOtherTimesAndModesToTheBitsOfANewOne) {
+    TestSea sea(test::wind_sea(64, 200.0));
+    sea.modes.revision = 1;
+    TestSea other(test::wind_sea(64, 300.0));
+    TestSea larger(test::wind_sea(128, 200.0));
+    larger.modes.revision = 2;
+    const auto points = random_points(200, 0.0, 200.0);
+    SurfaceQuery query = sea.query({.refine = 2}, 0.0);
+    const auto expect_move_to = [&](TestSea& to, double time) {
+        query.move_to(to.modes, to.parameters.surface, to.parameters.water, time, to.pool);
+        const auto moved = to.samples(query, points);
+        const auto made = to.samples(to.query({.refine = 2}, time), points);
+        for (std::size_t i = 0; i < points.size(); ++i) expect_same(moved[i], made[i]);
+    };
+    expect_move_to(sea, 3.0);
+    sea.parameters.surface.choppiness = 2.5;
+    expect_move_to(sea, 3.0);
+    TestSea stormy(test::wind_sea(64, 200.0));
+    stormy.modes = make_modes(make_directional_spectrum([] {
+                                  Parameters p = test::wind_sea(64, 200.0);
+                                  p.waves.front().wind_speed = 20.0;
+                                  return p;
+                              }()),
+                              stormy.parameters, stormy.pool);
+    stormy.modes.revision = 3;
+    expect_move_to(stormy, 5.0);
+    expect_move_to(other, 5.0);
+    expect_move_to(larger, 7.0);
+    expect_move_to(sea, 1e6);
+}
+
+TEST(Query, AnswersSeveralThreadsAtOnce) {
+    Parameters parameters = test::wind_sea(64, 60.0);
+    parameters.surface.choppiness = 3.0;
+    TestSea sea(parameters);
+    const auto points = random_points(400, -100.0, 100.0);
+    const auto expected = sea.samples(sea.query(), points);
+    const SurfaceQuery query = sea.query();
+    std::vector<QuerySample> samples(points.size());
+    std::vector<std::thread> threads;
+    for (std::size_t thread = 0; thread < 4; ++thread) {
+        threads.emplace_back([&, thread] {
+            for (std::size_t i = thread; i < points.size(); i += 4) {
+                samples[i] = query.sample(points[i]);
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t i = 0; i < points.size(); ++i) expect_same(samples[i], expected[i]);
 }
 
 TEST(Query, OfOneFoldedWaveTakesTheTopOfItsLoop) {
@@ -325,18 +393,18 @@ TEST(Query, OfASeaBeyondAllSenseEndsAndIsFinite) {
     parameters.surface.choppiness = 4.0;
     parameters.waves.front().significant_wave_height = 100.0;
     TestSea sea(parameters);
-    const SplineMap map =
-        make_spline_map(spline_modes(sea.modes, 64, 128), kTime,
-                        {Channel::dx, Channel::dy, Channel::height}, 128, sea.pool);
-    std::vector<WorldPoint> labels;
-    FoldIndex(map, 4.0, 128, sea.pool).labels_near(5.0, 5.0, labels);
-    EXPECT_TRUE(labels.empty());  // given up: the lists would be longer than the maps
-    FoldIndex(map, 0.2, 128, sea.pool).labels_near(5.0, 5.0, labels);
-    EXPECT_FALSE(labels.empty());
     for (const QuerySample& sample : sea.samples(sea.query(), random_points(300, 0.0, 10.0))) {
         EXPECT_TRUE(std::isfinite(sample.height + sample.label[0] + sample.velocity[0]));
         EXPECT_TRUE(std::isfinite(sample.normal[0] + sample.normal[1] + sample.normal[2]));
+        EXPECT_TRUE(sample.undecided);  // lists of what is shown there would be longer than the map
     }
+    sea.parameters.surface.choppiness = 0.2;
+    int folded = 0;
+    for (const QuerySample& sample : sea.samples(sea.query(), random_points(300, 0.0, 10.0))) {
+        EXPECT_FALSE(sample.undecided);
+        folded += sample.folded ? 1 : 0;
+    }
+    EXPECT_GT(folded, 20);
 }
 
 TEST(Query, OfAFlatSeaIsFlat) {

@@ -10,11 +10,16 @@
 #include <string>
 #include <thread>
 
+#include "base/control_groups.hpp"
+
 #if defined(_WIN32)
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
-#elif defined(__linux__)
+#else
+#include <unistd.h>
+#endif
+#if defined(__linux__)
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -25,13 +30,12 @@
 
 namespace ocean {
 
-int available_cores() {
-#if defined(__linux__)
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    if (sched_getaffinity(0, sizeof(set), &set) == 0) return std::max(CPU_COUNT(&set), 1);
+std::uint64_t process_number() {
+#if defined(_WIN32)
+    return 0;  // there is no fork
+#else
+    return static_cast<std::uint64_t>(getpid());
 #endif
-    return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
 }
 
 ThreadUsage usage_of_this_thread() {
@@ -52,13 +56,6 @@ namespace {
 
 constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
 
-/// First number of a one-line file such as /sys/fs/cgroup/memory.max, which may say "max".
-std::uint64_t number_in(const char* path) {
-    std::ifstream file(path);
-    std::uint64_t value = 0;
-    return file >> value ? value : kUnknown;
-}
-
 /// The number after `key` in a file of "Key: 123 kB" lines, in bytes.
 std::uint64_t kilobytes_in(const char* path, const std::string& key) {
     std::ifstream file(path);
@@ -77,10 +74,18 @@ std::uint64_t minus(std::uint64_t limit, std::uint64_t used) {
 
 }  // namespace
 
+int available_cores() {
+    int cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    if (sched_getaffinity(0, sizeof(set), &set) == 0) cores = std::max(CPU_COUNT(&set), 1);
+    return std::min(cores, cores_of_cgroups(control_groups("/proc/self/cgroup", "/sys/fs/cgroup")));
+}
+
 std::uint64_t available_memory() {
     std::uint64_t least = kilobytes_in("/proc/meminfo", "MemAvailable:");
-    least = std::min(least, minus(number_in("/sys/fs/cgroup/memory.max"),
-                                  number_in("/sys/fs/cgroup/memory.current")));
+    least =
+        std::min(least, memory_of_cgroups(control_groups("/proc/self/cgroup", "/sys/fs/cgroup")));
     struct rlimit limit {};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
         const std::uint64_t used = kilobytes_in("/proc/self/status", "VmSize:");
@@ -88,14 +93,19 @@ std::uint64_t available_memory() {
     }
     return least;
 }
-#elif defined(_WIN32)
+#else
+int available_cores() {
+    return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+}
+#endif
+#if defined(_WIN32)
 std::uint64_t available_memory() {
     MEMORYSTATUSEX status{};
     status.dwLength = sizeof(status);
     if (!GlobalMemoryStatusEx(&status)) return std::numeric_limits<std::uint64_t>::max();
     return std::min(status.ullAvailPhys, status.ullAvailVirtual);
 }
-#else
+#elif !defined(__linux__)
 std::uint64_t available_memory() {
     return std::numeric_limits<std::uint64_t>::max();
 }

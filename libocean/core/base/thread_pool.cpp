@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -48,6 +50,9 @@ class ItemRange {
     alignas(64) std::atomic<std::uint64_t> range_{};
 };
 
+/// Of a range, where a call may be stopped: each is a few hundredths of a second at most.
+constexpr int kSharesToStopBetween = 128;
+
 /// Where share i of `shares` begins.
 int share_edge(int count, int i, int shares) {
     return static_cast<int>(static_cast<long long>(count) * i / shares);
@@ -56,10 +61,17 @@ int share_edge(int count, int i, int shares) {
 }  // namespace
 
 struct ThreadPool::State {
+    using Time = std::chrono::steady_clock::time_point;
+    static constexpr std::chrono::milliseconds kBetweenLooks{10};
+
     int size = 1;
+    std::uint64_t process = process_number();  // whose threads these are
     std::vector<std::thread> workers;
     std::vector<ItemRange> ranges;  // of each thread
-    CrewSize crew_size{1};          // the caller's
+    // The caller's:
+    CrewSize crew_size{1};
+    std::function<void()> interrupt;
+    Time next_look{};
     std::mutex mutex;
     std::condition_variable start;
     std::condition_variable done;
@@ -73,13 +85,41 @@ struct ThreadPool::State {
     bool stopping = false;
     std::exception_ptr failure;
 
+    explicit State(int threads) : size(threads), ranges(static_cast<std::size_t>(threads)) {
+        workers.reserve(static_cast<std::size_t>(size - 1));
+        for (int thread = 1; thread < size; ++thread) {
+            try {
+                workers.emplace_back([this, thread] { work(thread); });
+            } catch (const std::exception&) {
+                // The system gives no more threads: those there are do the same work to the same
+                // bits.
+                size = thread;
+                break;
+            }
+        }
+        crew_size = CrewSize(size);
+    }
+    ~State() {
+        {
+            const std::lock_guard lock(mutex);
+            stopping = true;
+        }
+        start.notify_all();
+        for (std::thread& worker : workers) worker.join();
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
     /// A thread walks through its own range, whose items are neighbours; after that it helps the
     /// others from the far end of theirs. Returns what the thread used.
     ThreadUsage take_items(const std::function<void(int, int)>& run, int thread) {
         const ThreadUsage before = measured ? usage_of_this_thread() : ThreadUsage{};
         for (int other = 0; other < crew; ++other) {
             ItemRange& range = ranges[static_cast<std::size_t>((thread + other) % crew)];
-            for (int item; (item = range.take(other == 0)) >= 0;) run_item(run, item, thread);
+            for (int item; (item = range.take(other == 0)) >= 0;) {
+                run_item(run, item, thread);
+                if (thread == 0) look_for_interrupt();
+            }
         }
         const ThreadUsage after = measured ? usage_of_this_thread() : ThreadUsage{};
         return {after.preemptions - before.preemptions, after.seconds - before.seconds};
@@ -100,7 +140,32 @@ struct ThreadPool::State {
         }
     }
 
+    /// Of the caller's thread.
+    void look_for_interrupt() {
+        if (!interrupt || std::chrono::steady_clock::now() < next_look) return;
+        try {
+            interrupt();
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+            for (ItemRange& range : ranges) range.set(0, 0);
+        }
+        next_look = std::chrono::steady_clock::now() + kBetweenLooks;
+    }
+
+    /// Until nobody takes part any more.
+    void wait_for_workers(std::unique_lock<std::mutex>& lock) {
+        const auto alone = [this] { return taking_part == 0; };
+        while (interrupt && !done.wait_for(lock, kBetweenLooks, alone)) {
+            lock.unlock();
+            look_for_interrupt();
+            lock.lock();
+        }
+        done.wait(lock, alone);
+    }
+
     void work(int thread) {
+        std::fesetenv(FE_DFL_ENV);  // not what the host's thread has that made this one
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {
@@ -120,29 +185,20 @@ struct ThreadPool::State {
     }
 };
 
-ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
-    state_->size = threads > 0 ? threads : available_cores();
-    state_->ranges = std::vector<ItemRange>(static_cast<std::size_t>(state_->size));
-    state_->workers.reserve(static_cast<std::size_t>(state_->size - 1));
-    for (int thread = 1; thread < state_->size; ++thread) {
-        try {
-            state_->workers.emplace_back([state = state_.get(), thread] { state->work(thread); });
-        } catch (const std::exception&) {
-            // The system gives no more threads: those there are do the same work to the same bits.
-            state_->size = thread;
-            break;
-        }
-    }
-    state_->crew_size = CrewSize(state_->size);
-}
+ThreadPool::ThreadPool(int threads)
+    : state_(std::make_unique<State>(threads > 0 ? threads : available_cores())) {}
 
 ThreadPool::~ThreadPool() {
-    {
-        const std::lock_guard lock(state_->mutex);
-        state_->stopping = true;
-    }
-    state_->start.notify_all();
-    for (std::thread& worker : state_->workers) worker.join();
+    leave_to_the_parent();
+}
+
+/// After fork() the threads that the state stands for are in another process: it cannot be ended.
+void ThreadPool::leave_to_the_parent() {
+    if (state_->process != process_number()) static_cast<void>(state_.release());
+}
+
+void ThreadPool::set_interrupt(std::function<void()> interrupt) {
+    state_->interrupt = std::move(interrupt);
 }
 
 int ThreadPool::size() const {
@@ -151,6 +207,12 @@ int ThreadPool::size() const {
 
 void ThreadPool::for_each_item(int count, const std::function<void(int item, int thread)>& body) {
     if (count <= 0) return;
+    if (state_->process != process_number()) {
+        auto anew = std::make_unique<State>(state_->size);
+        anew->interrupt = state_->interrupt;
+        leave_to_the_parent();
+        state_ = std::move(anew);
+    }
     State& state = *state_;
     const CrewSize::Clock::time_point began = CrewSize::Clock::now();
     const int chosen = state.crew_size.choose(began);
@@ -173,7 +235,7 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
     std::unique_lock lock(state.mutex);
     // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
     state.body = nullptr;
-    state.done.wait(lock, [&] { return state.taking_part == 0; });
+    state.wait_for_workers(lock);
     state.add(usage);
     state.crew_size.ended(began, CrewSize::Clock::now(), state.used);
     if (state.failure) std::rethrow_exception(std::exchange(state.failure, nullptr));
@@ -184,7 +246,7 @@ void ThreadPool::for_each_range(int count, const std::function<void(int first, i
         int count;
         int shares;
         const std::function<void(int, int)>& body;
-    } work{count, std::min(count, state_->size), body};
+    } work{count, std::min(count, state_->interrupt ? kSharesToStopBetween : state_->size), body};
     for_each_item(work.shares, [&work](int share, int) {
         work.body(share_edge(work.count, share, work.shares),
                   share_edge(work.count, share + 1, work.shares));

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 
 namespace ocean {
@@ -36,17 +34,12 @@ double FoamClock::time_of(std::int64_t tick) const {
 }
 
 FoamClock::Moment FoamClock::moment(double time) const {
+    require_time(time);  // of no more ticks than a double tells apart
     // What is compared is what time_of gives after its own rounding: a tick's time is that tick.
     const bool loops = ticks_per_loop > 0;
     const auto place = [&](double t) { return loops ? loop_fraction(t, loop_period) : t; };
     const double now = place(time);
     const double ticks = loops ? now * static_cast<double>(ticks_per_loop) : now / step;
-    constexpr double kMostTicks = 9007199254740992.0;  // 2^53: beyond, not every tick has a number
-    if (!(std::abs(ticks) < kMostTicks)) {
-        throw Error(ErrorKind::invalid_value, "time = " + to_text(time) +
-                                                  " s: foam cannot be followed there; allowed: "
-                                                  "less than 2^53 foam steps from 0");
-    }
     auto tick = static_cast<std::int64_t>(std::floor(ticks));
     const auto is_tick = [&](std::int64_t n) { return !loops || n < ticks_per_loop; };
     while (is_tick(tick + 1) && place(time_of(tick + 1)) <= now) ++tick;
@@ -90,6 +83,10 @@ FoamLayer FoamState::layer(double time, const FoamSource& source) {
     const FoamClock::Moment moment = clock_.moment(time);
     const Tick& last = reach(moment.tick, source);
     return {last.foam.data(), fade(moment.since, source.lifetime(time)), 0.0f};
+}
+
+void FoamState::forget_from(double time) {
+    std::erase_if(kept_, [&](const Tick& kept) { return clock_.time_of(kept.number) >= time; });
 }
 
 const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& source) {

@@ -210,7 +210,7 @@ struct MapKernel::State {
         modes = std::move(packed);
     }
 
-    void run(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
+    void begin(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
         task.direct_count = 0;
         task.output_count = 0;
         Plan(task, frame, outputs);
@@ -221,6 +221,10 @@ struct MapKernel::State {
         pool.for_each_item(task.columns / code.lanes, [this](int item, int thread) {
             code.pass_one(task, item, scratch[static_cast<std::size_t>(thread)].data());
         });
+    }
+
+    void run(const KernelFrame& frame, std::span<const MapOutput> outputs, ThreadPool& pool) {
+        begin(frame, outputs, pool);
         pool.for_each_item(task.size / code.item_width, [this](int item, int thread) {
             code.pass_two(task, item, scratch[static_cast<std::size_t>(thread)].data());
         });
@@ -250,6 +254,21 @@ void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {
         state_->run(frame, left.first(count), pool);
         left = left.subspan(count);
     }
+}
+
+void MapKernel::begin(const KernelFrame& frame, ThreadPool& pool) {
+    state_->begin(frame, frame.outputs, pool);
+}
+
+int MapKernel::strip_width() const {
+    return state_->code.item_width;
+}
+std::size_t MapKernel::scratch_floats() const {
+    return state_->code.scratch_floats(state_->task);
+}
+
+void MapKernel::write_strip(int strip, float* scratch) const {
+    state_->code.pass_two(state_->task, strip, scratch);
 }
 
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,

@@ -44,6 +44,15 @@ class MapKernel {
 
     void run(const KernelFrame& frame, ThreadPool& pool);
 
+    /// The same in parts, for who looks at few columns of a map: pass one, for at most kMaxOutputs
+    /// outputs;
+    void begin(const KernelFrame& frame, ThreadPool& pool);
+    /// then, strip after strip of strip_width() columns in any order, what the outputs have there.
+    /// Several threads at once, with a scratch of scratch_floats() of its own each.
+    int strip_width() const;
+    std::size_t scratch_floats() const;
+    void write_strip(int strip, float* scratch) const;
+
   private:
     struct State;
     std::unique_ptr<State> state_;

@@ -25,8 +25,9 @@ int whole_columns(const MapModes& modes, int second_factor) {
 /// Packs block after block of `lanes` neighbouring ky.
 class PackedModes::Packing {
   public:
-    Packing(const MapModes& modes, int lanes)
+    Packing(const MapModes& modes, const ModeFactor& factor, int lanes)
         : modes_(modes),
+          factor_(factor),
           lanes_(lanes),
           size_(modes.resolution),
           first_(first_factor(size_)),
@@ -63,7 +64,7 @@ class PackedModes::Packing {
     void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* packets) const {
         // One cascade has the same places in every block and overwrites them.
         if (modes_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
-        for (const CascadeModes& cascade : modes_.cascades) gather(cascade, block, dense);
+        for (std::size_t c = 0; c < modes_.cascades.size(); ++c) gather(c, block, dense);
         const auto row = [&](Number number, std::size_t kx) {
             return dense.data() +
                    (static_cast<std::size_t>(number) * static_cast<std::size_t>(size_) + kx) *
@@ -130,20 +131,22 @@ class PackedModes::Packing {
     }
 
     /// Puts the modes of one cascade in place, in tiles that stay in L1 while all lanes write.
-    void gather(const CascadeModes& cascade, int block, std::vector<float>& dense) const {
+    void gather(std::size_t number, int block, std::vector<float>& dense) const {
         constexpr int kTile = 64;
+        const CascadeModes& cascade = modes_.cascades[number];
         const int half = modes_.half(cascade);
         const std::vector<LaneRow> rows = rows_in(cascade, block);
         for (int n = -half + 1; n < half; n += kTile) {
             for (const LaneRow& row : rows) {
-                gather_row(cascade, row, n, std::min(n + kTile, half), dense);
+                gather_row(number, row, n, std::min(n + kTile, half), dense);
             }
         }
     }
 
     /// kx = first .. last - 1 of one lane.
-    void gather_row(const CascadeModes& cascade, const LaneRow& lane_row, int first, int last,
+    void gather_row(std::size_t number, const LaneRow& lane_row, int first, int last,
                     std::vector<float>& dense) const {
+        const CascadeModes& cascade = modes_.cascades[number];
         const int width = cascade.lattice.resolution;
         const int stride = modes_.stride(cascade);
         const bool alone = modes_.cascades.size() == 1;
@@ -151,8 +154,13 @@ class PackedModes::Packing {
         const std::size_t plane = static_cast<std::size_t>(size_) * lanes;
         for (int n = first; n < last; ++n) {
             const std::size_t at = mode_index(n, lane_row.row, width);
-            const std::complex<float> a = cascade.h0[at];
-            const std::complex<float> b = cascade.h0[mode_index(-n, -lane_row.row, width)];
+            std::complex<float> a = cascade.h0[at];
+            std::complex<float> b = cascade.h0[mode_index(-n, -lane_row.row, width)];
+            if (factor_) {
+                const float factor = factor_(number, n, lane_row.row);
+                a *= factor;
+                b *= factor;
+            }
             float* to = dense.data() +
                         static_cast<std::size_t>(fft_index(n * stride, size_)) * lanes +
                         static_cast<std::size_t>(lane_row.lane);
@@ -169,31 +177,33 @@ class PackedModes::Packing {
     }
 
     const MapModes& modes_;
+    const ModeFactor& factor_;
     int lanes_;
     int size_;
     int first_;
     int second_;
 };
 
-PackedModes::PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level)
+PackedModes::PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level,
+                         const ModeFactor& factor)
     : level_(level),
       size_(modes.resolution),
       columns_(whole_columns(modes, size_ / first_factor(size_))),
       rate_unit_(modes.rate_unit),
       wavenumber_step_(modes.wavenumber_step()) {
     const int lanes = kernel_code(level).lanes;
-    const Packing packing(modes, lanes);
+    const Packing packing(modes, factor, lanes);
     packets_ = PageVector<float>(packing.lay_out(columns_ / lanes, groups_));
     pack_all(packing, pool);
 }
 
-bool PackedModes::refill(const MapModes& modes, ThreadPool& pool) {
+bool PackedModes::refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor) {
     if (modes.resolution != size_ ||
         whole_columns(modes, size_ / first_factor(size_)) != columns_) {
         return false;
     }
     const int lanes = kernel_code(level_).lanes;
-    const Packing packing(modes, lanes);
+    const Packing packing(modes, factor, lanes);
     std::vector<ModeGroup> groups;
     packing.lay_out(columns_ / lanes, groups);
     if (groups != groups_) return false;
@@ -205,12 +215,12 @@ bool PackedModes::refill(const MapModes& modes, ThreadPool& pool) {
 
 void PackedModes::pack_all(const Packing& packing, ThreadPool& pool) {
     const auto groups_per_block = static_cast<std::size_t>(size_ / first_factor(size_) / 2);
-    pool.for_each_range(columns_ / kernel_code(level_).lanes, [&](int first, int last) {
-        std::vector<float> dense = packing.dense_block();
-        for (int block = first; block < last; ++block) {
-            packing.pack(block, groups_.data() + static_cast<std::size_t>(block) * groups_per_block,
-                         dense, packets_.data());
-        }
+    std::vector<std::vector<float>> dense(static_cast<std::size_t>(pool.size()));
+    pool.for_each_item(columns_ / kernel_code(level_).lanes, [&](int block, int thread) {
+        std::vector<float>& mine = dense[static_cast<std::size_t>(thread)];
+        if (mine.empty()) mine = packing.dense_block();
+        packing.pack(block, groups_.data() + static_cast<std::size_t>(block) * groups_per_block,
+                     mine, packets_.data());
     });
 }
 

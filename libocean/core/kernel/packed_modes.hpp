@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "frame_task.hpp"
@@ -14,13 +15,18 @@
 
 namespace ocean {
 
+/// What the mode (n, m), signed, of a cascade is multiplied by while it is packed; the same for
+/// (-n, -m). Called by several threads at once.
+using ModeFactor = std::function<float(std::size_t cascade, int n, int m)>;
+
 class PackedModes {
   public:
-    PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level);
+    PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level,
+                const ModeFactor& factor = {});
 
     /// The same for other modes in the memory that is there. False, with nothing changed, if their
     /// lattices or the map are others.
-    bool refill(const MapModes& modes, ThreadPool& pool);
+    bool refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor = {});
 
     SimdLevel level() const { return level_; }
     int size() const { return size_; }

@@ -19,11 +19,6 @@ double turns_per_loop(double omega, double loop_period) {
     return std::max(1.0, std::round(omega * loop_period / kTwoPi));
 }
 
-void require_finite_time(double time) {
-    if (std::isfinite(time)) return;
-    throw Error(ErrorKind::invalid_value, "time must be a finite number of seconds");
-}
-
 double loop_fraction(double time, double loop_period) {
     constexpr double kGrain = 17592186044416.0;  // 2^44
     const double fraction = std::fmod(time, loop_period) / loop_period;

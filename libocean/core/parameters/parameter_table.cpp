@@ -75,8 +75,8 @@ constexpr ParameterInfo kTable[] = {
      "Fall of the Jacobian over which a whitecap becomes full.", &SurfaceSettings::foam_width,
      0.001, 2.0, 0.05, 0.5, kLive, Stage::foam},
 
-    {"time", "start", "s", "Start", "Time of the first frame.", &Timing::start, -1e9, 1e9, 0.0,
-     3600.0, kRebuild, Stage::clock},
+    {"time", "start", "s", "Start", "Time of the first frame.", &Timing::start, -kLatestTime,
+     kLatestTime, 0.0, 3600.0, kRebuild, Stage::clock},
     {"time", "first_frame", "", "First frame", "Frame number that shows the start time.",
      &Timing::first_frame, -1000000, 1000000, 0, 1000, kRebuild, Stage::clock},
     {"time", "fps", "1/s", "Frame rate", "Frames per second.", &Timing::fps, 0.001, 100000.0, 12.0,

@@ -146,6 +146,15 @@ std::string allowed_values(const ParameterInfo& info) {
     return range;
 }
 
+std::string live_parameter_names() {
+    std::string names;
+    for (const ParameterInfo& info : parameter_table()) {
+        if (info.change != ParameterClass::live) continue;
+        names += (names.empty() ? "" : ", ") + std::string(info.key);
+    }
+    return names;
+}
+
 std::string parameters_markdown() {
     const Parameters defaults;
     std::string result =

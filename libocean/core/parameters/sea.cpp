@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "ocean/error.hpp"
 #include "spectrum/wave_system_table.hpp"
@@ -68,7 +70,8 @@ double glided(Path path, double from, double to, double left) {
     return glided_value(from, to, left);
 }
 
-/// The events of one parameter up to a time.
+/// The events of one parameter that still count at a time, in order: those before an event that has
+/// settled when the next one comes do not.
 struct Track {
     ParameterRef parameter;
     std::vector<const TakeEvent*> events;
@@ -82,25 +85,48 @@ struct Track {
     }
 };
 
-bool same_parameter(const ParameterRef& a, const ParameterRef& b) {
-    return a.info == b.info && (a.wave == b.wave || !a.info->per_wave_system());
+/// Those of each parameter that `wanted` takes. From the last event back, so that the past of a
+/// knob that never rests costs a look an event.
+template <typename Wanted>
+std::vector<Track> tracks_of(const Sea& sea, double time, const Wanted& wanted) {
+    struct Found {
+        Track track;  // the last event first
+        bool settled;
+    };
+    std::vector<Found> found;
+    const auto& events = sea.take.events;
+    const auto end = std::upper_bound(
+        events.begin(), events.end(), time,
+        [](double seconds, const TakeEvent& event) { return seconds < event.seconds; });
+    for (auto event = std::make_reverse_iterator(end); event != events.rend(); ++event) {
+        if (!wanted(*event->parameter.info)) continue;
+        auto of = std::find_if(found.begin(), found.end(), [&](const Found& f) {
+            return f.track.parameter.same_as(event->parameter);
+        });
+        if (of == found.end()) {
+            found.push_back({{event->parameter, {}, time, sea.parameters.time.glide}, false});
+            of = found.end() - 1;
+        }
+        if (of->settled) continue;
+        const double next = of->track.events.empty() ? time : of->track.events.back()->seconds;
+        of->settled = left_of_step(next - event->seconds, of->track.glide) < kSettled;
+        of->track.events.push_back(&*event);
+    }
+    std::vector<Track> tracks;
+    for (Found& f : found) {
+        std::reverse(f.track.events.begin(), f.track.events.end());
+        tracks.push_back(std::move(f.track));
+    }
+    // In an order of their own, whatever the events': copies for spreadings are made in it.
+    std::sort(tracks.begin(), tracks.end(), [](const Track& a, const Track& b) {
+        return std::pair(a.parameter.info, a.parameter.wave) <
+               std::pair(b.parameter.info, b.parameter.wave);
+    });
+    return tracks;
 }
 
 std::vector<Track> tracks_of(const Sea& sea, double time) {
-    std::vector<Track> tracks;
-    for (const TakeEvent& event : sea.take.events) {
-        if (event.seconds > time) break;
-        const auto same = [&](const Track& track) {
-            return same_parameter(track.parameter, event.parameter);
-        };
-        auto track = std::find_if(tracks.begin(), tracks.end(), same);
-        if (track == tracks.end()) {
-            tracks.push_back({event.parameter, {}, time, sea.parameters.time.glide});
-            track = tracks.end() - 1;
-        }
-        track->events.push_back(&event);
-    }
-    return tracks;
+    return tracks_of(sea, time, [](const ParameterInfo&) { return true; });
 }
 
 double number_of(const ParameterValue& value) {
@@ -212,20 +238,20 @@ Parameters Sea::at(double time) const {
 }
 
 double Sea::foam_lifetime(double time) const {
-    Track track{{}, {}, time, parameters.time.glide};
-    for (const TakeEvent& event : take.events) {
-        if (event.seconds > time) break;
-        const ParameterMember& member = event.parameter.info->member;
-        if (member != ParameterMember(&SurfaceSettings::foam_lifetime)) continue;
-        track.parameter = event.parameter;
-        track.events.push_back(&event);
-    }
-    return track.events.empty() ? parameters.surface.foam_lifetime : number_at(*this, track);
+    const std::vector<Track> tracks = tracks_of(*this, time, [](const ParameterInfo& info) {
+        return info.member == ParameterMember(&SurfaceSettings::foam_lifetime);
+    });
+    return tracks.empty() ? parameters.surface.foam_lifetime : number_at(*this, tracks.front());
 }
 
 double Sea::time_of(double frame) const {
     const Timing& time = parameters.time;
     return time.start + (frame - time.first_frame) / time.fps;
+}
+
+std::string take_line(const TakeEvent& event) {
+    return to_text(event.seconds) + " " + event.parameter.info->path(event.parameter.wave) + " " +
+           to_text(event.value);
 }
 
 void validate(const Sea& sea) {
@@ -243,7 +269,9 @@ void validate(const Sea& sea) {
             throw Error(ErrorKind::invalid_value,
                         "take at " + to_text(event.seconds) + " s: " + what);
         };
-        if (!std::isfinite(event.seconds)) refuse("is no time; allowed: a finite number");
+        if (!(std::abs(event.seconds) <= kLatestTime)) {
+            refuse("is no time; allowed: -1e9 .. 1e9 s");
+        }
         if (event.seconds < last)
             refuse("stands behind " + to_text(last) + " s; allowed: in order");
         last = event.seconds;

@@ -12,6 +12,11 @@
 
 namespace ocean {
 
+void require_time(double time) {
+    if (std::abs(time) <= kLatestTime) return;
+    throw Error(ErrorKind::invalid_value, "time = " + to_text(time) + " s; allowed: -1e9 .. 1e9");
+}
+
 namespace {
 
 bool good_directions(const SpectrumRecord& record) {

@@ -66,7 +66,7 @@ ShownLabel find_label(const Source& source, const InversionTarget& target, doubl
             dx = (yy * fx + xy * fy) / label.jacobian;
             dy = (xy * fx + xx * fy) / label.jacobian;
         }
-        const double limit = std::min(1.0, longest_step / std::hypot(dx, dy));
+        const double limit = std::min(1.0, longest_step / std::sqrt(dx * dx + dy * dy));
         label.x -= limit * dx;
         label.y -= limit * dy;
     }

@@ -3,10 +3,12 @@
 //
 // Samples of the shown surface; see query.hpp. A place that shows one label is solved by Newton's
 // method on the spline map; one near a fold starts from every label that the index of folds lists.
+// Of both, only the strips near the places that are asked for are made.
 #include "ocean/query.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -17,12 +19,13 @@
 #include "query/query_folds.hpp"
 #include "query/query_points.hpp"
 #include "query/spline_map.hpp"
+#include "query/spline_strips.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr std::array kPosition = {Channel::dx, Channel::dy, Channel::height};
-constexpr std::array kVelocity = {Channel::vx, Channel::vy, Channel::vz};
+constexpr std::array<Quantity, 3> kPosition = {Channel::dx, Channel::dy, Channel::height};
+constexpr std::array<Quantity, 3> kVelocity = {Channel::vx, Channel::vy, Channel::vz};
 
 /// A label and the map there.
 struct Solution {
@@ -56,36 +59,175 @@ int fold_resolution(int grid_resolution, const QueryOptions& options) {
                     spline_resolution(grid_resolution, options));
 }
 
+/// No label of the modes that a map of `band` samples holds is displaced farther than this at
+/// choppiness 1, m: eight times the rms of the displacement, which of Gaussian waves one place in
+/// 10^13 is, or the sum of all amplitudes, if that is less.
+double farthest_displacement(const Modes& modes, int band, ThreadPool& pool) {
+    double squares = 0.0;
+    double sum = 0.0;
+    for (const CascadeModes& cascade : modes.cascades) {
+        const int size = cascade.lattice.resolution;
+        const double step = cascade.lattice.wavenumber_step();
+        const int half = std::min(size / 2, (band / 2 - 1) / cascade.divisor + 1);
+        struct RowSums {
+            double squares = 0.0;
+            double sum = 0.0;
+        };
+        std::vector<RowSums> rows(static_cast<std::size_t>(2 * half - 1));
+        pool.for_each_range(2 * half - 1, [&](int first, int last) {
+            for (int row = first; row < last; ++row) {
+                RowSums& sums = rows[static_cast<std::size_t>(row)];
+                const int m = row - half + 1;
+                for (int n = -half + 1; n < half; ++n) {
+                    const std::size_t at = mode_index(n, m, size);
+                    const double k = step * std::sqrt(static_cast<double>(n * n + m * m));
+                    const double part = k * static_cast<double>(cascade.displacement[at]);
+                    const double square =
+                        static_cast<double>(std::norm(cascade.h0[at])) * part * part;
+                    sums.squares += square;
+                    sums.sum += std::sqrt(square);
+                }
+            }
+        });
+        for (const RowSums& row : rows) {
+            squares += row.squares;
+            sum += row.sum;
+        }
+    }
+    // h(k, t) has both h0(k) and conj(h0(-k)).
+    return 1.0001 * std::min(8.0 * std::sqrt(2.0 * squares), 2.0 * sum);
+}
+
 }  // namespace
 
 struct SurfaceQuery::State {
-    double choppiness;
-    double time;
-    double spacing;
-    SplineMap position;  // dx, dy, height at choppiness 1
-    SplineMap velocity;
-    FoldIndex folds;
-    std::optional<WaveSum> exact;
-    FoamMap foam;
+    State(const Modes& modes, const QueryOptions& asked, ThreadPool& pool)
+        : options(asked),
+          shown(shown_resolution(modes.lattice.resolution, asked)),
+          strips(modes, spline_resolution(modes.lattice.resolution, asked),
+                 spline_factor(modes, shown, spline_resolution(modes.lattice.resolution, asked)),
+                 pool),
+          position({spline_resolution(modes.lattice.resolution, asked), modes.lattice.period}),
+          velocity(position.lattice()),
+          folds(modes.lattice.period, fold_resolution(modes.lattice.resolution, asked)),
+          farthest(farthest_displacement(modes, shown, pool)),
+          revision(modes.revision) {}
+
+    /// Other modes of the same lattice. False, with nothing changed, if it is not.
+    bool use(const Modes& modes, ThreadPool& pool);
+    void begin(const Modes& modes, const SurfaceSettings& settings, const Water& water,
+               double new_time, ThreadPool& pool, FoamMap new_foam);
 
     /// Labels to start from, kept between the points of one thread.
     using Starts = std::vector<WorldPoint>;
 
     double period() const { return position.lattice().period; }
+    double spacing() const { return period() / shown; }
+    double reach() const { return choppiness * farthest; }
     InversionTarget target(WorldPoint place) const {
-        return InversionTarget::at(place.x, place.y, choppiness, folds.reach());
+        return InversionTarget::at(place.x, place.y, choppiness, reach());
+    }
+    /// Makes what samples of these points read.
+    void prepare(std::span<const WorldPoint> points, ThreadPool* pool) const;
+    struct Numbered {
+        WorldPoint point;
+        std::size_t number;
+    };
+    std::vector<Numbered> in_order(std::span<const WorldPoint> points) const;
+    /// As well for what a search that has gone astray reads.
+    void need(double x) const {
+        for (const int column : position.columns(x)) strips.need(strips.strip_of(column));
     }
     Solution solve(const InversionTarget& target, WorldPoint start) const;
-    Solution top_solution(WorldPoint place, Starts& starts, bool& folded) const;
+    Solution top_solution(WorldPoint place, Starts& starts, QuerySample& sample) const;
     QuerySample sample(WorldPoint point, Starts& starts) const;
     void fill(QuerySample& sample, const Solution& solution) const;
     void fill_exactly(QuerySample& sample, WorldPoint place, ShownLabel label) const;
     double foam_at(double x, double y) const;
+
+    QueryOptions options;
+    int shown;  // samples of the map whose waves are there
+    SplineStrips strips;
+    SplineMap position;  // dx, dy, height at choppiness 1
+    SplineMap velocity;
+    mutable FoldIndex folds;
+    mutable std::mutex preparing;
+    double farthest;         // displacement at choppiness 1, m
+    std::uint64_t revision;  // of the modes
+    double choppiness = 0.0;
+    double time = 0.0;
+    std::optional<WaveSum> exact;
+    FoamMap foam;
 };
+
+bool SurfaceQuery::State::use(const Modes& modes, ThreadPool& pool) {
+    if (revision != 0 && revision == modes.revision) return true;
+    if (position.lattice().period != modes.lattice.period ||
+        shown != shown_resolution(modes.lattice.resolution, options)) {
+        return false;
+    }
+    const int fine = position.lattice().resolution;
+    revision = 0;  // while they are neither the old ones nor the new
+    if (!strips.repack(modes, spline_factor(modes, shown, fine), pool)) return false;
+    farthest = farthest_displacement(modes, shown, pool);
+    revision = modes.revision;
+    exact.reset();
+    return true;
+}
+
+void SurfaceQuery::State::begin(const Modes& modes, const SurfaceSettings& settings,
+                                const Water& water, double new_time, ThreadPool& pool,
+                                FoamMap new_foam) {
+    choppiness = settings.choppiness;
+    time = new_time;
+    foam = options.foam ? std::move(new_foam) : FoamMap{};
+    const MapOutput outputs[] = {position.output(kPosition), velocity.output(kVelocity)};
+    strips.begin(modes, time, outputs, pool);
+    folds.begin(choppiness, reach());
+    if (!options.exact) return;
+    if (!exact) exact.emplace(modes, water, shown);
+    exact->set_time(time);
+}
+
+void SurfaceQuery::State::prepare(std::span<const WorldPoint> points, ThreadPool* pool) const {
+    PartSet places(folds.blocks());
+    for (const WorldPoint& point : points) {
+        const int block = folds.block_of(wrapped(point.x, period()), wrapped(point.y, period()));
+        if (!folds.has(block)) places.add(block);
+    }
+    if (places.list().empty()) return;
+    const std::lock_guard lock(preparing);
+    PartSet needed(strips.count());
+    for (const int place : places.list()) {
+        folds.each_column(position, place, strips.width(),
+                          [&](int column) { needed.add(strips.strip_of(column)); });
+    }
+    strips.make(needed.list(), pool);
+    folds.make(position, places.list(), pool);
+}
+
+/// The points in an order in which neighbours follow each other: of points at random, most of the
+/// time goes into waiting for the maps.
+std::vector<SurfaceQuery::State::Numbered> SurfaceQuery::State::in_order(
+    std::span<const WorldPoint> points) const {
+    const auto block_of = [this](const WorldPoint& point) {
+        return static_cast<std::size_t>(
+            folds.block_of(wrapped(point.x, period()), wrapped(point.y, period())));
+    };
+    std::vector<std::size_t> next(static_cast<std::size_t>(folds.blocks()) + 1, 0);
+    for (const WorldPoint& point : points) ++next[block_of(point) + 1];
+    for (std::size_t block = 1; block < next.size(); ++block) next[block] += next[block - 1];
+    std::vector<Numbered> numbered(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        numbered[next[block_of(points[i])]++] = {points[i], i};
+    }
+    return numbered;
+}
 
 Solution SurfaceQuery::State::solve(const InversionTarget& target, WorldPoint start) const {
     SplineJet jet;
     const auto look = [&](double x, double y) {
+        need(x);
         jet = position.jet(x, y);
         return displacement_of(jet);
     };
@@ -112,30 +254,33 @@ class TopSheet {
     bool folded_ = false;
 };
 
-Solution SurfaceQuery::State::top_solution(WorldPoint place, Starts& starts, bool& folded) const {
+/// Sets what the sample says of the search.
+Solution SurfaceQuery::State::top_solution(WorldPoint place, Starts& starts,
+                                           QuerySample& sample) const {
     TopSheet sheet;
-    folds.labels_near(place.x, place.y, starts);  // none where nothing folds
-    const double farthest = std::max(10.0 * spacing, 2.0 * folds.reach());
-    if (starts.empty()) starts.push_back(place);
+    const bool listed = folds.labels_near(place.x, place.y, starts);
+    const double search = std::max(10.0 * spacing(), 2.0 * reach());
+    if (starts.empty()) starts.push_back(folds.guess(place));  // nothing folds there
     for (const WorldPoint& start : starts) sheet.add(solve(target(place), start));
     // Where all of these end in a fold that just misses this place: around the first of them, as
     // far as a label can be.
     constexpr int kDirections = 8;
-    for (double distance = spacing; !sheet.converged() && distance < farthest; distance *= 2.0) {
+    for (double distance = spacing(); !sheet.converged() && distance < search; distance *= 2.0) {
         for (int i = 0; i < kDirections; ++i) {
             const double angle = kTwoPi * i / kDirections;
             sheet.add(solve(target(place), {starts.front().x + distance * std::cos(angle),
                                             starts.front().y + distance * std::sin(angle)}));
         }
     }
-    folded = sheet.folded();
+    sample.folded = sheet.folded();
+    sample.undecided = !listed || !sheet.converged();
     return sheet.top();
 }
 
 QuerySample SurfaceQuery::State::sample(WorldPoint point, Starts& starts) const {
     const WorldPoint place{wrapped(point.x, period()), wrapped(point.y, period())};
     QuerySample sample{};
-    const Solution solution = top_solution(place, starts, sample.folded);
+    const Solution solution = top_solution(place, starts, sample);
     if (exact) {
         fill_exactly(sample, place, solution.label);
     } else {
@@ -204,23 +349,18 @@ double SurfaceQuery::State::foam_at(double x, double y) const {
 SurfaceQuery::SurfaceQuery(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                            double time, const QueryOptions& options, ThreadPool& pool,
                            FoamMap foam) {
-    require_finite_time(time);
-    const int shown = shown_resolution(modes.lattice.resolution, options);
-    const int fine = spline_resolution(modes.lattice.resolution, options);
-    const Modes filtered = spline_modes(modes, shown, fine);
-    SplineMap position = make_spline_map(filtered, time, kPosition, fine, pool);
-    SplineMap velocity = make_spline_map(filtered, time, kVelocity, fine, pool);
-    FoldIndex folds(position, settings.choppiness,
-                    fold_resolution(modes.lattice.resolution, options), pool);
-    std::optional<WaveSum> exact;
-    if (options.exact) {
-        exact.emplace(modes, water, shown);
-        exact->set_time(time);
+    require_time(time);
+    state_ = std::make_unique<State>(modes, options, pool);
+    state_->begin(modes, settings, water, time, pool, std::move(foam));
+}
+
+void SurfaceQuery::move_to(const Modes& modes, const SurfaceSettings& settings, const Water& water,
+                           double time, ThreadPool& pool, FoamMap foam) {
+    require_time(time);
+    if (!state_->use(modes, pool)) {
+        state_ = std::make_unique<State>(modes, QueryOptions(state_->options), pool);
     }
-    state_ = std::make_unique<const State>(
-        State{settings.choppiness, time, modes.lattice.period / shown, std::move(position),
-              std::move(velocity), std::move(folds), std::move(exact),
-              options.foam ? std::move(foam) : FoamMap{}});
+    state_->begin(modes, settings, water, time, pool, std::move(foam));
 }
 
 SurfaceQuery::~SurfaceQuery() = default;
@@ -230,14 +370,19 @@ SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
 void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                           ThreadPool& pool) const {
     require_finite(points);
+    state_->prepare(points, &pool);
+    const auto numbered = state_->in_order(points);
     for_each_point(pool, points.size(), [&](std::size_t first, std::size_t last) {
         State::Starts starts;
-        for (std::size_t i = first; i < last; ++i) samples[i] = state_->sample(points[i], starts);
+        for (std::size_t i = first; i < last; ++i) {
+            samples[numbered[i].number] = state_->sample(numbered[i].point, starts);
+        }
     });
 }
 
 QuerySample SurfaceQuery::sample(WorldPoint point) const {
     require_finite({&point, 1});
+    state_->prepare({&point, 1}, nullptr);
     State::Starts starts;
     return state_->sample(point, starts);
 }
@@ -246,29 +391,29 @@ double SurfaceQuery::time() const {
     return state_->time;
 }
 double SurfaceQuery::spacing() const {
-    return state_->spacing;
+    return state_->spacing();
 }
 double SurfaceQuery::reach() const {
-    return state_->folds.reach();
+    return state_->reach();
 }
 
 WorldPoint SurfaceQuery::shown(WorldPoint label) const {
     require_finite({&label, 1});
-    const double period = state_->period();
-    const SplineValue offset =
-        state_->position.value(wrapped(label.x, period), wrapped(label.y, period));
+    const double x = wrapped(label.x, state_->period());
+    state_->need(x);
+    const SplineValue offset = state_->position.value(x, wrapped(label.y, state_->period()));
     return {label.x + state_->choppiness * static_cast<double>(offset.value[0]),
             label.y + state_->choppiness * static_cast<double>(offset.value[1])};
 }
 
 std::uint64_t SurfaceQuery::bytes(const Modes& modes, const QueryOptions& options) {
     const std::uint64_t sums = options.exact ? WaveSum::bytes(modes, 1) : 0;
-    return map_bytes(grid_of(modes), options) + sums;
+    return map_bytes(modes.lattice.resolution, options) + sums;
 }
 
-std::uint64_t SurfaceQuery::map_bytes(const Grid& grid, const QueryOptions& options) {
-    return modes_bytes(grid) + spline_bytes(grid.resolution, options, 2) +
-           FoldIndex::bytes(fold_resolution(grid.resolution, options));
+std::uint64_t SurfaceQuery::map_bytes(int grid_resolution, const QueryOptions& options) {
+    return spline_bytes(grid_resolution, options, 2, 6) +
+           FoldIndex::bytes(fold_resolution(grid_resolution, options));
 }
 
 }  // namespace ocean

@@ -4,37 +4,65 @@
 // Where the shown surface is folded, and which labels are shown there. The signs of the Jacobians
 // of all labels shown at one place add up to 1, so that a place shows several labels only if one of
 // them has J < 0: places that are not near such a label need no search. For the others all cells of
-// the label lattice that are shown near them are listed.
+// the label lattice that are shown near them are listed, block by block of places, when asked for.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "ocean/page_vector.hpp"
 #include "ocean/query.hpp"
+#include "query/parts.hpp"
 #include "query/spline_map.hpp"
 
 namespace ocean {
 
 class FoldIndex {
   public:
-    /// `map` holds dx, dy at choppiness 1 as its first two fields. Cells lie between the samples of
-    /// a lattice of `resolution`.
-    FoldIndex(const SplineMap& map, double choppiness, int resolution, ThreadPool& pool);
+    static constexpr int kBlock = 32;  // cells, along each axis
+
+    /// Cells lie between the samples of a lattice of `resolution`, at most that of the map.
+    FoldIndex(double period, int resolution);
+
+    /// From now on of that surface: no block is there. No label is shown farther than `reach` from
+    /// where it is.
+    void begin(double choppiness, double reach);
 
     /// Of a surface that is not folded everywhere, at most.
     static std::uint64_t bytes(int resolution);
 
-    /// Largest horizontal displacement, m.
-    double reach() const { return reach_; }
+    int blocks() const { return places_.count(); }
+    /// Which one a place within the period is in.
+    int block_of(double x, double y) const {
+        return static_cast<int>(tile_along(y)) / kBlockTiles * across_ +
+               static_cast<int>(tile_along(x)) / kBlockTiles;
+    }
+    bool has(int block) const { return places_.has(block); }
+    /// Calls visit(column) for one column of the map in each `width` of them that make(block)
+    /// reads, and for those that labels shown there are read from.
+    template <typename Visit>
+    void each_column(const SplineMap& map, int block, int width, const Visit& visit) const;
+    /// Makes those that are not there, of columns of the map that are. `map` holds dx, dy at
+    /// choppiness 1 as its first two fields. One thread at a time.
+    void make(const SplineMap& map, std::span<const int> blocks, ThreadPool* pool);
+
     /// The middles of all cells that may show a place within one period, as far from it as they are
     /// displaced: labels to start a search from. None where no fold is near: one label is shown
-    /// there. Empties `labels` first.
-    void labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
+    /// there. Empties `labels` first. The block of the place must be there. False: so folded that
+    /// the lists would not end, and nothing is known.
+    bool labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
+    /// Near the label that is shown at a place where no fold is near. As above.
+    WorldPoint guess(WorldPoint place) const;
 
   private:
+    static constexpr int kCellsPerTile = 4;  // along each axis
+    static constexpr int kBlockTiles = kBlock / kCellsPerTile;
+    static constexpr std::size_t kTilesOfBlock = kBlockTiles * kBlockTiles;
+
     struct Offset {
         float x, y;
     };
@@ -61,28 +89,88 @@ class FoldIndex {
     /// Around all that a cell shows.
     struct Box {
         Range x, y;
+
+        static Box everywhere() {
+            constexpr double kInfinity = std::numeric_limits<double>::infinity();
+            return {{-kInfinity, kInfinity}, {-kInfinity, kInfinity}};
+        }
+    };
+    /// Of tiles of a block of places.
+    struct TileBounds {
+        int first_x = kBlockTiles, first_y = kBlockTiles;
+        int last_x = -1, last_y = -1;
+
+        void add(int tile) {
+            first_x = std::min(first_x, tile % kBlockTiles);
+            last_x = std::max(last_x, tile % kBlockTiles);
+            first_y = std::min(first_y, tile / kBlockTiles);
+            last_y = std::max(last_y, tile / kBlockTiles);
+        }
+        bool empty() const { return last_x < 0; }
     };
     /// Corners bound what is shown between them but for the bend of the surface, which moves the
     /// edge of a fold: boxes are larger than their corners by this part of themselves and of the
     /// spacing.
     static constexpr double kMargin = 0.25;
 
-    std::vector<float> place_samples(const SplineMap& map, double choppiness, ThreadPool& pool);
-    void index_cells(const std::vector<float>& jacobian);
+    /// The blocks of labels that may be shown in a block of places, and those after them, whose
+    /// first samples are corners of the last cells. Along one axis.
+    struct LabelBlocks {
+        int first;  // may be negative
+        int count;
+        int cells;  // blocks whose cells count: not the last, unless they go all the way round
+    };
+    LabelBlocks labels_of(int place) const;
+    /// Calls visit(block) for labels that may be shown in a block of places, or for their corners.
+    template <typename Visit>
+    void each_label_block(int place, int LabelBlocks::*count, const Visit& visit) const;
+    void place_samples(const SplineMap& map, int block);
+    void measure_cells(int block);
+    void list_cells(int block);
+    Box corners_for(int place, const TileBounds& tiles, int labels) const;
+    template <typename Visit>
+    void each_sample(int block, const Visit& visit) const;
     Box box_of(int i, int j) const;
     TileRange tiles_of(int i, int j) const;
     template <typename Visit>
-    void each_tile(const TileRange& range, const Visit& visit) const;
-    std::size_t tile_at(double x, double y) const;
+    void each_tile(const TileRange& range, int block, const Visit& visit) const;
+    std::size_t tile_along(double x) const;
     std::size_t sample_at(int i, int j) const;
 
+    struct Measured {
+        float widest;                     // m that a cell spans at most beside its spacing
+        std::vector<TileRange> squeezed;  // where those are shown
+    };
+    /// The cells that are shown in the squeezed tiles of a block of places.
+    struct Cells {
+        std::vector<std::uint32_t> begin;  // of each tile's part, and the end; empty: no folds
+        std::vector<std::uint32_t> cell;   // j * resolution + i
+        bool hopeless = false;             // the lists would not end
+    };
+
     Lattice lattice_;
-    int tiles_ = 1;  // a side
+    int tiles_;   // a side
+    int across_;  // blocks a side
+    double choppiness_ = 0.0;
     double reach_ = 0.0;
-    bool hopeless_ = false;             // so folded that the lists would not end: no search
-    std::vector<Offset> offset_;        // of each sample of the lattice, m; empty without folds
-    std::vector<std::uint32_t> begin_;  // of each tile's part of cells_, and the end
-    std::vector<std::uint32_t> cells_;  // j * resolution + i
+    Parts labels_;                    // blocks whose samples are placed
+    Parts measured_;                  // blocks whose cells are measured
+    Parts places_;                    // blocks whose cells are listed
+    PageVector<Offset> offset_;       // of each sample of the lattice, m
+    PageVector<float> jacobian_;      // of each sample
+    std::vector<Measured> cells_of_;  // of a block of labels
+    std::vector<Cells> cells_;        // of a block of places
 };
+
+template <typename Visit>
+void FoldIndex::each_column(const SplineMap& map, int block, int width, const Visit& visit) const {
+    const int size = map.lattice().resolution;
+    const int step = size / lattice_.resolution;
+    const LabelBlocks labels = labels_of(block % across_);
+    const int first = labels.first * kBlock * step - 1;
+    const int last = std::min((labels.first + labels.count) * kBlock * step + 2, first + size);
+    for (int column = first; column < last; column += width) visit(column & (size - 1));
+    visit(last & (size - 1));
+}
 
 }  // namespace ocean

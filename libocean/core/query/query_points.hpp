@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "kernel/map_kernel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/memory.hpp"
 #include "ocean/query.hpp"
@@ -38,24 +39,21 @@ inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
     return std::min(2 * shown * options.refine, kMaxResolution);
 }
 
-/// As much of the grid of such modes as tells their size.
-inline Grid grid_of(const Modes& modes) {
-    return {modes.lattice.resolution,
-            modes.lattice.period,
-            static_cast<int>(modes.cascades.size()),
-            {}};
-}
-
-/// Of so many splines, and of the maps that the last of them is made from.
-inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines) {
-    const int fine = spline_resolution(grid_resolution, options);
-    return static_cast<std::uint64_t>(splines) * SplineMap::bytes_per_sample() *
-               Lattice{fine, 1.0}.size() +
-           surface_bytes(fine, 3);
+/// Of so many splines, and of the kernels that write so many fields of them.
+inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines,
+                                  int fields) {
+    const auto shown = static_cast<std::uint64_t>(shown_resolution(grid_resolution, options));
+    const auto fine = static_cast<std::uint64_t>(spline_resolution(grid_resolution, options));
+    // Between the passes: of each field the columns that have modes, complex.
+    constexpr std::uint64_t kBetween = 4;
+    return static_cast<std::uint64_t>(splines) * SplineMap::bytes_per_sample() * fine * fine +
+           kernel_bytes(static_cast<int>(shown), 0) +
+           kBetween * static_cast<std::uint64_t>(fields) * fine * shown;
 }
 
 /// x modulo the period, in [0, period).
 inline double wrapped(double x, double period) {
+    if (x >= 0.0 && x < period) return x;
     const double rest = std::fmod(x, period);
     const double positive = rest < 0.0 ? rest + period : rest;
     return positive < period ? positive : 0.0;  // -1e-20 + period rounds to the period

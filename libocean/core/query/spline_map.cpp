@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <cstdlib>
-
-#include "ocean/thread_pool.hpp"
+#include <utility>
+#include <vector>
 
 namespace ocean {
 namespace {
@@ -34,40 +34,31 @@ std::vector<double> axis_filter(const CascadeModes& cascade, int band, int resol
 
 }  // namespace
 
-Modes spline_modes(const Modes& modes, int band, int resolution) {
-    Modes filtered = modes;
-    for (CascadeModes& cascade : filtered.cascades) {
-        const std::vector<double> filter = axis_filter(cascade, band, resolution);
-        auto h0 = cascade.h0.begin();
-        for (const double along_y : filter) {
-            for (const double along_x : filter) *h0++ *= static_cast<float>(along_x * along_y);
-        }
+ModeFactor spline_factor(const Modes& modes, int band, int resolution) {
+    std::vector<std::vector<double>> filters;
+    std::vector<int> sizes;
+    for (const CascadeModes& cascade : modes.cascades) {
+        filters.push_back(axis_filter(cascade, band, resolution));
+        sizes.push_back(cascade.lattice.resolution);
     }
-    return filtered;
+    return [filters = std::move(filters), sizes = std::move(sizes)](std::size_t c, int n, int m) {
+        const auto along = [&](int a) {
+            return filters[c][static_cast<std::size_t>(fft_index(a, sizes[c]))];
+        };
+        return static_cast<float>(along(n) * along(m));
+    };
 }
 
-SplineMap::SplineMap(Lattice lattice, const std::array<std::span<const float>, 3>& planes,
-                     ThreadPool& pool)
-    : lattice_(lattice), per_metre_(lattice.resolution / lattice.period), texels_(lattice.size()) {
-    const auto width = static_cast<std::size_t>(lattice.resolution);
-    pool.for_each_range(lattice.resolution, [&](int first, int last) {
-        const std::size_t end = static_cast<std::size_t>(last) * width;
-        for (std::size_t i = static_cast<std::size_t>(first) * width; i < end; ++i) {
-            texels_[i] = {{planes[0][i], planes[1][i], planes[2][i], 0.0f}};
-        }
-    });
-}
+SplineMap::SplineMap(Lattice lattice)
+    : lattice_(lattice), per_metre_(lattice.resolution / lattice.period), texels_(lattice.size()) {}
 
-SplineMap make_spline_map(const Modes& modes, double time, const std::array<Channel, 3>& channels,
-                          int resolution, ThreadPool& pool) {
-    SurfaceSettings plain;
-    plain.choppiness = 1.0;
-    const ChannelSet set = {channels[0], channels[1], channels[2]};
-    const Surface surface = make_surface(modes, plain, time, set, Backend::cpu, pool, resolution);
-    return SplineMap(
-        {resolution, modes.lattice.period},
-        {surface.channel(channels[0]), surface.channel(channels[1]), surface.channel(channels[2])},
-        pool);
+MapOutput SplineMap::output(const std::array<Quantity, 3>& quantities) {
+    // The fourth float is written too: whole vectors are written faster than parts.
+    MapOutput output{texels_.front().field, 4, {}};
+    for (std::size_t c = 0; c < 3; ++c) output.component[c].quantity = quantities[c];
+    const bool whole = quantities[0] != Quantity{} && quantities[1] != Quantity{};
+    if (whole && quantities[2] != Quantity{}) output.component[3] = {quantities[2], 0.0f};
+    return output;
 }
 
 }  // namespace ocean

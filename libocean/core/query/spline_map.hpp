@@ -20,12 +20,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <vector>
 
+#include "kernel/packed_modes.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/map_output.hpp"
 #include "ocean/modes.hpp"
-#include "ocean/surface.hpp"
+#include "ocean/page_vector.hpp"
 
 namespace ocean {
 
@@ -39,24 +39,31 @@ struct SplineJet {
     std::array<float, 3> by_y;
 };
 
-/// Copy of the modes that a map of `band` samples holds, made ready for a spline of `resolution`
-/// samples: h0 / (B^(kx) B^(ky)).
-Modes spline_modes(const Modes& modes, int band, int resolution);
+/// What a mode is multiplied by to become a coefficient of a spline of `resolution` samples:
+/// 1 / (B^(kx) B^(ky)), and 0 where a map of `band` samples does not hold the mode.
+ModeFactor spline_factor(const Modes& modes, int band, int resolution);
 
-class ThreadPool;
-
-/// Three fields of one time. Immutable; periodic.
+/// Three fields of one time; periodic. Their coefficients are written by others, and only where
+/// they are there may it be read.
 class SplineMap {
   public:
-    /// From three planes of coefficients.
-    SplineMap(Lattice lattice, const std::array<std::span<const float>, 3>& planes,
-              ThreadPool& pool);
+    explicit SplineMap(Lattice lattice);
 
     const Lattice& lattice() const { return lattice_; }
+    /// Where the coefficients of three quantities go; those without one stay as they are.
+    MapOutput output(const std::array<Quantity, 3>& quantities);
+    /// The first and the last column that a point at x is made of.
+    std::array<int, 2> columns(double x) const {
+        const auto i = static_cast<long long>(std::floor(x * per_metre_));
+        const long long mask = lattice_.resolution - 1;
+        return {static_cast<int>((i - 1) & mask), static_cast<int>((i + 2) & mask)};
+    }
     static constexpr std::size_t bytes_per_sample() { return sizeof(Texel); }
     /// Finite coordinates in metres, not many periods from 0.
     SplineValue value(double x, double y) const;
     SplineJet jet(double x, double y) const;
+    /// That of a sample, of nine coefficients instead of sixteen. Indices of the lattice.
+    SplineJet jet_of_sample(int i, int j) const;
 
   private:
     /// Three fields side by side, so that one point touches few cache lines.
@@ -72,7 +79,7 @@ class SplineMap {
 
     Lattice lattice_;
     double per_metre_;
-    std::vector<Texel> texels_;
+    PageVector<Texel> texels_;
 };
 
 inline std::array<float, 4> spline_weights(float t) {
@@ -153,8 +160,35 @@ inline SplineJet SplineMap::jet(double x, double y) const {
             {scale * by_y[0], scale * by_y[1], scale * by_y[2]}};
 }
 
-/// Three channels of make_surface with choppiness 1; `modes` are from spline_modes.
-SplineMap make_spline_map(const Modes& modes, double time, const std::array<Channel, 3>& channels,
-                          int resolution, ThreadPool& pool);
+inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
+    const int mask = lattice_.resolution - 1;
+    const auto texel = [&](int column, int row) -> const Texel& {
+        return texels_[static_cast<std::size_t>(row & mask) *
+                           static_cast<std::size_t>(lattice_.resolution) +
+                       static_cast<std::size_t>(column & mask)];
+    };
+    // Of the kernel at -1, 0, 1: 1/6, 4/6, 1/6, and of its derivative -1/2, 0, 1/2.
+    constexpr float kSide = 1.0f / 6.0f;
+    constexpr float kMiddle = 4.0f / 6.0f;
+    float along[3][4];
+    float slope[3][4];
+    for (int a = 0; a < 3; ++a) {
+        const Texel& south = texel(i + a - 1, j - 1);
+        const Texel& middle = texel(i + a - 1, j);
+        const Texel& north = texel(i + a - 1, j + 1);
+        for (int c = 0; c < 4; ++c) {
+            along[a][c] = kSide * (south.field[c] + north.field[c]) + kMiddle * middle.field[c];
+            slope[a][c] = 0.5f * (north.field[c] - south.field[c]);
+        }
+    }
+    const auto scale = static_cast<float>(per_metre_);
+    SplineJet jet;
+    for (std::size_t c = 0; c < 3; ++c) {
+        jet.value[c] = kSide * (along[0][c] + along[2][c]) + kMiddle * along[1][c];
+        jet.by_x[c] = scale * 0.5f * (along[2][c] - along[0][c]);
+        jet.by_y[c] = scale * (kSide * (slope[0][c] + slope[2][c]) + kMiddle * slope[1][c]);
+    }
+    return jet;
+}
 
 }  // namespace ocean

@@ -45,7 +45,7 @@ WorldHeights world_heights(Ocean& ocean, double time, int resolution) {
 
 std::uint64_t world_heights_bytes(const Sea& sea, int resolution) {
     if (sea.parameters.surface.choppiness == 0.0 && sea.take.empty()) return 0;
-    return SurfaceQuery::map_bytes(sea.parameters.grid, height_query(resolution));
+    return SurfaceQuery::map_bytes(sea.parameters.grid.resolution, height_query(resolution));
 }
 
 }  // namespace ocean

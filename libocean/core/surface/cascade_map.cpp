@@ -15,7 +15,7 @@ CascadeMap::CascadeMap(std::size_t cascade, int resolution, const Backend& backe
 
 const LinearPlanes<float>& CascadeMap::planes(const Modes& modes, double time, LinearSet fields,
                                               ThreadPool& pool) {
-    require_finite_time(time);
+    require_time(time);
     const int own = modes.cascades[cascade_].lattice.resolution;
     const Lattice map{resolution_ != 0 ? resolution_ : own, 1.0};
     std::array<MapOutput, kLinearCount> outputs;

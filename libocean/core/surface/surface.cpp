@@ -52,7 +52,7 @@ SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& mod
 Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
                      ChannelSet channels, const Backend& backend, ThreadPool& pool,
                      int resolution) {
-    require_finite_time(time);
+    require_time(time);
     if (resolution == 0) resolution = modes.lattice.resolution;
     require_resolution(resolution);
     require_channels(channels);

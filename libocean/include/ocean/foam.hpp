@@ -89,7 +89,8 @@ class FoamState {
     /// before it, for W(t) to be put over. Valid until the next call. What the source throws leaves
     /// a state that can go on.
     FoamLayer layer(double time, const FoamSource& source);
-    std::size_t samples() const { return samples_; }
+    /// Of ticks from that time on nothing is known any more: the sea has changed there.
+    void forget_from(double time);
     /// How many ticks must still pass until a state that began empty shows all foam there is.
     std::int64_t settling_ticks() const { return settling_; }
     const FoamClock& clock() const { return clock_; }

@@ -70,9 +70,6 @@ struct Modes {
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m, const CascadeBand& band = {});
 
-/// Throws Error invalid_value for a time that is not finite.
-void require_finite_time(double time);
-
 /// The time as a fraction of the loop, 0 <= f < 1, rounded to 2^-44 of it: so much that t and
 /// t + T give the same bits although each is rounded to a double.
 double loop_fraction(double time, double loop_period);

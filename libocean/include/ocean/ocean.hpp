@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -29,6 +30,7 @@ namespace ocean {
 
 class Chain;
 class MapWriter;
+class Performer;
 
 struct OceanOptions {
     int threads = 0;  // 0 = the cores this process may use
@@ -38,6 +40,9 @@ struct OceanOptions {
     FoamStart foam_start = FoamStart::settled;
     /// Called while foam is followed from its beginning; may throw to stop that.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
+    /// Called by the caller's thread about a hundred times a second while anything is computed; may
+    /// throw to stop it. What a stopped call was to write is then unfinished, and the sea goes on.
+    std::function<void()> interrupt = {};
     /// Channels beside those of the table, made by their formulas with any backend:
     /// Channel(kChannelCount + i) is row i. Rows and names must outlive the Ocean.
     std::span<const ChannelInfo> channels = {};
@@ -64,6 +69,13 @@ class Ocean {
     /// when the sea is next asked for anything. Files that are named are for seafile's
     /// resolve_files to read: give it the changed sea, and this the result.
     void set(std::string_view name, std::string_view value);
+    /// A live parameter glides to the value from that time on, as in a take: in the sea's own,
+    /// which grows, so that its text makes every frame again. What was before that time stays, foam
+    /// included, and costs nothing again. Values of one parameter that come within
+    /// kLeastEventDistance wait for the rest of it, and the last of them counts. Throws Error, and
+    /// changes nothing, for parameters that are not live, a loop, a time before the last that was
+    /// performed, and a take that is full.
+    void perform(double time, std::string_view name, std::string_view value);
     /// All of the sea at once: what differs from the one before says what is done again.
     void change(Sea sea);
 
@@ -83,8 +95,9 @@ class Ocean {
     /// hold resolution^2 samples. With the cpu backend each value is written once, from the last
     /// stage of the transform.
     void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
-    /// Ticks of the foam's clock until foam that began empty is what it always is.
-    std::int64_t foam_settling_ticks() const { return foam_ ? foam_->settling_ticks() : 0; }
+    /// Ticks of the foam's clock until maps' foam that began empty is what it always is, of the
+    /// map that has longest to go.
+    std::int64_t foam_settling_ticks() const;
 
     /// Measured on a map of at most 512 samples a side and scaled to the default map: takes a
     /// moment.
@@ -92,7 +105,8 @@ class Ocean {
 
     const StageRuns& stage_runs() const { return runs_; }
 
-    /// Queries of one time and options keep their maps for the next of the same. Samples are as
+    /// Queries of one time and options keep what they make for the next of the same, and most of
+    /// it for the next time. Samples are as
     /// many as points; nothing is written if a point is refused. Errors as in query.hpp, and
     /// out_of_memory.
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
@@ -129,11 +143,13 @@ class Ocean {
     std::unique_ptr<Chain> chain_;
     std::unique_ptr<MapWriter> maps_;
     std::set<int> made_;  // resolutions of the maps so far: what the backend keeps is there
-    std::optional<FoamState> foam_;
+    std::map<int, FoamState> foam_;  // of each resolution that was asked for
+    std::unique_ptr<Performer> performer_;
 
     /// What was asked last, and for what.
     template <typename Query>
     struct Kept {
+        std::uint64_t revision;  // of the sea
         double time;
         double z;
         QueryOptions options;

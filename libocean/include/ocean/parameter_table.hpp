@@ -66,6 +66,10 @@ std::span<const ParameterInfo> parameter_table();
 struct ParameterRef {
     const ParameterInfo* info = nullptr;
     std::size_t wave = 0;
+
+    bool same_as(const ParameterRef& other) const {
+        return info == other.info && (wave == other.wave || !info->per_wave_system());
+    }
 };
 
 /// Finds "grid.resolution", "waves.1.wind_speed", or a bare key; a bare key of [[waves]] means
@@ -92,6 +96,9 @@ std::string to_text(const ParameterValue& value);
 
 /// "0.01 .. inf m", "one of monahan, threshold", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterInfo& info);
+
+/// "wind_speed, fetch, ...": what a take may change.
+std::string live_parameter_names();
 
 /// The first stage to be redone when parameters change from `before` to `after`; nothing if none.
 std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameters& after);

@@ -95,6 +95,12 @@ struct WaveSystem {
     double direction_degrees() const { return wind_direction.value_or(0.0); }
 };
 
+/// Of all times, s from 0, before and after: 31 years. A double still tells a tenth of a
+/// microsecond there.
+inline constexpr double kLatestTime = 1e9;
+/// Throws Error invalid_value for a later one, and for what is no number.
+void require_time(double time);
+
 struct Parameters {
     Water water;
     Grid grid;

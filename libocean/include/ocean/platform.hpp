@@ -11,8 +11,11 @@
 
 namespace ocean {
 
-/// Cores that this process may run on (affinity respected), at least 1.
+/// Cores that this process may run on, at least 1: affinity and the quotas of its control groups
+/// (cpu.max, rounded up) respected.
 int available_cores();
+/// Of this process: another in a child after fork(), which has but the one thread.
+std::uint64_t process_number();
 /// What the calling thread has had so far; zeros where the system does not tell.
 struct ThreadUsage {
     std::int64_t preemptions = 0;  // how often its core was taken for another thread

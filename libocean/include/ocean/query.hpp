@@ -38,6 +38,7 @@ struct QuerySample {
     double label[2];     // m, the label shown there
     double foam;         // 0 .. 1
     bool folded;         // several labels are shown there: this is the top one
+    bool undecided;  // so folded that the search found no label, or not all: perhaps not the top
 };
 
 struct QueryOptions {
@@ -56,7 +57,8 @@ struct FoamMap {
     int resolution = 0;         // 0 = no foam
 };
 
-/// The surface of one time. Immutable: several threads may ask at once. Keeps no reference.
+/// The surface of one time, of which only what is near the points asked for is made. Several
+/// threads may ask at once. Keeps no reference.
 class SurfaceQuery {
   public:
     /// Throws Error invalid_value for a refine that is no power of two or needs maps of more than
@@ -67,6 +69,11 @@ class SurfaceQuery {
     SurfaceQuery(SurfaceQuery&&) noexcept;
     SurfaceQuery& operator=(SurfaceQuery&&) noexcept;
 
+    /// From now on of another time, and of those modes: what the same modes (by their revision), or
+    /// others of the same lattice, need again is kept. Nobody may ask meanwhile.
+    void move_to(const Modes& modes, const SurfaceSettings& settings, const Water& water,
+                 double time, ThreadPool& pool, FoamMap foam = {});
+
     /// As many samples as points; the same bits for any number of threads. Throws Error
     /// invalid_value for a point that is not finite, before any sample is written.
     void sample(std::span<const WorldPoint> points, std::span<QuerySample> samples,
@@ -76,8 +83,8 @@ class SurfaceQuery {
     double time() const;
     /// Distance of the samples of the shown map, m.
     double spacing() const;
-    /// Largest horizontal displacement of the samples and a tenth more, for what lies between them,
-    /// m.
+    /// No label is shown farther than this from where it is, m: eight times the rms of the
+    /// displacement, or what all waves together may make if that is less.
     double reach() const;
     /// Where the interpolated surface shows a label. sample() finds its inverse to 2e-6 of reach().
     WorldPoint shown(WorldPoint label) const;
@@ -85,16 +92,17 @@ class SurfaceQuery {
     /// Bytes that the constructor needs for such modes, at most.
     static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
     /// The same before there are modes; without what `exact` needs besides.
-    static std::uint64_t map_bytes(const Grid& grid, const QueryOptions& options);
+    static std::uint64_t map_bytes(int grid_resolution, const QueryOptions& options);
 
   private:
     struct State;
-    std::unique_ptr<const State> state_;
+    std::unique_ptr<State> state_;
 };
 
 /// Velocity of the water at points fixed in the world, by linear theory: no displacement. The
 /// motion at a depth decays as cosh k(z + d) / sinh kd; above z = 0 it is that of z = 0, below the
-/// bottom there is none. [Dean and Dalrymple 1991] section 4.2. Immutable; keeps no reference.
+/// bottom there is none. [Dean and Dalrymple 1991] section 4.2. Several threads may ask at once.
+/// Keeps no reference.
 class OrbitalVelocity {
   public:
     /// z in metres up from still water.

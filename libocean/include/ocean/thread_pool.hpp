@@ -11,7 +11,8 @@
 
 namespace ocean {
 
-/// One caller at a time. The caller's thread takes part in the work.
+/// One caller at a time. The caller's thread takes part in the work. In a child process after
+/// fork(), where threads do not go along, the pool has new ones when it is next used.
 class ThreadPool {
   public:
     /// 0 = the cores this process may use.
@@ -21,6 +22,9 @@ class ThreadPool {
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int size() const;
+    /// Called by the caller's thread about a hundred times a second while a call works; what it
+    /// throws ends the call, and items that nobody has begun are left out. Empty: none.
+    void set_interrupt(std::function<void()> interrupt);
     /// Calls body(first, last) on each of up to size() shares of [0, count) and waits. The first
     /// exception of any share is thrown again here.
     void for_each_range(int count, const std::function<void(int first, int last)>& body);
@@ -32,6 +36,8 @@ class ThreadPool {
 
   private:
     struct State;
+    void leave_to_the_parent();
+
     std::unique_ptr<State> state_;
 };
 

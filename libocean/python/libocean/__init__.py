@@ -18,6 +18,7 @@ import os
 from typing import Any
 
 from ._library import (
+    CancelledError,
     Error,
     InvalidValueError,
     OutOfMemoryError,
@@ -29,6 +30,7 @@ from ._library import (
 from ._sea import FloatPose, Sea, Surface
 
 __all__ = [
+    "CancelledError",
     "Error",
     "FloatPose",
     "InvalidValueError",
@@ -50,32 +52,25 @@ version: str = library.ocean_version().decode()
 __version__ = version
 
 
-def open(path: str | os.PathLike[str], *, threads: int = 0, backend: str = "cpu") -> Sea:
-    """Opens a sea file. threads: 0 = the cores this process may use."""
+def open(path: str | os.PathLike[str], **options: Any) -> Sea:
+    """Opens a sea file. Options, of parse() and preset() too:
+    threads: 0 = the cores this process may use. backend: "cpu", or the slow "radix2" and "dft".
+    foam_start: "settled", or "empty" for live tools, which do not wait for the foam's past.
+    progress: called with (done, total) while foam is followed; what it raises ends the call."""
     name = os.fsencode(path)
-    return Sea(lambda options, out: call("ocean_open", name, options, out), threads, backend)
+    return Sea(lambda given, out: call("ocean_open", name, given, out), **options)
 
 
-def parse(
-    text: str,
-    *,
-    base_dir: str | os.PathLike[str] | None = None,
-    threads: int = 0,
-    backend: str = "cpu",
-) -> Sea:
+def parse(text: str, *, base_dir: str | os.PathLike[str] | None = None, **options: Any) -> Sea:
     """A sea from the text of a sea file; base_dir is where a relative `file` in it starts."""
     toml = text.encode()
     base = None if base_dir is None else os.fsencode(base_dir)
-    return Sea(
-        lambda options, out: call("ocean_parse", toml, len(toml), base, options, out),
-        threads,
-        backend,
-    )
+    return Sea(lambda given, out: call("ocean_parse", toml, len(toml), base, given, out), **options)
 
 
-def preset(name: str, *, threads: int = 0, backend: str = "cpu") -> Sea:
+def preset(name: str, **options: Any) -> Sea:
     """One of the seas of presets(): "beaufort_6", "douglas_4", "seed_thesis"."""
-    return parse(text_of("ocean_preset", name.encode()), threads=threads, backend=backend)
+    return parse(text_of("ocean_preset", name.encode()), **options)
 
 
 def presets() -> list[str]:

@@ -7,7 +7,17 @@ from __future__ import annotations
 import ctypes
 import os
 import sys
-from ctypes import POINTER, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint32, c_void_p
+from ctypes import (
+    POINTER,
+    c_char_p,
+    c_double,
+    c_float,
+    c_int32,
+    c_int64,
+    c_size_t,
+    c_uint32,
+    c_void_p,
+)
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +29,26 @@ INVALID_VALUE = 2
 UNSUPPORTED = 5
 OUT_OF_MEMORY = 7
 BUFFER_TOO_SMALL = 8
+CANCELLED = 10
 
 # In the order of the C enums.
 BACKENDS = ("cpu", "gl", "radix2", "dft")
 AXES = ("zup", "yup", "tnb")
+FOAM_STARTS = ("settled", "empty")
+
+Progress = ctypes.CFUNCTYPE(c_int32, c_void_p, c_int64, c_int64)
 
 
 class Options(ctypes.Structure):
-    _fields_ = [("struct_size", c_size_t), ("threads", c_int32), ("backend", c_int32)]
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("threads", c_int32),
+        ("backend", c_int32),
+        ("foam_start", c_int32),
+        ("reserved", c_int32),
+        ("progress", Progress),
+        ("user", c_void_p),
+    ]
 
 
 class Output(ctypes.Structure):
@@ -69,7 +91,12 @@ class OutOfMemoryError(Error, MemoryError):
     """More memory than there is; said before it is allocated."""
 
 
+class CancelledError(Error):
+    """A call that was ended from outside."""
+
+
 _ERRORS = {
+    CANCELLED: CancelledError,
     INVALID_ARGUMENT: InvalidValueError,
     INVALID_VALUE: InvalidValueError,
     UNSUPPORTED: UnsupportedError,
@@ -98,7 +125,10 @@ _LISTS = [c_void_p, c_size_t, c_void_p, c_size_t]
 _SIGNATURES: dict[str, list[Any]] = {
     "ocean_open": [c_char_p, POINTER(Options), POINTER(c_void_p)],
     "ocean_parse": [c_char_p, c_size_t, c_char_p, POINTER(Options), POINTER(c_void_p)],
+    "ocean_clone": [c_void_p, POINTER(Options), POINTER(c_void_p)],
     "ocean_set": [c_void_p, c_char_p, c_char_p],
+    "ocean_set_all": [c_void_p, POINTER(c_char_p), POINTER(c_char_p), c_size_t],
+    "ocean_perform": [c_void_p, c_double, c_char_p, c_char_p],
     "ocean_get": [c_void_p, c_char_p, c_char_p, c_size_t],
     "ocean_text": [c_void_p, *_TEXT],
     "ocean_parameters_json": _TEXT,

@@ -7,8 +7,10 @@ from __future__ import annotations
 import ctypes
 import json
 import numbers
+import signal
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -74,21 +76,91 @@ class FloatPose(NamedTuple):
     """(n,), degrees, port side up."""
 
 
+class _Reporter:
+    """What the library calls while it works. It ends a call for Ctrl-C, and for what the sea's own
+    progress function raises."""
+
+    def __init__(self, progress: Callable[[int, int], object] | None) -> None:
+        self._progress = progress
+        self._signal: tuple[int, Any] | None = None
+        self._failure: BaseException | None = None
+        self.callback = _library.Progress(self._report)
+
+    def _report(self, _user: Any, done: int, total: int) -> int:
+        if self._signal is None and self._progress is not None and total > 0:
+            try:
+                self._progress(done, total)
+            except BaseException as failure:
+                self._failure = failure
+        return int(self._signal is not None or self._failure is not None)
+
+    @contextmanager
+    def watched(self) -> Iterator[None]:
+        """Ctrl-C reaches Python in the main thread alone, and there between two of its own steps:
+        within a call it is noted, and acted on when the library has come back."""
+        self._signal = self._failure = None
+        before = None
+        if threading.current_thread() is threading.main_thread():
+            before = signal.getsignal(signal.SIGINT)
+        if callable(before):
+            signal.signal(signal.SIGINT, self._note)
+        cancelled = None
+        try:
+            yield
+        except _library.CancelledError as failure:
+            cancelled = failure
+        finally:
+            if callable(before):
+                signal.signal(signal.SIGINT, before)
+        if self._failure is not None:
+            raise self._failure
+        if self._signal is not None and callable(before):
+            before(*self._signal)
+        if cancelled is not None:
+            raise cancelled
+
+    def _note(self, number: int, frame: Any) -> None:
+        self._signal = (number, frame)
+
+
 class Sea:
     """An open sea. Made by open(), parse() and preset(); a context manager. Calls from several
-    threads wait for each other: open the sea once per thread to work in parallel."""
+    threads wait for each other: clone the sea for each thread to work in parallel. Ctrl-C ends a
+    call, and leaves the sea as it was."""
 
     def __init__(
-        self, opener: Callable[[Any, Any], None], threads: int = 0, backend: str = "cpu"
+        self,
+        opener: Callable[[Any, Any], None],
+        threads: int = 0,
+        backend: str = "cpu",
+        foam_start: str = "settled",
+        progress: Callable[[int, int], object] | None = None,
     ) -> None:
         self._handle: ctypes.c_void_p | None = None
         self._lock = threading.RLock()
         self._changes = 0
-        number = _choose("backend", backend, _library.BACKENDS)
-        options = Options(ctypes.sizeof(Options), threads, number)
+        self._asked = (threads, backend, foam_start, progress)
+        self._reporter = _Reporter(progress)
+        options = Options(
+            ctypes.sizeof(Options),
+            threads,
+            _choose("backend", backend, _library.BACKENDS),
+            _choose("foam_start", foam_start, _library.FOAM_STARTS),
+            0,
+            self._reporter.callback,
+        )
         handle = ctypes.c_void_p()
         opener(ctypes.byref(options), ctypes.byref(handle))
         self._handle = handle
+
+    def clone(self) -> Sea:
+        """The same sea for another thread; shares what this one has built until either changes."""
+
+        def share(options: Any, out: Any) -> None:
+            call("ocean_clone", self._open_handle(), options, out)
+
+        with self._lock:
+            return Sea(share, *self._asked)
 
     def close(self) -> None:
         """Frees the sea. Surfaces keep the arrays they have. Closing twice is allowed."""
@@ -108,8 +180,12 @@ class Sea:
             self.close()
 
     def _call(self, name: str, *arguments: Any) -> None:
-        with self._lock:
+        with self._lock, self._reporter.watched():
             call(name, self._open_handle(), *arguments)
+
+    def _text(self, name: str) -> str:
+        with self._lock, self._reporter.watched():
+            return text_of(name, self._open_handle())
 
     def _open_handle(self) -> ctypes.c_void_p:
         if self._handle is None:
@@ -122,6 +198,22 @@ class Sea:
             self._call("ocean_set", name.encode(), _value_text(value).encode())
             self._changes += 1
 
+    def set_all(self, values: Mapping[str, Any]) -> None:
+        """Sets several parameters that are checked together: all of them, or none."""
+        with self._lock:
+            names = [name.encode() for name in values]
+            texts = [_value_text(value).encode() for value in values.values()]
+            array = ctypes.c_char_p * len(names)
+            self._call("ocean_set_all", array(*names), array(*texts), len(names))
+            self._changes += 1
+
+    def perform(self, time: float, name: str, value: Any) -> None:
+        """A live parameter glides to the value from that time on, while the sea is shown. The
+        sea's own take grows by it: `text` makes every frame again. What was before stays."""
+        with self._lock:
+            self._call("ocean_perform", time, name.encode(), _value_text(value).encode())
+            self._changes += 1
+
     def get(self, name: str) -> str:
         """The value of a parameter, as text; "" for an optional one that is not set."""
         out = ctypes.create_string_buffer(8192)
@@ -131,14 +223,12 @@ class Sea:
     @property
     def text(self) -> str:
         """The resolved sea file, self-contained: libocean.parse(text) gives the same sea."""
-        with self._lock:
-            return text_of("ocean_text", self._open_handle())
+        return self._text("ocean_text")
 
     @property
     def state(self) -> dict[str, Any]:
         """What `ocean info --json` prints: heights, periods, directions, asked and resolved."""
-        with self._lock:
-            return json.loads(text_of("ocean_state_json", self._open_handle()))
+        return json.loads(self._text("ocean_state_json"))
 
     def surface(
         self,

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What Linux's control groups (version 2) leave to a process: containers and batch systems set
+// their quotas there.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace ocean {
+
+/// The groups that a list such as /proc/self/cgroup names, below `root`, from the root down. Those
+/// that are not there set no limits.
+std::vector<std::filesystem::path> control_groups(const std::filesystem::path& list,
+                                                  const std::filesystem::path& root);
+/// By cpu.max, rounded up; the largest value without a limit.
+int cores_of_cgroups(const std::vector<std::filesystem::path>& groups);
+/// Bytes that can still be allocated, the page cache counted as free; the largest value without a
+/// limit.
+std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups);
+
+}  // namespace ocean

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What hosts ask for beside frames, each as so many map frames: a displacement map of the same sea
+// on one thread.
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "frame_maps.hpp"
+#include "ocean/ocean.hpp"
+#include "table.hpp"
+
+namespace ocean::bench {
+
+namespace {
+
+constexpr std::size_t kManyPoints = 100000;
+
+/// A wind sea that folds nowhere on its grid.
+Parameters host_sea(int n) {
+    Parameters parameters;
+    parameters.grid.resolution = n;
+    parameters.waves.front().spectrum = SpectrumKind::jonswap;
+    parameters.surface.choppiness = 0.5;
+    return parameters;
+}
+
+std::vector<WorldPoint> random_points(std::size_t count, double period) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(0.0, period);
+    std::vector<WorldPoint> points(count);
+    for (WorldPoint& point : points) point = {place(random), place(random)};
+    return points;
+}
+
+class MapFrame {
+  public:
+    explicit MapFrame(const Parameters& parameters)
+        : ocean_(parameters, {.threads = 1}),
+          displacement_(3 * Lattice{parameters.grid.resolution, 1.0}.size()) {
+        output_ = {displacement_.data(), 3, {}};
+        output_.component[0].quantity = Channel::dx;
+        output_.component[1].quantity = Channel::dy;
+        output_.component[2].quantity = Channel::height;
+    }
+    Ocean& ocean() { return ocean_; }
+    void run(double time) { ocean_.evaluate_into(time, {&output_, 1}); }
+
+  private:
+    Ocean ocean_;
+    HugeArray<float> displacement_;
+    MapOutput output_;
+};
+
+}  // namespace
+
+void host_figures(int n, const TableOptions& options, Report& report) {
+    const Parameters parameters = host_sea(n);
+    const std::string simd(simd_name(simd_level()));
+    const std::string name = ", N = " + std::to_string(n);
+    MapFrame map(parameters);
+    MapFrame played(parameters);
+    Ocean asked(parameters, {.threads = 1});
+    Ocean asked_coarsely(parameters, {.threads = 1});
+    Ocean asked_much(parameters, {.threads = 1});
+    Ocean kept(parameters, {.threads = 1});
+    const auto points = random_points(kManyPoints, parameters.grid.patch_size);
+    const std::span<const WorldPoint> one(points.data(), 1);
+    std::vector<QuerySample> samples(points.size());
+    kept.query(0.0, points, samples, {.foam = false});
+    map.run(0.0);
+    double played_until = 0.0;
+    const Frame frames[] = {
+        [&](double time) { map.run(time); },
+        [&](double time) { asked.query(time, one, samples, {.foam = false}); },
+        [&](double time) {
+            asked_coarsely.query(time, one, samples,
+                                 {.foam = false, .resolution = std::max(n / 4, kMinResolution)});
+        },
+        [&](double time) { asked_much.query(time, points, samples, {.foam = false}); },
+        [&](double) { kept.query(0.0, points, samples, {.foam = false}); },
+        [&](double) {
+            played_until += kLeastEventDistance;
+            played.ocean().perform(played_until, "wind_speed",
+                                   std::to_string(10.0 + std::fmod(played_until, 1.0)));
+            played.run(played_until);
+        },
+        [&](double time) {
+            Ocean clone(map.ocean(), {.threads = 1});
+            clone.query(time, {}, {}, {.foam = false});
+        },
+    };
+    const Rounds rounds = measure(frames, options.rounds(State::hot, 1));
+    const double frame = median(rounds.seconds[0]);
+    report.figure("map frame" + name, simd, 1, 1e3 * frame, "ms");
+    const auto in_frames = [&](const char* what, std::size_t subject) {
+        report.figure(what + (" / map frame" + name), simd, 1, median_ratio(rounds, subject, 0),
+                      "");
+    };
+    in_frames("a point at a new time", 1);
+    in_frames("a point at a new time, of a map a quarter as fine", 2);
+    in_frames("100 000 points at a new time", 3);
+    report.figure("points a second, of one time" + name, simd, 1,
+                  1e-6 * kManyPoints / median(rounds.seconds[4]), "million");
+    in_frames("a performed change and its frame", 5);
+    in_frames("a clone", 6);
+}
+
+}  // namespace ocean::bench
