@@ -16,9 +16,20 @@
 namespace ocean::text {
 
 std::string read_file(const std::string& path, std::size_t limit) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(utf8_path(path), ignored);
+    if (std::filesystem::is_other(status)) {
+        // Who waits for what nobody writes, or reads what does not end, hangs in its host.
+        throw error_at(ErrorKind::bad_file, path, 0, "is a pipe or a device, not a file");
+    }
+    return read_file_or_pipe(path, limit);
+}
+
+std::string read_file_or_pipe(const std::string& path, std::size_t limit) {
     const auto fail = [&](const std::string& why) {
         return error_at(ErrorKind::bad_file, path, 0, why);
     };
+    if (path.find('\0') != std::string::npos) throw fail("has a NUL in its name");
     const std::filesystem::path file = utf8_path(path);
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) throw fail("is a directory, not a file");
@@ -41,6 +52,8 @@ std::string read_file(const std::string& path, std::size_t limit) {
 }
 
 std::string first_bytes(const std::string& path, std::size_t count) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(utf8_path(path), ignored)) return "";
     std::ifstream stream(utf8_path(path), std::ios::binary);
     std::string bytes(count, '\0');
     stream.read(bytes.data(), static_cast<std::streamsize>(count));

@@ -8,6 +8,7 @@
 
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/seafile.hpp"
 #include "toml_text.hpp"
 
 namespace ocean {

@@ -35,8 +35,6 @@
 
 namespace ocean {
 
-inline constexpr std::size_t kMaxSeaFileBytes = std::size_t{4} << 20;
-
 /// Parses after the bounds are checked: 4 MiB, no NUL, keys of at most 16 parts. Throws Error
 /// bad_file "NAME:LINE: ...".
 toml::table parse_toml(std::string_view text, const std::string& name);

@@ -3,7 +3,10 @@
 //
 // What hosts ask for beside frames, each as so many map frames: a displacement map of the same sea
 // on one thread.
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -54,6 +57,46 @@ class MapFrame {
     MapOutput output_;
 };
 
+/// Foam of a live tool, whose every map is a tick on. A frame shows foam and nothing else.
+class FoamTicks {
+  public:
+    explicit FoamTicks(const Parameters& parameters)
+        : ocean_(parameters, {.threads = 1, .foam_start = FoamStart::empty}),
+          foam_(Lattice{parameters.grid.resolution, 1.0}.size()) {}
+
+    void tick(int resolution) {
+        MapOutput output{foam_.data(), 1, {}};
+        output.component[0].quantity = Channel::foam;
+        double& time = time_[resolution];
+        time += ocean_.parameters().surface.foam_step;
+        ocean_.evaluate_into(time, {&output, 1}, resolution);
+    }
+
+  private:
+    Ocean ocean_;
+    HugeArray<float> foam_;
+    std::map<int, double> time_;
+};
+
+/// s that the past of foam still works, at most of a few tries, after its host wants it to stop.
+double stop_latency(const Parameters& parameters) {
+    using Time = std::chrono::steady_clock;
+    struct Stopped {};
+    double longest = 0.0;
+    for (int attempt = 1; attempt <= 5; ++attempt) {
+        const Time::time_point stop = Time::now() + std::chrono::milliseconds(73 * attempt);
+        Ocean ocean(parameters, {.threads = 1, .interrupt = [stop] {
+                                     if (Time::now() >= stop) throw Stopped{};
+                                 }});
+        try {
+            ocean.evaluate(10.0, {Channel::foam});
+        } catch (const Stopped&) {
+            longest = std::max(longest, std::chrono::duration<double>(Time::now() - stop).count());
+        }
+    }
+    return longest;
+}
+
 }  // namespace
 
 void host_figures(int n, const TableOptions& options, Report& report) {
@@ -72,6 +115,9 @@ void host_figures(int n, const TableOptions& options, Report& report) {
     kept.query(0.0, points, samples, {.foam = false});
     map.run(0.0);
     double played_until = 0.0;
+    FoamTicks foam_of_two_sizes(parameters);
+    foam_of_two_sizes.tick(n);
+    foam_of_two_sizes.tick(n / 2);
     const Frame frames[] = {
         [&](double time) { map.run(time); },
         [&](double time) { asked.query(time, one, samples, {.foam = false}); },
@@ -87,9 +133,11 @@ void host_figures(int n, const TableOptions& options, Report& report) {
                                    std::to_string(10.0 + std::fmod(played_until, 1.0)));
             played.run(played_until);
         },
-        [&](double time) {
-            Ocean clone(map.ocean(), {.threads = 1});
-            clone.query(time, {}, {}, {.foam = false});
+        [&](double) { Ocean(map.ocean(), {.threads = 1}); },
+        [&](double) { foam_of_two_sizes.tick(n); },
+        [&](double) {
+            foam_of_two_sizes.tick(n);
+            foam_of_two_sizes.tick(n / 2);
         },
     };
     const Rounds rounds = measure(frames, options.rounds(State::hot, 1));
@@ -106,6 +154,10 @@ void host_figures(int n, const TableOptions& options, Report& report) {
                   1e-6 * kManyPoints / median(rounds.seconds[4]), "million");
     in_frames("a performed change and its frame", 5);
     in_frames("a clone", 6);
+    in_frames("a tick of foam", 7);
+    in_frames("a tick of foam on maps of two sizes, in turn", 8);
+    report.figure("from a stop to the end of a call" + name, simd, 1,
+                  1e3 * stop_latency(parameters), "ms");
 }
 
 }  // namespace ocean::bench

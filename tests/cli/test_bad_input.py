@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad input gets one clear line and exit code 2, what only the run can know gets 1."""
 
+import os
+from contextlib import contextmanager
+
 import pytest
 from conftest import BUOY, SMALL_SEA, check_failure
 
@@ -187,3 +190,38 @@ def test_too_much_memory_is_said_before_it_is_allocated(ocean, option):
     message = check_failure(ocean.shell(script), 1)
     assert "8192" in message and "memory" in message and "MiB" in message
     assert not (ocean.folder / "out").exists()
+
+
+def test_a_sea_and_points_may_come_out_of_pipes_and_nothing_else_may(ocean):
+    ocean.write("sea.toml", SMALL_SEA)
+    ocean.write("points.csv", "x,y\n1,2\n")
+    of_files = ocean("query", "sea.toml", "--time", 1, "--points", "points.csv")
+    assert of_files.returncode == 0
+    # What bash's <(command) hands over.
+    with piped(SMALL_SEA) as sea, piped("x,y\n1,2\n") as points:
+        of_pipes = ocean(
+            *["query", f"/dev/fd/{sea}", "--time", 1, "--points", f"/dev/fd/{points}"],
+            pass_fds=(sea, points),
+        )
+    assert (of_pipes.returncode, of_pipes.stdout) == (0, of_files.stdout)
+    with piped("libocean = 2\n") as sea:
+        result = ocean("info", f"/dev/fd/{sea}", pass_fds=(sea,))
+    assert result.returncode == 2
+    assert "libocean = 1" in result.stderr
+    # Named in a sea file, a pipe would be waited for on every machine that reads it.
+    os.mkfifo(ocean.folder / "spectrum.csv")
+    ocean.write("measured.toml", WAVES + 'spectrum = "measured"\nfile = "spectrum.csv"\n')
+    assert "is a pipe or a device" in ocean.bad("info", "measured.toml")
+    assert "is a pipe or a device" in ocean.bad("records", "/dev/zero")
+
+
+@contextmanager
+def piped(text):
+    """A descriptor from which the text can be read once."""
+    read, write = os.pipe()
+    os.write(write, text.encode())
+    os.close(write)
+    try:
+        yield read
+    finally:
+        os.close(read)

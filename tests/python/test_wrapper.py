@@ -397,3 +397,12 @@ def test_a_forked_child_uses_and_frees_the_sea(sea):
             sea.close()
             os._exit(0 if right else 1)
         assert os.waitpid(child, 0)[1] == 0
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes in folders here")
+def test_what_is_no_file_and_what_is_no_name_are_refused(sea, tmp_path):
+    os.mkfifo(tmp_path / "sea.toml")
+    with pytest.raises(libocean.Error, match="is a pipe or a device"):
+        libocean.open(tmp_path / "sea.toml")
+    with pytest.raises(libocean.InvalidValueError, match="NUL"):
+        sea.set("file", "buoy\0.csv")

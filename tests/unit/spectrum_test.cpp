@@ -190,5 +190,21 @@ TEST(Spectrum, ThePeriodAloneKeepsTheEnergy) {
     EXPECT_NEAR(significant_wave_height(system), 5.9386, 1e-4);
 }
 
+TEST(Spectrum, OfHardlyAnyWindIsFlatAndThereAtOnce) {
+    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz,
+                                    SpectrumKind::jonswap, SpectrumKind::tma}) {
+        WaveSystem system;
+        system.spectrum = kind;
+        for (const double wind : {5e-324, 1e-60, 9e-7}) {
+            system.wind_speed = wind;
+            EXPECT_EQ(make_frequency_spectrum(system, {}, 10.0).m0, 0.0);
+        }
+        system.wind_speed = 1e-6;
+        const double height = 4.0 * std::sqrt(make_frequency_spectrum(system, {}, 10.0).m0);
+        EXPECT_GE(height, 0.0);
+        EXPECT_LT(height, 2e-6);
+    }
+}
+
 }  // namespace
 }  // namespace ocean

@@ -130,6 +130,25 @@ TEST(Spreading, OpposingScalesWhatGoesAgainstTheWind) {
     EXPECT_NEAR(integral(row), 1.0, 1e-12);
 }
 
+TEST(Spreading, OpposingHoldsForWavesFromEverywhereToo) {
+    std::vector<double> row(1024);
+    WaveSystem system = with(SpreadingKind::hasselmann);
+    for (const double swell : {-1.0, -0.3}) {
+        system.swell = swell;
+        system.opposing = 0.0;
+        spreading_row(system, 1.0, 1.0, 0.0, row);
+        EXPECT_NEAR(integral(row), 1.0, 1e-12);
+        for (std::size_t j = 257; j < 768; ++j) EXPECT_EQ(row[j], 0.0) << j;
+        system.opposing = 0.4;
+        spreading_row(system, 1.0, 1.0, 0.0, row);
+        std::vector<double> both(1024);
+        system.opposing = 1.0;
+        spreading_row(system, 1.0, 1.0, 0.0, both);
+        EXPECT_NEAR(integral(row), 1.0, 1e-12);
+        EXPECT_NEAR(row[512] / row[0], 0.4 * both[512] / both[0], 1e-12);
+    }
+}
+
 TEST(Spreading, PhillipsAlignmentIsAPowerOfTheCosine) {
     std::vector<double> row(1024);
     WaveSystem system;

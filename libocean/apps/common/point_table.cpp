@@ -149,7 +149,7 @@ std::string read_standard_input() {
 
 PointTable read_points(const std::string& path, std::span<const PointColumn> known) {
     if (path == "-") return parse_points(read_standard_input(), "standard input", known);
-    return parse_points(text::read_file(path, kMaxFileBytes), path, known);
+    return parse_points(text::read_file_or_pipe(path, kMaxFileBytes), path, known);
 }
 
 }  // namespace ocean::app

@@ -37,6 +37,12 @@ Sea read_source(const std::string& source) {
         const Preset& preset = find_preset(source.substr(kPresetPrefix.size()));
         return parse_sea(preset.toml, source, "", read_any_spectra);
     }
+    std::error_code ignored;
+    if (std::filesystem::is_other(std::filesystem::status(utf8_path(source), ignored))) {
+        // A pipe, of which the first bytes cannot be read twice.
+        const std::string content = text::read_file_or_pipe(source, kMaxSeaFileBytes);
+        return parse_sea(content, source, "", read_any_spectra);
+    }
     return is_exr(source) ? sea_of_exr(source) : read_sea(source, read_any_spectra);
 }
 

@@ -149,12 +149,20 @@ double phillips_wavenumber_density(double k, double wind_speed, double amplitude
            std::exp(-1.0 / (longest * longest) - shortest * shortest);
 }
 
+namespace {
+
+/// m/s: what is less makes waves of less than two micrometres. The scales of a spectrum go with
+/// powers of the wind, beyond all numbers where a take glides it from 0.
+constexpr double kCalm = 1e-6;
+
+}  // namespace
+
 FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water& water,
                                           double highest) {
     FrequencySpectrum result;
     const double wind = system.wind_speed;
     const double g = water.gravity;
-    if (wind <= 0.0) return result;
+    if (wind < kCalm) return result;
 
     switch (system.spectrum) {
         case SpectrumKind::pierson_moskowitz:

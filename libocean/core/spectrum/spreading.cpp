@@ -129,9 +129,10 @@ SpreadingRows::SpreadingRows(const WaveSystem& system, double wave_age_inverse,
     for (std::size_t j = 0; j < columns; ++j) {
         const double theta = std::remainder(step * static_cast<double>(j) - mean_direction, kTwoPi);
         const double cosine = std::cos(0.5 * theta);
-        double value = base_shape(system, theta);
-        if (std::abs(theta) > 0.5 * kPi) value *= system.opposing;
-        shape_.push_back(value);
+        const double kept = std::abs(theta) > 0.5 * kPi ? system.opposing : 1.0;
+        // With a uniform part that is held back too, once it is there.
+        shape_.push_back(base_shape(system, theta) * (mixes_with_uniform() ? 1.0 : kept));
+        kept_.push_back(kept);
         log_cosine_.push_back(std::log(std::max(cosine * cosine, 1e-300)));
         distance_.push_back(std::abs(theta));
     }
@@ -160,9 +161,12 @@ void SpreadingRows::fill(double x, std::span<double> row) const {
         }
     }
     scale_to_unit_integral(row);
-    const double uniform = std::max(-system_.swell, 0.0);  // < 0: towards no direction at all
-    if (uniform == 0.0) return;
+    if (!mixes_with_uniform()) return;
+    const double uniform = -system_.swell;  // towards no direction at all
     for (double& value : row) value += uniform * (1.0 / kTwoPi - value);
+    if (system_.opposing == 1.0) return;
+    for (std::size_t j = 0; j < row.size(); ++j) values[j] *= kept_[j];
+    scale_to_unit_integral(row);
 }
 
 void spreading_row(const WaveSystem& system, double x, double wave_age_inverse,

@@ -20,10 +20,13 @@ class SpreadingRows {
     void fill(double x, std::span<double> row) const;
 
   private:
+    bool mixes_with_uniform() const { return system_.swell < 0.0; }
+
     WaveSystem system_;
     double wave_age_inverse_;
     // Of each direction theta about the mean.
     std::vector<double> shape_;       // what of the distribution does not depend on x
+    std::vector<double> kept_;        // of the energy there: opposing, against the wind
     std::vector<double> log_cosine_;  // ln cos^2(theta/2)
     std::vector<double> distance_;    // |theta|
 };

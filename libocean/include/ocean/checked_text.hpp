@@ -15,9 +15,13 @@
 
 namespace ocean::text {
 
-/// The whole file. Throws Error bad_file: missing, a directory, unreadable, larger than `limit`.
+/// The whole file. Throws Error bad_file: missing, a directory, a pipe or device, unreadable,
+/// larger than `limit`.
 std::string read_file(const std::string& path, std::size_t limit);
-/// The first `count` bytes of a file; fewer where it has not so many or cannot be read.
+/// The same for what a command line names, where a shell may put a pipe.
+std::string read_file_or_pipe(const std::string& path, std::size_t limit);
+/// The first `count` bytes of a file; fewer where it has not so many or cannot be read. None of a
+/// pipe, where they would then be missing.
 std::string first_bytes(const std::string& path, std::size_t count);
 /// The inverse of utf8_path.
 std::string to_utf8(const std::filesystem::path& path);

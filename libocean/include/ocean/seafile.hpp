@@ -17,6 +17,7 @@ namespace ocean {
 
 /// The format version that this library reads and writes.
 inline constexpr int kSeaFileVersion = 1;
+inline constexpr std::size_t kMaxSeaFileBytes = std::size_t{4} << 20;
 
 /// All records of a spectrum file, in file order, whatever its format: it is recognised by content.
 /// Text formats, and .gz of them where zlib is there. Throws Error bad_file "PATH:LINE: ...".

@@ -58,7 +58,10 @@ def _value_text(value: Any) -> str:
         return repr(float(value))
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value_text(item) for item in value) + "]"
-    return str(value)
+    text = str(value)
+    if "\0" in text:  # a C text ends there: the rest would be lost without a word
+        raise _library.error("a text with a NUL", _library.INVALID_VALUE)
+    return text
 
 
 class FloatPose(NamedTuple):
