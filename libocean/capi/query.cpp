@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -85,6 +87,20 @@ std::span<const WorldPoint> fill_points(std::vector<WorldPoint>& points, const d
     return std::span(points).first(count);
 }
 
+ocean_sample sample_of(const QuerySample& from) {
+    ocean_sample sample{};
+    sample.height = static_cast<float>(from.height);
+    for (int c = 0; c < 3; ++c) {
+        sample.normal[c] = static_cast<float>(from.normal[c]);
+        sample.velocity[c] = static_cast<float>(from.velocity[c]);
+    }
+    sample.foam = static_cast<float>(from.foam);
+    std::ranges::copy(from.label, sample.label);
+    if (from.folded) sample.flags |= OCEAN_FOLDED;
+    if (from.undecided) sample.flags |= OCEAN_UNDECIDED;
+    return sample;
+}
+
 float* put(float* out, std::span<const double> values) {
     for (const double value : values) *out++ = static_cast<float>(value);
     return out;
@@ -116,6 +132,50 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
                 out = put(out, sample.velocity);
                 if (options.foam) put(out, {&sample.foam, 1});
             });
+    });
+}
+
+ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* request) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(request, "request");
+        const ocean_query_request asked =
+            read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
+        require_finite(asked.time, "time", "seconds");
+        if (asked.count > 0) {
+            require(asked.xy, "xy");
+            require(asked.samples, "samples");
+        }
+        const std::size_t size = asked.sample_size;
+        if (size < sizeof(float) || size > kMaxStructSize || size % alignof(std::int32_t) != 0) {
+            refuse("sample_size = " + std::to_string(size) +
+                   "; set it to sizeof(ocean_sample), here " +
+                   std::to_string(sizeof(ocean_sample)));
+        }
+        if (asked.count > SIZE_MAX / std::max(size, 2 * sizeof(double))) {
+            refuse("count = " + std::to_string(asked.count) + " is more than there are addresses");
+        }
+        check_points(asked.xy, asked.count);
+        QueryOptions options;
+        options.foam = asked.foam != 0;
+        options.exact = asked.exact != 0;
+        options.refine = asked.refine == 0 ? 1 : asked.refine;
+        options.resolution = asked.resolution;
+        std::vector<WorldPoint> points(std::min(asked.count, kBatch));
+        std::vector<QuerySample> answers(points.size());
+        auto* out = reinterpret_cast<unsigned char*>(asked.samples);
+        for (std::size_t first = 0; first < asked.count; first += kBatch) {
+            const std::size_t count = std::min(kBatch, asked.count - first);
+            sea->ocean->query(asked.time, fill_points(points, asked.xy, first, count), answers,
+                              options);
+            for (std::size_t i = 0; i < count; ++i, out += size) {
+                const ocean_sample sample = sample_of(answers[i]);
+                std::memcpy(out, &sample, std::min(size, sizeof(sample)));
+            }
+        }
+        if (asked.height_error != nullptr) {
+            *asked.height_error = sea->ocean->query_height_error(asked.time, options);
+        }
     });
 }
 

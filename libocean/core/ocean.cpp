@@ -288,6 +288,10 @@ void Ocean::query(double time, std::span<const WorldPoint> points, std::span<Que
     surface_query(time, options).sample(points, samples, pool_);
 }
 
+double Ocean::query_height_error(double time, const QueryOptions& options) {
+    return surface_query(time, options).height_error();
+}
+
 void Ocean::orbital_velocity(double time, double z, std::span<const WorldPoint> points,
                              std::span<std::array<double, 3>> velocities,
                              const QueryOptions& options) {

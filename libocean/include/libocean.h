@@ -217,6 +217,44 @@ OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* reque
  * next of the same time. */
 OCEAN_API ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n,
                                    float* samples, size_t stride);
+/* What ocean_query_points says of a point. */
+enum {
+    OCEAN_FOLDED = 1,   /* several sheets are shown there: this is the top one */
+    OCEAN_UNDECIDED = 2 /* so folded that not all of them were found: perhaps not the top one */
+};
+typedef struct {
+    float height;      /* m */
+    float normal[3];   /* unit, up */
+    float velocity[3]; /* of the shown point, m/s */
+    float foam;        /* 0 .. 1, 0 where it was not asked for */
+    double label[2];   /* m: which point of the undisplaced surface is shown there */
+    int32_t flags;     /* OCEAN_FOLDED, OCEAN_UNDECIDED */
+    int32_t reserved;
+} ocean_sample;
+
+/* struct_size = sizeof(ocean_query_request), sample_size = sizeof(ocean_sample): a smaller one has
+ * fewer members filled. resolution: the waves that a map of so many samples holds, for answers that
+ * cost a fraction; 0 = all that the sea's own map holds. refine: 0 or 1, or 2, 4 ... for smaller
+ * errors. exact: not 0 = the sum over all waves in double precision, a hundred times as slow. foam:
+ * not 0 = with foam, whose past takes far longer than all the rest. height_error: NULL, or receives
+ * the rms of what the heights lack of the exact sum over all waves of the sea, m. */
+typedef struct {
+    size_t struct_size;
+    double time;
+    const double* xy; /* x0, y0, x1, y1 ... */
+    size_t count;
+    ocean_sample* samples;
+    size_t sample_size;
+    int32_t resolution;
+    int32_t refine;
+    int32_t exact;
+    int32_t foam;
+    double* height_error;
+} ocean_query_request;
+
+/* As ocean_query, with all that is known of each point. INVALID_VALUE for a refine or a resolution
+ * that is not allowed. */
+OCEAN_API ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* request);
 /* The velocity of the water (x, y, z in m/s) by linear theory at n fixed world points z metres
  * above still water: three floats from velocities + i * stride on, stride 3 or more. Above z = 0 it
  * is that of z = 0, below the bottom there is none. Otherwise as ocean_query. */

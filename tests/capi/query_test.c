@@ -163,3 +163,73 @@ void bad_queries_are_refused_and_write_nothing(void) {
     for (int i = 0; i < 24; ++i) CHECK(out[i] == kUntouched);
     ocean_free(sea);
 }
+
+void points_are_described_in_full(void) {
+    enum { kPoints = 50 };
+    struct newer_sample {
+        ocean_sample known;
+        int32_t unknown[2];
+    } newer[2];
+    double xy[2 * kPoints];
+    float rows[kPoints * 10];
+    ocean_sample samples[kPoints];
+    float heights[kPoints];
+    double error = -1.0;
+    ocean_query_request request;
+    ocean_sea* sea = open_small_sea(NULL);
+    for (int i = 0; i < 2 * kPoints; ++i) xy[i] = 3.7 * i - 50.0;
+    memset(&request, 0, sizeof(request));
+    request.struct_size = sizeof(request);
+    request.time = 4.0;
+    request.xy = xy;
+    request.count = kPoints;
+    request.samples = samples;
+    request.sample_size = sizeof(samples[0]);
+    request.foam = 1;
+    request.height_error = &error;
+    CHECK_RESULT(OCEAN_OK, ocean_query(sea, 4.0, xy, kPoints, rows, 10));
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    for (int i = 0; i < kPoints; ++i) {
+        CHECK(samples[i].height == rows[10 * i + 2]);
+        CHECK(memcmp(samples[i].normal, rows + 10 * i + 3, sizeof(samples[i].normal)) == 0);
+        CHECK(memcmp(samples[i].velocity, rows + 10 * i + 6, sizeof(samples[i].velocity)) == 0);
+        CHECK(samples[i].foam == rows[10 * i + 9]);
+        CHECK((samples[i].flags & ~(OCEAN_FOLDED | OCEAN_UNDECIDED)) == 0);
+        CHECK(samples[i].label[0] - xy[2 * i] < 20.0 && samples[i].label[0] - xy[2 * i] > -20.0);
+    }
+    CHECK(error > 0.0 && error < 0.01);
+    /* A program of an older header, whose samples are heights, and one of a newer. */
+    request.samples = (ocean_sample*)(void*)heights;
+    request.sample_size = sizeof(float);
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    for (int i = 0; i < kPoints; ++i) CHECK(heights[i] == samples[i].height);
+    memset(newer, 0x55, sizeof(newer));
+    request.samples = &newer[0].known;
+    request.sample_size = sizeof(newer[0]);
+    request.count = 2;
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    CHECK(newer[1].known.height == samples[1].height && newer[1].unknown[1] == 0x55555555);
+    /* Coarser, for less. */
+    request.resolution = 32;
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    CHECK(error > 0.02);
+    request.resolution = 33;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_query_points(sea, &request));
+    request.resolution = 0;
+    request.refine = 3;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_query_points(sea, &request));
+    request.refine = 0;
+    request.sample_size = 2;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query_points(sea, &request));
+    request.sample_size = sizeof(ocean_sample);
+    request.time = 1e39;
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_query_points(sea, &request));
+    request.time = 1.0;
+    request.xy = NULL;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query_points(sea, &request));
+    request.count = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_query_points(sea, &request));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query_points(sea, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query_points(NULL, &request));
+    ocean_free(sea);
+}

@@ -36,6 +36,7 @@
     TEST(water_moves_as_the_surface_and_less_below)           \
     TEST(small_bodies_lie_as_the_surface)                     \
     TEST(bad_queries_are_refused_and_write_nothing)           \
+    TEST(points_are_described_in_full)                        \
     TEST(handles_in_two_threads_give_equal_bits)              \
     TEST(errors_are_kept_per_thread)                          \
     TEST(a_second_thread_in_a_sea_is_told_and_free_waits)     \

@@ -59,3 +59,32 @@ def test_shapes_that_are_no_points_are_refused(sea):
         sea.query([[1.0, 2.0]], np.inf)
     with pytest.raises(libocean.InvalidValueError, match="length"):
         sea.float_pose([[1.0, 2.0, 0.0, -4.0, 2.0]], TIME)
+
+
+def test_samples_say_all_that_is_known_of_a_point(sea):
+    points = np.random.default_rng(3).uniform(-100.0, 300.0, (200, 2))
+    rows = sea.query(points, 3.0)
+    samples = sea.samples(points, 3.0, foam=True)
+    assert np.array_equal(samples.height, rows[:, 2])
+    assert np.array_equal(samples.normal, rows[:, 3:6])
+    assert np.array_equal(samples.velocity, rows[:, 6:9])
+    assert np.array_equal(samples.foam, rows[:, 9])
+    assert np.abs(samples.label - points).max() < 20.0
+    assert not samples.undecided.any()
+    exact = sea.samples(points, 3.0, exact=True)
+    assert exact.height_error == 0.0
+    error = np.sqrt(np.mean((samples.height - exact.height) ** 2))
+    assert 0.1 * samples.height_error < error < 3.0 * samples.height_error
+    coarse = sea.samples(points, 3.0, resolution=32)
+    assert coarse.height_error > 5.0 * samples.height_error
+    with pytest.raises(libocean.InvalidValueError, match="refine"):
+        sea.samples(points, 3.0, refine=3)
+    assert len(sea.samples([], 3.0).height) == 0
+
+
+def test_where_crests_fold_samples_say_so(sea):
+    sea.set("choppiness", 4.0)
+    points = np.random.default_rng(3).uniform(0.0, 200.0, (4000, 2))
+    samples = sea.samples(points, 3.0)
+    assert 0 < samples.folded.sum() < 2000
+    assert not samples.undecided.any()

@@ -50,10 +50,13 @@ def test_struct_fields_and_channels_are_those_of_the_header():
         (_library.Options, "ocean_options"),
         (_library.Output, "ocean_output"),
         (_library.Request, "ocean_request"),
+        (_library.QueryRequest, "ocean_query_request"),
     ):
         body = re.findall(r"typedef struct \{([^}]*)\} (\w+);", header)
         fields = next(re.findall(r"(\w+)(?:\[4\])?;", text) for text, n in body if n == name)
         assert fields == [field for field, _ in struct._fields_]
+    body = re.search(r"typedef struct \{([^}]*)\} ocean_sample;", header)[1]
+    assert tuple(re.findall(r"(\w+)(?:\[\d\])?;", body)) == _sea.SAMPLE.names
 
 
 def test_fields_have_their_shapes_and_types(sea):

@@ -202,6 +202,33 @@ TEST(Query, RepeatsWithThePeriodHoweverFarAway) {
     EXPECT_TRUE(std::isfinite(query.sample({1e300, -1e300}).height));
 }
 
+TEST(Query, SaysTheErrorOfItsHeights) {
+    Parameters parameters = test::wind_sea(128, 200.0);
+    parameters.surface.choppiness = 0.0;  // so that labels are places
+    TestSea sea(parameters);
+    WaveSum sum(sea.modes, sea.parameters.water);
+    const auto points = random_points(300, 0.0, 200.0);
+    for (const QueryOptions& options :
+         {QueryOptions{}, QueryOptions{.refine = 2}, QueryOptions{.resolution = 32},
+          QueryOptions{.exact = true, .resolution = 64}}) {
+        double error = 0.0;
+        double said = 0.0;
+        // Over times far apart: the error is one of the sea.
+        for (const double time : {0.0, 100.0, 200.0, 300.0, 400.0}) {
+            const SurfaceQuery query = sea.query(options, time);
+            sum.set_time(time);
+            said = query.height_error();
+            for (const WorldPoint& point : points) {
+                const double exact = sum.at_label(point.x, point.y).height;
+                error += std::pow(query.sample(point).height - exact, 2);
+            }
+        }
+        error = std::sqrt(error / 5.0 / static_cast<double>(points.size()));
+        EXPECT_NEAR(error, said, 0.2 * said) << options.refine << ", " << options.resolution;
+    }
+    EXPECT_EQ(sea.query({.exact = true}).height_error(), 0.0);
+}
+
 /// All that a sample says.
 void expect_same(const QuerySample& a, const QuerySample& b) {
     EXPECT_EQ(a.height, b.height);

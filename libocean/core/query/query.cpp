@@ -59,43 +59,77 @@ int fold_resolution(int grid_resolution, const QueryOptions& options) {
                     spline_resolution(grid_resolution, options));
 }
 
-/// No label of the modes that a map of `band` samples holds is displaced farther than this at
-/// choppiness 1, m: eight times the rms of the displacement, which of Gaussian waves one place in
-/// 10^13 is, or the sum of all amplitudes, if that is less.
-double farthest_displacement(const Modes& modes, int band, ThreadPool& pool) {
-    double squares = 0.0;
-    double sum = 0.0;
+/// What sums over the modes say of all places and times.
+struct QueryBounds {
+    /// No label is displaced farther than this at choppiness 1, m: eight times the rms of the
+    /// displacement, which of Gaussian waves one place in 10^13 is, or the sum of all amplitudes,
+    /// if that is less.
+    double farthest;
+    /// rms of the height that answers lack, m: of the waves that a map of `band` samples does not
+    /// hold, and unless the answers are exact of the aliases of the others on the spline.
+    double error;
+};
+
+/// Sums over a row of modes; rows are added in order.
+struct BoundSums {
+    double displacement = 0.0;          // sum of |h0| k coth(kd)/k
+    double displacement_squares = 0.0;  // of their squares
+    double lacking = 0.0;               // |h0|^2 of the modes, or aliases, that are not shown
+
+    void add(const BoundSums& other) {
+        displacement += other.displacement;
+        displacement_squares += other.displacement_squares;
+        lacking += other.lacking;
+    }
+};
+
+/// (n / (R - n))^8: of a mode's energy, that of its alias along one axis of a spline of R samples.
+double alias_energy(int n, int spline) {
+    const double ratio = static_cast<double>(n) / (spline - n);
+    return std::pow(ratio * ratio, 4);
+}
+
+QueryBounds query_bounds(const Modes& modes, int band, int spline, bool exact, ThreadPool& pool) {
+    BoundSums total;
     for (const CascadeModes& cascade : modes.cascades) {
         const int size = cascade.lattice.resolution;
         const double step = cascade.lattice.wavenumber_step();
-        const int half = std::min(size / 2, (band / 2 - 1) / cascade.divisor + 1);
-        struct RowSums {
-            double squares = 0.0;
-            double sum = 0.0;
-        };
-        std::vector<RowSums> rows(static_cast<std::size_t>(2 * half - 1));
+        const int half = size / 2;
+        std::vector<double> alias(static_cast<std::size_t>(half), 1.0);
+        std::vector<char> held(static_cast<std::size_t>(half), 0);
+        for (int n = 0; n < half && n * cascade.divisor < band / 2; ++n) {
+            alias[static_cast<std::size_t>(n)] = alias_energy(n * cascade.divisor, spline);
+            held[static_cast<std::size_t>(n)] = 1;
+        }
+        std::vector<BoundSums> rows(static_cast<std::size_t>(2 * half - 1));
         pool.for_each_range(2 * half - 1, [&](int first, int last) {
             for (int row = first; row < last; ++row) {
-                RowSums& sums = rows[static_cast<std::size_t>(row)];
+                BoundSums& sums = rows[static_cast<std::size_t>(row)];
                 const int m = row - half + 1;
+                const auto y = static_cast<std::size_t>(std::abs(m));
                 for (int n = -half + 1; n < half; ++n) {
+                    const auto x = static_cast<std::size_t>(std::abs(n));
                     const std::size_t at = mode_index(n, m, size);
+                    const auto energy = static_cast<double>(std::norm(cascade.h0[at]));
+                    if (held[x] == 0 || held[y] == 0) {
+                        sums.lacking += energy;
+                        continue;
+                    }
+                    if (!exact) sums.lacking += energy * (alias[x] + alias[y]);
                     const double k = step * std::sqrt(static_cast<double>(n * n + m * m));
                     const double part = k * static_cast<double>(cascade.displacement[at]);
-                    const double square =
-                        static_cast<double>(std::norm(cascade.h0[at])) * part * part;
-                    sums.squares += square;
-                    sums.sum += std::sqrt(square);
+                    const double square = energy * part * part;
+                    sums.displacement_squares += square;
+                    sums.displacement += std::sqrt(square);
                 }
             }
         });
-        for (const RowSums& row : rows) {
-            squares += row.squares;
-            sum += row.sum;
-        }
+        for (const BoundSums& row : rows) total.add(row);
     }
     // h(k, t) has both h0(k) and conj(h0(-k)).
-    return 1.0001 * std::min(8.0 * std::sqrt(2.0 * squares), 2.0 * sum);
+    return {1.0001 * std::min(8.0 * std::sqrt(2.0 * total.displacement_squares),
+                              2.0 * total.displacement),
+            std::sqrt(2.0 * total.lacking)};
 }
 
 }  // namespace
@@ -110,7 +144,7 @@ struct SurfaceQuery::State {
           position({spline_resolution(modes.lattice.resolution, asked), modes.lattice.period}),
           velocity(position.lattice()),
           folds(modes.lattice.period, fold_resolution(modes.lattice.resolution, asked)),
-          farthest(farthest_displacement(modes, shown, pool)),
+          bounds(query_bounds(modes, shown, position.lattice().resolution, asked.exact, pool)),
           revision(modes.revision) {}
 
     /// Other modes of the same lattice. False, with nothing changed, if it is not.
@@ -123,7 +157,7 @@ struct SurfaceQuery::State {
 
     double period() const { return position.lattice().period; }
     double spacing() const { return period() / shown; }
-    double reach() const { return choppiness * farthest; }
+    double reach() const { return choppiness * bounds.farthest; }
     InversionTarget target(WorldPoint place) const {
         return InversionTarget::at(place.x, place.y, choppiness, reach());
     }
@@ -152,7 +186,7 @@ struct SurfaceQuery::State {
     SplineMap velocity;
     mutable FoldIndex folds;
     mutable std::mutex preparing;
-    double farthest;         // displacement at choppiness 1, m
+    QueryBounds bounds;
     std::uint64_t revision;  // of the modes
     double choppiness = 0.0;
     double time = 0.0;
@@ -169,7 +203,7 @@ bool SurfaceQuery::State::use(const Modes& modes, ThreadPool& pool) {
     const int fine = position.lattice().resolution;
     revision = 0;  // while they are neither the old ones nor the new
     if (!strips.repack(modes, spline_factor(modes, shown, fine), pool)) return false;
-    farthest = farthest_displacement(modes, shown, pool);
+    bounds = query_bounds(modes, shown, fine, options.exact, pool);
     revision = modes.revision;
     exact.reset();
     return true;
@@ -395,6 +429,9 @@ double SurfaceQuery::spacing() const {
 }
 double SurfaceQuery::reach() const {
     return state_->reach();
+}
+double SurfaceQuery::height_error() const {
+    return state_->bounds.error;
 }
 
 WorldPoint SurfaceQuery::shown(WorldPoint label) const {

@@ -111,6 +111,8 @@ class Ocean {
     /// out_of_memory.
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options = {});
+    /// SurfaceQuery::height_error of such a query.
+    double query_height_error(double time, const QueryOptions& options = {});
     void orbital_velocity(double time, double z, std::span<const WorldPoint> points,
                           std::span<std::array<double, 3>> velocities,
                           const QueryOptions& options = {});

@@ -86,6 +86,9 @@ class SurfaceQuery {
     /// No label is shown farther than this from where it is, m: eight times the rms of the
     /// displacement, or what all waves together may make if that is less.
     double reach() const;
+    /// rms of what samples' heights lack of the sum over all modes, m: the waves that the shown map
+    /// does not hold, and without `exact` the aliases of the others.
+    double height_error() const;
     /// Where the interpolated surface shows a label. sample() finds its inverse to 2e-6 of reach().
     WorldPoint shown(WorldPoint label) const;
 

@@ -27,7 +27,7 @@ from ._library import (
     library,
     text_of,
 )
-from ._sea import FloatPose, Sea, Surface
+from ._sea import FloatPose, Samples, Sea, Surface
 
 __all__ = [
     "CancelledError",
@@ -35,6 +35,7 @@ __all__ = [
     "FloatPose",
     "InvalidValueError",
     "OutOfMemoryError",
+    "Samples",
     "Sea",
     "Surface",
     "UnsupportedError",

@@ -71,6 +71,22 @@ class Request(ctypes.Structure):
     ]
 
 
+class QueryRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("xy", c_void_p),
+        ("count", c_size_t),
+        ("samples", c_void_p),
+        ("sample_size", c_size_t),
+        ("resolution", c_int32),
+        ("refine", c_int32),
+        ("exact", c_int32),
+        ("foam", c_int32),
+        ("height_error", POINTER(c_double)),
+    ]
+
+
 class Error(Exception):
     """A call that failed. `code` is that of libocean.h, the text is the library's sentence."""
 
@@ -139,6 +155,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_map_resolution": [c_void_p, POINTER(c_int32)],
     "ocean_evaluate": [c_void_p, POINTER(Request)],
     "ocean_query": [c_void_p, c_double, *_LISTS],
+    "ocean_query_points": [c_void_p, POINTER(QueryRequest)],
     "ocean_orbital_velocity": [c_void_p, c_double, c_double, *_LISTS],
     "ocean_float_pose": [c_void_p, c_double, *_LISTS],
 }

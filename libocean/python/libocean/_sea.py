@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._library import Options, Output, Request, call, text_of
+from ._library import Options, Output, QueryRequest, Request, call, text_of
 
 Array = npt.NDArray[np.float32]
 
@@ -62,6 +62,39 @@ def _value_text(value: Any) -> str:
     if "\0" in text:  # a C text ends there: the rest would be lost without a word
         raise _library.error("a text with a NUL", _library.INVALID_VALUE)
     return text
+
+
+# ocean_sample of libocean.h.
+SAMPLE = np.dtype(
+    [
+        *[("height", np.float32), ("normal", np.float32, 3), ("velocity", np.float32, 3)],
+        *[("foam", np.float32), ("label", np.float64, 2), ("flags", np.int32)],
+        ("reserved", np.int32),
+    ]
+)
+_FOLDED = 1
+_UNDECIDED = 2
+
+
+class Samples(NamedTuple):
+    """The shown surface at n points, as arrays of n rows."""
+
+    height: Array
+    """(n,), metres."""
+    normal: Array
+    """(n, 3), unit, up."""
+    velocity: Array
+    """(n, 3), m/s, of the shown point."""
+    foam: Array
+    """(n,), 0 .. 1."""
+    label: npt.NDArray[np.float64]
+    """(n, 2), metres: which point of the undisplaced surface is shown there."""
+    folded: npt.NDArray[np.bool_]
+    """(n,): several sheets are shown there; this is the top one."""
+    undecided: npt.NDArray[np.bool_]
+    """(n,): so folded that not all of them were found; perhaps this is not the top one."""
+    height_error: float
+    """rms of what the heights lack of the exact sum over all waves, metres."""
 
 
 class FloatPose(NamedTuple):
@@ -278,6 +311,40 @@ class Sea:
         and no waiting for the foam's past."""
         return self._answers("ocean_query", points, (time,), 2, 10 if foam else 9)
 
+    def samples(
+        self,
+        points: npt.ArrayLike,
+        time: float,
+        *,
+        resolution: int = 0,
+        refine: int = 1,
+        exact: bool = False,
+        foam: bool = False,
+    ) -> Samples:
+        """All that is known of the surface at each of n world points (x, y). resolution: the waves
+        that a map of so many samples holds, at a fraction of the cost. refine: 2, 4 ... for smaller
+        errors. exact: the sum over all waves, a hundred times as slow."""
+        asked = self._rows(points, 2)
+        answers = np.empty(len(asked), dtype=SAMPLE)
+        error = ctypes.c_double()
+        request = QueryRequest(
+            ctypes.sizeof(QueryRequest),
+            time,
+            asked.ctypes.data,
+            len(asked),
+            answers.ctypes.data,
+            SAMPLE.itemsize,
+            resolution,
+            refine,
+            exact,
+            foam,
+            ctypes.pointer(error),
+        )
+        self._call("ocean_query_points", ctypes.byref(request))
+        fields = [answers[name] for name in ("height", "normal", "velocity", "foam", "label")]
+        flags = answers["flags"]
+        return Samples(*fields, flags & _FOLDED != 0, flags & _UNDECIDED != 0, error.value)
+
     def orbital_velocity(self, points: npt.ArrayLike, time: float, z: float = 0.0) -> Array:
         """Velocity of the water by linear theory at fixed world points (x, y), z metres above still
         water: (n, 3), m/s. Above 0 it is that of 0, below the bottom there is none."""
@@ -293,6 +360,13 @@ class Sea:
         self, name: str, rows: npt.ArrayLike, when: tuple[float, ...], width: int, columns: int
     ) -> Array:
         """One row of floats for each row of `width` numbers."""
+        asked = self._rows(rows, width)
+        answers = np.empty((len(asked), columns), dtype=np.float32)
+        self._call(name, *when, asked.ctypes.data, len(asked), answers.ctypes.data, columns)
+        return answers
+
+    @staticmethod
+    def _rows(rows: npt.ArrayLike, width: int) -> npt.NDArray[np.float64]:
         asked = np.ascontiguousarray(rows, dtype=np.float64)
         if asked.shape == (width,) or asked.size == 0:
             asked = asked.reshape(-1, width)
@@ -301,9 +375,7 @@ class Sea:
                 f"an array of shape {asked.shape}; allowed: (n, {width})",
                 _library.INVALID_ARGUMENT,
             )
-        answers = np.empty((len(asked), columns), dtype=np.float32)
-        self._call(name, *when, asked.ctypes.data, len(asked), answers.ctypes.data, columns)
-        return answers
+        return asked
 
     def map_resolution(self) -> int:
         """Samples a side of a map where none is asked for."""
