@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -182,13 +181,7 @@ std::optional<UtcTime> time_at(const TimeUnits& units, double value) {
     constexpr double kFarthest = 1e11;  // seconds; the year 5138
     const double seconds = units.origin + value * units.seconds;
     if (!(std::abs(seconds) < kFarthest)) return std::nullopt;
-    const std::chrono::minutes minutes(std::llround(seconds / 60.0));
-    const auto day = std::chrono::floor<std::chrono::days>(minutes);
-    const std::chrono::year_month_day date{std::chrono::sys_days(day)};
-    const int of_day = static_cast<int>((minutes - day).count());
-    const UtcTime time{static_cast<int>(date.year()), static_cast<int>(unsigned{date.month()}),
-                       static_cast<int>(unsigned{date.day()}), of_day / 60, of_day % 60};
-    return time.valid() ? std::optional(time) : std::nullopt;
+    return utc_time_at(std::llround(seconds / 60.0));
 }
 
 }  // namespace ocean::netcdf

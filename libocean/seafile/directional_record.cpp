@@ -151,4 +151,27 @@ void append_mean_and_spread(SpectrumRecord& record, double mean, double spread) 
     record.b2.push_back(kMissing);
 }
 
+void append_mean_and_principal(SpectrumRecord& record, double mean, double principal, double r1,
+                               double r2) {
+    const double theta1 = mean * kDegree;
+    const double theta2 = principal * kDegree;
+    append_moments(record, {r1 * std::cos(theta1), r1 * std::sin(theta1),
+                            r2 * std::cos(2.0 * theta2), r2 * std::sin(2.0 * theta2)});
+}
+
+void append_moments(SpectrumRecord& record, const std::array<double, 4>& a1_b1_a2_b2) {
+    const auto& [a1, b1, a2, b2] = a1_b1_a2_b2;
+    const bool whole = !std::isnan(a1 + b1 + a2 + b2);
+    record.a1.push_back(whole ? a1 : kMissing);
+    record.b1.push_back(whole ? b1 : kMissing);
+    record.a2.push_back(whole ? a2 : kMissing);
+    record.b2.push_back(whole ? b2 : kMissing);
+}
+
+void drop_unknown_moments(SpectrumRecord& record) {
+    const auto missing = [](double a) { return std::isnan(a); };
+    if (!std::all_of(record.a1.begin(), record.a1.end(), missing)) return;
+    for (auto* moment : {&record.a1, &record.b1, &record.a2, &record.b2}) moment->clear();
+}
+
 }  // namespace ocean

@@ -4,6 +4,7 @@
 // Times of records: see utc_time.hpp.
 #include "ocean/utc_time.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace ocean {
@@ -39,6 +40,13 @@ bool take(std::string_view& text, std::string_view any_of) {
     return true;
 }
 
+/// Digits of any number, but some.
+bool take_fraction(std::string_view& text) {
+    const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+    text.remove_prefix(count);
+    return count > 0;
+}
+
 }  // namespace
 
 bool UtcTime::valid() const {
@@ -61,6 +69,18 @@ std::int64_t UtcTime::minutes() const {
     return std::int64_t{days.count()} * 1440 + hour * 60 + minute;
 }
 
+std::optional<UtcTime> utc_time_at(std::int64_t minutes) {
+    constexpr std::int64_t kFarthest = 1'000'000'000;  // the year 3871
+    if (minutes < -kFarthest || minutes > kFarthest) return std::nullopt;
+    const std::chrono::minutes since(minutes);
+    const auto day = std::chrono::floor<std::chrono::days>(since);
+    const std::chrono::year_month_day date{std::chrono::sys_days(day)};
+    const int of_day = static_cast<int>((since - day).count());
+    const UtcTime time{static_cast<int>(date.year()), static_cast<int>(unsigned{date.month()}),
+                       static_cast<int>(unsigned{date.day()}), of_day / 60, of_day % 60};
+    return time.valid() ? std::optional(time) : std::nullopt;
+}
+
 std::optional<UtcTime> parse_utc_time(std::string_view text) {
     UtcTime time;
     time.year = take_digits(text, 4);
@@ -72,7 +92,10 @@ std::optional<UtcTime> parse_utc_time(std::string_view text) {
     time.hour = take_digits(text, 2);
     if (!take(text, ":")) return std::nullopt;
     time.minute = take_digits(text, 2);
-    if (take(text, ":") && take_digits(text, 2) < 0) return std::nullopt;
+    if (take(text, ":")) {
+        if (take_digits(text, 2) < 0) return std::nullopt;
+        if (take(text, ".") && !take_fraction(text)) return std::nullopt;
+    }
     take(text, "Z");
     if (!text.empty() || !time.valid()) return std::nullopt;
     return time;

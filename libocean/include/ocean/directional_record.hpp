@@ -5,6 +5,7 @@
 // direction waves travel to. Formats hand over what they read; conventions are converted here.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,5 +51,14 @@ class DirectionAxis {
 /// and a directional spread, the circular standard deviation [Kuik 1988], both in degrees; NaN =
 /// missing. The second moment is not known.
 void append_mean_and_spread(SpectrumRecord& record, double mean, double spread);
+/// Appends both moments of one frequency as NDBC publishes them, a_n = r_n cos(n theta_n) and
+/// b_n = r_n sin(n theta_n) [Longuet-Higgins 1963]: the mean and the principal travel direction in
+/// degrees, and the two ratios. If one of the four is missing (NaN), all moments are.
+void append_mean_and_principal(SpectrumRecord& record, double mean, double principal, double r1,
+                               double r2);
+/// Appends the moments of one frequency as they are; if one of the four is missing, all are.
+void append_moments(SpectrumRecord& record, const std::array<double, 4>& a1_b1_a2_b2);
+/// A record whose moments are missing in every bin has none.
+void drop_unknown_moments(SpectrumRecord& record);
 
 }  // namespace ocean

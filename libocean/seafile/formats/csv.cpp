@@ -212,23 +212,13 @@ class CsvReader {
             if (std::isnan(row.density)) continue;
             record.frequency.push_back(row.frequency);
             record.density.push_back(row.density);
-            if (!group.moments.empty()) append_moments(record, group.moments[row.moments]);
+            if (group.moments.empty()) continue;
+            const std::array<double, 4>& values = group.moments[row.moments];
+            if (mean_ != kNone) append_mean_and_spread(record, values[0], values[1]);
+            if (mean_ == kNone) append_moments(record, values);
         }
         drop_unknown_moments(record);
         return record;
-    }
-    void append_moments(SpectrumRecord& record, const std::array<double, 4>& values) const {
-        if (mean_ != kNone) return append_mean_and_spread(record, values[0], values[1]);
-        const bool whole = !std::isnan(values[0] + values[1] + values[2] + values[3]);
-        record.a1.push_back(whole ? values[0] : kMissing);
-        record.b1.push_back(whole ? values[1] : kMissing);
-        record.a2.push_back(whole ? values[2] : kMissing);
-        record.b2.push_back(whole ? values[3] : kMissing);
-    }
-    static void drop_unknown_moments(SpectrumRecord& record) {
-        const auto missing = [](double a) { return std::isnan(a); };
-        if (!std::all_of(record.a1.begin(), record.a1.end(), missing)) return;
-        for (auto* moment : {&record.a1, &record.b1, &record.a2, &record.b2}) moment->clear();
     }
 
     SpectrumRecord over_both(Group& group) const {

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "ocean/directional_record.hpp"
-#include "ocean/grid.hpp"
 #include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
 
@@ -36,13 +35,7 @@ double value_at(const std::vector<Bin>& bins, double frequency) {
     return hit ? found->value : kMissing;
 }
 
-/// Where the waves travel, rad, from where they come, alpha.
-double travel_angle(double alpha) {
-    return travel_direction(alpha, DirectionConvention::from_nautical) * (kPi / 180.0);
-}
-
-/// a_n = r_n cos(n theta_n), b_n = r_n sin(n theta_n) [Longuet-Higgins 1963]. A bin that lacks one
-/// of the four quantities lacks all four moments.
+/// A bin that lacks one of the four quantities lacks all four moments.
 void add_directions(SpectrumRecord& record, const Companions& companions) {
     std::array<const std::vector<Bin>*, kCompanions> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -50,21 +43,15 @@ void add_directions(SpectrumRecord& record, const Companions& companions) {
         if (found == companions[i].end()) return;
         rows[i] = &found->second;
     }
-    SpectrumRecord with = record;
-    bool any = false;
+    const auto travel = [](double alpha) {
+        return travel_direction(alpha, DirectionConvention::from_nautical);
+    };
     for (const double f : record.frequency) {
-        const double theta1 = travel_angle(value_at(*rows[0], f));
-        const double theta2 = travel_angle(value_at(*rows[1], f));
-        const double r1 = value_at(*rows[2], f);
-        const double r2 = value_at(*rows[3], f);
-        const bool whole = !std::isnan(theta1 + theta2 + r1 + r2);
-        any |= whole;
-        with.a1.push_back(whole ? r1 * std::cos(theta1) : kMissing);
-        with.b1.push_back(whole ? r1 * std::sin(theta1) : kMissing);
-        with.a2.push_back(whole ? r2 * std::cos(2.0 * theta2) : kMissing);
-        with.b2.push_back(whole ? r2 * std::sin(2.0 * theta2) : kMissing);
+        append_mean_and_principal(record, travel(value_at(*rows[0], f)),
+                                  travel(value_at(*rows[1], f)), value_at(*rows[2], f),
+                                  value_at(*rows[3], f));
     }
-    if (any) record = std::move(with);
+    drop_unknown_moments(record);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times of records: what is one as text, and minutes since 1970 there and back.
+#include "ocean/utc_time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ocean::test {
+namespace {
+
+TEST(UtcTime, SecondsAndTheirFractionsAreDropped) {
+    for (const char* text : {"2018-02-14T00:27", "2018-02-14 00:27Z", "2018-02-14T00:27:59",
+                             "2018-02-14T00:27:59.9Z", "2018-02-14T00:27:19.000000Z"}) {
+        const std::optional<UtcTime> time = parse_utc_time(text);
+        ASSERT_TRUE(time) << text;
+        EXPECT_EQ(time->text(), "2018-02-14T00:27") << text;
+    }
+    for (const char* text : {"2018-02-14T00:27:", "2018-02-14T00:27:1", "2018-02-14T00:27:19.",
+                             "2018-02-14T00:27:19.Z", "2018-02-14T00:27:190", "2018-02-14T00:27.5",
+                             "2018-02-14T00:27:19.0+13:00"}) {
+        EXPECT_FALSE(parse_utc_time(text)) << text;
+    }
+}
+
+TEST(UtcTime, MinutesGoThereAndBack) {
+    EXPECT_EQ(utc_time_at(0)->text(), "1970-01-01T00:00");
+    EXPECT_EQ(utc_time_at(-1)->text(), "1969-12-31T23:59");
+    for (const char* text : {"1800-01-01T00:00", "2000-02-29T12:34", "2999-12-31T23:59"}) {
+        EXPECT_EQ(utc_time_at(parse_utc_time(text)->minutes())->text(), text);
+    }
+    const std::int64_t first = parse_utc_time("1800-01-01T00:00")->minutes();
+    EXPECT_FALSE(utc_time_at(first - 1)) << "years before are none of valid()";
+    for (const std::int64_t far :
+         {std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
+        EXPECT_FALSE(utc_time_at(far)) << far;
+    }
+}
+
+}  // namespace
+}  // namespace ocean::test
