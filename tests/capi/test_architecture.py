@@ -62,8 +62,8 @@ LIBRARIES = {
     ),
     "seafile": Library(
         below=("core",),
-        foreign={"": ("toml++/", "zlib.h")},
-        links=("tomlplusplus::tomlplusplus", "zlib_static"),
+        foreign={"": ("toml++/", "zlib.h"), "formats/spotter_json.cpp": ("nlohmann/",)},
+        links=("nlohmann_json::nlohmann_json", "tomlplusplus::tomlplusplus", "zlib_static"),
         banned=frozenset({"iostream"}),
     ),
     "io": Library(
