@@ -19,8 +19,8 @@ namespace {
 
 /// The first that recognises the content reads it; CSV, the least particular, comes last.
 constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kSpotterCsv,
-                                 &kSpotterJson, &kDatawell, &kWavewatch,
-                                 &kSwan, &kCsv};
+                                 &kSpotterJson,  &kDatawell,       &kTriaxys,
+                                 &kWavewatch,    &kSwan,           &kCsv};
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;

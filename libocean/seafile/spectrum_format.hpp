@@ -41,6 +41,7 @@ extern const SpectrumFormat kSwan;            // formats/swan.cpp
 extern const SpectrumFormat kSpotterCsv;      // formats/spotter_csv.cpp
 extern const SpectrumFormat kSpotterJson;     // formats/spotter_json.cpp
 extern const SpectrumFormat kDatawell;        // formats/datawell.cpp
+extern const SpectrumFormat kTriaxys;         // formats/triaxys.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
 /// Reads by one format; the file must hold a spectrum, and none may have a fault.
