@@ -129,7 +129,7 @@ std::optional<DensityUnits> parse_density_units(std::string_view units) {
         if (offset == std::string_view::npos) return std::nullopt;
         rest = rest.substr(0, offset);
     }
-    if (!take(rest, "m2")) return std::nullopt;
+    if (!take(rest, "m2") && !take(rest, "metermeter")) return std::nullopt;  // "(meter * meter)"
     take_angle(rest, result.angle);
     std::string divided;
     if (take(rest, "/hz")) {

@@ -128,6 +128,18 @@ void drop_characters(const Content& content, Variable& variable) {
     }
 }
 
+/// NDBC names the station in an attribute of the whole file: a variable without dimensions, unless
+/// there is one that names stations.
+void add_global_station(const File& file, Header& header) {
+    const std::optional<std::string> station = text_attribute(file.id(), NC_GLOBAL, "station");
+    if (!station) return;
+    for (const Variable& v : header.content.variables) {
+        if (v.name.starts_with("station") || v.name == "site") return;
+    }
+    header.content.variables.push_back({"station", {}, {}, true, {}, {*station}});
+    header.sources.push_back({NC_GLOBAL, NC_CHAR, {}});
+}
+
 /// All variables that may play a part, without values.
 Header read_header(const File& file) {
     Header header;
@@ -159,6 +171,7 @@ Header read_header(const File& file) {
         header.content.variables.push_back(std::move(variable));
         header.sources.push_back(std::move(source));
     }
+    add_global_station(file, header);
     return header;
 }
 
@@ -310,6 +323,10 @@ Content read_file(const std::string& path) {
         const Source& source = header.sources[i];
         const std::size_t size = checked_size(content, source.dimensions, variable.name, left);
         left -= size;
+        if (source.id == NC_GLOBAL) {  // an attribute, which is read already
+            needed.push_back(std::move(variable));
+            continue;
+        }
         if (variable.is_text) {
             const std::size_t count =
                 checked_size(content, variable.dimensions, variable.name, kMaxValues);

@@ -49,7 +49,7 @@ int spectrum_rank(const Variable& variable) {
     if (variable.name == "efth") return 5;
     if (is_ecmwf(variable)) return 4;
     if (standard == "sea_surface_wave_directional_variance_spectral_density") return 3;
-    if (variable.name == "ef") return 2;
+    if (among(variable.name, {"ef", "spectral_wave_density"})) return 2;
     return standard == "sea_surface_wave_variance_spectral_density" ? 1 : 0;
 }
 
@@ -63,7 +63,8 @@ std::size_t find_spectrum(const Content& content) {
     }
     if (rank > 0) return best;
     throw Fault(
-        "holds no wave spectrum: no variable efth, ef or d2fd, and none whose standard_name is "
+        "holds no wave spectrum: no variable efth, ef, d2fd or spectral_wave_density, and none "
+        "whose standard_name is "
         "sea_surface_wave_directional_variance_spectral_density or "
         "sea_surface_wave_variance_spectral_density");
 }
@@ -90,6 +91,7 @@ class Finder {
         layout_.longitude = find_place("longitude", {"longitude", "lon"});
         layout_.depth = find_place("sea_floor_depth_below_sea_surface", {"dpt", "depth"});
         layout_.station = find_station();
+        if (!layout_.direction_dimension) layout_.buoy_directions = find_buoy_directions();
         for (const std::size_t dimension : left_) require_place(dimension);
         layout_.outer_dimensions.insert(layout_.outer_dimensions.end(), left_.begin(), left_.end());
         return std::move(layout_);
@@ -174,6 +176,24 @@ class Finder {
         return found;
     }
 
+    std::optional<std::array<std::size_t, 4>> find_buoy_directions() const {
+        constexpr std::array<std::string_view, 4> kNames = {"mean_wave_dir", "principal_wave_dir",
+                                                            "wave_spectrum_r1", "wave_spectrum_r2"};
+        std::array<std::size_t, 4> found{};
+        for (std::size_t k = 0; k < kNames.size(); ++k) {
+            const auto at = std::find_if(
+                content_.variables.begin(), content_.variables.end(), [&](const Variable& v) {
+                    return v.name == kNames[k] && !v.is_text &&
+                           std::is_permutation(v.dimensions.begin(), v.dimensions.end(),
+                                               spectrum().dimensions.begin(),
+                                               spectrum().dimensions.end());
+                });
+            if (at == content_.variables.end()) return std::nullopt;
+            found[k] = static_cast<std::size_t>(at - content_.variables.begin());
+        }
+        return found;
+    }
+
     void require_place(std::size_t dimension) const {
         const auto& [name, size] = content_.dimensions[dimension];
         if (size <= 1) return;
@@ -204,6 +224,7 @@ std::vector<std::size_t> Layout::variables() const {
     for (const auto& one : {frequency, direction, time, latitude, longitude, depth, station}) {
         if (one && !has(all, *one)) all.push_back(*one);
     }
+    if (buoy_directions) all.insert(all.end(), buoy_directions->begin(), buoy_directions->end());
     return all;
 }
 

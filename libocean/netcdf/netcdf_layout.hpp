@@ -5,6 +5,7 @@
 // standard names and dimensions, never by values, so that only what is needed has to be read.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Layout {
     // Coordinates. ECMWF may leave out frequency and direction, which are indices there.
     std::optional<std::size_t> frequency, direction;
     std::optional<std::size_t> time, latitude, longitude, depth, station;
+    // What NDBC has beside a spectrum without directions, over the same dimensions: the mean and
+    // the principal direction, r1 and r2; all or none.
+    std::optional<std::array<std::size_t, 4>> buoy_directions;
 
     /// Variables without repetition.
     std::vector<std::size_t> variables() const;

@@ -23,6 +23,10 @@ constexpr double kPerRadian = kPi / 180.0;  // m^2 s/rad in m^2/Hz/degree
 constexpr double kFirstFrequency = 0.03453;
 constexpr double kFrequencyRatio = 1.1;
 
+/// Where a scale factor may put 360 degrees, and two digits r1 and r2.
+constexpr double kMaxDirection = 360.001;
+constexpr double kMaxRatio = 1.05;
+
 std::string shown(double value) {
     std::string digits = std::to_string(value);
     return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
@@ -272,11 +276,32 @@ class RecordMaker {
                 if (std::isnan(gathered_[i])) continue;  // as if the bin were not there
                 result.frequency.push_back(frequency_[i]);
                 result.density.push_back(gathered_[i]);
+                if (layout_.buoy_directions) append_directions(result, at, i);
             }
+            drop_unknown_moments(result);
         }
         const std::string fault = record_fault(result);
         if (!fault.empty()) throw fail(label(result) + fault);
         return result;
+    }
+
+    /// NDBC's four quantities of a bin: where waves come from, degrees clockwise from north, twice,
+    /// and two ratios.
+    void append_directions(SpectrumRecord& record, std::vector<std::size_t> at,
+                           std::size_t bin) const {
+        at[layout_.frequency_dimension] = frequency_order_[bin];
+        const auto value = [&](std::size_t k, double most) {
+            const Variable& v = content_.variables[(*layout_.buoy_directions)[k]];
+            const double read = value_at(&v, at);
+            if (std::isnan(read) || (read >= 0.0 && read <= most)) return read;
+            throw Fault(v.name, label(record) + shown(read) + "; allowed: 0 .. " +
+                                    std::to_string(std::lround(most)));
+        };
+        const auto travel = [&](std::size_t k) {
+            return travel_direction(value(k, kMaxDirection), DirectionConvention::from_nautical);
+        };
+        const auto ratio = [&](std::size_t k) { return std::min(value(k, kMaxRatio), 1.0); };
+        append_mean_and_principal(record, travel(0), travel(1), ratio(2), ratio(3));
     }
 
     static std::string label(const SpectrumRecord& record) {

@@ -225,6 +225,78 @@ TEST(NetcdfRecords, WithoutDirectionsTheSpectrumHasOneDimension) {
     EXPECT_EQ(records[1].density, (std::vector<double>{5.0, 6.0}));
 }
 
+/// NDBC's: one time and place, three frequencies; waves from the west, the south and the east.
+Content ndbc() {
+    Content content;
+    content.dimensions = {{"time", 1}, {"frequency", 3}, {"latitude", 1}, {"longitude", 1}};
+    const auto over_all = [](const std::string& name, const std::string& units,
+                             std::vector<double> values) {
+        return numbers(name, {0, 1, 2, 3}, {{"units", units}}, std::move(values));
+    };
+    content.variables = {
+        over_all("spectral_wave_density", "(meter * meter)/Hz", {1.0, 2.0, 3.0}),
+        over_all("mean_wave_dir", "degrees_true", {270.0, 180.0, 90.0}),
+        over_all("principal_wave_dir", "degrees_true", {270.0, 180.0, 45.0}),
+        over_all("wave_spectrum_r1", "", {0.9, 0.8, 1.02}),
+        over_all("wave_spectrum_r2", "", {0.6, 0.5, 0.4}),
+        numbers("time", {0}, {{"units", "seconds since 1970-01-01T00:00:00+00:00"}}, {1.6e9}),
+        numbers("frequency", {1}, {{"units", "Hz"}}, {0.1, 0.2, 0.3}),
+        numbers("latitude", {2}, {}, {27.59}),
+        numbers("longitude", {3}, {}, {-82.931}),
+    };
+    return content;
+}
+
+TEST(NetcdfRecords, DirectionsOfABuoyAreItsMoments) {
+    const std::vector<SpectrumRecord> records = records_from(ndbc());
+    ASSERT_EQ(records.size(), 1u);
+    const SpectrumRecord& record = records[0];
+    EXPECT_EQ(record.time, "2020-09-13T12:27");
+    EXPECT_EQ(record.latitude, 27.59);
+    EXPECT_EQ(record.density, (std::vector<double>{1.0, 2.0, 3.0}));
+    // To the east, the north and the west; twice the angle from the north-east is to the north.
+    const double wanted[3][4] = {
+        {0.9, 0.0, 0.6, 0.0}, {0.0, 0.8, -0.5, 0.0}, {-1.0, 0.0, 0.0, 0.4}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(record.a1[i], wanted[i][0], 1e-12) << i;
+        EXPECT_NEAR(record.b1[i], wanted[i][1], 1e-12) << i;
+        EXPECT_NEAR(record.a2[i], wanted[i][2], 1e-12) << i;
+        EXPECT_NEAR(record.b2[i], wanted[i][3], 1e-12) << i;
+    }
+}
+
+TEST(NetcdfRecords, DirectionsOfABuoyMayBeMissingInABinOrAltogether) {
+    for (const char* name :
+         {"mean_wave_dir", "principal_wave_dir", "wave_spectrum_r1", "wave_spectrum_r2"}) {
+        Content content = ndbc();
+        find(content, name).values[1] = kMissing;
+        const SpectrumRecord bin = records_from(content).front();
+        EXPECT_TRUE(std::isnan(bin.a1[1]) && std::isnan(bin.b2[1])) << name;
+        EXPECT_NEAR(bin.a1[0], 0.9, 1e-12) << name;
+        find(content, name).values.assign(3, kMissing);
+        EXPECT_FALSE(records_from(content).front().has_moments()) << name;
+        find(content, name).name = "x";
+        EXPECT_FALSE(records_from(content).front().has_moments()) << name;
+        find(content, "x").name = name;
+        find(content, name).dimensions = {0, 1, 2};
+        EXPECT_FALSE(records_from(content).front().has_moments()) << name;
+    }
+    Content content = ndbc();
+    find(content, "spectral_wave_density").values[0] = kMissing;
+    const SpectrumRecord record = records_from(content).front();
+    EXPECT_EQ(record.frequency, (std::vector<double>{0.2, 0.3}));
+    EXPECT_NEAR(record.b1[0], 0.8, 1e-12) << "the directions of its own bin";
+}
+
+TEST(NetcdfRecords, FrequenciesOfABuoyInAnyOrderKeepTheirDirections) {
+    Content content = ndbc();
+    find(content, "frequency").values = {0.3, 0.2, 0.1};
+    const SpectrumRecord record = records_from(content).front();
+    EXPECT_EQ(record.density, (std::vector<double>{3.0, 2.0, 1.0}));
+    EXPECT_NEAR(record.a1[0], -1.0, 1e-12);
+    EXPECT_NEAR(record.a1[2], 0.9, 1e-12);
+}
+
 TEST(NetcdfRecords, PlacesMayMoveAndStationsHaveNames) {
     Content content = wavespectra();
     find(content, "lat") = numbers("latitude", {0, 1}, {}, {1.0, 2.0, 3.0, 4.0});
@@ -326,6 +398,7 @@ TEST(CfUnits, DensitiesAreRecognisedInManySpellings) {
         {"m^2/Hz", Angle::none},
         {"m2 Hz-1", Angle::none},
         {"m**2 s", Angle::none},
+        {"(meter * meter)/Hz", Angle::none},
     };
     for (const auto& [units, angle] : known) {
         const auto parsed = parse_density_units(units);
@@ -576,6 +649,47 @@ TEST(NetcdfSpectra, FilesOfEveryKindGiveTheRecordsOfTheirContent) {
             EXPECT_EQ(records[i].directional_density, wanted[i].directional_density);
         }
     }
+}
+
+TEST(NetcdfSpectra, AFileOfTheBuoyCenterHasItsStationAndDirections) {
+    const std::string path = std::string(OCEAN_TEST_DATA) + "/spectra/42098w9999.nc";
+    const std::vector<SpectrumRecord> records = read_netcdf_spectra(path);
+    ASSERT_EQ(records.size(), 100u);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        EXPECT_EQ(records[i].station, "42098") << "an attribute of the whole file";
+        EXPECT_EQ(records[i].has_moments(), i > 10) << "the first eleven have no directions: " << i;
+    }
+    const SpectrumRecord& record = records[50];
+    EXPECT_EQ(record.time, "2015-06-11T13:00");
+    EXPECT_NEAR(record.latitude, 27.59, 1e-5);
+    EXPECT_NEAR(record.longitude, -82.931, 1e-5);
+    ASSERT_EQ(record.frequency.size(), 64u);
+    // At 0.21 Hz: 0.505 m^2/Hz, alpha1 200, alpha2 196, r1 0.91, r2 0.72.
+    EXPECT_NEAR(record.frequency[26], 0.21, 1e-6);
+    EXPECT_NEAR(record.density[26], 0.505, 1e-12);
+    EXPECT_NEAR(record.a1[26], 0.91 * std::cos((270.0 - 200.0) * kDegree), 1e-12);
+    EXPECT_NEAR(record.b1[26], 0.91 * std::sin((270.0 - 200.0) * kDegree), 1e-12);
+    EXPECT_NEAR(record.a2[26], 0.72 * std::cos(2.0 * (270.0 - 196.0) * kDegree), 1e-12);
+    EXPECT_NEAR(record.b2[26], 0.72 * std::sin(2.0 * (270.0 - 196.0) * kDegree), 1e-12);
+}
+
+TEST(NetcdfSpectra, ANameOfTheWholeFileYieldsToNamesOfStations) {
+    const TemporaryFolder folder;
+    Content content = wavespectra();
+    content.dimensions.push_back({"string4", 4});
+    content.variables.push_back({"station_name", {1, 4}, {}, true, {}, {"ab  xy  "}});
+    const auto name_all = [](const std::string& path) {
+        int file = 0;
+        check(nc_open(path.c_str(), NC_WRITE, &file));
+        check(nc_redef(file));
+        check(nc_put_att_text(file, NC_GLOBAL, "station", 5, "42098"));
+        check(nc_close(file));
+        return read_netcdf_spectra(path);
+    };
+    write_file(folder.file("names"), content, 0);
+    EXPECT_EQ(name_all(folder.file("names"))[1].station, "xy");
+    write_file(folder.file("none"), wavespectra(), 0);
+    EXPECT_EQ(name_all(folder.file("none"))[1].station, "42098");
 }
 
 TEST(NetcdfSpectra, PackedValuesAreUnpackedAndFillValuesMissing) {

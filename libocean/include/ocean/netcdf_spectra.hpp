@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra from NetCDF, as ERA5, wavespectra and WAVEWATCH III write it. For the tools alone:
+// Spectra from NetCDF, as ERA5, wavespectra, WAVEWATCH III and NDBC write it. For the tools alone:
 // libocean.so and ocean::seafile never link libnetcdf. A file goes through four stages, each
 // of which knows only the next: netcdf_file (libnetcdf) in a child process -> netcdf_wire (a pipe)
 // -> netcdf_layout (which variable plays which part) -> netcdf_records.

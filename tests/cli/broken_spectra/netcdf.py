@@ -86,13 +86,35 @@ def sea(dimensions=None, drop=(), **changed):
         ("freq", ("freq",), {"units": "Hz"}, [0.1, 0.2, 0.3]),
         ("dir", ("dir",), {"units": "degree"}, [0.0, 90.0, 180.0, 270.0]),
     ]
+    return classic({**DIMENSIONS, **(dimensions or {})}, edited(variables, drop, changed))
+
+
+def edited(variables, drop, changed):
     made = []
     for text, axes, attributes, values in variables:
         if text in drop:
             continue
         own, other = changed.get(text, (None, None))
         made.append((text, axes, own if own is not None else attributes, DOUBLE, other or values))
-    return classic({**DIMENSIONS, **(dimensions or {})}, made)
+    return made
+
+
+def ndbc(**changed):
+    """A buoy's file of the National Data Buoy Center, some variables otherwise."""
+    axes = ("time", "frequency", "latitude", "longitude")
+    variables = [
+        ("spectral_wave_density", axes, {"units": "(meter * meter)/Hz"}, [1.0, 2.0, 3.0]),
+        ("mean_wave_dir", axes, {"units": "degrees_true"}, [10.0, 20.0, 30.0]),
+        ("principal_wave_dir", axes, {"units": "degrees_true"}, [10.0, 20.0, 30.0]),
+        ("wave_spectrum_r1", axes, {}, [0.9, 0.8, 0.7]),
+        ("wave_spectrum_r2", axes, {}, [0.6, 0.5, 0.4]),
+        ("time", ("time",), {"units": "seconds since 1970-01-01T00:00:00+00:00"}, [1.6e9]),
+        ("frequency", ("frequency",), {"units": "Hz"}, [0.1, 0.2, 0.3]),
+        ("latitude", ("latitude",), {"units": "degrees_north"}, [27.59]),
+        ("longitude", ("longitude",), {"units": "degrees_east"}, [-82.931]),
+    ]
+    sizes = {"time": 1, "frequency": 3, "latitude": 1, "longitude": 1}
+    return classic(sizes, edited(variables, (), changed))
 
 
 GOOD = sea()
@@ -164,5 +186,35 @@ CASES = [
         "calendar_of_360_days",
         sea(time=({"units": "days since 1990-01-01", "calendar": "360_day"}, None)),
         "calendar '360_day'",
+    ),
+    case(
+        "buoy_density_negative",
+        ndbc(spectral_wave_density=(None, [1.0, -2.0, 3.0])),
+        "spectral_wave_density: record 2020-09-13T12:27: a density of -2",
+    ),
+    case(
+        "buoy_density_in_feet",
+        ndbc(spectral_wave_density=({"units": "(foot * foot)/Hz"}, None)),
+        "spectral_wave_density: units '(foot * foot)/Hz'",
+    ),
+    case(
+        "buoy_direction_400",
+        ndbc(mean_wave_dir=(None, [10.0, 400.0, 30.0])),
+        "mean_wave_dir: record 2020-09-13T12:27: 400.000000; allowed: 0 .. 360",
+    ),
+    case(
+        "buoy_direction_negative",
+        ndbc(principal_wave_dir=(None, [-10.0, 20.0, 30.0])),
+        "principal_wave_dir: record 2020-09-13T12:27: -10.000000; allowed: 0 .. 360",
+    ),
+    case(
+        "buoy_ratio_in_hundredths",
+        ndbc(wave_spectrum_r1=(None, [90.0, 80.0, 70.0])),
+        "wave_spectrum_r1: record 2020-09-13T12:27: 90.000000; allowed: 0 .. 1",
+    ),
+    case(
+        "buoy_ratio_infinite",
+        ndbc(wave_spectrum_r2=(None, [0.6, float("inf"), 0.4])),
+        "wave_spectrum_r2: record 2020-09-13T12:27: inf; allowed: 0 .. 1",
     ),
 ]
