@@ -54,6 +54,10 @@ def test_what_is_not_known_is_a_dash_or_null(ocean):
         ("ww3_station_44097.spec", 4, "full"),
         ("swan_nz_west_coast.spec", 5, "full"),
         ("swan_1d.spec", 3, "moments"),
+        ("spotter_20210929b.csv", 21, "moments"),
+        ("spotter_20180214.json", 8, "moments"),
+        ("buoy}2024-09-09T01h15Z.spt", 1, "moments"),
+        ("triaxys.DIRSPEC", 1, "full"),
     ],
 )
 def test_formats_are_recognised_by_content_packed_or_not(ocean, name, count, directions):
@@ -63,8 +67,29 @@ def test_formats_are_recognised_by_content_packed_or_not(ocean, name, count, dir
     if name.endswith(".gz") or name == BUOY.name:
         return  # the companions of these are found by name
     content = (SPECTRA / name).read_bytes()
-    ocean.write("anything.at.all", gzip.compress(content))
-    assert json.loads(ocean.good("records", "anything.at.all", "--json")) == records
+    # Datawell's name tells the station and the time.
+    other = "anything.at.all" if not name.endswith(".spt") else name
+    ocean.write(other, gzip.compress(content))
+    assert json.loads(ocean.good("records", other, "--json")) == records
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "spotter_20210929b.csv",
+        "spotter_20180214.json",
+        "buoy}2024-09-09T01h15Z.spt",
+        "triaxys.DIRSPEC",
+    ],
+)
+def test_a_sea_saved_from_a_buoys_file_needs_it_no_more(ocean, name):
+    shutil.copy(SPECTRA / name, ocean.folder)
+    ocean.write("b.toml", f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{name}"\n')
+    before = ocean.good("info", "b.toml", "--json")
+    ocean.write("saved.toml", ocean.good("info", "b.toml", "--sea-file"))
+    (ocean.folder / name).unlink()
+    assert ocean.good("info", "saved.toml", "--json") == before
+    assert "no such file" in ocean.bad("info", "b.toml")
 
 
 def test_a_buoy_whose_companions_are_packed_keeps_its_directions(ocean):
@@ -88,7 +113,7 @@ def test_wrong_use_says_what_is_wrong(ocean):
     assert "is a directory" in ocean.bad("records", ".")
     message = ocean.bad("records", "sea.toml")
     assert "not a spectrum file of a known format" in message
-    for known in ("NDBC", "WAVEWATCH", "SWAN", "CSV"):
+    for known in ("NDBC", "Spotter", "Datawell", "TRIAXYS", "WAVEWATCH", "SWAN", "CSV"):
         assert known in message
 
 

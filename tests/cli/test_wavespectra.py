@@ -61,6 +61,9 @@ def compare(ours: dict, theirs: dict):
     assert abs(ours["significant_wave_height"] / height - 1.0) < HEIGHT, (ours, theirs)
     # The same bin, but for the digits of a period.
     assert ours["peak_period"] == pytest.approx(theirs["peak_period"], rel=1e-5), (ours, theirs)
+    if theirs["coming_from"] is None:
+        assert ours["coming_from"] is None and ours["directional_spread"] is None
+        return
     assert turned(ours["coming_from"], theirs["coming_from"]) < ANGLE, (ours, theirs)
     assert abs(ours["directional_spread"] - theirs["directional_spread"]) < ANGLE, (ours, theirs)
 
@@ -93,7 +96,9 @@ def test_samples_agree_with_the_committed_numbers(ocean, name):
     expected = COMMITTED["samples"][name]
     found = check_records(ocean, path, expected)
     for i in {0, len(expected) // 2, len(expected) - 1}:
-        check_sea(ocean, path, expected[i], found[i])
+        # A sea has directions even where the buoy has none.
+        if expected[i]["coming_from"] is not None:
+            check_sea(ocean, path, expected[i], found[i])
 
 
 @pytest.mark.parametrize("name", COMMITTED["made"])

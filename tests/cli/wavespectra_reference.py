@@ -20,10 +20,14 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 from wavespectra import (
+    read_datawell,
     read_era5,
+    read_ndbc,
     read_ndbc_ascii,
     read_netcdf,
+    read_spotter,
     read_swan,
+    read_triaxys,
     read_ww3,
     read_ww3_station,
 )
@@ -33,12 +37,18 @@ NDBC_PARTS = (".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2")
 warnings.filterwarnings("ignore")
 
 
-def records(data: xr.Dataset) -> list[dict]:
-    """Time by time, and place by place within it: the order of `ocean records`."""
+def number_or_null(value: float) -> float | None:
+    return None if np.isnan(value) else round(float(value), 6)
+
+
+def records(data: xr.Dataset, over_frequency: xr.Dataset | None = None) -> list[dict]:
+    """Time by time, and place by place within it: the order of `ocean records`. Heights and periods
+    are those of the second data set where there is one; null = the package has no directions."""
     spec = data.spec
+    total = spec if over_frequency is None else over_frequency.spec
     values = {
-        "significant_wave_height": spec.hs(tail=False),
-        "peak_period": spec.tp(smooth=False),
+        "significant_wave_height": total.hs(tail=False),
+        "peak_period": total.tp(smooth=False),
         "coming_from": spec.dm(),
         "directional_spread": spec.dspr(),
     }
@@ -48,7 +58,7 @@ def records(data: xr.Dataset) -> list[dict]:
         for name, value in values.items()
     }
     return [
-        {"time": time, **{name: round(float(c[i, k]), 6) for name, c in columns.items()}}
+        {"time": time, **{name: number_or_null(c[i, k]) for name, c in columns.items()}}
         for i, time in enumerate(times)
         for k in range(columns["peak_period"].shape[1])
     ]
@@ -139,6 +149,25 @@ def of_one(line: str) -> str:
     return " ".join(cells[:5] + [c if float(c) == 999 else f"{float(c) / 100}" for c in cells[5:]])
 
 
+def with_half_edges(data: xr.Dataset) -> xr.Dataset:
+    """The package gives the first and the last frequency the width of a whole bin, the trapezoid
+    half of one: both are put there twice, once without energy. In short seas that tells."""
+    efth = data.efth.load()
+    return xr.concat([0 * efth.isel(freq=[0]), efth, 0 * efth.isel(freq=[-1])], "freq").to_dataset()
+
+
+def spotter_json(path: Path) -> xr.Dataset:
+    """The package takes the times of the heights beside the spectra, an hour off in this file."""
+    spectra = json.loads(path.read_text())["data"]["frequencyData"]
+    times = [np.datetime64(spectrum["timestamp"].removesuffix("Z")) for spectrum in spectra]
+    return with_half_edges(read_spotter(str(path))).assign_coords(time=times)
+
+
+def triaxys(path: Path) -> xr.Dataset:
+    """The package sums 0 and 360 degrees both."""
+    return read_triaxys(str(path)).isel(dir=slice(None, -1))
+
+
 def samples(folder: Path) -> dict[str, list[dict]]:
     realtime = [str(SAMPLES / f"ndbc_41010{part}") for part in NDBC_PARTS]
     historical = []
@@ -154,6 +183,20 @@ def samples(folder: Path) -> dict[str, list[dict]]:
         "ndbc_historical/41010w2020.txt.gz": records(yearly),
         "ww3_station_44097.spec": records(wavewatch(SAMPLES / "ww3_station_44097.spec")),
         "swan_nz_west_coast.spec": records(read_swan(str(SAMPLES / "swan_nz_west_coast.spec"))),
+        "spotter_20210929b.csv": records(
+            with_half_edges(read_spotter(str(SAMPLES / "spotter_20210929b.csv")))
+        ),
+        "spotter_20180214.json": records(spotter_json(SAMPLES / "spotter_20180214.json")),
+        "buoy}2024-09-09T01h15Z.spt": records(
+            read_datawell(str(SAMPLES / "buoy}2024-09-09T01h15Z.spt"))
+        ),
+        "triaxys.DIRSPEC": records(triaxys(SAMPLES / "triaxys.DIRSPEC")),
+        "42098w9999.nc": records(
+            *[
+                with_half_edges(read_ndbc(str(SAMPLES / "42098w9999.nc"), directional=directional))
+                for directional in (True, False)
+            ]
+        ),
     }
 
 
