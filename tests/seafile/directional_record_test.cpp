@@ -196,5 +196,36 @@ TEST(MeanAndSpread, LimitsAndMissingValues) {
     }
 }
 
+TEST(MeanAndPrincipal, TheSecondMomentIsOfTwiceTheAngle) {
+    SpectrumRecord record;
+    append_mean_and_principal(record, 90.0, 45.0, 0.8, 0.6);
+    append_mean_and_principal(record, 180.0, 180.0, 1.0, 0.5);
+    const double wanted[2][4] = {{0.0, 0.8, 0.0, 0.6}, {-1.0, 0.0, 0.5, 0.0}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(record.a1[i], wanted[i][0], 1e-12) << i;
+        EXPECT_NEAR(record.b1[i], wanted[i][1], 1e-12) << i;
+        EXPECT_NEAR(record.a2[i], wanted[i][2], 1e-12) << i;
+        EXPECT_NEAR(record.b2[i], wanted[i][3], 1e-12) << i;
+    }
+}
+
+TEST(Moments, OneMissingOfABinIsAllMissingAndAllMissingIsNone) {
+    for (std::size_t missing = 0; missing < 4; ++missing) {
+        std::array<double, 4> moments = {0.1, 0.2, 0.3, 0.4};
+        moments[missing] = kNaN;
+        SpectrumRecord record;
+        append_moments(record, moments);
+        EXPECT_TRUE(std::isnan(record.a1[0]) && std::isnan(record.b1[0]) &&
+                    std::isnan(record.a2[0]) && std::isnan(record.b2[0]));
+        append_moments(record, {0.1, 0.2, 0.3, 0.4});
+        drop_unknown_moments(record);
+        ASSERT_EQ(record.a1.size(), 2u);
+        EXPECT_EQ(record.b2[1], 0.4);
+        record.a1.pop_back(), record.b1.pop_back(), record.a2.pop_back(), record.b2.pop_back();
+        drop_unknown_moments(record);
+        EXPECT_FALSE(record.has_moments());
+    }
+}
+
 }  // namespace
 }  // namespace ocean::test
