@@ -168,6 +168,15 @@ struct SurfaceQuery::State {
         std::size_t number;
     };
     std::vector<Numbered> in_order(std::span<const WorldPoint> points) const;
+    void prefetch_guess(WorldPoint point) const { folds.prefetch(wrapped_place(point)); }
+    void prefetch(WorldPoint point) const {
+        const WorldPoint label = folds.guess(wrapped_place(point));
+        position.prefetch(label.x, label.y);
+        velocity.prefetch(label.x, label.y);
+    }
+    WorldPoint wrapped_place(WorldPoint point) const {
+        return {wrapped(point.x, period()), wrapped(point.y, period())};
+    }
     /// As well for what a search that has gone astray reads.
     void need(double x) const {
         for (const int column : position.columns(x)) strips.need(strips.strip_of(column));
@@ -312,7 +321,7 @@ Solution SurfaceQuery::State::top_solution(WorldPoint place, Starts& starts,
 }
 
 QuerySample SurfaceQuery::State::sample(WorldPoint point, Starts& starts) const {
-    const WorldPoint place{wrapped(point.x, period()), wrapped(point.y, period())};
+    const WorldPoint place = wrapped_place(point);
     QuerySample sample{};
     const Solution solution = top_solution(place, starts, sample);
     if (exact) {
@@ -409,6 +418,9 @@ void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySam
     for_each_point(pool, points.size(), [&](std::size_t first, std::size_t last) {
         State::Starts starts;
         for (std::size_t i = first; i < last; ++i) {
+            // The maps are larger than the caches: what is read next is on its way meanwhile.
+            if (i + 8 < last) state_->prefetch_guess(numbered[i + 8].point);
+            if (i + 4 < last) state_->prefetch(numbered[i + 4].point);
             samples[numbered[i].number] = state_->sample(numbered[i].point, starts);
         }
     });

@@ -255,6 +255,12 @@ std::size_t FoldIndex::tile_along(double x) const {
     return static_cast<std::size_t>(std::min(static_cast<int>(x * per_metre), tiles_ - 1));
 }
 
+std::size_t FoldIndex::sample_near(WorldPoint label) const {
+    const double per_metre = lattice_.resolution / lattice_.period;
+    const auto index = [&](double a) { return static_cast<int>(std::floor(a * per_metre + 0.5)); };
+    return sample_at(index(label.x), index(label.y));
+}
+
 WorldPoint FoldIndex::guess(WorldPoint place) const {
     if (choppiness_ == 0.0) return place;
     const double per_metre = lattice_.resolution / lattice_.period;

@@ -57,6 +57,8 @@ class FoldIndex {
     bool labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
     /// Near the label that is shown at a place where no fold is near. As above.
     WorldPoint guess(WorldPoint place) const;
+    /// Asks for what guess() looks at first to be brought near.
+    void prefetch(WorldPoint place) const { __builtin_prefetch(&offset_[sample_near(place)]); }
 
   private:
     static constexpr int kCellsPerTile = 4;  // along each axis
@@ -136,6 +138,7 @@ class FoldIndex {
     void each_tile(const TileRange& range, int block, const Visit& visit) const;
     std::size_t tile_along(double x) const;
     std::size_t sample_at(int i, int j) const;
+    std::size_t sample_near(WorldPoint label) const;
 
     struct Measured {
         float widest;                     // m that a cell spans at most beside its spacing

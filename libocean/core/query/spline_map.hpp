@@ -62,6 +62,14 @@ class SplineMap {
     /// Finite coordinates in metres, not many periods from 0.
     SplineValue value(double x, double y) const;
     SplineJet jet(double x, double y) const;
+    /// Asks for the coefficients around a point to be brought near.
+    void prefetch(double x, double y) const {
+        const Place at = place(x, y);
+        for (const Texel* const row : at.row) {
+            __builtin_prefetch(row + at.column[0]);
+            __builtin_prefetch(row + at.column[3]);
+        }
+    }
     /// That of a sample, of nine coefficients instead of sixteen. Indices of the lattice.
     SplineJet jet_of_sample(int i, int j) const;
 
