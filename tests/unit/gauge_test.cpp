@@ -16,6 +16,9 @@
 
 #include "gauge/chi_squared.hpp"
 #include "ocean/dispersion.hpp"
+#include "ocean/gauge_series.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/query.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -458,6 +461,40 @@ TEST(Gauges, ReadTheShownSurface) {
                     1e-5);
         EXPECT_EQ(reading.water.pressure, sea.water_motion(x, y, -2.0).pressure)
             << "at the place itself, displaced or not";
+    }
+}
+
+TEST(Gauges, ReadTheTopSheetWhereCrestsFold) {
+    // In water of 0.3 m waves of ten metres are displaced far more than they are high.
+    Parameters shallow = test::wind_sea(64, 60.0);
+    shallow.water.depth = 0.3;
+    Parameters choppy = test::wind_sea(128, 100.0);
+    choppy.surface.choppiness = 4.0;
+    choppy.waves.front().significant_wave_height = 8.0;
+    for (const Parameters& parameters : {shallow, choppy}) {
+        Ocean ocean(parameters, {.threads = 2});
+        std::vector<Gauge> gauges;
+        std::vector<WorldPoint> points;
+        for (int i = 0; i < 40; ++i) {
+            points.push_back({1.3 * i - 20.0, std::fmod(7.7 * i, 60.0)});
+            gauges.push_back({"g", {{0.0, {points.back().x, points.back().y, -0.1}}}, 0.0, 0.0});
+        }
+        ThreadPool pool(2);
+        const SampleTimes times{0.0, 5.0, 1.0};
+        const GaugeSeries series =
+            read_gauge_series(ocean, gauges, times, pool, [](std::size_t) {});
+        std::vector<QuerySample> samples(points.size());
+        int folded = 0;
+        for (std::size_t i = 0; i < series.times; ++i) {
+            ocean.query(times.at(i), points, samples, {.exact = true, .foam = false});
+            for (std::size_t g = 0; g < gauges.size(); ++g) {
+                EXPECT_FALSE(samples[g].undecided);
+                folded += samples[g].folded ? 1 : 0;
+                EXPECT_NEAR(series.reading(i, g)[GaugeSeries::kElevation], samples[g].height, 1e-6)
+                    << "at " << times.at(i) << " s, gauge " << g;
+            }
+        }
+        EXPECT_GT(folded, 15);
     }
 }
 

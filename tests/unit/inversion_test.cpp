@@ -43,29 +43,5 @@ TEST(Inversion, OfAGentleWaveTakesFiveLooks) {
     }
 }
 
-TEST(Inversion, OfASourceAloneFindsTheTopOfAFoldToo) {
-    // One wave, D = sin a along x, h = cos a, folded at every crest.
-    const double c = 1.6;
-    const auto source = [](double x, double) {
-        return DisplacementSample{std::sin(x), 0.0, std::cos(x), 0.0, 0.0};
-    };
-    const auto height = [](double x, double) { return std::cos(x); };
-    for (int i = 0; i <= 60; ++i) {
-        const double x = -kPi + kTwoPi * i / 60.0;
-        double top = -2.0;
-        int labels = 0;
-        const auto off = [&](double a) { return a - c * std::sin(a) - x; };
-        for (double a = -6.0; a < 6.0; a += 1e-4) {
-            if ((off(a) < 0.0) == (off(a + 1e-4) < 0.0)) continue;
-            top = std::max(top, std::cos(a));
-            ++labels;
-        }
-        const TopLabel found = find_top_label(source, height, InversionTarget::at(x, 0.0, c, c));
-        EXPECT_TRUE(found.label.converged);
-        EXPECT_NEAR(height(found.label.x, 0.0), top, 2e-3) << "at x = " << x;
-        EXPECT_EQ(found.folded, labels > 1) << "at x = " << x;
-    }
-}
-
 }  // namespace
 }  // namespace ocean

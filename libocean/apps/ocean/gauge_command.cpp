@@ -90,13 +90,14 @@ void warn_of_single_modes(Ocean& ocean, const SampleTimes& times, Console& conso
                     patch, duration, patch * std::sqrt(kEnoughModes / modes)));
 }
 
-void require_room(const GaugePlan& plan, const Modes& modes, int threads) {
+void require_room(const GaugePlan& plan, Ocean& ocean, int threads) {
     constexpr std::uint64_t kTextBytes = 400;  // of one reading, in a string that grows
     const std::size_t samples = plan.times.count();
     const std::uint64_t text = std::uint64_t{samples} * plan.gauges.size() * kTextBytes;
-    require_memory(gauge_series_bytes(modes, plan.gauges, samples, threads) + text,
-                   format_text("a record of %zu times at %zu gauges", samples, plan.gauges.size()),
-                   "choose fewer times or gauges");
+    require_memory(
+        gauge_series_bytes(ocean.modes(), ocean.parameters(), plan.gauges, samples, threads) + text,
+        format_text("a record of %zu times at %zu gauges", samples, plan.gauges.size()),
+        "choose fewer times or gauges");
 }
 
 void run(const GaugeOptions& options, const Context& context) {
@@ -104,7 +105,7 @@ void run(const GaugeOptions& options, const Context& context) {
     const GaugePlan plan = plan_of(options, sea);
     Ocean ocean(sea, {.threads = context.options.threads});
     ThreadPool pool(context.options.threads);
-    require_room(plan, ocean.modes(), pool.size());
+    require_room(plan, ocean, pool.size());
     warn_of_single_modes(ocean, plan.times, context.console);
     const GaugeSeries series =
         read_gauge_series(ocean, plan.gauges, plan.times, pool,

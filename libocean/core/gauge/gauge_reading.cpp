@@ -6,13 +6,15 @@
 
 #include "base/wave.hpp"
 #include "ocean/gauge.hpp"
+#include "ocean/query.hpp"
 #include "query/inversion.hpp"
 
 namespace ocean {
 namespace {
 
 /// The label shown at (x, y), the highest where there are several.
-ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y) {
+ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y,
+                    const SurfaceQuery* query) {
     // |D| is a Gaussian vector: beyond 5 rms with a probability of 1e-11.
     constexpr double kReach = 5.0;
     constexpr double kTolerance = 1e-9;  // of the reach
@@ -20,15 +22,18 @@ ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y) {
     if (!(reach > 0.0)) return {x, y, 1.0, true};
     const InversionTarget target{x, y, choppiness, reach, kTolerance * reach};
     const auto source = [&sea](double u, double v) { return sea.displacement_at(u, v); };
-    const auto height = [&sea](double u, double v) { return sea.at_label(u, v).height; };
-    return find_top_label(source, height, target).label;
+    if (query == nullptr) return find_label(source, target, x, y);
+    const QuerySample top = query->sample({x, y});
+    const ShownLabel label = find_label(source, target, top.label[0], top.label[1]);
+    if (label.converged) return label;
+    return {top.label[0], top.label[1], 0.0, false};
 }
 
 }  // namespace
 
 GaugeReading read_gauge(const WaveSum& sea, double choppiness, double x, double y,
-                        const WaterLevel& level) {
-    const ShownLabel label = label_at(sea, choppiness, x, y);
+                        const WaterLevel& level, const SurfaceQuery* query) {
+    const ShownLabel label = label_at(sea, choppiness, x, y, query);
     const LinearSample sample = sea.at_label(label.x, label.y);
     const auto normal =
         wave::double_precision::surface_normal(choppiness, sample.gradient_xx, sample.gradient_yy,

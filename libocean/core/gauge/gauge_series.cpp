@@ -9,12 +9,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
+#include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/gauge.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/query.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {
@@ -69,15 +73,16 @@ constexpr std::size_t kBlock = 32;
 
 using Levels = std::map<double, WaterLevel>;
 
-void read_time(const WaveSum& sea, double choppiness, const std::vector<Gauge>& gauges,
-               const Levels& levels, double time, std::span<double> values) {
+void read_time(const WaveSum& sea, double choppiness, const SurfaceQuery* query,
+               const std::vector<Gauge>& gauges, const Levels& levels, double time,
+               std::span<double> values) {
     for (const Gauge& gauge : gauges) {
         const GaugePlace place = gauge.at(time);
         const auto lasting = levels.find(place.z);
         const bool changes = lasting == levels.end();
         const WaterLevel now = changes ? sea.water_level(place.z) : WaterLevel();
         const GaugeReading reading =
-            read_gauge(sea, choppiness, place.x, place.y, changes ? now : lasting->second);
+            read_gauge(sea, choppiness, place.x, place.y, changes ? now : lasting->second, query);
         const double row[] = {time,
                               place.x,
                               place.y,
@@ -95,15 +100,51 @@ void read_time(const WaveSum& sea, double choppiness, const std::vector<Gauge>& 
 
 }  // namespace
 
-std::uint64_t gauge_series_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
-                                 std::size_t times, int threads) {
+namespace {
+
+/// On the map that holds all waves.
+QueryOptions label_query(const Grid& grid) {
+    return {.foam = false, .resolution = default_map_resolution(grid)};
+}
+
+}  // namespace
+
+std::uint64_t gauge_series_bytes(const Modes& modes, const Parameters& parameters,
+                                 const std::vector<Gauge>& gauges, std::size_t times, int threads) {
     const std::uint64_t values =
         std::uint64_t{times} * gauges.size() * GaugeSeries::kColumns.size() * sizeof(double);
     const std::size_t copies = static_cast<std::size_t>(threads) + 1;
-    return values + WaveSum::bytes(modes, copies, lasting_depths(gauges).size() + copies, 1);
+    const std::uint64_t queries =
+        may_fold(modes, parameters.surface.choppiness)
+            ? copies * SurfaceQuery::bytes(modes, label_query(parameters.grid))
+            : 0;
+    return values + queries +
+           WaveSum::bytes(modes, copies, lasting_depths(gauges).size() + copies, 1);
 }
 
 namespace {
+
+/// What a thread reads with.
+class Reader {
+  public:
+    explicit Reader(WaveSum start) : sea(std::move(start)) {}
+
+    /// Where crests may fold the top sheet must be known.
+    void make_query(const Modes& modes, const Parameters& now, double time) {
+        if (query_) {
+            query_->move_to(modes, now.surface, now.water, time, alone_);
+        } else {
+            query_.emplace(modes, now.surface, now.water, time, label_query(now.grid), alone_);
+        }
+    }
+    const SurfaceQuery* query_or_null() const { return query_ ? &*query_ : nullptr; }
+
+    WaveSum sea;
+
+  private:
+    ThreadPool alone_{1};
+    std::optional<SurfaceQuery> query_;
+};
 
 /// All gauges at one time, side by side.
 std::size_t row_length(const GaugeSeries& series) {
@@ -117,23 +158,28 @@ void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Sample
                     ThreadPool& pool, const std::function<void(std::size_t)>& progress,
                     GaugeSeries& series) {
     const Parameters& parameters = ocean.parameters();
-    const WaveSum start(ocean.modes(), parameters.water);
+    const Modes& modes = ocean.modes();
+    const WaveSum start(modes, parameters.water);
     Levels levels;
     for (const double z : lasting_depths(gauges)) levels.emplace(z, start.water_level(z));
 
     const WaveStep step = start.wave_step(1.0 / times.rate);
+    const bool folds = may_fold(modes, parameters.surface.choppiness);
+    // Of each thread.
+    std::vector<std::unique_ptr<Reader>> readers(static_cast<std::size_t>(pool.size()));
     const std::size_t batch = 2 * kBlock * static_cast<std::size_t>(pool.size());
     for (std::size_t done = 0; done < series.times; done += batch) {
         const std::size_t end = std::min(done + batch, series.times);
         const std::size_t blocks = (end - done + kBlock - 1) / kBlock;
-        pool.for_each_range(static_cast<int>(blocks), [&](int first, int last) {
-            WaveSum sea = start;
-            const std::size_t from = done + static_cast<std::size_t>(first) * kBlock;
-            const std::size_t to = std::min(done + static_cast<std::size_t>(last) * kBlock, end);
-            for (std::size_t i = from; i < to; ++i) {
-                i % kBlock == 0 ? sea.set_time(times.at(i)) : sea.advance(step);
-                read_time(sea, parameters.surface.choppiness, gauges, levels, times.at(i),
-                          row_of(series, i));
+        pool.for_each_item(static_cast<int>(blocks), [&](int block, int thread) {
+            std::unique_ptr<Reader>& reader = readers[static_cast<std::size_t>(thread)];
+            if (!reader) reader = std::make_unique<Reader>(start);
+            const std::size_t from = done + static_cast<std::size_t>(block) * kBlock;
+            for (std::size_t i = from; i < std::min(from + kBlock, end); ++i) {
+                i == from ? reader->sea.set_time(times.at(i)) : reader->sea.advance(step);
+                if (folds) reader->make_query(modes, parameters, times.at(i));
+                read_time(reader->sea, parameters.surface.choppiness, reader->query_or_null(),
+                          gauges, levels, times.at(i), row_of(series, i));
             }
         });
         progress(end);
@@ -142,18 +188,23 @@ void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Sample
 
 void read_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const SampleTimes& times,
                       const std::function<void(std::size_t)>& progress, GaugeSeries& series) {
-    std::optional<WaveSum> sum;
+    std::unique_ptr<Reader> reader;
     int made = 0;
     for (std::size_t i = 0; i < series.times; ++i) {
         const double time = times.at(i);
         const Modes& modes = ocean.modes(time);
-        if (!sum || ocean.stage_runs().modes != made) {
-            sum.emplace(modes, ocean.parameters().water);
-            made = ocean.stage_runs().modes;
+        const Parameters now = ocean.sea().at(time);
+        if (!reader) {
+            reader = std::make_unique<Reader>(WaveSum(modes, now.water));
+        } else if (ocean.stage_runs().modes != made) {
+            reader->sea = WaveSum(modes, now.water);
         }
-        sum->set_time(time);
-        read_time(*sum, ocean.sea().at(time).surface.choppiness, gauges, {}, time,
-                  row_of(series, i));
+        made = ocean.stage_runs().modes;
+        reader->sea.set_time(time);
+        const bool folds = may_fold(modes, now.surface.choppiness);
+        if (folds) reader->make_query(modes, now, time);
+        read_time(reader->sea, now.surface.choppiness, folds ? reader->query_or_null() : nullptr,
+                  gauges, {}, time, row_of(series, i));
         progress(i + 1);
     }
 }

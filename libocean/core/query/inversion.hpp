@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "ocean/wave_sum.hpp"
 
@@ -70,40 +69,6 @@ ShownLabel find_label(const Source& source, const InversionTarget& target, doubl
         label.x -= limit * dx;
         label.y -= limit * dy;
     }
-}
-
-struct TopLabel {
-    ShownLabel label;
-    bool folded;  // others are shown there too, below
-};
-
-/// The highest of the solutions that starts around the target lead to; `height` is that of a label.
-/// Looks around only if the first solution is squeezed to J < 1/2: where a crest folds over itself
-/// with a smallest Jacobian -e, the labels shown beside the fold have J <= 3 e (a cubic), so folds
-/// of e < 1/6 are always seen. For sources that are too dear for a map of their folds.
-template <typename Source, typename Height>
-TopLabel find_top_label(const Source& source, const Height& height, const InversionTarget& target) {
-    constexpr double kSqueezed = 0.5;
-    constexpr int kDirections = 8;
-    const ShownLabel first = find_label(source, target, target.x, target.y);
-    TopLabel top{first, first.jacobian <= 0.0};
-    if (first.converged && first.jacobian > kSqueezed) return top;
-    double highest = height(first.x, first.y);
-    for (const double distance : {0.25 * target.reach, 0.75 * target.reach}) {
-        for (int i = 0; i < kDirections; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / kDirections;
-            const ShownLabel other =
-                find_label(source, target, target.x + distance * std::cos(angle),
-                           target.y + distance * std::sin(angle));
-            if (!other.converged) continue;
-            top.folded = top.folded || other.jacobian <= 0.0;
-            const double its_height = height(other.x, other.y);
-            if (top.label.converged && its_height <= highest) continue;
-            top.label = other;
-            highest = its_height;
-        }
-    }
-    return top;
 }
 
 }  // namespace ocean

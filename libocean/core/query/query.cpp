@@ -389,6 +389,12 @@ double SurfaceQuery::State::foam_at(double x, double y) const {
     return between(j) + (v - j) * (between(j + 1) - between(j));
 }
 
+bool may_fold(const Modes& modes, double choppiness) {
+    // Of all modes: the finest map there is.
+    const GradientCovariance c = modes.gradient_covariance(kMaxResolution);
+    return 6.0 * choppiness * std::sqrt(c.aa + c.bb + 2.0 * c.cc) >= 1.0;
+}
+
 SurfaceQuery::SurfaceQuery(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                            double time, const QueryOptions& options, ThreadPool& pool,
                            FoamMap foam) {

@@ -13,6 +13,8 @@
 
 namespace ocean {
 
+class SurfaceQuery;
+
 /// At one place of the world and one time.
 struct GaugeReading {
     double elevation;         // m, of the shown surface
@@ -20,10 +22,11 @@ struct GaugeReading {
     WaterMotion water;        // at the gauge's depth
 };
 
-/// Exact: sums all modes. Where the surface is folded it reads the top sheet. The same bits
-/// whatever was read before.
+/// Exact: sums all modes. A surface that may_fold needs a query of the same modes and time, which
+/// knows where its top sheet is; of others there is one sheet. The same bits whatever was read
+/// before.
 GaugeReading read_gauge(const WaveSum& sea, double choppiness, double x, double y,
-                        const WaterLevel& level);
+                        const WaterLevel& level, const SurfaceQuery* query = nullptr);
 
 /// A value with its 95 % confidence limits.
 struct Estimate {

@@ -72,8 +72,8 @@ struct GaugeSeries {
 };
 
 /// Bytes that read_gauge_series needs.
-std::uint64_t gauge_series_bytes(const Modes& modes, const std::vector<Gauge>& gauges,
-                                 std::size_t times, int threads);
+std::uint64_t gauge_series_bytes(const Modes& modes, const Parameters& parameters,
+                                 const std::vector<Gauge>& gauges, std::size_t times, int threads);
 
 /// Exact: all modes summed at each place and time. The same bits for any number of threads.
 /// `progress` is told the times done, some times in between. A sea with a take is made anew for

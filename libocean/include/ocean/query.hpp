@@ -57,6 +57,10 @@ struct FoamMap {
     int resolution = 0;         // 0 = no foam
 };
 
+/// Whether the surface of these modes may lie over itself anywhere: where the gradient of its
+/// displacement, six times its rms, reaches 1.
+bool may_fold(const Modes& modes, double choppiness);
+
 /// The surface of one time, of which only what is near the points asked for is made. Several
 /// threads may ask at once. Keeps no reference.
 class SurfaceQuery {
