@@ -94,6 +94,11 @@ def test_folded_points_are_counted(ocean):
     assert line.startswith("ocean: warning: ") and "of 2000 points" in line
     assert 0 < int(line.split()[2]) < 2000
     assert ocean(*words, "choppiness=0.5").stderr == ""
+    # Waves of 100 m height on a patch of 10 m: no sheet can be said to be the top.
+    beyond = ["choppiness=4", "--set", "significant_wave_height=90", "--set", "patch_size=10"]
+    done = ocean(*words, *beyond)
+    assert done.returncode == 0
+    assert "2000 of 2000 points" in done.stderr and "the first at 0,50" in done.stderr
 
 
 @pytest.mark.parametrize(

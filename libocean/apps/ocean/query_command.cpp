@@ -64,6 +64,12 @@ class QueryRun {
                 "%zu of %zu points lie where the crests have folded over: they take the top sheet",
                 folded_, table.size()));
         }
+        if (undecided_ > 0) {
+            context_.console.warning(format_text(
+                "%zu of %zu points lie where the sea is so folded that its top sheet is not known, "
+                "the first at %s; less choppiness does",
+                undecided_, table.size(), first_undecided_.c_str()));
+        }
     }
 
   private:
@@ -92,6 +98,9 @@ class QueryRun {
         for (std::size_t i = 0; i < points.size(); ++i) {
             const QuerySample& sample = samples[i];
             folded_ += sample.folded ? 1 : 0;
+            if (sample.undecided && undecided_++ == 0) {
+                first_undecided_ = shortest_text(points[i].x) + "," + shortest_text(points[i].y);
+            }
             text += shortest_text(points[i].x) + ',' + shortest_text(points[i].y);
             append_values(text, {&sample.height, 1});
             append_values(text, sample.normal);
@@ -117,6 +126,8 @@ class QueryRun {
     Sea sea_;
     double time_ = 0.0;
     std::size_t folded_ = 0;
+    std::size_t undecided_ = 0;
+    std::string first_undecided_;  // its place
     std::string text_;  // for a file
 };
 
