@@ -46,6 +46,8 @@ OceanOptions read_options(const ocean_options* given) {
         refuse("foam_start = " + std::to_string(asked.foam_start) +
                "; allowed: OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY");
     }
+    if (asked.reserved != 0)
+        refuse("reserved = " + std::to_string(asked.reserved) + "; allowed: 0");
     OceanOptions options;
     options.threads = asked.threads;
     options.backend = find_backend(kBackends[static_cast<std::size_t>(asked.backend)]);

@@ -225,6 +225,10 @@ void a_progress_function_ends_a_call_and_the_sea_goes_on(void) {
     sea = NULL;
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
                  ocean_parse(kSmallSea, strlen(kSmallSea), NULL, &options, &sea));
+    options.foam_start = 0;
+    options.reserved = 1;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT,
+                 ocean_parse(kSmallSea, strlen(kSmallSea), NULL, &options, &sea));
     CHECK(sea == NULL);
 }
 

@@ -128,7 +128,7 @@ class QueryRun {
     std::size_t folded_ = 0;
     std::size_t undecided_ = 0;
     std::string first_undecided_;  // its place
-    std::string text_;  // for a file
+    std::string text_;             // for a file
 };
 
 constexpr char kFooter[] =

@@ -421,15 +421,17 @@ void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySam
     require_finite(points);
     state_->prepare(points, &pool);
     const auto numbered = state_->in_order(points);
-    for_each_point(pool, points.size(), [&](std::size_t first, std::size_t last) {
-        State::Starts starts;
-        for (std::size_t i = first; i < last; ++i) {
-            // The maps are larger than the caches: what is read next is on its way meanwhile.
-            if (i + 8 < last) state_->prefetch_guess(numbered[i + 8].point);
-            if (i + 4 < last) state_->prefetch(numbered[i + 4].point);
-            samples[numbered[i].number] = state_->sample(numbered[i].point, starts);
-        }
-    });
+    for_each_point(pool, points.size(), state_->options.exact,
+                   [&](std::size_t first, std::size_t last) {
+                       State::Starts starts;
+                       for (std::size_t i = first; i < last; ++i) {
+                           // The maps are larger than the caches: what is read next is on its way
+                           // meanwhile.
+                           if (i + 8 < last) state_->prefetch_guess(numbered[i + 8].point);
+                           if (i + 4 < last) state_->prefetch(numbered[i + 4].point);
+                           samples[numbered[i].number] = state_->sample(numbered[i].point, starts);
+                       }
+                   });
 }
 
 QuerySample SurfaceQuery::sample(WorldPoint point) const {

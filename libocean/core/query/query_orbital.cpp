@@ -131,9 +131,11 @@ void OrbitalVelocity::sample(std::span<const WorldPoint> points,
                              std::span<std::array<double, 3>> velocities, ThreadPool& pool) const {
     require_finite(points);
     if (state_->map) state_->map->prepare(points, &pool);
-    for_each_point(pool, points.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) velocities[i] = state_->sample(points[i]);
-    });
+    for_each_point(pool, points.size(), state_->exact.has_value(),
+                   [&](std::size_t first, std::size_t last) {
+                       for (std::size_t i = first; i < last; ++i)
+                           velocities[i] = state_->sample(points[i]);
+                   });
 }
 
 std::uint64_t OrbitalVelocity::bytes(const Modes& modes, const QueryOptions& options) {

@@ -69,14 +69,18 @@ inline void require_finite(std::span<const WorldPoint> points) {
     }
 }
 
-/// body(first, last) on every thread's share of [0, count), whatever the count.
+/// Calls body(first, last) for pieces of [0, count) on all threads. What is exact takes a sum over
+/// all waves a point, long enough to be a piece of its own that a call may be stopped behind.
 template <typename Body>
-void for_each_point(ThreadPool& pool, std::size_t count, const Body& body) {
-    constexpr std::size_t kBlock = std::numeric_limits<int>::max();
-    for (std::size_t start = 0; start < count; start += kBlock) {
-        pool.for_each_range(static_cast<int>(std::min(kBlock, count - start)), [&](int first,
-                                                                                   int last) {
-            body(start + static_cast<std::size_t>(first), start + static_cast<std::size_t>(last));
+void for_each_point(ThreadPool& pool, std::size_t count, bool exact, const Body& body) {
+    const std::size_t piece = exact ? 1 : 256;
+    constexpr std::size_t kMost = std::numeric_limits<int>::max();
+    for (std::size_t start = 0; start < count; start += kMost * piece) {
+        const std::size_t end = std::min(count, start + kMost * piece);
+        const std::size_t pieces = (end - start + piece - 1) / piece;
+        pool.for_each_item(static_cast<int>(pieces), [&](int item, int) {
+            const std::size_t first = start + static_cast<std::size_t>(item) * piece;
+            body(first, std::min(first + piece, end));
         });
     }
 }
