@@ -15,8 +15,6 @@ namespace ocean {
 
 namespace {
 
-constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
-
 /// First number of a one-line file such as /sys/fs/cgroup/memory.max, which may say "max".
 std::uint64_t number_in(const std::filesystem::path& path) {
     std::ifstream file(path);
@@ -33,11 +31,6 @@ std::uint64_t value_in(const std::filesystem::path& path, std::string_view key) 
         if (word == key) return value;
     }
     return kUnknown;
-}
-
-std::uint64_t minus(std::uint64_t limit, std::uint64_t used) {
-    if (limit == kUnknown) return kUnknown;
-    return used == kUnknown ? limit : limit - std::min(limit, used);
 }
 
 }  // namespace
@@ -76,10 +69,10 @@ std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups
         // What files are kept for the case that they are read again is given up on demand; what
         // lives in memory alone (shmem) is counted among them and is not.
         const std::uint64_t files = value_in(stat, "file");
-        const std::uint64_t cache = files == kUnknown ? 0 : minus(files, value_in(stat, "shmem"));
+        const std::uint64_t cache = files == kUnknown ? 0 : left_of(files, value_in(stat, "shmem"));
         const std::uint64_t current = number_in(group / "memory.current");
-        const std::uint64_t used = current == kUnknown ? kUnknown : minus(current, cache);
-        least = std::min(least, minus(number_in(group / "memory.max"), used));
+        const std::uint64_t used = current == kUnknown ? kUnknown : left_of(current, cache);
+        least = std::min(least, left_of(number_in(group / "memory.max"), used));
     }
     return least;
 }

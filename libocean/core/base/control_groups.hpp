@@ -5,11 +5,20 @@
 // their quotas there.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 namespace ocean {
+
+/// Of bytes: no limit, or one that is not known.
+inline constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
+inline std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
+    if (limit == kUnknown) return kUnknown;
+    return used == kUnknown ? limit : limit - std::min(limit, used);
+}
 
 /// The groups that a list such as /proc/self/cgroup names, below `root`, from the root down. Those
 /// that are not there set no limits.

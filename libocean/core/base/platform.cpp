@@ -54,8 +54,6 @@ ThreadUsage usage_of_this_thread() {
 #if defined(__linux__)
 namespace {
 
-constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
-
 /// The number after `key` in a file of "Key: 123 kB" lines, in bytes.
 std::uint64_t kilobytes_in(const char* path, const std::string& key) {
     std::ifstream file(path);
@@ -65,11 +63,6 @@ std::uint64_t kilobytes_in(const char* path, const std::string& key) {
         if (word == key && file >> value) return value * 1024;
     }
     return kUnknown;
-}
-
-std::uint64_t minus(std::uint64_t limit, std::uint64_t used) {
-    if (limit == kUnknown) return kUnknown;
-    return used == kUnknown ? limit : limit - std::min(limit, used);
 }
 
 }  // namespace
@@ -89,7 +82,7 @@ std::uint64_t available_memory() {
     struct rlimit limit {};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
         const std::uint64_t used = kilobytes_in("/proc/self/status", "VmSize:");
-        least = std::min(least, minus(limit.rlim_cur, used));
+        least = std::min(least, left_of(limit.rlim_cur, used));
     }
     return least;
 }
