@@ -322,11 +322,14 @@ TEST(Query, AnswersSeveralThreadsAtOnce) {
     for (std::size_t i = 0; i < points.size(); ++i) expect_same(samples[i], expected[i]);
 }
 
-TEST(Query, OfOneFoldedWaveTakesTheTopOfItsLoop) {
+class FoldedWave : public testing::TestWithParam<int> {};
+
+TEST_P(FoldedWave, ShowsTheTopOfItsLoop) {
     // h = cos(k a) is shown at a - C D with D = sin(k a): folded where C k cos(k a) > 1.
     constexpr double kPeriod = 64.0;
     const double k = kTwoPi * 2.0 / kPeriod;
-    TestSea sea(test::wind_sea(64, kPeriod), test::single_wave(test::wind_sea(64, kPeriod), 2, 0));
+    const Parameters parameters = test::wind_sea(GetParam(), kPeriod);
+    TestSea sea(parameters, test::single_wave(parameters, 2, 0));
     sea.parameters.surface.choppiness = 3.0 / k;
     const double c = sea.parameters.surface.choppiness;
     const SurfaceQuery query = sea.query({}, 0.0);
@@ -354,6 +357,9 @@ TEST(Query, OfOneFoldedWaveTakesTheTopOfItsLoop) {
     EXPECT_GT(folded, 100);
     EXPECT_LT(folded, 500);
 }
+
+// Of the finer map a block of places is small beside how far labels are displaced.
+INSTANTIATE_TEST_SUITE_P(Maps, FoldedWave, testing::Values(64, 256));
 
 /// A sea so choppy that it folds in many places.
 Parameters folded_sea() {
