@@ -15,10 +15,13 @@
 
 namespace ocean::text {
 
-std::string read_file(const std::string& path, std::size_t limit) {
+bool is_pipe_or_device(const std::string& path) {
     std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(utf8_path(path), ignored);
-    if (std::filesystem::is_other(status)) {
+    return std::filesystem::is_other(std::filesystem::status(utf8_path(path), ignored));
+}
+
+std::string read_file(const std::string& path, std::size_t limit) {
+    if (is_pipe_or_device(path)) {
         // Who waits for what nobody writes, or reads what does not end, hangs in its host.
         throw error_at(ErrorKind::bad_file, path, 0, "is a pipe or a device, not a file");
     }

@@ -37,9 +37,8 @@ Sea read_source(const std::string& source) {
         const Preset& preset = find_preset(source.substr(kPresetPrefix.size()));
         return parse_sea(preset.toml, source, "", read_any_spectra);
     }
-    std::error_code ignored;
-    if (std::filesystem::is_other(std::filesystem::status(utf8_path(source), ignored))) {
-        // A pipe, of which the first bytes cannot be read twice.
+    if (text::is_pipe_or_device(source)) {
+        // Whose first bytes cannot be read twice.
         const std::string content = text::read_file_or_pipe(source, kMaxSeaFileBytes);
         return parse_sea(content, source, "", read_any_spectra);
     }

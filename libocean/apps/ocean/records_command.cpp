@@ -49,8 +49,9 @@ constexpr char kFooter[] =
     R"(Reads NDBC real-time and historical tables, Sofar Spotter CSV and JSON, Datawell .spt,
 TRIAXYS spectra, WAVEWATCH III point output, SWAN spectra, CSV and NetCDF, packed with gzip or
 not, recognised by their content. `from` is the mean direction that the waves come from,
-degrees clockwise from north; `spread` the circular standard deviation. A sea takes one of them: spectrum = "measured", file, and record = a
-time, place = a station or LATITUDE,LONGITUDE.)";
+degrees clockwise from north; `spread` the circular standard deviation. A sea takes one of
+them: spectrum = "measured", file, and record = a time, place = a station or
+LATITUDE,LONGITUDE.)";
 
 }  // namespace
 

@@ -5,10 +5,10 @@
 #include "ocean/platform.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <new>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "base/control_groups.hpp"
 
@@ -65,20 +65,28 @@ std::uint64_t kilobytes_in(const char* path, const std::string& key) {
     return kUnknown;
 }
 
+std::vector<std::filesystem::path> own_control_groups() {
+    return control_groups("/proc/self/cgroup", "/sys/fs/cgroup");
+}
+
 }  // namespace
+#endif
 
 int available_cores() {
     int cores = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
+#if defined(__linux__)
     cpu_set_t set;
     CPU_ZERO(&set);
     if (sched_getaffinity(0, sizeof(set), &set) == 0) cores = std::max(CPU_COUNT(&set), 1);
-    return std::min(cores, cores_of_cgroups(control_groups("/proc/self/cgroup", "/sys/fs/cgroup")));
+    cores = std::min(cores, cores_of_cgroups(own_control_groups()));
+#endif
+    return cores;
 }
 
+#if defined(__linux__)
 std::uint64_t available_memory() {
     std::uint64_t least = kilobytes_in("/proc/meminfo", "MemAvailable:");
-    least =
-        std::min(least, memory_of_cgroups(control_groups("/proc/self/cgroup", "/sys/fs/cgroup")));
+    least = std::min(least, memory_of_cgroups(own_control_groups()));
     struct rlimit limit {};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
         const std::uint64_t used = kilobytes_in("/proc/self/status", "VmSize:");
@@ -86,21 +94,16 @@ std::uint64_t available_memory() {
     }
     return least;
 }
-#else
-int available_cores() {
-    return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
-}
-#endif
-#if defined(_WIN32)
+#elif defined(_WIN32)
 std::uint64_t available_memory() {
     MEMORYSTATUSEX status{};
     status.dwLength = sizeof(status);
-    if (!GlobalMemoryStatusEx(&status)) return std::numeric_limits<std::uint64_t>::max();
+    if (!GlobalMemoryStatusEx(&status)) return kUnknown;
     return std::min(status.ullAvailPhys, status.ullAvailVirtual);
 }
-#elif !defined(__linux__)
+#else
 std::uint64_t available_memory() {
-    return std::numeric_limits<std::uint64_t>::max();
+    return kUnknown;
 }
 #endif
 

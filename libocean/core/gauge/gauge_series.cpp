@@ -98,10 +98,6 @@ void read_time(const WaveSum& sea, double choppiness, const SurfaceQuery* query,
     }
 }
 
-}  // namespace
-
-namespace {
-
 /// On the map that holds all waves.
 QueryOptions label_query(const Grid& grid) {
     return {.foam = false, .resolution = default_map_resolution(grid)};
@@ -130,14 +126,14 @@ class Reader {
     explicit Reader(WaveSum start) : sea(std::move(start)) {}
 
     /// Where crests may fold the top sheet must be known.
-    void make_query(const Modes& modes, const Parameters& now, double time) {
+    const SurfaceQuery* query_at(double time, const Modes& modes, const Parameters& now) {
         if (query_) {
             query_->move_to(modes, now.surface, now.water, time, alone_);
         } else {
             query_.emplace(modes, now.surface, now.water, time, label_query(now.grid), alone_);
         }
+        return &*query_;
     }
-    const SurfaceQuery* query_or_null() const { return query_ ? &*query_ : nullptr; }
 
     WaveSum sea;
 
@@ -177,9 +173,10 @@ void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Sample
             const std::size_t from = done + static_cast<std::size_t>(block) * kBlock;
             for (std::size_t i = from; i < std::min(from + kBlock, end); ++i) {
                 i == from ? reader->sea.set_time(times.at(i)) : reader->sea.advance(step);
-                if (folds) reader->make_query(modes, parameters, times.at(i));
-                read_time(reader->sea, parameters.surface.choppiness, reader->query_or_null(),
-                          gauges, levels, times.at(i), row_of(series, i));
+                const SurfaceQuery* const query =
+                    folds ? reader->query_at(times.at(i), modes, parameters) : nullptr;
+                read_time(reader->sea, parameters.surface.choppiness, query, gauges, levels,
+                          times.at(i), row_of(series, i));
             }
         });
         progress(end);
@@ -202,9 +199,8 @@ void read_performance(Ocean& ocean, const std::vector<Gauge>& gauges, const Samp
         made = ocean.stage_runs().modes;
         reader->sea.set_time(time);
         const bool folds = may_fold(modes, now.surface.choppiness);
-        if (folds) reader->make_query(modes, now, time);
-        read_time(reader->sea, now.surface.choppiness, folds ? reader->query_or_null() : nullptr,
-                  gauges, {}, time, row_of(series, i));
+        const SurfaceQuery* const query = folds ? reader->query_at(time, modes, now) : nullptr;
+        read_time(reader->sea, now.surface.choppiness, query, gauges, {}, time, row_of(series, i));
         progress(i + 1);
     }
 }

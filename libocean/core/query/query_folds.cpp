@@ -263,12 +263,9 @@ std::size_t FoldIndex::sample_near(WorldPoint label) const {
 
 WorldPoint FoldIndex::guess(WorldPoint place) const {
     if (choppiness_ == 0.0) return place;
-    const double per_metre = lattice_.resolution / lattice_.period;
     WorldPoint label = place;
     for (int look = 0; look < 2; ++look) {
-        const Offset offset =
-            offset_[sample_at(static_cast<int>(std::lround(label.x * per_metre)),
-                              static_cast<int>(std::lround(label.y * per_metre)))];
+        const Offset offset = offset_[sample_near(label)];
         label = {place.x - static_cast<double>(offset.x), place.y - static_cast<double>(offset.y)};
     }
     return label;

@@ -33,7 +33,8 @@ void SplineStrips::begin(const Modes& modes, double time, std::span<const MapOut
 
 void SplineStrips::make(std::span<const int> strips, ThreadPool* pool) const {
     const std::lock_guard lock(making_);
-    scratch_.resize(pool != nullptr ? static_cast<std::size_t>(pool->size()) : 1);
+    const auto threads = pool != nullptr ? static_cast<std::size_t>(pool->size()) : 1;
+    if (scratch_.size() < threads) scratch_.resize(threads);
     there_.make(strips, pool, [this](int strip, int thread) {
         PageVector<float>& scratch = scratch_[static_cast<std::size_t>(thread)];
         if (scratch.size() < kernel_.scratch_floats()) {

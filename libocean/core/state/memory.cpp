@@ -28,6 +28,7 @@ std::uint64_t surface_bytes(int resolution, int channels) {
 }
 
 void require_memory(std::uint64_t bytes, const std::string& what, const std::string& advice) {
+    if (bytes == 0) return;  // what is left is asked of the system
     const std::uint64_t there = available_memory();
     if (bytes <= there) return;
     const auto mebibytes = [](std::uint64_t value) { return std::to_string(value >> 20) + " MiB"; };

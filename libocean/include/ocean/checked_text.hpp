@@ -15,6 +15,7 @@
 
 namespace ocean::text {
 
+bool is_pipe_or_device(const std::string& path);
 /// The whole file. Throws Error bad_file: missing, a directory, a pipe or device, unreadable,
 /// larger than `limit`.
 std::string read_file(const std::string& path, std::size_t limit);

@@ -25,8 +25,9 @@ class ThreadPool {
     /// Called by the caller's thread about a hundred times a second while a call works; what it
     /// throws ends the call, and items that nobody has begun are left out. Empty: none.
     void set_interrupt(std::function<void()> interrupt);
-    /// Calls body(first, last) on each of up to size() shares of [0, count) and waits. The first
-    /// exception of any share is thrown again here.
+    /// Calls body(first, last) on shares of [0, count), one for each thread or, where an interrupt
+    /// may come between, smaller ones, and waits. The first exception of any share is thrown again
+    /// here.
     void for_each_range(int count, const std::function<void(int first, int last)>& body);
     /// Calls body(item, thread) for each item of [0, count) and waits; thread < size(). A thread
     /// goes through neighbouring items in order and then helps the others, so that one that is held
