@@ -102,6 +102,36 @@ TEST_P(HostChannels, MixWithOthersInOneBufferAndLeaveTheRestAlone) {
     }
 }
 
+TEST_P(HostChannels, CloseTheSeamOfAPeriod) {
+    using enum Channel;
+    Ocean sea = ocean();
+    constexpr std::size_t kSide = 64;
+    constexpr std::size_t kPitch = 3 * (kSide + 1) + 5;
+    const Surface s = sea.evaluate(1.0, {height, kSteepness}, kSide);
+    std::vector<float> expected((kSide + 1) * kPitch, -7.0f);
+    for (std::size_t j = 0; j <= kSide; ++j) {
+        for (std::size_t i = 0; i <= kSide; ++i) {
+            const std::size_t sample = j % kSide * kSide + i % kSide;
+            expected[j * kPitch + 3 * i] = s.channel(kSteepness)[sample];
+            expected[j * kPitch + 3 * i + 2] = -s.channel(height)[sample];
+        }
+    }
+    std::vector<float> closed(expected.size(), -7.0f);
+    MapOutput output{closed.data(), 3, {{{kSteepness, 1.0f}, {}, {height, -1.0f}}}, kPitch, true};
+    sea.evaluate_into(1.0, {&output, 1}, kSide);
+    EXPECT_EQ(closed, expected);
+
+    std::vector<float> tight(3 * (kSide + 1) * (kSide + 1), -7.0f);
+    output.data = tight.data();
+    output.row_pitch = 0;
+    sea.evaluate_into(1.0, {&output, 1}, kSide);
+    for (std::size_t j = 0; j <= kSide; ++j) {
+        for (std::size_t i = 0; i < 3 * (kSide + 1); ++i) {
+            ASSERT_EQ(tight[j * 3 * (kSide + 1) + i], expected[j * kPitch + i]);
+        }
+    }
+}
+
 TEST_P(HostChannels, KnowTheChoppiness) {
     Parameters parameters = stormy_sea();
     parameters.surface.choppiness = 0.0;

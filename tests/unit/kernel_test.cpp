@@ -226,31 +226,31 @@ TEST_F(KernelFrames, HaveTheSameBitsInAnySubsetAndAnyLayout) {
         {height, {}, jacobian},
         {{}, ny},
     };
+    // Where a buffer begins within a line of the cache, and gaps between its rows.
+    const std::vector<std::pair<std::size_t, std::size_t>> layouts = {
+        {0, 0}, {1, 0}, {4, 0}, {8, 0}, {15, 0}, {0, 16}, {4, 12}, {3, 5}};
     for (const SimdLevel level : levels()) {
         const auto planar = channels(level, 1);
         for (const auto& quantities : requests) {
-            // Offset 1: not aligned to a vector; a frame of untouched values around it.
-            for (const std::size_t offset : {std::size_t{0}, std::size_t{1}}) {
+            const auto expected = [&](std::size_t sample, std::size_t c) {
+                if (quantities[c] == Quantity{}) return -7.0f;
+                return planar[static_cast<std::size_t>(quantities[c].id)][sample];
+            };
+            for (const auto& [offset, gap] : layouts) {
                 const std::size_t n = quantities.size();
-                PageVector<float> buffer(n * modes_.lattice.size() + 64, -7.0f);
-                MapOutput output{buffer.data() + offset, static_cast<int>(n), {}};
+                const std::size_t pitch = n * kSize + gap;
+                PageVector<float> buffer(kSize * pitch + 64, -7.0f);
+                MapOutput output{buffer.data() + offset, static_cast<int>(n), {}, pitch};
                 for (std::size_t c = 0; c < n; ++c) output.component[c] = {quantities[c], 1.0f};
                 run(level, {&output, 1}, pool_);
+                PageVector<float> whole(buffer.size(), -7.0f);
                 for (std::size_t i = 0; i < modes_.lattice.size(); ++i) {
-                    for (std::size_t c = 0; c < n; ++c) {
-                        const float value = buffer[offset + i * n + c];
-                        const float expected =
-                            quantities[c] == Quantity{}
-                                ? -7.0f
-                                : planar[static_cast<std::size_t>(quantities[c].id)][i];
-                        ASSERT_EQ(value, expected)
-                            << simd_name(level) << " component " << c << " of " << n << " at " << i;
-                    }
+                    float* const sample = &whole[offset + i / kSize * pitch + i % kSize * n];
+                    for (std::size_t c = 0; c < n; ++c) sample[c] = expected(i, c);
                 }
-                for (std::size_t i = 0; i < offset; ++i) ASSERT_EQ(buffer[i], -7.0f);
-                for (std::size_t i = offset + n * modes_.lattice.size(); i < buffer.size(); ++i) {
-                    ASSERT_EQ(buffer[i], -7.0f) << "written beyond the end";
-                }
+                ASSERT_EQ(buffer, whole)
+                    << simd_name(level) << ", " << n << " components " << offset
+                    << " floats behind a line, " << gap << " between rows";
             }
         }
     }

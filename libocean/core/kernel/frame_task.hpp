@@ -72,6 +72,7 @@ struct DirectPlane {
     int slot;
     float factor;
     float* data;
+    std::size_t row_pitch;
 };
 
 inline constexpr int kMaxOutputs = 32;
@@ -103,7 +104,7 @@ struct FrameTask {
 
     DirectPlane direct[kMaxOutputs];
     int direct_count;
-    /// The other outputs; quantities are slots there.
+    /// The other outputs; quantities are slots there, and the pitch is known.
     MapOutput outputs[kMaxOutputs];
     int output_count;
     bool whole[kMaxOutputs];  // every component is written

@@ -95,9 +95,7 @@ static void run_write_row(const FrameTask& task, const PlanarFields& fields, int
             samples.slot[task.slot_of[f]] = fields.plane[static_cast<std::size_t>(f)] +
                                             static_cast<std::size_t>(row) * fields.row_stride + x;
         }
-        write_outputs(task, samples,
-                      static_cast<std::size_t>(row) * static_cast<std::size_t>(task.size) +
-                          static_cast<std::size_t>(x));
+        write_outputs(task, samples, x, row);
     }
     finish_streams();
 }

@@ -127,11 +127,14 @@ class Plan {
             component.quantity.id = source.slot;
             component.factor *= source.factor;
         }
+        output.row_pitch = output.pitch(task_.size);
         const MapOutput::Component& first = output.component[0];
-        const bool aligned = reinterpret_cast<std::uintptr_t>(output.data) % 64 == 0;
+        const bool aligned = reinterpret_cast<std::uintptr_t>(output.data) % 64 == 0 &&
+                             output.row_pitch * sizeof(float) % 64 == 0;
         if (output.components == 1 && aligned && first.quantity.id >= 0 &&
             first.quantity.id < task_.slots) {
-            task_.direct[task_.direct_count++] = {first.quantity.id, first.factor, output.data};
+            task_.direct[task_.direct_count++] = {first.quantity.id, first.factor, output.data,
+                                                  output.row_pitch};
             return;
         }
         bool& whole = task_.whole[task_.output_count];
@@ -282,7 +285,7 @@ void write_rows(const PlanarFields& fields, int resolution, int first, int last,
         const DirectPlane& plane = task.direct[d];
         task.whole[task.output_count] = true;
         MapOutput& output = task.outputs[task.output_count++];
-        output = {plane.data, 1, {}};
+        output = {plane.data, 1, {}, plane.row_pitch};
         output.component[0].quantity.id = plane.slot;
         output.component[0].factor = plane.factor;
     }

@@ -145,16 +145,16 @@ OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, co
 template <int A, int B>
 void write_direct_planes(const FrameTask& task, int k, int x0, const float* scratch,
                          std::size_t pair_floats, const NextEntries<A, B>& next) {
-    const auto size = static_cast<std::size_t>(task.size);
     for (int d = 0; d < task.direct_count; ++d) {
         const DirectPlane& plane = task.direct[d];
         const float* field = scratch + plane.slot * B * Sweep<A, B>::kLine;
-        float* out = plane.data + static_cast<std::size_t>(k) * size + x0;
+        float* out = plane.data + static_cast<std::size_t>(k) * plane.row_pitch + x0;
+        const std::size_t step = A * plane.row_pitch;
         const Vec factor(plane.factor);
         if constexpr (kPairs == 1) {
             const float* ahead = next.share(k, plane.slot, 0);
             sweep_samples<A, B>(field, k, ahead, [=](int l, Complex x) OCEAN_INLINE_LAMBDA {
-                float* row = out + static_cast<std::size_t>(l) * A * size;
+                float* row = out + static_cast<std::size_t>(l) * step;
                 stream(row, x.re * factor);
                 stream(row + kPartner, x.im * factor);
             });
@@ -167,7 +167,7 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
                                     [=](int l, Complex x) OCEAN_INLINE_LAMBDA { to[l] = x; });
             }
             for (int l = 0; l < B; ++l) {
-                float* row = out + static_cast<std::size_t>(l) * A * size;
+                float* row = out + static_cast<std::size_t>(l) * step;
                 for (int p = 0; p < kPairs; ++p)
                     stream(row + p * kLanes, samples[p][l].re * factor);
                 row += kPartner;
@@ -200,9 +200,7 @@ void write_combined(const FrameTask& task, int k, int x0, const float* scratch,
         }
     }
     for (int l = 0; l < B; ++l) {
-        write_outputs(task, row,
-                      static_cast<std::size_t>(k + A * l) * static_cast<std::size_t>(task.size) +
-                          static_cast<std::size_t>(x0));
+        write_outputs(task, row, x0, k + A * l);
         for (int u = 0; u < task.used_count; ++u) row.slot[task.used[u]] += kItemWidth;
     }
 }

@@ -91,6 +91,24 @@ OCEAN_INLINE void store_unaligned(float* p, Vec x) {
 OCEAN_INLINE bool is_aligned(const float* p) {
     return reinterpret_cast<std::uintptr_t>(p) % sizeof(Lanes) == 0;
 }
+/// A few floats past the caches, where the machine can.
+OCEAN_INLINE void stream_part(float* to, const float* from, int count) {
+#if defined(__SSE2__)
+    const auto stream_one = [](float* target, const float* value) OCEAN_INLINE_LAMBDA {
+        int bits;
+        __builtin_memcpy(&bits, value, sizeof(bits));
+        _mm_stream_si32(reinterpret_cast<int*>(target), bits);
+    };
+    while (count > 0 && reinterpret_cast<std::uintptr_t>(to) % 16 != 0) {
+        stream_one(to++, from++);
+        --count;
+    }
+    for (; count >= 4; count -= 4, to += 4, from += 4) _mm_stream_ps(to, _mm_loadu_ps(from));
+    for (; count > 0; --count) stream_one(to++, from++);
+#else
+    __builtin_memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+#endif
+}
 
 }  // namespace ocean::OCEAN_KERNEL
 

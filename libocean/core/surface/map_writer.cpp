@@ -32,9 +32,33 @@ void append_with(ChannelSet channels, bool fields, std::span<const MapOutput> ou
     }
 }
 
+/// The samples a period on are the first ones.
+void close_seam(const MapOutput& output, int resolution) {
+    const auto rows = static_cast<std::size_t>(resolution);
+    const auto components = static_cast<std::size_t>(output.components);
+    const std::size_t pitch = output.pitch(resolution);
+    const std::size_t width = output.width(resolution);
+    for (std::size_t c = 0; c < components; ++c) {
+        if (output.component[c].quantity == Quantity{}) continue;
+        float* const first = output.data + c;
+        for (std::size_t j = 0; j < rows; ++j) {
+            first[j * pitch + width - components] = first[j * pitch];
+        }
+        for (std::size_t i = 0; i < width; i += components) first[rows * pitch + i] = first[i];
+    }
+}
+
 }  // namespace
 
 bool MapWriter::write(const MapRequest& request, ThreadPool& pool) {
+    const bool packed = write_samples(request, pool);
+    for (const MapOutput& output : request.outputs) {
+        if (output.seam) close_seam(output, request.modes.resolution);
+    }
+    return packed;
+}
+
+bool MapWriter::write_samples(const MapRequest& request, ThreadPool& pool) {
     const ChannelSet asked = channels_of(request.outputs);
     require_channels(asked, further_);
     const ChannelSet others = asked.without(backend_.makes);

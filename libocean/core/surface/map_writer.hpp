@@ -25,6 +25,8 @@ class MapWriter {
     bool write(const MapRequest& request, ThreadPool& pool);
 
   private:
+    bool write_samples(const MapRequest& request, ThreadPool& pool);
+
     Backend backend_;
     std::span<const ChannelInfo> further_;
     MapFunction maps_;

@@ -17,13 +17,14 @@ namespace {
 template <typename Real>
 class ComponentWriter {
   public:
-    ComponentWriter(const LinearPlanes<Real>& planes, const MapRequest& request, float* data,
-                    int components, float factor, ThreadPool& pool)
+    ComponentWriter(const LinearPlanes<Real>& planes, const MapRequest& request,
+                    const MapOutput& output, std::size_t component, ThreadPool& pool)
         : planes_(planes),
           request_(request),
-          data_(data),
-          stride_(static_cast<std::size_t>(components)),
-          factor_(factor),
+          data_(output.data + component),
+          stride_(static_cast<std::size_t>(output.components)),
+          row_pitch_(output.pitch(request.modes.resolution)),
+          factor_(output.component[component].factor),
           pool_(pool) {}
 
     void multiple(Linear field, Real times) const {
@@ -72,8 +73,9 @@ class ComponentWriter {
         const auto width = static_cast<std::size_t>(request_.modes.resolution);
         const auto row = [&](int j) {
             const std::size_t first = static_cast<std::size_t>(j) * width;
-            for (std::size_t i = first; i < first + width; ++i) {
-                data_[i * stride_] = factor_ * static_cast<float>(value(i));
+            float* const line = data_ + static_cast<std::size_t>(j) * row_pitch_;
+            for (std::size_t i = 0; i < width; ++i) {
+                line[i * stride_] = factor_ * static_cast<float>(value(first + i));
             }
         };
         pool_.for_each_item(request_.modes.resolution, [&row](int j, int) { row(j); });
@@ -83,6 +85,7 @@ class ComponentWriter {
     const MapRequest& request_;
     float* data_;
     std::size_t stride_;
+    std::size_t row_pitch_;
     float factor_;
     ThreadPool& pool_;
 };
@@ -94,10 +97,9 @@ void write_channels(const LinearPlanes<Real>& planes, const MapRequest& request,
                     std::span<const ChannelInfo> further, ThreadPool& pool) {
     const Real choppiness = static_cast<Real>(request.settings.choppiness);
     for (const MapOutput& output : request.outputs) {
-        float* data = output.data;
-        for (const auto& [quantity, factor] : output.used()) {
-            const ComponentWriter<Real> write(planes, request, data++, output.components, factor,
-                                              pool);
+        for (std::size_t c = 0; c < output.used().size(); ++c) {
+            const Quantity quantity = output.component[c].quantity;
+            const ComponentWriter<Real> write(planes, request, output, c, pool);
             if (quantity.is_linear()) {
                 write.multiple(quantity.linear(), Real(1));
             } else if (quantity.is_channel()) {

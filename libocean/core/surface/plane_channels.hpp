@@ -14,8 +14,8 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Writes every output of the request, in the precision of the planes, rounded once at the end.
-/// `further`: the rows of the host's channels.
+/// Writes every output of the request but its seam, in the precision of the planes, rounded once at
+/// the end. `further`: the rows of the host's channels.
 template <typename Real>
 void write_channels(const LinearPlanes<Real>& planes, const MapRequest& request,
                     std::span<const ChannelInfo> further, ThreadPool& pool);

@@ -61,10 +61,10 @@ struct MapRequest {
     FoamLayer foam;
 };
 
-/// Writes the outputs. It may keep what it makes of the modes for requests with the same revision
-/// of them (0 is never the same), and its arrays. Returns whether it had to make anything of the
-/// modes. One call at a time; copies of it run in parallel, share what they keep and change it for
-/// themselves alone.
+/// Writes the outputs, without their seams. It may keep what it makes of the modes for requests
+/// with the same revision of them (0 is never the same), and its arrays. Returns whether it had to
+/// make anything of the modes. One call at a time; copies of it run in parallel, share what they
+/// keep and change it for themselves alone.
 using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
 
 struct Backend {

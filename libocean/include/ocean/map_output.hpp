@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 #include "ocean/channel.hpp"
@@ -29,7 +30,8 @@ struct Quantity {
 };
 
 /// resolution^2 samples of 1 to 4 components, interleaved, row-major [j][i]. A component without a
-/// quantity is left as it is; the others are factor * quantity.
+/// quantity is left as it is; the others are factor * quantity. With a seam there is one sample
+/// more in each row and one row more: the first ones, a period on.
 struct MapOutput {
     struct Component {
         Quantity quantity;
@@ -38,9 +40,18 @@ struct MapOutput {
     float* data = nullptr;
     int components = 1;
     std::array<Component, 4> component;
+    std::size_t row_pitch = 0;  // floats from row to row; 0: no gaps
+    bool seam = false;
 
     std::span<Component> used() { return std::span(component).first(count()); }
     std::span<const Component> used() const { return std::span(component).first(count()); }
+
+    std::size_t width(int resolution) const {  // of a row, in floats
+        return (static_cast<std::size_t>(resolution) + (seam ? 1 : 0)) * count();
+    }
+    std::size_t pitch(int resolution) const {
+        return row_pitch > 0 ? row_pitch : width(resolution);
+    }
 
   private:
     std::size_t count() const { return static_cast<std::size_t>(components); }
