@@ -60,31 +60,63 @@ struct Lists {
         }
     }
 
-    /// ask(first, count) answers a batch, write(i, out) puts the i-th answer of it into the buffer.
-    template <typename Ask, typename Write>
-    void in_batches(const Ask& ask, const Write& write) const {
-        for (std::size_t first = 0; first < n; first += kBatch) {
-            const std::size_t count = std::min(kBatch, n - first);
-            ask(first, count);
-            for (std::size_t i = 0; i < count; ++i) write(i, out + (first + i) * stride);
-        }
-    }
+    float* row(std::size_t i) const { return out + i * stride; }
 };
 
-void check_points(const double* xy, std::size_t n) {
+/// n points of as many coordinates as there are names.
+void check_points(const double* points, std::size_t n, std::string_view coordinates) {
     for (std::size_t i = 0; i < n; ++i) {
-        require_finite(xy[2 * i], "x of point " + std::to_string(i), "metres");
-        require_finite(xy[2 * i + 1], "y of point " + std::to_string(i), "metres");
+        for (const char name : coordinates) {
+            require_finite(*points++, name + (" of point " + std::to_string(i)), "metres");
+        }
     }
 }
 
-/// Points of one batch, as core takes them.
-std::span<const WorldPoint> fill_points(std::vector<WorldPoint>& points, const double* xy,
-                                        std::size_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        points[i] = {xy[2 * (first + i)], xy[2 * (first + i) + 1]};
+/// Queries n points in batches; write(i, point, sample) puts the answer to point i into a buffer.
+template <typename Write>
+void query_in_batches(Ocean& ocean, double time, const double* xy, std::size_t n,
+                      const QueryOptions& options, const Write& write) {
+    std::vector<WorldPoint> points;
+    std::vector<QuerySample> answers(std::min(n, kBatch));
+    for (std::size_t first = 0; first < n; first += kBatch) {
+        points.clear();
+        for (std::size_t i = first; i < std::min(first + kBatch, n); ++i) {
+            points.push_back({xy[2 * i], xy[2 * i + 1]});
+        }
+        ocean.query(time, points, answers, options);
+        for (std::size_t i = 0; i < points.size(); ++i) write(first + i, points[i], answers[i]);
     }
-    return std::span(points).first(count);
+}
+
+/// A host's array of structs, `count` of them each `size` bytes apart, of which a smaller one has
+/// fewer members.
+template <typename Struct>
+class StructArray {
+  public:
+    StructArray(Struct* data, std::size_t count, std::size_t size, const std::string& name)
+        : data_(reinterpret_cast<unsigned char*>(data)), size_(size) {
+        if (size < sizeof(float) || size > kMaxStructSize || size % alignof(std::int32_t) != 0) {
+            refuse("sample_size = " + std::to_string(size) + "; set it to sizeof(" + name +
+                   "), here " + std::to_string(sizeof(Struct)));
+        }
+        constexpr std::size_t kMostDoubles = 3;  // of a point
+        if (count > SIZE_MAX / std::max(size, kMostDoubles * sizeof(double))) {
+            refuse("count = " + std::to_string(count) + " is more than there are addresses");
+        }
+        if (count > 0) require(data, "samples");
+    }
+    void put(std::size_t i, const Struct& value) const {
+        std::memcpy(data_ + i * size_, &value, std::min(size_, sizeof(value)));
+    }
+
+  private:
+    unsigned char* data_;
+    std::size_t size_;
+};
+
+QueryOptions query_options(std::int32_t resolution, std::int32_t refine, std::int32_t exact,
+                           bool foam) {
+    return {exact != 0, refine == 0 ? 1 : refine, foam, resolution};
 }
 
 ocean_sample sample_of(const QuerySample& from) {
@@ -101,6 +133,10 @@ ocean_sample sample_of(const QuerySample& from) {
     return sample;
 }
 
+std::array<double, 3> velocity_of(const WaterMotion& motion) {
+    return {motion.velocity_x, motion.velocity_y, motion.velocity_z};
+}
+
 float* put(float* out, std::span<const double> values) {
     for (const double value : values) *out++ = static_cast<float>(value);
     return out;
@@ -115,23 +151,17 @@ ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n
         require_finite(time, "time", "seconds");
         const Lists lists{xy, "xy", 2, n, samples, "samples", kSampleFloats, stride};
         lists.check();
-        check_points(xy, n);
+        check_points(xy, n, "xy");
         QueryOptions options;
         options.foam = stride >= kSampleFloatsWithFoam;
-        std::vector<WorldPoint> points(std::min(n, kBatch));
-        std::vector<QuerySample> answers(points.size());
-        lists.in_batches(
-            [&](std::size_t first, std::size_t count) {
-                sea->ocean->query(time, fill_points(points, xy, first, count), answers, options);
-            },
-            [&](std::size_t i, float* out) {
-                const QuerySample& sample = answers[i];
-                const double point[] = {points[i].x, points[i].y, sample.height};
-                out = put(out, point);
-                out = put(out, sample.normal);
-                out = put(out, sample.velocity);
-                if (options.foam) put(out, {&sample.foam, 1});
-            });
+        query_in_batches(*sea->ocean, time, xy, n, options,
+                         [&](std::size_t i, WorldPoint at, const QuerySample& sample) {
+                             const double point[] = {at.x, at.y, sample.height};
+                             float* out = put(lists.row(i), point);
+                             out = put(out, sample.normal);
+                             out = put(out, sample.velocity);
+                             if (options.foam) put(out, {&sample.foam, 1});
+                         });
     });
 }
 
@@ -142,37 +172,15 @@ ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* reque
         const ocean_query_request asked =
             read_struct(request, offsetof(ocean_query_request, resolution), "ocean_query_request");
         require_finite(asked.time, "time", "seconds");
-        if (asked.count > 0) {
-            require(asked.xy, "xy");
-            require(asked.samples, "samples");
-        }
-        const std::size_t size = asked.sample_size;
-        if (size < sizeof(float) || size > kMaxStructSize || size % alignof(std::int32_t) != 0) {
-            refuse("sample_size = " + std::to_string(size) +
-                   "; set it to sizeof(ocean_sample), here " +
-                   std::to_string(sizeof(ocean_sample)));
-        }
-        if (asked.count > SIZE_MAX / std::max(size, 2 * sizeof(double))) {
-            refuse("count = " + std::to_string(asked.count) + " is more than there are addresses");
-        }
-        check_points(asked.xy, asked.count);
-        QueryOptions options;
-        options.foam = asked.foam != 0;
-        options.exact = asked.exact != 0;
-        options.refine = asked.refine == 0 ? 1 : asked.refine;
-        options.resolution = asked.resolution;
-        std::vector<WorldPoint> points(std::min(asked.count, kBatch));
-        std::vector<QuerySample> answers(points.size());
-        auto* out = reinterpret_cast<unsigned char*>(asked.samples);
-        for (std::size_t first = 0; first < asked.count; first += kBatch) {
-            const std::size_t count = std::min(kBatch, asked.count - first);
-            sea->ocean->query(asked.time, fill_points(points, asked.xy, first, count), answers,
-                              options);
-            for (std::size_t i = 0; i < count; ++i, out += size) {
-                const ocean_sample sample = sample_of(answers[i]);
-                std::memcpy(out, &sample, std::min(size, sizeof(sample)));
-            }
-        }
+        const StructArray samples(asked.samples, asked.count, asked.sample_size, "ocean_sample");
+        if (asked.count > 0) require(asked.xy, "xy");
+        check_points(asked.xy, asked.count, "xy");
+        const QueryOptions options =
+            query_options(asked.resolution, asked.refine, asked.exact, asked.foam != 0);
+        query_in_batches(*sea->ocean, asked.time, asked.xy, asked.count, options,
+                         [&](std::size_t i, WorldPoint, const QuerySample& sample) {
+                             samples.put(i, sample_of(sample));
+                         });
         if (asked.height_error != nullptr) {
             *asked.height_error = sea->ocean->query_height_error(asked.time, options);
         }
@@ -187,15 +195,39 @@ ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z, const
         require_finite(z, "z", "metres");
         const Lists lists{xy, "xy", 2, n, velocities, "velocities", kVelocityFloats, stride};
         lists.check();
-        check_points(xy, n);
-        std::vector<WorldPoint> points(std::min(n, kBatch));
-        std::vector<std::array<double, 3>> answers(points.size());
-        lists.in_batches(
-            [&](std::size_t first, std::size_t count) {
-                sea->ocean->orbital_velocity(time, z, fill_points(points, xy, first, count),
-                                             answers);
-            },
-            [&](std::size_t i, float* out) { put(out, answers[i]); });
+        check_points(xy, n, "xy");
+        std::vector<WaterPoint> points;
+        for (std::size_t i = 0; i < n; ++i) points.push_back({xy[2 * i], xy[2 * i + 1], z});
+        std::vector<WaterMotion> answers(n);
+        sea->ocean->water_motion(time, points, answers);
+        for (std::size_t i = 0; i < n; ++i) put(lists.row(i), velocity_of(answers[i]));
+    });
+}
+
+ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* request) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(request, "request");
+        const ocean_water_request asked =
+            read_struct(request, offsetof(ocean_water_request, resolution), "ocean_water_request");
+        require_finite(asked.time, "time", "seconds");
+        const StructArray samples(asked.samples, asked.count, asked.sample_size,
+                                  "ocean_water_sample");
+        if (asked.count > 0) require(asked.xyz, "xyz");
+        check_points(asked.xyz, asked.count, "xyz");
+        std::vector<WaterPoint> points;
+        for (const double* p = asked.xyz; points.size() < asked.count; p += 3) {
+            points.push_back({p[0], p[1], p[2]});
+        }
+        std::vector<WaterMotion> answers(points.size());
+        sea->ocean->water_motion(asked.time, points, answers,
+                                 query_options(asked.resolution, asked.refine, asked.exact, false));
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            ocean_water_sample sample{};
+            put(sample.velocity, velocity_of(answers[i]));
+            sample.pressure = static_cast<float>(answers[i].pressure);
+            samples.put(i, sample);
+        }
     });
 }
 
@@ -219,8 +251,7 @@ ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies,
         std::vector<FloatPose> answers(n);
         sea->ocean->float_poses(time, list, answers);
         for (std::size_t i = 0; i < n; ++i) {
-            float* out = poses + i * stride;
-            out = put(out, answers[i].position);
+            float* out = put(lists.row(i), answers[i].position);
             out = put(out, answers[i].up);
             out = put(out, answers[i].forward);
             const double angles[] = {answers[i].pitch, answers[i].roll};

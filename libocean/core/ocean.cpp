@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "chain.hpp"
 #include "kernel/map_kernel.hpp"
+#include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "parameters/performer.hpp"
 #include "surface/map_writer.hpp"
@@ -66,11 +69,13 @@ void Ocean::change(Sea sea) {
     const bool performed = !sea_.take.empty() || !sea.take.empty();
     const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
     if (performed || (first && *first != Stage::clock)) foam_.clear();
-    if (sea_.parameters.grid != sea.parameters.grid) surface_query_.reset();
+    if (sea_.parameters.grid != sea.parameters.grid) {
+        surface_query_.reset();
+        orbital_motion_.reset();
+    }
     sea_ = std::move(sea);
     ++revision_;
     performer_.reset();
-    water_velocity_.reset();
 }
 
 void Ocean::perform(double time, std::string_view name, std::string_view value) {
@@ -83,7 +88,6 @@ void Ocean::perform(double time, std::string_view name, std::string_view value) 
     // What the performer lets in breaks no rule, so a long take is not gone through every time.
     if (checked) checked_ = revision_;
     for (auto& [resolution, foam] : foam_) foam.forget_from(from);
-    water_velocity_.reset();
 }
 
 void Ocean::go_to(double time) {
@@ -158,7 +162,8 @@ void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int reso
         plain ? now().surface : chain_->shown_settings(resolution, pool_, runs_);
     const MapModes modes = map_modes(current_modes(), time, resolution);
     if (maps_->write({modes, settings, outputs, foam}, pool_)) ++runs_.packing;
-    made_.insert(resolution);
+    ChannelSet& made = made_[resolution];
+    made = made | channels_of(outputs);
 }
 
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
@@ -194,10 +199,14 @@ int Ocean::map_resolution(int asked) const {
 
 void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
     const int foam = has_foam(channels) && !foam_.contains(resolution) ? kFoamMaps : 0;
+    const auto made = made_.find(resolution);
+    const bool has_work_space = made != made_.end() && channels.without(made->second).empty();
+    const std::uint64_t buffers =
+        Lattice{resolution, 1.0}.size() * sizeof(float) * static_cast<std::uint64_t>(maps + foam);
+    const std::uint64_t anew =
+        kernel_bytes(resolution, channels.size()) + surface_bytes(resolution, maps + foam);
     require_memory(
-        (chain_->has_modes() ? 0 : modes_bytes(now().grid)) +
-            (made_.contains(resolution) ? 0 : kernel_bytes(resolution, channels.size())) +
-            surface_bytes(resolution, maps + foam),
+        (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + (has_work_space ? buffers : anew),
         "a map of " + std::to_string(resolution) + " x " + std::to_string(resolution) + " samples");
 }
 
@@ -242,45 +251,45 @@ QueryOptions Ocean::shown(QueryOptions options) const {
     return options;
 }
 
-const SurfaceQuery& Ocean::surface_query(double time, const QueryOptions& asked) {
-    const QueryOptions options = shown(asked);
+const SurfaceQuery& Ocean::surface_query(double time, const QueryOptions& options) {
+    const Asked asked{revision_, time, 0.0, shown(options)};
     auto& kept = surface_query_;
-    if (kept && kept->revision == revision_ && kept->time == time && kept->options == options) {
-        return kept->query;
-    }
-    if (kept && kept->options != options) kept.reset();
+    if (kept && kept->asked == asked) return kept->query;
+    if (kept && kept->asked.options != asked.options) kept.reset();
     FoamMap foam;
     if (options.foam) {
-        const Surface map = evaluate(time, {Channel::foam}, options.resolution);
+        const Surface map = evaluate(time, {Channel::foam}, asked.options.resolution);
         const std::span<const float> values = map.channel(Channel::foam);
         foam = {{values.begin(), values.end()}, map.resolution()};
     }
     const Modes& modes = this->modes(time);  // foam has been in the past
-    if (!kept) {
-        require_query_memory(SurfaceQuery::bytes(modes, options));
-        kept = {
-            revision_, time, 0.0, options,
-            SurfaceQuery(modes, now().surface, now().water, time, options, pool_, std::move(foam))};
-        return kept->query;
+    if (kept) {
+        kept->asked.revision = 0;
+        kept->query.move_to(modes, now().surface, now().water, time, pool_, std::move(foam));
+        kept->asked = asked;
+    } else {
+        require_query_memory(SurfaceQuery::bytes(modes, asked.options));
+        kept = {asked, SurfaceQuery(modes, now().surface, now().water, time, asked.options, pool_,
+                                    std::move(foam))};
     }
-    kept->revision = 0;  // while it is neither the old one nor the new
-    kept->query.move_to(modes, now().surface, now().water, time, pool_, std::move(foam));
-    kept->time = time;
-    kept->revision = revision_;
     return kept->query;
 }
 
-const OrbitalVelocity& Ocean::water_velocity(double time, double z, const QueryOptions& asked) {
-    const QueryOptions options = shown(asked);
-    const auto& kept = water_velocity_;
-    if (!kept || kept->time != time || kept->z != z || kept->options != options) {
-        water_velocity_.reset();
-        const Modes& modes = this->modes(time);
-        require_query_memory(OrbitalVelocity::bytes(modes, options));
-        water_velocity_ = {revision_, time, z, options,
-                           OrbitalVelocity(modes, now().water, time, z, options, pool_)};
+const OrbitalMotion& Ocean::orbital_motion(double time, double z, const QueryOptions& options) {
+    const Asked asked{revision_, time, z, shown(options)};
+    auto& kept = orbital_motion_;
+    if (kept && kept->asked == asked) return kept->query;
+    if (kept && kept->asked.options != asked.options) kept.reset();
+    const Modes& modes = this->modes(time);
+    if (kept) {
+        kept->asked.revision = 0;
+        kept->query.move_to(modes, now().water, time, z, pool_);
+        kept->asked = asked;
+    } else {
+        require_query_memory(OrbitalMotion::bytes(modes, asked.options));
+        kept = {asked, OrbitalMotion(modes, now().water, time, z, asked.options, pool_)};
     }
-    return water_velocity_->query;
+    return kept->query;
 }
 
 void Ocean::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
@@ -292,19 +301,35 @@ double Ocean::query_height_error(double time, const QueryOptions& options) {
     return surface_query(time, options).height_error();
 }
 
-void Ocean::orbital_velocity(double time, double z, std::span<const WorldPoint> points,
-                             std::span<std::array<double, 3>> velocities,
-                             const QueryOptions& options) {
-    water_velocity(time, z, options).sample(points, velocities, pool_);
+void Ocean::water_motion(double time, std::span<const WaterPoint> points,
+                         std::span<WaterMotion> motions, const QueryOptions& options) {
+    for (const WaterPoint& point : points) {
+        if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) continue;
+        throw Error(ErrorKind::invalid_value, "a point must be finite numbers of metres");
+    }
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i].z; });
+    std::vector<WorldPoint> level;
+    std::vector<WaterMotion> found;
+    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+        const double z = points[order[first]].z;
+        level.clear();
+        for (; last < order.size() && points[order[last]].z == z; ++last) {
+            level.push_back({points[order[last]].x, points[order[last]].y});
+        }
+        found.resize(level.size());
+        orbital_motion(time, z, options).sample(level, found, pool_);
+        for (std::size_t i = first; i < last; ++i) motions[order[i]] = found[i - first];
+    }
 }
 
 void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
                         std::span<FloatPose> poses) {
     // A pose needs no foam, but the query that is kept may have some.
-    QueryOptions options = shown({});
-    const auto& kept = surface_query_;
+    QueryOptions options;
     options.foam =
-        kept && kept->revision == revision_ && kept->time == time && kept->options == options;
+        surface_query_ && surface_query_->asked == Asked{revision_, time, 0.0, shown({})};
     const SurfaceQuery& query = surface_query(time, options);
     std::vector<FloatPose> found;
     for (const FloatBody& body : bodies) found.push_back(float_pose(query, body, pool_));

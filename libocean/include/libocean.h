@@ -261,6 +261,31 @@ OCEAN_API ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_requ
 OCEAN_API ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z,
                                               const double* xy, size_t n, float* velocities,
                                               size_t stride);
+/* What moves in the water at a point: velocity [m/s], and pressure without the hydrostatic part,
+ * [Pa] as the sea's water_density says. */
+typedef struct {
+    float velocity[3];
+    float pressure;
+} ocean_water_sample;
+
+/* struct_size = sizeof(ocean_water_request), sample_size = sizeof(ocean_water_sample). Each point
+ * has its own z; every other one among them costs two transforms. resolution, refine, exact: as in
+ * ocean_query_request. */
+typedef struct {
+    size_t struct_size;
+    double time;
+    const double* xyz; /* x0, y0, z0, x1 ... */
+    size_t count;
+    ocean_water_sample* samples;
+    size_t sample_size;
+    int32_t resolution;
+    int32_t refine;
+    int32_t exact;
+    int32_t reserved;
+} ocean_water_request;
+
+/* As ocean_orbital_velocity, and the pressure, at points of any depths. */
+OCEAN_API ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* request);
 /* How n floating bodies lie on the sea: on the plane that fits the surface below them best.
  * bodies: five doubles each, x, y [m], heading [degrees counter-clockwise from +x], length along
  * the heading and width [m], 0 .. 100000. Body i receives eleven floats from poses + i * stride on,

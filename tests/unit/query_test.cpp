@@ -50,8 +50,8 @@ struct TestSea {
         return SurfaceQuery(modes, parameters.surface, parameters.water, time, options, pool,
                             std::move(foam));
     }
-    OrbitalVelocity water(double z, const QueryOptions& options = {}) {
-        return OrbitalVelocity(modes, parameters.water, kTime, z, options, pool);
+    OrbitalMotion water(double z, const QueryOptions& options = {}) {
+        return OrbitalMotion(modes, parameters.water, kTime, z, options, pool);
     }
     std::vector<QuerySample> samples(const SurfaceQuery& query,
                                      const std::vector<WorldPoint>& points) {
@@ -523,8 +523,8 @@ TEST(Query, RefusesWhatItCannotAnswerAndWritesNothing) {
     EXPECT_THROW(sea.query({}, std::nan("")), Error);
     EXPECT_THROW(sea.query({.exact = true}, std::nan("")), Error);
     EXPECT_THROW(sea.water(std::numeric_limits<double>::infinity()), Error);
-    EXPECT_THROW(OrbitalVelocity(sea.modes, sea.parameters.water, std::nan(""), 0.0,
-                                 {.exact = true}, sea.pool),
+    EXPECT_THROW(OrbitalMotion(sea.modes, sea.parameters.water, std::nan(""), 0.0, {.exact = true},
+                               sea.pool),
                  Error);
 
     const SurfaceQuery query = sea.query();
@@ -542,7 +542,7 @@ TEST(Query, RefusesWhatItCannotAnswerAndWritesNothing) {
     query.sample({}, {}, sea.pool);
 }
 
-TEST(OrbitalVelocity, OfOneWaveIsThatOfLinearTheoryFromTheSurfaceToTheBottom) {
+TEST(OrbitalMotion, OfOneWaveIsThatOfLinearTheoryFromTheSurfaceToTheBottom) {
     Parameters parameters = test::wind_sea(32, 64.0);
     parameters.water.depth = 8.0;
     TestSea sea(parameters, test::single_wave(parameters, 2, 1));
@@ -551,48 +551,117 @@ TEST(OrbitalVelocity, OfOneWaveIsThatOfLinearTheoryFromTheSurfaceToTheBottom) {
     const double k = std::hypot(kx, ky);
     const double omega = Dispersion(parameters.water).angular_frequency(k);
     for (const double z : {-8.0, -5.0, -1.0, 0.0, 4.0}) {
-        const OrbitalVelocity water = sea.water(z, {.refine = 2});
+        const OrbitalMotion water = sea.water(z, {.refine = 2});
         const double level = std::min(z, 0.0) + 8.0;
         const double along = omega * std::cosh(k * level) / std::sinh(k * 8.0);
         const double up = omega * std::sinh(k * level) / std::sinh(k * 8.0);
         for (const WorldPoint& point : random_points(20, -64.0, 64.0)) {
             const double phase = kx * point.x + ky * point.y - omega * kTime;
-            const auto velocity = water.sample(point);
-            EXPECT_NEAR(velocity[0], along * kx / k * std::cos(phase), 2e-5);
-            EXPECT_NEAR(velocity[1], along * ky / k * std::cos(phase), 2e-5);
-            EXPECT_NEAR(velocity[2], up * std::sin(phase), 2e-5);
+            const WaterMotion motion = water.sample(point);
+            EXPECT_NEAR(motion.velocity_x, along * kx / k * std::cos(phase), 2e-5);
+            EXPECT_NEAR(motion.velocity_y, along * ky / k * std::cos(phase), 2e-5);
+            EXPECT_NEAR(motion.velocity_z, up * std::sin(phase), 2e-5);
+            EXPECT_NEAR(motion.pressure, 1000.0 * omega * along / k * std::cos(phase), 0.2);
         }
     }
-    EXPECT_EQ(sea.water(-8.01).sample({1.0, 2.0}), (std::array<double, 3>{}));
-    EXPECT_EQ(sea.water(-8.01, {.exact = true}).sample({1.0, 2.0}), (std::array<double, 3>{}));
+    EXPECT_EQ(sea.water(-8.01).sample({1.0, 2.0}), WaterMotion{});
+    EXPECT_EQ(sea.water(-8.01, {.exact = true}).sample({1.0, 2.0}), WaterMotion{});
 }
 
-TEST(OrbitalVelocity, OfASeaIsThatOfTheSumOverAllModes) {
+/// rms of what differs, of that of the second.
+double relative_difference(const std::vector<WaterMotion>& a, const std::vector<WaterMotion>& b,
+                           double WaterMotion::*component) {
+    double error = 0.0;
+    double size = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        error += std::pow(a[i].*component - b[i].*component, 2);
+        size += std::pow(b[i].*component, 2);
+    }
+    return std::sqrt(error / size);
+}
+
+constexpr double WaterMotion::*kMotion[] = {&WaterMotion::velocity_x, &WaterMotion::velocity_y,
+                                            &WaterMotion::velocity_z, &WaterMotion::pressure};
+
+TEST(OrbitalMotion, OfASeaIsThatOfTheSumOverAllModes) {
     for (const double depth : {12.0, std::numeric_limits<double>::infinity()}) {
-        Parameters parameters = test::wind_sea(128, 400.0);
-        parameters.water.depth = depth;
-        TestSea sea(parameters);
-        WaveSum sum(sea.modes, parameters.water);
-        sum.set_time(kTime);
-        for (const double z : {-10.0, -2.0, 0.0, 1.5}) {
-            const auto points = random_points(100, 0.0, 400.0);
-            std::vector<std::array<double, 3>> velocities(points.size());
-            std::vector<std::array<double, 3>> summed(points.size());
-            sea.water(z).sample(points, velocities, sea.pool);
-            sea.water(z, {.exact = true}).sample(points, summed, sea.pool);
-            double error = 0.0;
-            double size = 0.0;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const WaterMotion motion = sum.water_motion(points[i].x, points[i].y, z);
-                const double exact[] = {motion.velocity_x, motion.velocity_y, motion.velocity_z};
-                for (std::size_t c = 0; c < 3; ++c) {
-                    error += std::pow(velocities[i][c] - exact[c], 2);
-                    size += exact[c] * exact[c];
-                    EXPECT_NEAR(summed[i][c], exact[c], 1e-9);
+        for (const double loop_period : {0.0, 20.0}) {
+            Parameters parameters = test::wind_sea(128, 400.0);
+            parameters.water.depth = depth;
+            parameters.time.loop_period = loop_period;
+            TestSea sea(parameters);
+            WaveSum sum(sea.modes, parameters.water);
+            sum.set_time(kTime);
+            for (const double z : {-10.0, -2.0, 0.0, 1.5}) {
+                const auto points = random_points(100, 0.0, 400.0);
+                std::vector<WaterMotion> motions(points.size());
+                std::vector<WaterMotion> summed(points.size());
+                std::vector<WaterMotion> expected;
+                for (const WorldPoint& p : points)
+                    expected.push_back(sum.water_motion(p.x, p.y, z));
+                sea.water(z).sample(points, motions, sea.pool);
+                sea.water(z, {.exact = true}).sample(points, summed, sea.pool);
+                for (const auto component : kMotion) {
+                    EXPECT_LT(relative_difference(motions, expected, component), 2e-3)
+                        << "at z = " << z;
+                    EXPECT_LT(relative_difference(summed, expected, component), 1e-12);
                 }
             }
-            EXPECT_LT(std::sqrt(error / size), 2e-3) << "at z = " << z;
         }
+    }
+}
+
+TEST(OrbitalMotion, MovedToAnotherTimeDepthOrSeaIsAsMadeAnew) {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    parameters.water.depth = 30.0;
+    TestSea sea(parameters);
+    parameters.waves.front().wind_speed = 14.0;
+    TestSea windier(parameters);
+    parameters.water.depth = 40.0;
+    TestSea deeper(parameters);
+    const auto points = random_points(50, 0.0, 200.0);
+    for (const bool exact : {false, true}) {
+        const QueryOptions options{.exact = exact};
+        OrbitalMotion moved = sea.water(-3.0, options);
+        const auto expect_as_anew = [&](TestSea& other, double time, double z) {
+            const OrbitalMotion anew(other.modes, other.parameters.water, time, z, options,
+                                     other.pool);
+            moved.move_to(other.modes, other.parameters.water, time, z, other.pool);
+            for (const WorldPoint& p : points) EXPECT_EQ(moved.sample(p), anew.sample(p)) << z;
+        };
+        expect_as_anew(sea, kTime, -3.0);
+        expect_as_anew(sea, kTime + 1.0, -3.0);
+        expect_as_anew(sea, kTime, -1.0);
+        expect_as_anew(windier, kTime, -1.0);
+        expect_as_anew(windier, kTime, -31.0);  // below the bottom
+        expect_as_anew(windier, kTime, -29.0);
+        expect_as_anew(deeper, kTime, -29.0);
+    }
+}
+
+TEST(OceanQuery, AnswersPointsOfAnyDepthsInTheirOrder) {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    parameters.water.depth = 20.0;
+    Ocean ocean(parameters, {.threads = 1});
+    const double depths[] = {-4.0, 1.0, 0.0, -25.0, -4.0};
+    std::vector<WaterPoint> points;
+    for (const WorldPoint& p : random_points(40, -300.0, 300.0)) {
+        points.push_back({p.x, p.y, depths[points.size() % 5]});
+    }
+    std::vector<WaterMotion> motions(points.size());
+    ocean.water_motion(kTime, points, motions);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const OrbitalMotion alone(ocean.modes(), parameters.water, kTime, points[i].z, {},
+                                  *std::make_unique<ThreadPool>(1));
+        EXPECT_EQ(motions[i], alone.sample({points[i].x, points[i].y}));
+    }
+    const std::vector<WaterMotion> before = motions;
+    for (const WaterPoint& bad :
+         {WaterPoint{std::nan(""), 0.0, 0.0}, WaterPoint{0.0, 0.0, std::nan("")},
+          WaterPoint{0.0, std::numeric_limits<double>::infinity(), 0.0}}) {
+        points[7] = bad;
+        EXPECT_THROW(ocean.water_motion(kTime, points, motions), Error);
+        EXPECT_EQ(motions, before);
     }
 }
 

@@ -89,10 +89,12 @@ class QueryRun {
         for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
         std::vector<QuerySample> samples(points.size());
         ocean.query(time_, points, samples, options_.query);
-        std::vector<std::array<double, 3>> orbital;
+        std::vector<WaterMotion> orbital;
         if (options_.orbital_z) {
             orbital.resize(points.size());
-            ocean.orbital_velocity(time_, *options_.orbital_z, points, orbital, options_.query);
+            std::vector<WaterPoint> below;
+            for (const WorldPoint& p : points) below.push_back({p.x, p.y, *options_.orbital_z});
+            ocean.water_motion(time_, below, orbital, options_.query);
         }
         std::string text;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -106,7 +108,10 @@ class QueryRun {
             append_values(text, sample.normal);
             append_values(text, sample.velocity);
             append_values(text, {&sample.foam, 1});
-            if (!orbital.empty()) append_values(text, orbital[i]);
+            if (!orbital.empty()) {
+                const WaterMotion& water = orbital[i];
+                append_values(text, {{water.velocity_x, water.velocity_y, water.velocity_z}});
+            }
             text += '\n';
         }
         return text;

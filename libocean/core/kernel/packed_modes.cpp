@@ -156,17 +156,18 @@ class PackedModes::Packing {
             const std::size_t at = mode_index(n, lane_row.row, width);
             std::complex<float> a = cascade.h0[at];
             std::complex<float> b = cascade.h0[mode_index(-n, -lane_row.row, width)];
+            ModeScale scale;
             if (factor_) {
-                const float factor = factor_(number, n, lane_row.row);
-                a *= factor;
-                b *= factor;
+                scale = factor_(number, n, lane_row.row);
+                a *= scale.amplitude;
+                b *= scale.amplitude;
             }
             float* to = dense.data() +
                         static_cast<std::size_t>(fft_index(n * stride, size_)) * lanes +
                         static_cast<std::size_t>(lane_row.lane);
             to[kRateHigh * plane] = cascade.rate_high[at];
             to[kRateLow * plane] = cascade.rate_low[at];
-            to[kDisplacement * plane] = cascade.displacement[at];
+            to[kDisplacement * plane] = scale.displacement * cascade.displacement[at];
             // The bands share no mode: of the cascades that have this one, one has its energy.
             if (!alone && a == 0.0f && b == 0.0f) continue;
             to[kPRe * plane] = a.real() + b.real();

@@ -15,9 +15,14 @@
 
 namespace ocean {
 
-/// What the mode (n, m), signed, of a cascade is multiplied by while it is packed; the same for
-/// (-n, -m). Called by several threads at once.
-using ModeFactor = std::function<float(std::size_t cascade, int n, int m)>;
+/// What a mode's amplitude and its displacement are multiplied by while it is packed.
+struct ModeScale {
+    float amplitude = 1.0f;
+    float displacement = 1.0f;
+};
+/// That of mode (n, m), signed, of a cascade; the same for (-n, -m). Called by several threads at
+/// once.
+using ModeFactor = std::function<ModeScale(std::size_t cascade, int n, int m)>;
 
 class PackedModes {
   public:

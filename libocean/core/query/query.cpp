@@ -24,8 +24,10 @@
 namespace ocean {
 namespace {
 
-constexpr std::array<Quantity, 3> kPosition = {Channel::dx, Channel::dy, Channel::height};
-constexpr std::array<Quantity, 3> kVelocity = {Channel::vx, Channel::vy, Channel::vz};
+// The fourth of each is not read.
+constexpr std::array<Quantity, 4> kPosition = {Channel::dx, Channel::dy, Channel::height,
+                                               Channel::height};
+constexpr std::array<Quantity, 4> kVelocity = {Channel::vx, Channel::vy, Channel::vz, Channel::vz};
 
 /// A label and the map there.
 struct Solution {
@@ -138,16 +140,15 @@ struct SurfaceQuery::State {
     State(const Modes& modes, const QueryOptions& asked, ThreadPool& pool)
         : options(asked),
           shown(shown_resolution(modes.lattice.resolution, asked)),
-          strips(modes, spline_resolution(modes.lattice.resolution, asked),
-                 spline_factor(modes, shown, spline_resolution(modes.lattice.resolution, asked)),
-                 pool),
-          position({spline_resolution(modes.lattice.resolution, asked), modes.lattice.period}),
+          fine(spline_resolution(modes.lattice.resolution, asked)),
+          strips(modes, fine, spline_factor(modes, shown, fine), pool),
+          position({fine, modes.lattice.period}),
           velocity(position.lattice()),
-          folds(modes.lattice.period, fold_resolution(modes.lattice.resolution, asked)),
-          bounds(query_bounds(modes, shown, position.lattice().resolution, asked.exact, pool)),
+          folds(modes.lattice.period, std::min(2 * shown, fine)),
+          bounds(query_bounds(modes, shown, fine, asked.exact, pool)),
           revision(modes.revision) {}
 
-    /// Other modes of the same lattice. False, with nothing changed, if it is not.
+    /// Other modes of the same lattice. False if it is another, and then this is of no use.
     bool use(const Modes& modes, ThreadPool& pool);
     void begin(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                double new_time, ThreadPool& pool, FoamMap new_foam);
@@ -168,6 +169,10 @@ struct SurfaceQuery::State {
         std::size_t number;
     };
     std::vector<Numbered> in_order(std::span<const WorldPoint> points) const;
+    int block_of(WorldPoint point) const {
+        const WorldPoint place = wrapped_place(point);
+        return folds.block_of(place.x, place.y);
+    }
     void prefetch_guess(WorldPoint point) const { folds.prefetch(wrapped_place(point)); }
     void prefetch(WorldPoint point) const {
         const WorldPoint label = folds.guess(wrapped_place(point));
@@ -190,6 +195,7 @@ struct SurfaceQuery::State {
 
     QueryOptions options;
     int shown;  // samples of the map whose waves are there
+    int fine;   // of the splines
     SplineStrips strips;
     SplineMap position;  // dx, dy, height at choppiness 1
     SplineMap velocity;
@@ -209,7 +215,6 @@ bool SurfaceQuery::State::use(const Modes& modes, ThreadPool& pool) {
         shown != shown_resolution(modes.lattice.resolution, options)) {
         return false;
     }
-    const int fine = position.lattice().resolution;
     revision = 0;  // while they are neither the old ones nor the new
     if (!strips.repack(modes, spline_factor(modes, shown, fine), pool)) return false;
     bounds = query_bounds(modes, shown, fine, options.exact, pool);
@@ -235,7 +240,7 @@ void SurfaceQuery::State::begin(const Modes& modes, const SurfaceSettings& setti
 void SurfaceQuery::State::prepare(std::span<const WorldPoint> points, ThreadPool* pool) const {
     PartSet places(folds.blocks());
     for (const WorldPoint& point : points) {
-        const int block = folds.block_of(wrapped(point.x, period()), wrapped(point.y, period()));
+        const int block = block_of(point);
         if (!folds.has(block)) places.add(block);
     }
     if (places.list().empty()) return;
@@ -253,16 +258,14 @@ void SurfaceQuery::State::prepare(std::span<const WorldPoint> points, ThreadPool
 /// time goes into waiting for the maps.
 std::vector<SurfaceQuery::State::Numbered> SurfaceQuery::State::in_order(
     std::span<const WorldPoint> points) const {
-    const auto block_of = [this](const WorldPoint& point) {
-        return static_cast<std::size_t>(
-            folds.block_of(wrapped(point.x, period()), wrapped(point.y, period())));
-    };
+    std::vector<int> blocks(points.size());
+    std::ranges::transform(points, blocks.begin(), [this](WorldPoint p) { return block_of(p); });
     std::vector<std::size_t> next(static_cast<std::size_t>(folds.blocks()) + 1, 0);
-    for (const WorldPoint& point : points) ++next[block_of(point) + 1];
+    for (const int block : blocks) ++next[static_cast<std::size_t>(block) + 1];
     for (std::size_t block = 1; block < next.size(); ++block) next[block] += next[block - 1];
     std::vector<Numbered> numbered(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        numbered[next[block_of(points[i])]++] = {points[i], i};
+        numbered[next[static_cast<std::size_t>(blocks[i])]++] = {points[i], i};
     }
     return numbered;
 }

@@ -45,19 +45,16 @@ ModeFactor spline_factor(const Modes& modes, int band, int resolution) {
         const auto along = [&](int a) {
             return filters[c][static_cast<std::size_t>(fft_index(a, sizes[c]))];
         };
-        return static_cast<float>(along(n) * along(m));
+        return ModeScale{static_cast<float>(along(n) * along(m)), 1.0f};
     };
 }
 
 SplineMap::SplineMap(Lattice lattice)
     : lattice_(lattice), per_metre_(lattice.resolution / lattice.period), texels_(lattice.size()) {}
 
-MapOutput SplineMap::output(const std::array<Quantity, 3>& quantities) {
-    // The fourth float is written too: whole vectors are written faster than parts.
-    MapOutput output{texels_.front().field, 4, {}};
-    for (std::size_t c = 0; c < 3; ++c) output.component[c].quantity = quantities[c];
-    const bool whole = quantities[0] != Quantity{} && quantities[1] != Quantity{};
-    if (whole && quantities[2] != Quantity{}) output.component[3] = {quantities[2], 0.0f};
+MapOutput SplineMap::output(const std::array<Quantity, kFields>& quantities) {
+    MapOutput output{texels_.front().field, kFields, {}};
+    for (std::size_t c = 0; c < kFields; ++c) output.component[c].quantity = quantities[c];
     return output;
 }
 

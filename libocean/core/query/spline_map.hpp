@@ -29,9 +29,9 @@
 
 namespace ocean {
 
-/// What three channels are at one point, in their order.
+/// What the fields are at one point, in their order, and the first three with their slopes.
 struct SplineValue {
-    std::array<float, 3> value;
+    std::array<float, 4> value;
 };
 struct SplineJet {
     std::array<float, 3> value;
@@ -43,15 +43,18 @@ struct SplineJet {
 /// 1 / (B^(kx) B^(ky)), and 0 where a map of `band` samples does not hold the mode.
 ModeFactor spline_factor(const Modes& modes, int band, int resolution);
 
-/// Three fields of one time; periodic. Their coefficients are written by others, and only where
+/// Four fields of one time; periodic. Their coefficients are written by others, and only where
 /// they are there may it be read.
 class SplineMap {
   public:
+    static constexpr int kFields = 4;
+
     explicit SplineMap(Lattice lattice);
 
     const Lattice& lattice() const { return lattice_; }
-    /// Where the coefficients of three quantities go; those without one stay as they are.
-    MapOutput output(const std::array<Quantity, 3>& quantities);
+    /// Where the coefficients of these go; those of a field without a quantity stay as they are.
+    /// Whole vectors are written faster than parts.
+    MapOutput output(const std::array<Quantity, kFields>& quantities);
     /// The first and the last column that a point at x is made of.
     std::array<int, 2> columns(double x) const {
         const auto i = static_cast<long long>(std::floor(x * per_metre_));
@@ -74,9 +77,9 @@ class SplineMap {
     SplineJet jet_of_sample(int i, int j) const;
 
   private:
-    /// Three fields side by side, so that one point touches few cache lines.
+    /// Side by side, so that one point touches few cache lines.
     struct alignas(16) Texel {
-        float field[4];
+        float field[kFields];
     };
     struct Place {
         std::array<const Texel*, 4> row;
@@ -134,7 +137,7 @@ inline SplineValue SplineMap::value(double x, double y) const {
         }
         for (int c = 0; c < 4; ++c) sum[c] += wy[j] * along[c];
     }
-    return {{sum[0], sum[1], sum[2]}};
+    return {{sum[0], sum[1], sum[2], sum[3]}};
 }
 
 inline SplineJet SplineMap::jet(double x, double y) const {

@@ -11,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string_view>
 
@@ -106,16 +105,16 @@ class Ocean {
     const StageRuns& stage_runs() const { return runs_; }
 
     /// Queries of one time and options keep what they make for the next of the same, and most of
-    /// it for the next time. Samples are as
-    /// many as points; nothing is written if a point is refused. Errors as in query.hpp, and
-    /// out_of_memory.
+    /// it for the next time. Samples are as many as points; nothing is written if a point is
+    /// refused. Errors as in query.hpp, and out_of_memory.
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options = {});
     /// SurfaceQuery::height_error of such a query.
     double query_height_error(double time, const QueryOptions& options = {});
-    void orbital_velocity(double time, double z, std::span<const WorldPoint> points,
-                          std::span<std::array<double, 3>> velocities,
-                          const QueryOptions& options = {});
+    /// OrbitalMotion at points of any depths, as many motions as points. Each other depth costs two
+    /// transforms.
+    void water_motion(double time, std::span<const WaterPoint> points,
+                      std::span<WaterMotion> motions, const QueryOptions& options = {});
     void float_poses(double time, std::span<const FloatBody> bodies, std::span<FloatPose> poses);
 
   private:
@@ -134,7 +133,7 @@ class Ocean {
     /// On the map that is shown when nobody says.
     QueryOptions shown(QueryOptions options) const;
     const SurfaceQuery& surface_query(double time, const QueryOptions& options);
-    const OrbitalVelocity& water_velocity(double time, double z, const QueryOptions& options);
+    const OrbitalMotion& orbital_motion(double time, double z, const QueryOptions& options);
 
     Sea sea_;
     std::uint64_t revision_ = 1;  // of the sea: another number when it is changed
@@ -144,21 +143,27 @@ class Ocean {
     StageRuns runs_;
     std::unique_ptr<Chain> chain_;
     std::unique_ptr<MapWriter> maps_;
-    std::set<int> made_;  // resolutions of the maps so far: what the backend keeps is there
-    std::map<int, FoamState> foam_;  // of each resolution that was asked for
+    std::map<int, ChannelSet> made_;  // of each resolution so far: what the backend keeps is there
+    std::map<int, FoamState> foam_;   // of each resolution that was asked for
     std::unique_ptr<Performer> performer_;
 
-    /// What was asked last, and for what.
+    /// What a query was asked for.
+    struct Asked {
+        std::uint64_t revision = 0;  // of the sea; 0: what is kept is neither of one nor of another
+        double time = 0.0;
+        double z = 0.0;
+        QueryOptions options = {};
+
+        bool operator==(const Asked&) const = default;
+    };
+    /// What was asked last, and its answer's maps.
     template <typename Query>
     struct Kept {
-        std::uint64_t revision;  // of the sea
-        double time;
-        double z;
-        QueryOptions options;
+        Asked asked;
         Query query;
     };
     std::optional<Kept<SurfaceQuery>> surface_query_;
-    std::optional<Kept<OrbitalVelocity>> water_velocity_;
+    std::optional<Kept<OrbitalMotion>> orbital_motion_;
 };
 
 }  // namespace ocean

@@ -13,7 +13,6 @@
 // presets in preset_query_test.cpp.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,6 +20,7 @@
 
 #include "ocean/modes.hpp"
 #include "ocean/surface.hpp"
+#include "ocean/wave_sum.hpp"
 
 namespace ocean {
 
@@ -29,6 +29,13 @@ class ThreadPool;
 struct WorldPoint {
     double x;  // m
     double y;
+};
+
+/// Below the surface: z in metres up from still water.
+struct WaterPoint {
+    double x;  // m
+    double y;
+    double z;
 };
 
 struct QuerySample {
@@ -106,30 +113,34 @@ class SurfaceQuery {
     std::unique_ptr<State> state_;
 };
 
-/// Velocity of the water at points fixed in the world, by linear theory: no displacement. The
+/// What moves in the water at points fixed in the world, by linear theory: no displacement. The
 /// motion at a depth decays as cosh k(z + d) / sinh kd; above z = 0 it is that of z = 0, below the
-/// bottom there is none. [Dean and Dalrymple 1991] section 4.2. Several threads may ask at once.
-/// Keeps no reference.
-class OrbitalVelocity {
+/// bottom there is none. [Dean and Dalrymple 1991] sections 4.2, 4.3. Several threads may ask at
+/// once. Keeps no reference.
+class OrbitalMotion {
   public:
-    /// z in metres up from still water.
-    OrbitalVelocity(const Modes& modes, const Water& water, double time, double z,
-                    const QueryOptions& options, ThreadPool& pool);
-    ~OrbitalVelocity();
-    OrbitalVelocity(OrbitalVelocity&&) noexcept;
-    OrbitalVelocity& operator=(OrbitalVelocity&&) noexcept;
+    /// z in metres up from still water. Throws Error invalid_value if it is not finite.
+    OrbitalMotion(const Modes& modes, const Water& water, double time, double z,
+                  const QueryOptions& options, ThreadPool& pool);
+    ~OrbitalMotion();
+    OrbitalMotion(OrbitalMotion&&) noexcept;
+    OrbitalMotion& operator=(OrbitalMotion&&) noexcept;
 
-    /// m/s. Throws like SurfaceQuery::sample.
-    void sample(std::span<const WorldPoint> points, std::span<std::array<double, 3>> velocities,
+    /// From now on of another time or depth, or of other modes: what they need again is kept.
+    /// Nobody may ask meanwhile.
+    void move_to(const Modes& modes, const Water& water, double time, double z, ThreadPool& pool);
+
+    /// Throws like SurfaceQuery::sample.
+    void sample(std::span<const WorldPoint> points, std::span<WaterMotion> motions,
                 ThreadPool& pool) const;
-    std::array<double, 3> sample(WorldPoint point) const;
+    WaterMotion sample(WorldPoint point) const;
 
     /// Bytes that the constructor needs for such modes, at most.
     static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
 
   private:
     struct State;
-    std::unique_ptr<const State> state_;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace ocean

@@ -36,6 +36,8 @@ struct DisplacementSample {
 struct WaterMotion {
     double velocity_x, velocity_y, velocity_z;  // m/s
     double pressure;                            // Pa, without the hydrostatic part
+
+    bool operator==(const WaterMotion&) const = default;
 };
 
 /// How much of each mode is left at one depth, for a WaveSum and its copies.
