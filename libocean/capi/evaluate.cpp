@@ -3,14 +3,16 @@
 //
 // Checks what a host asks for and has the maps written into its buffers, vectors turned to its
 // axes.
-#include "evaluate.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "guard.hpp"
 #include "ocean/cascades.hpp"
@@ -44,6 +46,9 @@ constexpr NamedChannel kNamed[] = {
     {OCEAN_VX, "vx"},
     {OCEAN_VY, "vy"},
     {OCEAN_VZ, "vz"},
+    {OCEAN_DX_X, "dx_x"},
+    {OCEAN_DY_Y, "dy_y"},
+    {OCEAN_DX_Y, "dx_y"},
 };
 static_assert(std::ranges::equal(kNamed, kChannels,
                                  [number = 0](const NamedChannel& ours,
@@ -61,7 +66,19 @@ std::string c_name(int channel) {
     return name;
 }
 
-ChannelSet check_output(const ocean_output& output, const std::string& name, int resolution) {
+/// Of the least buffer. Throws CallError where no buffer could be so large.
+std::size_t needed_floats(const MapOutput& map, int resolution, const std::string& name) {
+    const std::size_t width = map.width(resolution);
+    const std::size_t rows = width / static_cast<std::size_t>(map.components);
+    const std::size_t pitch = map.pitch(resolution);
+    if (pitch < width || pitch > SIZE_MAX / sizeof(float) / rows) {
+        refuse(name + ".row_pitch = " + std::to_string(pitch) + "; allowed: 0, or " +
+               std::to_string(width) + " floats or more");
+    }
+    return (rows - 1) * pitch + width;
+}
+
+void check_output(const ocean_output& output, const std::string& name) {
     if (output.channels < 1 || output.channels > kMaxComponents) {
         refuse(name + ".channels = " + std::to_string(output.channels) + "; allowed: 1 .. 4");
     }
@@ -69,15 +86,10 @@ ChannelSet check_output(const ocean_output& output, const std::string& name, int
         refuse(name + ".axes = " + std::to_string(output.axes) +
                "; allowed: OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB");
     }
-    require(output.data, (name + ".data").c_str());
-    const std::size_t needed =
-        Lattice{resolution, 1.0}.size() * static_cast<std::size_t>(output.channels);
-    if (output.count < needed) {
-        refuse(name + ".count = " + std::to_string(output.count) + "; a map of " +
-               std::to_string(resolution) + " x " + std::to_string(resolution) + " samples of " +
-               std::to_string(output.channels) + " channels needs " + std::to_string(needed));
+    if (output.reserved != 0) {
+        refuse(name + ".reserved = " + std::to_string(output.reserved) + "; allowed: 0");
     }
-    ChannelSet channels;
+    require(output.data, (name + ".data").c_str());
     for (int c = 0; c < output.channels; ++c) {
         if (output.channel[c] == kUntouched) continue;
         if (output.channel[c] < 0 || output.channel[c] >= kChannelCount) {
@@ -85,9 +97,7 @@ ChannelSet check_output(const ocean_output& output, const std::string& name, int
                    "] = " + std::to_string(output.channel[c]) + "; allowed: " + c_name(0) + " .. " +
                    c_name(kChannelCount - 1) + ", or -1 to leave that component as it is");
         }
-        channels = channels | static_cast<Channel>(output.channel[c]);
     }
-    return channels;
 }
 
 /// What one component of an output receives.
@@ -119,45 +129,62 @@ std::array<Source, kMaxComponents> turned(const ocean_output& output) {
     return sources;
 }
 
-}  // namespace
-
-void check_outputs(std::span<const ocean_output> outputs, int resolution) {
-    ChannelSet channels;
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const std::string name = "outputs[" + std::to_string(i) + "]";
-        channels = channels | check_output(outputs[i], name, resolution);
+/// As a map of `resolution` samples a side. Throws CallError for what libocean.h does not allow.
+MapOutput map_output(const ocean_output& output, const std::string& name, int resolution) {
+    check_output(output, name);
+    MapOutput map{output.data, output.channels, {}, output.row_pitch, output.seam != 0};
+    const std::size_t needed = needed_floats(map, resolution, name);
+    if (output.count < needed) {
+        refuse(name + ".count = " + std::to_string(output.count) + "; a map of " +
+               std::to_string(resolution) + " x " + std::to_string(resolution) + " samples of " +
+               std::to_string(output.channels) + " channels needs " + std::to_string(needed));
     }
-    if (channels.empty()) refuse("no output names a channel: there is nothing to compute");
-}
-
-MapOutput map_output(const ocean_output& output) {
     const auto sources = turned(output);
-    MapOutput result{output.data, output.channels, {}};
     for (std::size_t c = 0; c < static_cast<std::size_t>(output.channels); ++c) {
         if (sources[c].channel == kUntouched) continue;
-        result.component[c] = {static_cast<Channel>(sources[c].channel), sources[c].sign};
+        map.component[c] = {static_cast<Channel>(sources[c].channel), sources[c].sign};
     }
-    return result;
+    return map;
 }
 
+/// The outputs of a request, whose struct may be that of an older header.
+class OutputArray {
+  public:
+    OutputArray(const ocean_request& request, std::size_t caller_struct_size)
+        : bytes_(reinterpret_cast<const unsigned char*>(request.outputs)),
+          size_(request.output_size) {
+        constexpr std::size_t kWithOutputSize = offsetof(ocean_request, cascade);
+        constexpr std::size_t kFirstOutput = offsetof(ocean_output, row_pitch);
+        if (size_ == 0) {
+            size_ = caller_struct_size < kWithOutputSize ? kFirstOutput : sizeof(ocean_output);
+        }
+        require_struct_size(size_, kFirstOutput, "output_size", "ocean_output",
+                            sizeof(ocean_output));
+        if (request.output_count > 0) require(request.outputs, "outputs");
+    }
+    ocean_output operator[](std::size_t i) const {
+        return read_bytes<ocean_output>(bytes_ + i * size_, size_, "ocean_output");
+    }
+
+  private:
+    const unsigned char* bytes_;
+    std::size_t size_;
+};
+
+int map_resolution(int asked, int shown) {
+    if (asked == 0) return shown;
+    if (!is_resolution(asked)) {
+        refuse("resolution = " + std::to_string(asked) +
+               "; allowed: 0 (ocean_map_resolution) or a power of two, 32 .. 8192");
+    }
+    return asked;
+}
+
+}  // namespace
 }  // namespace ocean::capi
 
 using namespace ocean;
 using namespace ocean::capi;
-
-namespace {
-
-int checked_resolution(const ocean_request& request, const Parameters& parameters) {
-    const int resolution = request.resolution;
-    if (resolution == 0) return default_map_resolution(parameters.grid);
-    if (!is_resolution(resolution)) {
-        refuse("resolution = " + std::to_string(resolution) +
-               "; allowed: 0 (ocean_map_resolution) or a power of two, 32 .. 8192");
-    }
-    return resolution;
-}
-
-}  // namespace
 
 ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution) {
     return guarded([&] {
@@ -167,23 +194,59 @@ ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution) {
     });
 }
 
+ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t* count) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(count, "count");
+        const Grid& grid = sea->ocean->parameters().grid;
+        const std::vector<int> divisors = cascade_divisors(grid);
+        const std::size_t room = std::exchange(*count, divisors.size());
+        if (periods == nullptr) return;
+        if (room < divisors.size()) {
+            throw CallError(OCEAN_BUFFER_TOO_SMALL, "there are " + std::to_string(divisors.size()) +
+                                                        " cascades; periods has room for " +
+                                                        std::to_string(room));
+        }
+        for (const int divisor : divisors) *periods++ = grid.patch_size / divisor;
+    });
+}
+
 ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
     return guarded([&] {
         const Visit visit(sea);
         require(request, "request");
-        const ocean_request asked = read_struct(request, sizeof(ocean_request), "ocean_request");
+        const ocean_request asked =
+            read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
         if (!std::isfinite(asked.time)) {
             refuse("time = " + std::to_string(asked.time) +
                    "; allowed: a finite number of seconds");
         }
-        if (asked.output_count > 0) require(asked.outputs, "outputs");
-        const std::span outputs(asked.outputs, asked.output_count);
-        const int resolution = checked_resolution(asked, sea->ocean->parameters());
-        check_outputs(outputs, resolution);
+        const Grid& grid = sea->ocean->parameters().grid;
+        if (asked.cascade < 0 || asked.cascade > grid.cascades) {
+            refuse("cascade = " + std::to_string(asked.cascade) +
+                   "; allowed: 0 (the whole sea) .. " + std::to_string(grid.cascades));
+        }
+        if (asked.reserved != 0) {
+            refuse("reserved = " + std::to_string(asked.reserved) + "; allowed: 0");
+        }
+        const int resolution = map_resolution(
+            asked.resolution, asked.cascade == 0 ? default_map_resolution(grid) : grid.resolution);
+        const OutputArray outputs(asked, request->struct_size);
         std::vector<MapOutput>& maps = sea->map_outputs;
         maps.clear();
-        for (const ocean_output& output : outputs) maps.push_back(map_output(output));
+        for (std::size_t i = 0; i < asked.output_count; ++i) {
+            maps.push_back(
+                map_output(outputs[i], "outputs[" + std::to_string(i) + "]", resolution));
+        }
+        if (channels_of(maps).empty()) {
+            refuse("no output names a channel: there is nothing to compute");
+        }
         // The buffers were measured for this resolution: any other would overrun them.
-        sea->ocean->evaluate_into(asked.time, maps, resolution);
+        if (asked.cascade == 0) {
+            sea->ocean->evaluate_into(asked.time, maps, resolution);
+        } else {
+            sea->ocean->evaluate_cascade_into(static_cast<std::size_t>(asked.cascade - 1),
+                                              asked.time, maps, resolution);
+        }
     });
 }

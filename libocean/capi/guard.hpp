@@ -77,15 +77,18 @@ void copy_text(std::string_view text, char* out, std::size_t* size);
 /// Largest struct_size that is believed to be one.
 inline constexpr std::size_t kMaxStructSize = 4096;
 
-/// The caller's struct as this version's: `minimum` bytes must be there, the rest defaults to 0.
+/// Of a struct in the caller's memory; `member` holds it.
+inline void require_struct_size(std::size_t size, std::size_t minimum, const std::string& member,
+                                const std::string& name, std::size_t here) {
+    if (size >= minimum && size <= kMaxStructSize && size % alignof(std::int32_t) == 0) return;
+    refuse(member + " = " + std::to_string(size) + "; set it to sizeof(" + name + "), here " +
+           std::to_string(here));
+}
+
+/// The caller's `size` bytes as this version's struct: what is missing is 0.
 template <typename Struct>
-Struct read_struct(const Struct* given, std::size_t minimum, const std::string& name) {
-    const std::size_t size = given->struct_size;
-    if (size < minimum || size > kMaxStructSize || size % alignof(std::int32_t) != 0) {
-        refuse(name + ".struct_size = " + std::to_string(size) + "; set it to sizeof(" + name +
-               "), here " + std::to_string(sizeof(Struct)));
-    }
-    const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+Struct read_bytes(const void* given, std::size_t size, const std::string& name) {
+    const auto* bytes = static_cast<const unsigned char*>(given);
     for (std::size_t i = sizeof(Struct); i < size; ++i) {
         if (bytes[i] != 0) {
             throw CallError(OCEAN_UNSUPPORTED, name + " of " + std::to_string(size) +
@@ -96,6 +99,13 @@ Struct read_struct(const Struct* given, std::size_t minimum, const std::string& 
     Struct result{};
     std::memcpy(&result, given, std::min(size, sizeof(Struct)));
     return result;
+}
+
+/// The caller's struct: `minimum` bytes must be there.
+template <typename Struct>
+Struct read_struct(const Struct* given, std::size_t minimum, const std::string& name) {
+    require_struct_size(given->struct_size, minimum, name + ".struct_size", name, sizeof(Struct));
+    return read_bytes<Struct>(given, given->struct_size, name);
 }
 
 }  // namespace ocean::capi

@@ -95,10 +95,7 @@ class StructArray {
   public:
     StructArray(Struct* data, std::size_t count, std::size_t size, const std::string& name)
         : data_(reinterpret_cast<unsigned char*>(data)), size_(size) {
-        if (size < sizeof(float) || size > kMaxStructSize || size % alignof(std::int32_t) != 0) {
-            refuse("sample_size = " + std::to_string(size) + "; set it to sizeof(" + name +
-                   "), here " + std::to_string(sizeof(Struct)));
-        }
+        require_struct_size(size, sizeof(float), "sample_size", name, sizeof(Struct));
         constexpr std::size_t kMostDoubles = 3;  // of a point
         if (count > SIZE_MAX / std::max(size, kMostDoubles * sizeof(double))) {
             refuse("count = " + std::to_string(count) + " is more than there are addresses");

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,6 +31,17 @@ namespace {
 constexpr std::int32_t kMaxThreads = 1024;
 constexpr std::array<std::string_view, 4> kBackends = {"cpu", "gl", "radix2", "dft"};
 static_assert(OCEAN_CPU == 0 && OCEAN_GL == 1 && OCEAN_RADIX2 == 2 && OCEAN_DFT == 3);
+
+/// The pool's jobs on the host's threads.
+ThreadPool::RunJobs on_host(ocean_run_jobs run_jobs, void* user) {
+    return [=](int count, const std::function<void(int)>& job) {
+        const auto run_one = [](void* work, std::int32_t index) {
+            const PlainFloats plain;
+            (*static_cast<const std::function<void(int)>*>(work))(index);
+        };
+        run_jobs(user, run_one, const_cast<std::function<void(int)>*>(&job), count);
+    };
+}
 
 OceanOptions read_options(const ocean_options* given) {
     if (given == nullptr) return {};
@@ -61,6 +73,7 @@ OceanOptions read_options(const ocean_options* given) {
         options.foam_progress = report;
         options.interrupt = [report] { report(0, 0); };
     }
+    if (asked.run_jobs != nullptr) options.run_jobs = on_host(asked.run_jobs, asked.jobs_user);
     return options;
 }
 
@@ -176,6 +189,26 @@ ocean_result ocean_set_all(ocean_sea* sea, const char* const* names, const char*
         }
         resolve_files(changed, sea->base_dir);
         validate(changed);
+        sea->ocean->change(std::move(changed));
+    });
+}
+
+ocean_result ocean_add_waves(ocean_sea* sea, const char* name) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(name, "name");
+        Sea changed = sea->ocean->sea();
+        add_wave_system(changed, name);
+        sea->ocean->change(std::move(changed));
+    });
+}
+
+ocean_result ocean_remove_waves(ocean_sea* sea, const char* name) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(name, "name");
+        Sea changed = sea->ocean->sea();
+        remove_wave_system(changed, name);
         sea->ocean->change(std::move(changed));
     });
 }

@@ -24,7 +24,7 @@ namespace ocean {
 Ocean::Ocean(Sea sea, OceanOptions options)
     : sea_(std::move(sea)),
       options_(std::move(options)),
-      pool_(options_.threads),
+      pool_(options_.threads, options_.run_jobs),
       chain_(std::make_unique<Chain>()),
       maps_(std::make_unique<MapWriter>(options_.backend, options_.channels)) {
     pool_.set_interrupt(options_.interrupt);
@@ -50,7 +50,7 @@ Ocean::Ocean(const Ocean& built, OceanOptions options)
       revision_(built.revision_),
       checked_(built.checked_),
       options_(std::move(options)),
-      pool_(options_.threads),
+      pool_(options_.threads, options_.run_jobs),
       chain_(std::make_unique<Chain>(*built.chain_)),
       maps_(writer_like(*built.maps_, options_)) {
     pool_.set_interrupt(options_.interrupt);
@@ -189,6 +189,38 @@ void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int r
         go_to(time);  // foam has been in the past
     }
     write_maps(time, outputs, resolution, foam);
+}
+
+void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
+                                  std::span<const MapOutput> outputs, int resolution) {
+    const Modes& modes = this->modes(time);
+    if (cascade >= modes.cascades.size()) {
+        throw Error(ErrorKind::invalid_value,
+                    "cascade " + std::to_string(cascade) + ": there are " +
+                        std::to_string(modes.cascades.size()) + ", numbered from 0");
+    }
+    for (const MapOutput& output : outputs) {
+        for (const auto& [quantity, factor] : output.used()) {
+            if (!quantity.is_channel()) continue;
+            const ChannelInfo& info = channel_info(quantity.channel(), options_.channels);
+            if (info.is_multiple()) continue;
+            throw Error(ErrorKind::invalid_value,
+                        std::string(info.name) +
+                            ": is no sum over the cascades; of one there are displacement, height, "
+                            "slopes, velocity and derivatives");
+        }
+    }
+    if (resolution == 0) resolution = modes.cascades[cascade].lattice.resolution;
+    require_resolution(resolution);
+    if (cascade_maps_.size() <= cascade) cascade_maps_.resize(cascade + 1);
+    std::unique_ptr<MapWriter>& maps = cascade_maps_[cascade];
+    if (!maps) {
+        require_memory(kernel_bytes(resolution, kLinearCount) + surface_bytes(resolution, 0),
+                       "a map of a cascade");
+        maps = std::make_unique<MapWriter>(options_.backend, options_.channels);
+    }
+    const MapModes part = cascade_modes(modes, cascade, time, resolution);
+    if (maps->write({part, now().surface, outputs, {}}, pool_)) ++runs_.packing;
 }
 
 int Ocean::map_resolution(int asked) const {

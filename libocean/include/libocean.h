@@ -22,6 +22,12 @@
 // - A struct opens with struct_size, its size where the caller was compiled. A shorter one (an
 //   older header) leaves the rest at its default, where there is one; a longer one (a newer
 //   header) is accepted if the part unknown here is all 0, else OCEAN_UNSUPPORTED.
+// - Functions, codes, members and enumerators of this header keep their names, numbers and meaning
+//   while OCEAN_ABI_VERSION stays. *Not* promised from one version of the library to the next:
+//   the bits of a map or an answer, their errors within what is said here, sentences of
+//   ocean_last_error, the order and the set of keys in JSON, how often progress is called, memory
+//   and time that a call takes, defaults of parameters that a text does not name (ocean_text names
+//   all), and everything of the C++ headers.
 #ifndef LIBOCEAN_H
 #define LIBOCEAN_H
 
@@ -76,7 +82,10 @@ enum {
     OCEAN_FOAM,
     OCEAN_VX,
     OCEAN_VY,
-    OCEAN_VZ
+    OCEAN_VZ,
+    OCEAN_DX_X, /* derivatives of the offset by label: d dx/dx, d dy/dy, d dx/dy = d dy/dx */
+    OCEAN_DY_Y,
+    OCEAN_DX_Y
 };
 
 /* Axes of vectors: (x, y, z), (x, z, -y), (x, z, y). */
@@ -95,9 +104,15 @@ enum { OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY };
  * unfinished; the sea is as usable as before. It must not call functions of this sea. */
 typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
 
+/* A host's own threads in place of the library's: runs job(work, 0) .. job(work, count - 1), in any
+ * order, at once or one after the other, and returns when all of them have. progress is then called
+ * by the thread that runs the first job. */
+typedef void (*ocean_job)(void* work, int32_t index);
+typedef void (*ocean_run_jobs)(void* user, ocean_job job, void* work, int32_t count);
+
 /* struct_size = sizeof(ocean_options). threads: 0 = the cores this process may use, else 1 .. 1024,
- * the caller's own among them. backend: OCEAN_CPU; OCEAN_RADIX2 and OCEAN_DFT are the slow
- * references. */
+ * the caller's own among them, or with run_jobs the most that run at once. backend: OCEAN_CPU;
+ * OCEAN_RADIX2 and OCEAN_DFT are the slow references. */
 typedef struct {
     size_t struct_size;
     int32_t threads;
@@ -106,34 +121,48 @@ typedef struct {
     int32_t reserved;        /* 0 */
     ocean_progress progress; /* may be NULL */
     void* user;              /* handed to it */
+    ocean_run_jobs run_jobs; /* may be NULL */
+    void* jobs_user;         /* handed to it */
 } ocean_options;
 
 /* One destination of 1 to 4 interleaved channels: component c of sample (i, j), which lies i steps
- * east and j steps north, is data[(j * R + i) * channels + c] for a map of R x R samples.
- * count: floats in data, at least R * R * channels.
- * channel[c], c < channels, says what component c holds, in z-up terms; -1: it is left as it is.
- * axes turns whole vectors: where three neighbouring components are {OCEAN_DX, OCEAN_DY,
- * OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX, OCEAN_VY, OCEAN_VZ}, in this order,
- * those three receive, for a vector (x, y, z),
- *     OCEAN_ZUP (x, y, z)     OCEAN_YUP (x, z, -y)     OCEAN_TNB (x, z, y).
- * Every other component is stored as it is, whatever the axes. So {OCEAN_DX, OCEAN_DY,
- * OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height, -dy and leaves the fourth component. */
+ * east and j steps north, is data[j * row_pitch + i * channels + c] for a map of R x R samples.
+ * row_pitch: floats from row to row, 0 = R * channels. seam: not 0 = one sample more in each row
+ * and one row more, the first ones again a period on: R + 1 everywhere here. count: floats in data,
+ * at least (R - 1) * row_pitch + R * channels. channel[c], c < channels, says what component c
+ * holds, in z-up terms; -1: it is left as it is. axes turns whole vectors: where three neighbouring
+ * components are {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX,
+ * OCEAN_VY, OCEAN_VZ}, in this order, those three receive, for a vector (x, y, z), OCEAN_ZUP (x, y,
+ * z)     OCEAN_YUP (x, z, -y)     OCEAN_TNB (x, z, y). Every other component is stored as it is,
+ * whatever the axes. So {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height,
+ * -dy and leaves the fourth component. */
 typedef struct {
     float* data;
     size_t count;
     int32_t channel[4];
     int32_t channels;
     int32_t axes;
+    size_t row_pitch;
+    int32_t seam;
+    int32_t reserved; /* 0 */
 } ocean_output;
 
-/* struct_size = sizeof(ocean_request). time in seconds. resolution: 0 = what ocean_map_resolution
- * says, else a power of two, 32 .. 8192. */
+/* struct_size = sizeof(ocean_request), output_size = sizeof(ocean_output); 0 = that of a header
+ * with as many members as are here. time in seconds. resolution: 0 = what ocean_map_resolution
+ * says, else a power of two, 32 .. 8192. cascade: 0 = the whole sea; 1 .. the small map of one of
+ * its cascades, over its own period, for hosts that add them up while they draw: at any point the
+ * sum over the cascades, each wrapped round its own period, is the sea's. Of channels that add up:
+ * OCEAN_DX, DY, HEIGHT, SLOPE_X, SLOPE_Y, VX, VY, VZ, DX_X, DY_Y, DX_Y; jacobian = (1 + DX_X) (1 +
+ * DY_Y) - DX_Y^2. Its resolution 0 is that of the cascade's lattice. */
 typedef struct {
     size_t struct_size;
     double time;
     int32_t resolution;
     const ocean_output* outputs;
     size_t output_count;
+    size_t output_size;
+    int32_t cascade;
+    int32_t reserved; /* 0 */
 } ocean_request;
 
 /* The OCEAN_ABI_VERSION that the library was built with: compare with the header's. Never fails. */
@@ -166,6 +195,12 @@ OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* v
  * alone all are taken, or none. Codes as ocean_set. */
 OCEAN_API ocean_result ocean_set_all(ocean_sea* sea, const char* const* names,
                                      const char* const* values, size_t count);
+/* A wave system with default values becomes "waves.1", or whatever its name says: those from there
+ * on have their numbers one higher, also in the sea's take. At most 16. INVALID_VALUE. */
+OCEAN_API ocean_result ocean_add_waves(ocean_sea* sea, const char* name);
+/* The system of that name goes, with what the take plays of it; the last one stays.
+ * INVALID_VALUE. */
+OCEAN_API ocean_result ocean_remove_waves(ocean_sea* sea, const char* name);
 /* A live parameter glides to the value from that time on, while the sea is shown: an event of the
  * sea's own take, which ocean_text then holds, so that every frame can be made again in every bit.
  * What was before that time stays, foam included, and costs nothing again. Values of one parameter
@@ -201,6 +236,10 @@ OCEAN_API ocean_result ocean_water_types_json(char* out, size_t* size);
 /* Samples a side of a map where a request says 0: grid.resolution, and up to four times that for
  * several cascades. */
 OCEAN_API ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution);
+/* The periods of the sea's cascades, m, to periods[0 ..]. Pass *count = room in periods; *count
+ * becomes how many there are, and if that is more, nothing is written and OCEAN_BUFFER_TOO_SMALL
+ * returned. periods = NULL asks for the count alone. */
+OCEAN_API ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t* count);
 /* Computes every output of the request in one go; the same bits for any number of threads and any
  * order of calls. Blocks. A request that fails a check writes nothing. OCEAN_FOAM is followed from
  * where it begins, which takes a while for the first map, or from the last time asked for. Buffers
@@ -294,6 +333,37 @@ OCEAN_API ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_requ
  * [degrees]. Otherwise as ocean_query. */
 OCEAN_API ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                                         float* poses, size_t stride);
+
+/* A wave gauge. fixes: four doubles each, time [s], x, y, z [m, up from still water], in order of
+ * time; it goes straight from one to the next. A single one is left at `velocity` [m/s]. */
+typedef struct {
+    const double* fixes;
+    size_t fix_count;
+    double velocity[2];
+} ocean_gauge;
+
+/* struct_size = sizeof(ocean_gauge_request), gauge_size = sizeof(ocean_gauge). Readings at the
+ * times from + i / rate [s, Hz] up to `to`. */
+typedef struct {
+    size_t struct_size;
+    double from;
+    double to;
+    double rate;
+    const ocean_gauge* gauges;
+    size_t gauge_count;
+    size_t gauge_size;
+    double* values;
+    size_t value_count; /* doubles in values */
+} ocean_gauge_request;
+
+/* What gauges read, by sums over all waves in double precision, of the top sheet where crests fold.
+ * Gauge g at time i receives ten doubles from values + (i * gauge_count + g) * 10 on:
+ *     time, x, y, elevation [m], slope x y of the shown surface, velocity of the water at its depth
+ *     x y z [m/s], pressure there without the hydrostatic part [Pa].
+ * *times receives the number of times; values = NULL asks for that alone. BUFFER_TOO_SMALL,
+ * INVALID_VALUE. */
+OCEAN_API ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request,
+                                    size_t* times);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,6 @@
 namespace ocean {
 namespace {
 
-constexpr std::size_t kMaxWaveSystems = 16;
 constexpr std::size_t kMaxTextBytes = 4096;
 constexpr std::string_view kVersionKey = "libocean";
 constexpr std::string_view kWaves = "waves";
@@ -149,7 +148,8 @@ void SeaReader::read_waves(const TomlEntry& entry) {
     }
     if (systems->size() > kMaxWaveSystems) {
         throw fail(line_of((*systems)[kMaxWaveSystems]),
-                   "waves: " + std::to_string(systems->size()) + " wave systems; allowed: 1 .. 16");
+                   "waves: " + std::to_string(systems->size()) + " wave systems; allowed: 1 .. " +
+                       std::to_string(kMaxWaveSystems));
     }
     parameters_.waves.assign(systems->size(), WaveSystem{});
     for (std::size_t wave = 0; wave < systems->size(); ++wave) {

@@ -64,7 +64,8 @@ static ocean_result parse_with(const ocean_options* options) {
 
 void options_of_other_versions_are_understood(void) {
     const size_t refused[] = {0, 1, 4, 10, 4100, (size_t)-1};
-    ocean_options options = {sizeof(ocean_options), 2, OCEAN_RADIX2, 0, 0, NULL, NULL};
+    ocean_options options = {
+        .struct_size = sizeof(ocean_options), .threads = 2, .backend = OCEAN_RADIX2};
     struct newer_options newer;
     CHECK_RESULT(OCEAN_OK, parse_with(&options));
     for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); ++i) {
@@ -97,7 +98,7 @@ void options_of_other_versions_are_understood(void) {
 void null_is_refused_everywhere(void) {
     ocean_sea* sea = open_small_sea(NULL);
     ocean_sea* other = NULL;
-    ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+    ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
     char text[64];
     size_t size = sizeof(text);
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_open(NULL, NULL, &other));
@@ -196,6 +197,48 @@ void values_that_go_together_are_set_together(void) {
     CHECK_RESULT(OCEAN_OK, ocean_set_all(sea, NULL, NULL, 0));
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_all(sea, limits, NULL, 2));
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_set_all(NULL, limits, metres, 2));
+    ocean_free(sea);
+}
+
+void wave_systems_come_and_go(void) {
+    ocean_sea* sea = open_small_sea(NULL);
+    float* alone = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
+    float* map;
+    char text[32];
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "waves.2"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "swell"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "waves.-1"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_remove_waves(sea, "waves.0"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_remove_waves(sea, "waves.1"));
+    CHECK_RESULT(OCEAN_OK, ocean_add_waves(sea, "waves.1"));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "waves.1.wind_speed", "7"));
+    CHECK_RESULT(OCEAN_OK, ocean_perform(sea, 2.0, "waves.1.wind_direction", "80"));
+    map = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(map, alone, kSmallCount * sizeof(float)) != 0);
+    free(map);
+    /* Those behind it, and what is performed of them, go up and down with their numbers. */
+    CHECK_RESULT(OCEAN_OK, ocean_add_waves(sea, "waves.0"));
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "waves.1.wind_speed", text, sizeof(text)));
+    CHECK(strcmp(text, "12") == 0);
+    CHECK_RESULT(OCEAN_OK, ocean_get(sea, "waves.2.wind_speed", text, sizeof(text)));
+    CHECK(strcmp(text, "7") == 0);
+    {
+        static char resolved[20000];
+        size_t size = sizeof(resolved);
+        CHECK_RESULT(OCEAN_OK, ocean_text(sea, resolved, &size));
+        CHECK(strstr(resolved, "waves.2.wind_direction") != NULL);
+        CHECK_RESULT(OCEAN_OK, ocean_remove_waves(sea, "waves.0"));
+        CHECK_RESULT(OCEAN_OK, ocean_remove_waves(sea, "waves.1"));
+        size = sizeof(resolved);
+        CHECK_RESULT(OCEAN_OK, ocean_text(sea, resolved, &size));
+        CHECK(strstr(resolved, "waves.1") == NULL && strstr(resolved, "waves.2") == NULL);
+    }
+    map = planar_map(sea, 1.0, 0, OCEAN_HEIGHT);
+    CHECK(memcmp(map, alone, kSmallCount * sizeof(float)) == 0);
+    free(map);
+    for (int i = 1; i < 16; ++i) CHECK_RESULT(OCEAN_OK, ocean_add_waves(sea, "waves.1"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_add_waves(sea, "waves.1"));
+    free(alone);
     ocean_free(sea);
 }
 

@@ -39,8 +39,8 @@ ocean_sea* open_small_sea(const ocean_options* options) {
 
 float* planar_map(ocean_sea* sea, double time, int32_t resolution, int32_t channel) {
     const size_t side = resolution > 0 ? (size_t)resolution : kSmallResolution;
-    ocean_output output = {NULL, 0, {-1, -1, -1, -1}, 1, OCEAN_ZUP};
-    ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+    ocean_output output = {.channels = 1};
+    ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
     output.count = side * side;
     output.data = calloc(output.count, sizeof(float));
     output.channel[0] = channel;

@@ -3,6 +3,8 @@
 //
 // ocean_evaluate: what lands in a host's buffers, and what is refused.
 #include <math.h>
+#include <stddef.h>
+#include <stdint.h>
 
 #include "tests.h"
 
@@ -13,12 +15,10 @@ static const double kTime = 12.0;
  * to be freed by the caller. */
 static float* interleaved(ocean_sea* sea, const int32_t channel[4], int32_t channels,
                           int32_t axes) {
-    ocean_output output = {NULL, 0, {0, 0, 0, 0}, 0, 0};
-    ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+    ocean_output output = {.channels = channels, .axes = axes};
+    ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
     output.count = (size_t)kSmallCount * (size_t)channels;
     output.data = malloc(output.count * sizeof(float));
-    output.channels = channels;
-    output.axes = axes;
     memcpy(output.channel, channel, sizeof(output.channel));
     for (size_t i = 0; i < output.count; ++i) output.data[i] = kUntouched;
     request.time = kTime;
@@ -121,13 +121,162 @@ void a_finer_map_passes_through_the_coarse_samples(void) {
     ocean_free(sea);
 }
 
+void rows_have_gaps_and_a_seam(void) {
+    enum { kPitch = 65 * 3 + 7 };
+    ocean_sea* sea = open_small_sea(NULL);
+    float* height = planar_map(sea, kTime, 0, OCEAN_HEIGHT);
+    float* normal = planar_map(sea, kTime, 0, OCEAN_NX);
+    float* data = malloc(65 * kPitch * sizeof(float));
+    ocean_output output = {.data = data,
+                           .count = 64 * kPitch + 65 * 3,
+                           .channel = {OCEAN_HEIGHT, -1, OCEAN_NX},
+                           .channels = 3,
+                           .row_pitch = kPitch,
+                           .seam = 1};
+    const ocean_request request = {.struct_size = sizeof(request),
+                                   .time = kTime,
+                                   .outputs = &output,
+                                   .output_count = 1,
+                                   .output_size = sizeof(output)};
+    for (int i = 0; i < 65 * kPitch; ++i) data[i] = kUntouched;
+    CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+    int same = 1;
+    for (int j = 0; j < 65; ++j) {
+        for (int f = 0; f < kPitch; ++f) {
+            const int sample = j % 64 * 64 + f / 3 % 64;
+            float expected = kUntouched;
+            if (f < 65 * 3 && f % 3 == 0) expected = height[sample];
+            if (f < 65 * 3 && f % 3 == 2) expected = normal[sample];
+            same &= data[j * kPitch + f] == expected;
+        }
+    }
+    CHECK(same);
+    free(data);
+    free(normal);
+    free(height);
+    ocean_free(sea);
+}
+
+void requests_of_older_headers_are_understood(void) {
+    struct first_output {
+        float* data;
+        size_t count;
+        int32_t channel[4];
+        int32_t channels;
+        int32_t axes;
+    } first[2] = {{NULL, kSmallCount, {OCEAN_HEIGHT, 0, 0, 0}, 1, OCEAN_ZUP},
+                  {NULL, kSmallCount, {OCEAN_NZ, 0, 0, 0}, 1, OCEAN_ZUP}};
+    struct newer_output {
+        ocean_output known;
+        int64_t unknown;
+    } newer[2] = {{{.count = kSmallCount, .channel = {OCEAN_HEIGHT}, .channels = 1}, 0},
+                  {{.count = kSmallCount, .channel = {OCEAN_NZ}, .channels = 1}, 0}};
+    ocean_sea* sea = open_small_sea(NULL);
+    float* expected[2];
+    ocean_request request = {.time = kTime, .output_count = 2};
+    CHECK(sizeof(struct first_output) == offsetof(ocean_output, row_pitch));
+    for (int i = 0; i < 2; ++i) {
+        expected[i] = planar_map(sea, kTime, 0, i == 0 ? OCEAN_HEIGHT : OCEAN_NZ);
+        first[i].data = calloc(kSmallCount, sizeof(float));
+        newer[i].known.data = first[i].data;
+    }
+    /* What lies behind the end of an older request is not read. */
+    request.struct_size = offsetof(ocean_request, output_size);
+    request.output_size = 12345;
+    request.cascade = 77;
+    request.outputs = (const ocean_output*)(const void*)first;
+    CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+    for (int i = 0; i < 2; ++i) {
+        CHECK(memcmp(first[i].data, expected[i], kSmallCount * sizeof(float)) == 0);
+        memset(first[i].data, 0, kSmallCount * sizeof(float));
+    }
+    request.struct_size = sizeof(request);
+    request.output_size = sizeof(newer[0]);
+    request.cascade = 0;
+    request.outputs = &newer[0].known;
+    CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+    for (int i = 0; i < 2; ++i) {
+        CHECK(memcmp(first[i].data, expected[i], kSmallCount * sizeof(float)) == 0);
+    }
+    newer[1].unknown = 1;
+    CHECK_RESULT(OCEAN_UNSUPPORTED, ocean_evaluate(sea, &request));
+    for (int i = 0; i < 2; ++i) {
+        free(expected[i]);
+        free(first[i].data);
+    }
+    ocean_free(sea);
+}
+
+void cascades_add_up_to_the_sea(void) {
+    enum { kCascades = 2, kMap = 512 };
+    const int32_t channels[] = {OCEAN_DX, OCEAN_HEIGHT, OCEAN_VY, OCEAN_DX_X, OCEAN_DX_Y};
+    double periods[kCascades] = {0.0, 0.0};
+    size_t count = 1;
+    ocean_sea* sea = open_small_sea(NULL);
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "cascades", "2"));
+    CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_cascade_periods(sea, periods, &count));
+    CHECK(count == kCascades && periods[0] == 0.0);
+    CHECK_RESULT(OCEAN_OK, ocean_cascade_periods(sea, NULL, &count));
+    CHECK_RESULT(OCEAN_OK, ocean_cascade_periods(sea, periods, &count));
+    CHECK(periods[0] == 200.0 && periods[1] < 200.0);
+    const int divisor = (int)(periods[0] / periods[1] + 0.5);
+    for (size_t c = 0; c < sizeof(channels) / sizeof(channels[0]); ++c) {
+        float* whole = planar_map(sea, kTime, kMap, channels[c]);
+        float* parts[kCascades];
+        ocean_output part = {.count = kMap * kMap, .channels = 1};
+        ocean_request request = {.struct_size = sizeof(request),
+                                 .time = kTime,
+                                 .resolution = kMap,
+                                 .outputs = &part,
+                                 .output_count = 1};
+        double errors = 0.0;
+        double squares = 0.0;
+        part.channel[0] = channels[c];
+        for (int p = 0; p < kCascades; ++p) {
+            parts[p] = part.data = calloc(part.count, sizeof(float));
+            request.cascade = p + 1;
+            CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+        }
+        for (int j = 0; j < kMap; ++j) {
+            for (int i = 0; i < kMap; ++i) {
+                /* The place of sample i of the sea is that of sample i * divisor of its part. */
+                const int within = j * divisor % kMap * kMap + i * divisor % kMap;
+                const double value = whole[j * kMap + i];
+                errors += pow(value - parts[0][j * kMap + i] - parts[1][within], 2.0);
+                squares += value * value;
+            }
+        }
+        CHECK(squares > 0.0 && sqrt(errors / squares) < 2e-6);
+        for (int p = 0; p < kCascades; ++p) free(parts[p]);
+        free(whole);
+    }
+    /* Where 0 is asked, the lattice of the cascade; what does not add up is refused. */
+    {
+        float data[kSmallCount];
+        ocean_output part = {
+            .data = data, .count = kSmallCount, .channel = {OCEAN_HEIGHT}, .channels = 1};
+        const ocean_request request = {
+            .struct_size = sizeof(request), .outputs = &part, .output_count = 1, .cascade = 2};
+        const int32_t refused[] = {OCEAN_NZ, OCEAN_JACOBIAN, OCEAN_WHITECAP, OCEAN_FOAM};
+        CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+        for (int i = 0; i < 4; ++i) {
+            part.channel[0] = refused[i];
+            CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_evaluate(sea, &request));
+        }
+    }
+    ocean_free(sea);
+}
+
 /* A good request on shared storage, for one field after the other to be spoilt. */
 static float buffer[kSmallCount * 4];
 static ocean_output output;
 static ocean_request good_request(void) {
-    ocean_request request = {sizeof(ocean_request), 1.0, 0, NULL, 1};
-    const ocean_output good = {
-        buffer, kSmallCount * 3, {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, 1000}, 3, OCEAN_TNB};
+    ocean_request request = {.struct_size = sizeof(ocean_request), .time = 1.0, .output_count = 1};
+    const ocean_output good = {.data = buffer,
+                               .count = kSmallCount * 3,
+                               .channel = {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, 1000},
+                               .channels = 3,
+                               .axes = OCEAN_TNB};
     output = good;
     request.outputs = &output;
     return request;
@@ -159,7 +308,17 @@ void bad_requests_are_refused_and_write_nothing(void) {
     const int32_t resolutions[] = {-64, 1, 16, 33, 96, 16384, INT32_MAX, INT32_MIN};
     ocean_sea* sea = open_small_sea(NULL);
     REFUSED(request.struct_size = 0, "struct_size");
-    REFUSED(request.struct_size = sizeof(ocean_request) - 8, "struct_size");
+    REFUSED(request.struct_size = offsetof(ocean_request, output_count), "struct_size");
+    REFUSED(request.output_size = 8, "output_size");
+    REFUSED(request.output_size = 5000, "output_size");
+    REFUSED(request.cascade = -1, "cascade");
+    REFUSED(request.cascade = 2, "cascade");
+    REFUSED(request.reserved = 1, "reserved");
+    REFUSED(output.reserved = 1, "reserved");
+    REFUSED(output.seam = 1, "count");
+    REFUSED(output.row_pitch = 64 * 3 - 1, "row_pitch");
+    REFUSED(output.row_pitch = SIZE_MAX / 8, "row_pitch");
+    REFUSED(output.row_pitch = 64 * 3 + 1, "count");
     REFUSED(request.struct_size = 100000, "struct_size");
     REFUSED(request.time = (double)NAN, "time");
     REFUSED(request.time = (double)INFINITY, "time");
@@ -174,7 +333,7 @@ void bad_requests_are_refused_and_write_nothing(void) {
     REFUSED(output.channels = -1, "channels");
     REFUSED(output.axes = 3, "axes");
     REFUSED(output.axes = -1, "axes");
-    REFUSED(output.channel[1] = OCEAN_VZ + 1, "channel[1]");
+    REFUSED(output.channel[1] = OCEAN_DX_Y + 1, "channel[1]");
     REFUSED(output.channel[2] = -2, "channel[2]");
     REFUSED(output.channel[0] = output.channel[1] = output.channel[2] = -1, "no output");
     for (size_t i = 0; i < sizeof(resolutions) / sizeof(resolutions[0]); ++i) {

@@ -233,3 +233,124 @@ void points_are_described_in_full(void) {
     CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_query_points(NULL, &request));
     ocean_free(sea);
 }
+
+void water_is_asked_at_any_depths(void) {
+    enum { kPoints = 30 };
+    double xyz[3 * kPoints];
+    double xy[2];
+    float velocity[3];
+    ocean_water_sample samples[kPoints];
+    ocean_water_request request = {.struct_size = sizeof(request),
+                                   .time = kTime,
+                                   .xyz = xyz,
+                                   .count = kPoints,
+                                   .samples = samples,
+                                   .sample_size = sizeof(samples[0])};
+    ocean_sea* sea = open_small_sea(NULL);
+    float most[3] = {0.0f, 0.0f, 0.0f};
+    for (int i = 0; i < kPoints; ++i) {
+        xyz[3 * i] = 7.1 * i;
+        xyz[3 * i + 1] = -3.3 * i;
+        xyz[3 * i + 2] = -5.0 * (i % 3);
+    }
+    CHECK_RESULT(OCEAN_OK, ocean_water_points(sea, &request));
+    for (int i = 0; i < kPoints; ++i) {
+        memcpy(xy, xyz + 3 * i, sizeof(xy));
+        CHECK_RESULT(OCEAN_OK,
+                     ocean_orbital_velocity(sea, kTime, xyz[3 * i + 2], xy, 1, velocity, 3));
+        CHECK(memcmp(velocity, samples[i].velocity, sizeof(velocity)) == 0);
+        most[i % 3] = fmaxf(most[i % 3], fabsf(samples[i].pressure));
+    }
+    /* Of the order of rho g h, and less the deeper. */
+    CHECK(most[0] > 3000.0f && most[0] < 60000.0f);
+    CHECK(most[1] < most[0] && most[2] < most[1] && most[2] > 0.0f);
+    request.exact = 1;
+    {
+        const ocean_water_sample map = samples[4];
+        CHECK_RESULT(OCEAN_OK, ocean_water_points(sea, &request));
+        CHECK(fabsf(map.pressure - samples[4].pressure) < 0.01f * most[1]);
+    }
+    xyz[5] = NAN;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_water_points(sea, &request));
+    CHECK(strstr(ocean_last_error(), "z of point 1 = ") != NULL);
+    request.xyz = NULL;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_water_points(sea, &request));
+    request.count = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_water_points(sea, &request));
+    request.sample_size = 2;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_water_points(sea, &request));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_water_points(NULL, &request));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_water_points(sea, NULL));
+    ocean_free(sea);
+}
+
+void gauges_read_what_queries_find(void) {
+    enum { kTimes = 5, kGauges = 2, kColumns = 10 };
+    const double fixed[4] = {0.0, 20.0, -30.0, -4.0};
+    const double tow[8] = {10.0, 0.0, 0.0, 0.0, 14.0, 40.0, 8.0, 0.0};
+    ocean_gauge gauges[kGauges] = {{.fixes = fixed, .fix_count = 1, .velocity = {2.0, 0.0}},
+                                   {.fixes = tow, .fix_count = 2}};
+    double values[kTimes * kGauges * kColumns];
+    size_t times = 0;
+    ocean_gauge_request request = {.struct_size = sizeof(request),
+                                   .from = 10.0,
+                                   .to = 12.0,
+                                   .rate = 2.0,
+                                   .gauges = gauges,
+                                   .gauge_count = kGauges,
+                                   .gauge_size = sizeof(gauges[0])};
+    ocean_sea* sea = open_small_sea(NULL);
+    CHECK_RESULT(OCEAN_OK, ocean_gauges(sea, &request, &times));
+    CHECK(times == kTimes);
+    request.values = values;
+    request.value_count = kTimes * kGauges * kColumns - 1;
+    CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_gauges(sea, &request, &times));
+    request.value_count = kTimes * kGauges * kColumns;
+    CHECK_RESULT(OCEAN_OK, ocean_gauges(sea, &request, &times));
+    for (int i = 0; i < kTimes; ++i) {
+        for (int g = 0; g < kGauges; ++g) {
+            const double* row = values + (i * kGauges + g) * kColumns;
+            const double time = 10.0 + 0.5 * i;
+            const double x = g == 0 ? 20.0 + 2.0 * time : 10.0 * (time - 10.0);
+            const double y = g == 0 ? -30.0 : 2.0 * (time - 10.0);
+            const double xyz[3] = {x, y, g == 0 ? -4.0 : 0.0};
+            float sample[9];
+            ocean_water_sample water;
+            const ocean_water_request below = {.struct_size = sizeof(below),
+                                               .time = time,
+                                               .xyz = xyz,
+                                               .count = 1,
+                                               .samples = &water,
+                                               .sample_size = sizeof(water),
+                                               .exact = 1};
+            CHECK(row[0] == time && fabs(row[1] - x) < 1e-9 && fabs(row[2] - y) < 1e-9);
+            CHECK_RESULT(OCEAN_OK, ocean_query(sea, time, row + 1, 1, sample, 9));
+            CHECK(fabs(row[3] - sample[2]) < 0.01);
+            CHECK(fabs(row[4] + sample[3] / sample[5]) < 0.02);
+            CHECK(fabs(row[5] + sample[4] / sample[5]) < 0.02);
+            CHECK_RESULT(OCEAN_OK, ocean_water_points(sea, &below));
+            for (int c = 0; c < 3; ++c) CHECK(fabs(row[6 + c] - water.velocity[c]) < 1e-5);
+            CHECK(fabs(row[9] - water.pressure) < 0.01);
+        }
+    }
+#define REFUSED(assignment)                                                        \
+    do {                                                                           \
+        const ocean_gauge_request good = request;                                  \
+        assignment;                                                                \
+        CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_gauges(sea, &request, &times)); \
+        request = good;                                                            \
+    } while (0)
+    REFUSED(request.rate = 0.0);
+    REFUSED(request.rate = NAN);
+    REFUSED(request.rate = INFINITY);
+    REFUSED(request.to = 9.0);
+    REFUSED(request.gauges = NULL);
+    REFUSED(request.gauge_size = 4);
+    REFUSED(request.struct_size = 16);
+    REFUSED(gauges[1].fix_count = 0);
+    gauges[1].fix_count = 2;
+    REFUSED(gauges[0].velocity[1] = NAN);
+    gauges[0].velocity[1] = 0.0;
+    REFUSED(gauges[1].fixes = tow + 4; gauges[1].fix_count = 1; gauges[0].fixes = NULL);
+    ocean_free(sea);
+}

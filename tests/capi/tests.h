@@ -29,6 +29,9 @@
     TEST(interleaved_outputs_hold_the_planar_maps)            \
     TEST(axes_turn_whole_vectors_only)                        \
     TEST(a_finer_map_passes_through_the_coarse_samples)       \
+    TEST(rows_have_gaps_and_a_seam)                           \
+    TEST(requests_of_older_headers_are_understood)            \
+    TEST(cascades_add_up_to_the_sea)                          \
     TEST(bad_requests_are_refused_and_write_nothing)          \
     TEST(foam_and_whitecaps_are_channels_like_others)         \
     TEST(queries_find_the_surface_that_the_maps_show)         \
@@ -37,7 +40,10 @@
     TEST(small_bodies_lie_as_the_surface)                     \
     TEST(bad_queries_are_refused_and_write_nothing)           \
     TEST(points_are_described_in_full)                        \
+    TEST(water_is_asked_at_any_depths)                        \
+    TEST(gauges_read_what_queries_find)                       \
     TEST(handles_in_two_threads_give_equal_bits)              \
+    TEST(a_host_runs_the_jobs_on_its_own_threads)             \
     TEST(errors_are_kept_per_thread)                          \
     TEST(a_second_thread_in_a_sea_is_told_and_free_waits)     \
     TEST(a_progress_function_ends_a_call_and_the_sea_goes_on) \
@@ -45,6 +51,7 @@
     TEST(the_host_s_rounding_changes_nothing_and_stays)       \
     TEST(children_use_and_free_the_seas_of_their_parent)      \
     TEST(values_that_go_together_are_set_together)            \
+    TEST(wave_systems_come_and_go)                            \
     TEST(a_performed_sea_is_made_again_by_its_text)
 
 #define DECLARE(name) void name(void);

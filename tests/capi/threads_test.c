@@ -49,15 +49,16 @@ struct job {
 
 THREAD_BODY(evaluate_frames, argument) {
     struct job* job = argument;
-    ocean_options options = {sizeof(ocean_options), 0, OCEAN_CPU, 0, 0, NULL, NULL};
+    ocean_options options = {.struct_size = sizeof(ocean_options)};
     ocean_sea* sea = NULL;
     options.threads = job->threads;
     job->result = ocean_parse(kSmallSea, strlen(kSmallSea), NULL, &options, &sea);
     for (int step = 0; step < kFrames && job->result == OCEAN_OK; ++step) {
         const int frame = job->backwards ? kFrames - 1 - step : step;
-        ocean_output output = {
-            NULL, kSmallCount * kChannels, {OCEAN_DX, OCEAN_HEIGHT, OCEAN_NX, OCEAN_VZ}, 4, 0};
-        ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+        ocean_output output = {.count = kSmallCount * kChannels,
+                               .channel = {OCEAN_DX, OCEAN_HEIGHT, OCEAN_NX, OCEAN_VZ},
+                               .channels = 4};
+        ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
         output.data = job->frames + (size_t)frame * kSmallCount * kChannels;
         request.time = 0.5 * frame;
         request.outputs = &output;
@@ -95,6 +96,65 @@ THREAD_BODY(fail_here, argument) {
     ocean_preset("typhoon", NULL, &size);
     job->own_after = strstr(ocean_last_error(), "typhoon") != NULL;
     return 0;
+}
+
+/* A host that runs jobs each on a thread of its own, backwards, or leaves them all to the library.
+ */
+struct jobs_host {
+    int lazy;
+    int calls;
+    int32_t most;
+};
+struct one_job {
+    ocean_job job;
+    void* work;
+    int32_t index;
+};
+THREAD_BODY(run_one_job, argument) {
+    const struct one_job* one = argument;
+    one->job(one->work, one->index);
+    return 0;
+}
+static void run_jobs(void* user, ocean_job job, void* work, int32_t count) {
+    struct jobs_host* host = user;
+    thread_handle threads[8];
+    struct one_job jobs[8];
+    ++host->calls;
+    if (count > host->most) host->most = count;
+    if (host->lazy || count > 8) return;
+    for (int32_t i = count - 1; i >= 0; --i) {
+        jobs[i].job = job;
+        jobs[i].work = work;
+        jobs[i].index = i;
+        start(&threads[i], run_one_job, &jobs[i]);
+    }
+    for (int32_t i = 0; i < count; ++i) join(threads[i]);
+}
+
+void a_host_runs_the_jobs_on_its_own_threads(void) {
+    ocean_sea* plain = open_small_sea(NULL);
+    float* expected = planar_map(plain, 3.0, 0, OCEAN_HEIGHT);
+    for (int lazy = 0; lazy < 2; ++lazy) {
+        struct jobs_host host = {lazy, 0, 0};
+        const ocean_options options = {
+            .struct_size = sizeof(options), .threads = 3, .run_jobs = run_jobs, .jobs_user = &host};
+        ocean_sea* sea = open_small_sea(&options);
+        float* map = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
+        const int calls = host.calls;
+        CHECK(memcmp(map, expected, kSmallCount * sizeof(float)) == 0);
+        CHECK(calls > 0 && host.most == 3);
+        ocean_sea* other = NULL;
+        CHECK_RESULT(OCEAN_OK, ocean_clone(sea, NULL, &other));
+        free(map);
+        map = planar_map(other, 3.0, 0, OCEAN_HEIGHT);
+        CHECK(memcmp(map, expected, kSmallCount * sizeof(float)) == 0);
+        CHECK(host.calls > calls);
+        free(map);
+        ocean_free(other);
+        ocean_free(sea);
+    }
+    free(expected);
+    ocean_free(plain);
 }
 
 void errors_are_kept_per_thread(void) {
@@ -139,16 +199,15 @@ static int32_t wait_inside(void* user, int64_t done, int64_t total) {
 }
 
 static ocean_options watched_by(struct host* host) {
-    ocean_options options = {
-        sizeof(ocean_options), 1, OCEAN_CPU, OCEAN_FOAM_SETTLED, 0, NULL, NULL};
+    ocean_options options = {.struct_size = sizeof(ocean_options), .threads = 1};
     options.progress = wait_inside;
     options.user = host;
     return options;
 }
 
 static ocean_result evaluate_foam(ocean_sea* sea, double time, float* foam) {
-    ocean_output output = {NULL, kSmallCount, {OCEAN_FOAM, -1, -1, -1}, 1, OCEAN_ZUP};
-    ocean_request request = {sizeof(ocean_request), 0.0, 0, NULL, 1};
+    ocean_output output = {.count = kSmallCount, .channel = {OCEAN_FOAM}, .channels = 1};
+    ocean_request request = {.struct_size = sizeof(ocean_request), .output_count = 1};
     output.data = foam;
     request.time = time;
     request.outputs = &output;
@@ -233,7 +292,7 @@ void a_progress_function_ends_a_call_and_the_sea_goes_on(void) {
 }
 
 void a_clone_gives_the_same_maps_and_changes_alone(void) {
-    const ocean_options one = {sizeof(ocean_options), 1, OCEAN_CPU, 0, 0, NULL, NULL};
+    const ocean_options one = {.struct_size = sizeof(ocean_options), .threads = 1};
     ocean_sea* sea = open_small_sea(NULL);
     float* of_sea = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
     ocean_sea* clone = NULL;
@@ -290,7 +349,7 @@ void children_use_and_free_the_seas_of_their_parent(void) {}
 enum { kForks = 1000, kPatience = 120 /* s, in which none must hang */ };
 
 void children_use_and_free_the_seas_of_their_parent(void) {
-    const ocean_options two = {sizeof(ocean_options), 2, OCEAN_CPU, 0, 0, NULL, NULL};
+    const ocean_options two = {.struct_size = sizeof(ocean_options), .threads = 2};
     ocean_sea* sea = open_small_sea(&two);
     float* expected = planar_map(sea, 3.0, 0, OCEAN_HEIGHT);
     alarm(kPatience);

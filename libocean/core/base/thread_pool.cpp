@@ -65,6 +65,7 @@ struct ThreadPool::State {
     static constexpr std::chrono::milliseconds kBetweenLooks{10};
 
     int size = 1;
+    RunJobs run_jobs;
     std::uint64_t process = process_number();  // whose threads these are
     std::vector<std::thread> workers;
     std::vector<ItemRange> ranges;  // of each thread
@@ -85,7 +86,9 @@ struct ThreadPool::State {
     bool stopping = false;
     std::exception_ptr failure;
 
-    explicit State(int threads) : size(threads), ranges(static_cast<std::size_t>(threads)) {
+    State(int threads, RunJobs jobs)
+        : size(threads), run_jobs(std::move(jobs)), ranges(static_cast<std::size_t>(threads)) {
+        if (run_jobs) return;
         workers.reserve(static_cast<std::size_t>(size - 1));
         for (int thread = 1; thread < size; ++thread) {
             try {
@@ -125,6 +128,24 @@ struct ThreadPool::State {
         return {after.preemptions - before.preemptions, after.seconds - before.seconds};
     }
 
+    /// With the mutex locked. A thread for each of the first `threads` ranges.
+    void share_out(int count, int threads) {
+        crew = threads;
+        for (int thread = 0; thread < crew; ++thread) {
+            ranges[static_cast<std::size_t>(thread)].set(share_edge(count, thread, crew),
+                                                         share_edge(count, thread + 1, crew));
+        }
+    }
+
+    void run_as_jobs(int count, const std::function<void(int, int)>& run) {
+        {
+            const std::lock_guard lock(mutex);
+            share_out(count, std::min(size, count));
+        }
+        run_jobs(crew, [&](int job) { take_items(run, job); });
+        take_items(run, 0);  // those of jobs that the host has left out
+    }
+
     /// With the mutex locked.
     void add(ThreadUsage usage) {
         used.preemptions += usage.preemptions;
@@ -138,6 +159,10 @@ struct ThreadPool::State {
             const std::lock_guard lock(mutex);
             if (!failure) failure = std::current_exception();
         }
+    }
+
+    void throw_failure() {
+        if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
     /// Of the caller's thread.
@@ -185,8 +210,9 @@ struct ThreadPool::State {
     }
 };
 
-ThreadPool::ThreadPool(int threads)
-    : state_(std::make_unique<State>(threads > 0 ? threads : available_cores())) {}
+ThreadPool::ThreadPool(int threads, RunJobs run_jobs)
+    : state_(std::make_unique<State>(threads > 0 ? threads : available_cores(),
+                                     std::move(run_jobs))) {}
 
 ThreadPool::~ThreadPool() {
     leave_to_the_parent();
@@ -208,22 +234,23 @@ int ThreadPool::size() const {
 void ThreadPool::for_each_item(int count, const std::function<void(int item, int thread)>& body) {
     if (count <= 0) return;
     if (state_->process != process_number()) {
-        auto anew = std::make_unique<State>(state_->size);
+        auto anew = std::make_unique<State>(state_->size, state_->run_jobs);
         anew->interrupt = state_->interrupt;
         leave_to_the_parent();
         state_ = std::move(anew);
     }
     State& state = *state_;
+    if (state.run_jobs) {
+        state.run_as_jobs(count, body);
+        state.throw_failure();
+        return;
+    }
     const CrewSize::Clock::time_point began = CrewSize::Clock::now();
     const int chosen = state.crew_size.choose(began);
     const int crew = std::min(chosen, count);
     {
         const std::lock_guard lock(state.mutex);
-        for (int thread = 0; thread < crew; ++thread) {
-            state.ranges[static_cast<std::size_t>(thread)].set(share_edge(count, thread, crew),
-                                                               share_edge(count, thread + 1, crew));
-        }
-        state.crew = crew;
+        state.share_out(count, crew);
         // Threads without an item would look as if they had waited for a core.
         state.measured = crew == chosen && state.crew_size.asks_for_usage();
         state.used = {};
@@ -238,7 +265,7 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
     state.wait_for_workers(lock);
     state.add(usage);
     state.crew_size.ended(began, CrewSize::Clock::now(), state.used);
-    if (state.failure) std::rethrow_exception(std::exchange(state.failure, nullptr));
+    state.throw_failure();
 }
 
 void ThreadPool::for_each_range(int count, const std::function<void(int first, int last)>& body) {

@@ -61,8 +61,11 @@ enum class Channel : int {
     vx,
     vy,
     vz,
+    dx_x,
+    dy_y,
+    dx_y,
 };
-inline constexpr int kChannelCount = 14;
+inline constexpr int kChannelCount = 17;
 
 /// With those that a host adds (OceanOptions::channels): Channel(kChannelCount + i) is its row i.
 inline constexpr int kMostChannels = 32;
@@ -232,6 +235,10 @@ inline constexpr auto kChannels = [] {
         {vx, {"vx", "m/s", Linear::displacement_x_rate, minus_choppiness}},
         {vy, {"vy", "m/s", Linear::displacement_y_rate, minus_choppiness}},
         {vz, {"vz", "m/s", Linear::height_rate}},
+        // Of the offset by label: d dx/dx, d dy/dy, and d dx/dy, which is d dy/dx.
+        {dx_x, {"dx_x", "", Linear::gradient_xx, minus_choppiness}},
+        {dy_y, {"dy_y", "", Linear::gradient_yy, minus_choppiness}},
+        {dx_y, {"dx_y", "", Linear::gradient_xy, minus_choppiness}},
     };
     std::array<ChannelInfo, kChannelCount> table{};
     for (const auto& [channel, info] : kRows) table[static_cast<std::size_t>(channel)] = info;
@@ -290,6 +297,7 @@ inline constexpr auto kProducts = [] {
         detail::product("whitecap", {whitecap}),
         detail::product("foam", {foam}),
         detail::product("velocity", {vx, vy, vz}),
+        detail::product("derivatives", {dx_x, dy_y, dx_y}),
     });
 }();
 
@@ -313,7 +321,7 @@ static_assert(products_fit_channels());
 
 }  // namespace detail
 
-/// height, displacement, slope, normal, jacobian, whitecap, foam, velocity.
+/// height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives.
 std::span<const Product> product_table();
 /// Throws Error invalid_value for an unknown name, which lists those that there are.
 const Product& find_product(std::string_view name);

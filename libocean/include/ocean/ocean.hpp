@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "ocean/backend.hpp"
 #include "ocean/float_pose.hpp"
@@ -32,7 +33,8 @@ class MapWriter;
 class Performer;
 
 struct OceanOptions {
-    int threads = 0;  // 0 = the cores this process may use
+    int threads = 0;                    // 0 = the cores this process may use
+    ThreadPool::RunJobs run_jobs = {};  // on a host's own threads
     Backend backend = Backend::cpu;
     /// settled: foam is what it always is at that time, whatever was asked before. empty: for live
     /// tools, which do not wait: foam begins with the first frame and is right after a while.
@@ -94,6 +96,12 @@ class Ocean {
     /// hold resolution^2 samples. With the cpu backend each value is written once, from the last
     /// stage of the transform.
     void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
+    /// The small map of one cascade over its own period, modes(time).cascades[cascade].lattice: at
+    /// any point the sum over the cascades, each wrapped round its own period, is the sea's. Of
+    /// channels that add up, the multiples of the table, and of linear fields. resolution: 0 = that
+    /// of the lattice.
+    void evaluate_cascade_into(std::size_t cascade, double time, std::span<const MapOutput> outputs,
+                               int resolution = 0);
     /// Ticks of the foam's clock until maps' foam that began empty is what it always is, of the
     /// map that has longest to go.
     std::int64_t foam_settling_ticks() const;
@@ -103,6 +111,8 @@ class Ocean {
     FrameCost measure_frame_cost();
 
     const StageRuns& stage_runs() const { return runs_; }
+    /// For work beside the ocean's own; not during a call of it.
+    ThreadPool& pool() { return pool_; }
 
     /// Queries of one time and options keep what they make for the next of the same, and most of
     /// it for the next time. Samples are as many as points; nothing is written if a point is
@@ -143,6 +153,7 @@ class Ocean {
     StageRuns runs_;
     std::unique_ptr<Chain> chain_;
     std::unique_ptr<MapWriter> maps_;
+    std::vector<std::unique_ptr<MapWriter>> cascade_maps_;
     std::map<int, ChannelSet> made_;  // of each resolution so far: what the backend keeps is there
     std::map<int, FoamState> foam_;   // of each resolution that was asked for
     std::unique_ptr<Performer> performer_;

@@ -107,7 +107,8 @@ struct Parameters {
     SurfaceSettings surface;
     Timing time;
     std::uint32_t seed = 1;
-    std::vector<WaveSystem> waves = {WaveSystem{}};
+    std::vector<WaveSystem> waves = {WaveSystem{}};  // 1 .. kMaxWaveSystems
 };
+inline constexpr std::size_t kMaxWaveSystems = 16;
 
 }  // namespace ocean

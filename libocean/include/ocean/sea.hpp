@@ -29,6 +29,13 @@ struct Sea {
     double time_of(double frame) const;
 };
 
+/// A wave system with default values becomes "waves.1", or whatever its name says; those from there
+/// on have their numbers one higher. What the take plays of them goes along. Throws Error
+/// invalid_value for a name that leaves a gap, and beyond kMaxWaveSystems.
+void add_wave_system(Sea& sea, std::string_view name);
+/// The system of that name goes, with what the take plays of it. The last one stays.
+void remove_wave_system(Sea& sea, std::string_view name);
+
 /// The parameters' rules and those of a take: it names live parameters, of wave systems that are
 /// there; its values are in range and its events in order of time; the sea has no loop, for a take
 /// does not repeat. Throws Error.

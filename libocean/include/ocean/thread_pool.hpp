@@ -15,8 +15,12 @@ namespace ocean {
 /// fork(), where threads do not go along, the pool has new ones when it is next used.
 class ThreadPool {
   public:
-    /// 0 = the cores this process may use.
-    explicit ThreadPool(int threads = 0);
+    /// Runs job(0) .. job(count - 1), in any order, on any threads, and returns when all are done.
+    using RunJobs = std::function<void(int count, const std::function<void(int)>& job)>;
+
+    /// 0 = the cores this process may use. With run_jobs on the threads of a host, at most so many
+    /// jobs at once; an interrupt is then called by the thread that runs the first job.
+    explicit ThreadPool(int threads = 0, RunJobs run_jobs = {});
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
