@@ -63,7 +63,12 @@ LIBRARIES = {
     "seafile": Library(
         below=("core",),
         foreign={"": ("toml++/", "zlib.h"), "formats/spotter_json.cpp": ("nlohmann/",)},
-        links=("nlohmann_json::nlohmann_json", "tomlplusplus::tomlplusplus", "zlib_static"),
+        links=(
+            "nlohmann_json::nlohmann_json",
+            "tomlplusplus::tomlplusplus",
+            "zlib_static",
+            "ZLIB::ZLIB",
+        ),
         banned=frozenset({"iostream"}),
     ),
     "io": Library(
@@ -177,7 +182,7 @@ def link_breaches(library: str, text: str) -> list[str]:
     calls += re.findall(r"\bLIBRARIES\s([^)]*)\)", text)  # of ocean_io_library()
     breaches = []
     for arguments in calls:
-        for name in arguments.split():
+        for name in re.sub(r"\$<(?:BUILD|INSTALL)_INTERFACE:(\S+)>", r"\1", arguments).split():
             if name in ("PUBLIC", "PRIVATE", "INTERFACE", "ocean_options", "${arg_LIBRARIES}"):
                 continue
             own = re.fullmatch(r"ocean(?:::|_)([a-z]+)(?:_(\w+))?", name)
@@ -310,6 +315,7 @@ def test_a_bridge_writes_files_and_no_images():
         ("core", "tomlplusplus::tomlplusplus"),
         ("seafile", "ocean::io_exr"),
         ("seafile", "PkgConfig::netcdf"),
+        ("seafile", "$<BUILD_INTERFACE:PNG::PNG>"),
         ("capi", "OpenEXR::OpenEXR"),
         ("capi", "ocean::io_file"),
         ("capi", "ocean::netcdf"),

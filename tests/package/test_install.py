@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""The installed library as other projects use it: C and C++ programs by CMake.
+
+All of it is installed into a folder, which then moves: nothing may know where it was built or
+installed. CMake takes generator and compilers from the environment.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import libocean
+
+HERE = Path(__file__).parent
+HEADERS = HERE.parents[1] / "libocean" / "include"
+BUILD = Path(os.environ["OCEAN_BUILD"])
+WORK = BUILD / "tests" / "package" / "work"
+CMAKE = os.environ["CMAKE"]
+
+SEA = """libocean = 1
+[grid]
+resolution = 64
+patch_size = 200.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 12.0
+wind_direction = 30.0
+"""
+
+
+def run(*command, **options) -> str:
+    done = subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, check=False, **options
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def install(name: str, *options) -> Path:
+    run(CMAKE, "--install", BUILD, "--prefix", WORK / "built" / name, *options)
+    return (WORK / "built" / name).rename(WORK / name)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def work():
+    shutil.rmtree(WORK, ignore_errors=True)
+    yield
+    shutil.rmtree(WORK)
+
+
+@pytest.fixture(scope="module")
+def everything():
+    return install("everything")
+
+
+@pytest.fixture(scope="module")
+def c_host():
+    return install("c_host", "--component", "library")
+
+
+@pytest.fixture(scope="module")
+def sea_and_height(tmp_path_factory):
+    """A sea file, and what the library of the build prints of it."""
+    path = tmp_path_factory.mktemp("sea") / "sea.toml"
+    path.write_text(SEA)
+    with libocean.open(path) as sea:
+        height = sea.query([(10.0, 20.0)], 12.0, foam=False)[0, 2]
+    assert abs(height) > 0.01
+    return path, f"{height:.9g}\n"
+
+
+def build(project: str, folder: Path, prefix: Path) -> Path:
+    run(CMAKE, "-S", HERE / project, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run(CMAKE, "--build", folder)
+    return folder / "height"
+
+
+def look_for(prefix: Path, folder: Path, package: str, *options) -> str:
+    """What a project prints that looks for the package: messages, or the targets that it has."""
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(look LANGUAGES C CXX)\n"
+        f"find_package(libocean {package})\nget_directory_property(targets IMPORTED_TARGETS)\n"
+        'list(FILTER targets INCLUDE REGEX "^ocean::")\nlist(SORT targets)\n'
+        'message("targets: ${targets}")\n'
+    )
+    done = subprocess.run(
+        [CMAKE, "-S", folder, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}", *options],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return " ".join(done.stderr.split())
+
+
+def test_headers_and_libraries_are_there(everything):
+    theirs = {path.relative_to(HEADERS) for path in HEADERS.rglob("*.h*")}
+    include = everything / "include"
+    installed = {path.relative_to(include) for path in include.rglob("*") if path.is_file()}
+    assert installed == theirs - {Path("ocean/netcdf_spectra.hpp")}
+    libraries = {path.stem.removeprefix("libocean_") for path in everything.rglob("*.a")}
+    io = {"io_exr", "io_file", "io_image", "io_mesh", "io_povray"}
+    assert libraries == {"core", "seafile", "bake"} | io
+
+
+def test_the_package_names_no_place(everything):
+    files = [*everything.rglob("*.cmake")]
+    assert len(files) > 5
+    for path in files:
+        assert not re.findall(r"""(?:^|[\s"';=:]|-[IL])/[\w.].*""", path.read_text(), re.M), path
+
+
+def test_a_cpp_program_shows_the_sea_of_the_build(everything, sea_and_height, tmp_path):
+    sea, height = sea_and_height
+    assert run(build("cpp", tmp_path, everything), sea) == height
+
+
+def test_static_libraries_go_into_a_shared_one(everything, tmp_path):
+    build("plugin", tmp_path, everything)
+
+
+def test_a_c_host_needs_the_component_library_alone(c_host, sea_and_height, tmp_path):
+    sea, height = sea_and_height
+    assert run(build("c", tmp_path, c_host), sea) == height
+    assert not list(c_host.rglob("*.a")) + list(c_host.rglob("*.hpp"))
+
+
+@pytest.mark.parametrize(
+    ("components", "targets"),
+    [
+        ("", "ocean::c;ocean::core;ocean::seafile"),
+        ("COMPONENTS c", "ocean::c"),
+        ("COMPONENTS core", "ocean::core"),
+        ("COMPONENTS seafile", "ocean::core;ocean::seafile"),
+        (
+            "COMPONENTS bake",
+            "ocean::bake;ocean::core;ocean::io_exr;ocean::io_file;ocean::io_image;ocean::io_mesh;"
+            "ocean::io_povray;ocean::seafile",
+        ),
+        ("COMPONENTS c OPTIONAL_COMPONENTS gl", "ocean::c"),
+    ],
+)
+def test_components_bring_what_they_need(everything, tmp_path, components, targets):
+    said = look_for(everything, tmp_path, f"0.1 REQUIRED {components}")
+    assert said.endswith(f"targets: {targets}")
+
+
+@pytest.mark.parametrize(
+    ("prefix", "missing", "installed"),
+    [("everything", "gl", "c, core, seafile, io, bake"), ("c_host", "core", "c")],
+)
+def test_a_missing_component_is_named(request, tmp_path, prefix, missing, installed):
+    folder = request.getfixturevalue(prefix)
+    said = look_for(folder, tmp_path, f"REQUIRED COMPONENTS c {missing}")
+    assert f"No component '{missing}' is installed, but these are: {installed}." in said
+
+
+@pytest.mark.parametrize("version", ["0.2", "1.0", "0.0.9"])
+def test_another_minor_version_is_refused(everything, tmp_path, version):
+    said = look_for(everything, tmp_path, f"{version} REQUIRED")
+    assert f'compatible with requested version "{version}"' in said
+    assert f"version: {libocean.__version__}" in said
+
+
+def test_a_missing_dependency_is_named(everything, tmp_path):
+    said = look_for(
+        everything, tmp_path, "COMPONENTS seafile", "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON"
+    )
+    assert "libocean could not be found because dependency ZLIB could not be found" in said
