@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""The installed library as other projects use it: C and C++ programs by CMake.
+"""The installed library as other projects use it: C and C++ programs by CMake, C by pkg-config.
 
 All of it is installed into a folder, which then moves: nothing may know where it was built or
 installed. CMake takes generator and compilers from the environment.
@@ -108,7 +108,7 @@ def test_headers_and_libraries_are_there(everything):
 
 
 def test_the_package_names_no_place(everything):
-    files = [*everything.rglob("*.cmake")]
+    files = [*everything.rglob("*.cmake"), *everything.rglob("*.pc")]
     assert len(files) > 5
     for path in files:
         assert not re.findall(r"""(?:^|[\s"';=:]|-[IL])/[\w.].*""", path.read_text(), re.M), path
@@ -127,6 +127,16 @@ def test_a_c_host_needs_the_component_library_alone(c_host, sea_and_height, tmp_
     sea, height = sea_and_height
     assert run(build("c", tmp_path, c_host), sea) == height
     assert not list(c_host.rglob("*.a")) + list(c_host.rglob("*.hpp"))
+
+
+def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
+    sea, height = sea_and_height
+    libraries = next(c_host.rglob("libocean.pc")).parent
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(libraries)}
+    flags = run("pkg-config", "--cflags", "--libs", "libocean >= 0.1", env=environment).split()
+    run(os.environ["CC"], HERE / "c" / "height.c", *flags, "-o", tmp_path / "height")
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(libraries.parent)}
+    assert run(tmp_path / "height", sea, env=environment) == height
 
 
 @pytest.mark.parametrize(
