@@ -24,17 +24,17 @@ constexpr std::size_t kFixDoubles = 4;
 constexpr std::size_t kMostTimes = 100'000'000;
 
 SampleTimes sample_times(const ocean_gauge_request& asked) {
-    require_time(asked.from);
-    require_time(asked.to);
-    if (!(asked.to >= asked.from)) {
-        refuse("to = " + std::to_string(asked.to) +
-               "; allowed: from = " + std::to_string(asked.from) + " or later");
+    require_time(asked.start);
+    require_time(asked.end);
+    if (!(asked.end >= asked.start)) {
+        refuse("end = " + std::to_string(asked.end) +
+               "; allowed: start = " + std::to_string(asked.start) + " or later");
     }
-    if (!(asked.rate > 0.0) || !((asked.to - asked.from) * asked.rate < kMostTimes)) {
+    if (!(asked.rate > 0.0) || !((asked.end - asked.start) * asked.rate < kMostTimes)) {
         refuse("rate = " + std::to_string(asked.rate) + "; allowed: more than 0 Hz, and at most " +
                std::to_string(kMostTimes) + " times");
     }
-    return {asked.from, asked.to, asked.rate};
+    return {asked.start, asked.end, asked.rate};
 }
 
 Gauge gauge_of(const ocean_gauge& from, const std::string& name) {

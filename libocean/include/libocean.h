@@ -343,11 +343,11 @@ typedef struct {
 } ocean_gauge;
 
 /* struct_size = sizeof(ocean_gauge_request), gauge_size = sizeof(ocean_gauge). Readings at the
- * times from + i / rate [s, Hz] up to `to`. */
+ * times start + i / rate [s, Hz] up to `end`. */
 typedef struct {
     size_t struct_size;
-    double from;
-    double to;
+    double start;
+    double end;
     double rate;
     const ocean_gauge* gauges;
     size_t gauge_count;

@@ -293,8 +293,8 @@ void gauges_read_what_queries_find(void) {
     double values[kTimes * kGauges * kColumns];
     size_t times = 0;
     ocean_gauge_request request = {.struct_size = sizeof(request),
-                                   .from = 10.0,
-                                   .to = 12.0,
+                                   .start = 10.0,
+                                   .end = 12.0,
                                    .rate = 2.0,
                                    .gauges = gauges,
                                    .gauge_count = kGauges,
@@ -343,7 +343,7 @@ void gauges_read_what_queries_find(void) {
     REFUSED(request.rate = 0.0);
     REFUSED(request.rate = NAN);
     REFUSED(request.rate = INFINITY);
-    REFUSED(request.to = 9.0);
+    REFUSED(request.end = 9.0);
     REFUSED(request.gauges = NULL);
     REFUSED(request.gauge_size = 4);
     REFUSED(request.struct_size = 16);

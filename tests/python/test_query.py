@@ -88,3 +88,36 @@ def test_where_crests_fold_samples_say_so(sea):
     samples = sea.samples(points, 3.0)
     assert 0 < samples.folded.sum() < 2000
     assert not samples.undecided.any()
+
+
+def test_water_at_any_depths_is_that_of_each_depth(sea):
+    points = [(x, -2 * x, -3.0 * (x % 3)) for x in range(30)]
+    water = sea.water(points, 4.0)
+    for z in (0.0, -3.0, -6.0):
+        rows = [i for i, point in enumerate(points) if point[2] == z]
+        alone = sea.orbital_velocity([points[i][:2] for i in rows], 4.0, z)
+        assert np.array_equal(water.velocity[rows], alone)
+    exact = sea.water(points, 4.0, exact=True)
+    assert np.abs(water.pressure - exact.pressure).max() < 0.01 * exact.pressure.std()
+    assert exact.pressure.std() > 100.0
+    with pytest.raises(libocean.Error, match="shape"):
+        sea.water([(1.0, 2.0)], 4.0)
+
+
+def test_gauges_read_the_water_and_the_surface(sea):
+    track = [(2.0, 0.0, 0.0, 0.0), (6.0, 40.0, 8.0, 0.0)]
+    read = sea.gauges([(10.0, 5.0, -2.0), (10.0, 5.0, -2.0, 1.0, -1.0), track], 2.0, 5.0, 2.0)
+    assert read.shape == (7, 3, 10)
+    assert np.array_equal(read[:, 0, 0], 2.0 + 0.5 * np.arange(7))
+    assert np.allclose(read[:, 1, 1], 10.0 + read[:, 1, 0])
+    assert np.allclose(read[:, 2, 2], 2.0 * (read[:, 2, 0] - 2.0))
+    for row in read.reshape(-1, 10):
+        height = sea.query(row[1:3], row[0], foam=False)[0, 2]
+        assert abs(row[3] - height) < 0.01
+    water = sea.water([(10.0, 5.0, -2.0)], 3.0, exact=True)
+    assert np.allclose(read[2, 0, 6:9], water.velocity[0], atol=1e-6)
+    assert np.isclose(read[2, 0, 9], water.pressure[0], rtol=1e-5)
+    with pytest.raises(libocean.Error, match="shape"):
+        sea.gauges([(1.0, 2.0)], 0.0, 1.0, 1.0)
+    with pytest.raises(libocean.Error, match="no later"):
+        sea.gauges([track[::-1]], 0.0, 1.0, 1.0)

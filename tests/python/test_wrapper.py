@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The Python wrapper against the library of this build."""
 
+import concurrent.futures
 import math
 import os
 import re
@@ -51,12 +52,16 @@ def test_struct_fields_and_channels_are_those_of_the_header():
         (_library.Output, "ocean_output"),
         (_library.Request, "ocean_request"),
         (_library.QueryRequest, "ocean_query_request"),
+        (_library.WaterRequest, "ocean_water_request"),
+        (_library.Gauge, "ocean_gauge"),
+        (_library.GaugeRequest, "ocean_gauge_request"),
     ):
         body = re.findall(r"typedef struct \{([^}]*)\} (\w+);", header)
-        fields = next(re.findall(r"(\w+)(?:\[4\])?;", text) for text, n in body if n == name)
+        fields = next(re.findall(r"(\w+)(?:\[\d\])?;", text) for text, n in body if n == name)
         assert fields == [field for field, _ in struct._fields_]
-    body = re.search(r"typedef struct \{([^}]*)\} ocean_sample;", header)[1]
-    assert tuple(re.findall(r"(\w+)(?:\[\d\])?;", body)) == _sea.SAMPLE.names
+    for sample, name in ((_sea.SAMPLE, "ocean_sample"), (_sea.WATER_SAMPLE, "ocean_water_sample")):
+        body = re.search(rf"typedef struct \{{([^}}]*)\}} {name};", header)[1]
+        assert tuple(re.findall(r"(\w+)(?:\[\d\])?;", body)) == sample.names
 
 
 def test_fields_have_their_shapes_and_types(sea):
@@ -409,3 +414,62 @@ def test_what_is_no_file_and_what_is_no_name_are_refused(sea, tmp_path):
         libocean.open(tmp_path / "sea.toml")
     with pytest.raises(libocean.InvalidValueError, match="NUL"):
         sea.set("file", "buoy\0.csv")
+
+
+def test_fill_keeps_gaps_between_rows_and_closes_the_seam(sea):
+    surface = sea.surface(3.0, 64)
+    image = np.full((65, 70, 2), 7, np.float32)
+    sea.fill(3.0, [(image[:, :65], ("height", "nz"))], seam=True)
+    closed = np.pad(surface.height, ((0, 1), (0, 1)), mode="wrap")
+    assert np.array_equal(image[:, :65, 0], closed)
+    assert np.array_equal(image[:64, :64, 1], surface.normal[..., 2])
+    assert (image[:, 65:] == 7).all()
+    with pytest.raises(libocean.Error, match="65"):
+        sea.fill(3.0, [(image[:, :65], ("height", "nz"))])
+
+
+def test_cascades_add_up_to_the_sea():
+    sea = libocean.parse(SMALL)
+    sea.set("cascades", 2)
+    whole = sea.surface(3.0, 512)
+    periods = sea.cascade_periods
+    total = np.zeros((512, 512), np.float32)
+    for number, period in enumerate(periods):
+        part = np.empty((512, 512, 1), np.float32)
+        sea.fill(3.0, [(part, ("dx_x",))], cascade=number)
+        places = np.arange(512) * round(periods[0] / period) % 512
+        total += part[np.ix_(places, places)][..., 0]
+    assert np.abs(total - whole.derivatives[..., 0]).max() < 1e-5 * whole.derivatives.std()
+    with pytest.raises(libocean.InvalidValueError, match="jacobian"):
+        sea.fill(3.0, [(part, ("jacobian",))], cascade=0)
+
+
+def test_wave_systems_come_and_go(sea):
+    alone = sea.surface(1.0).height
+    assert sea.add_waves(spectrum="jonswap", wind_speed=6, wind_direction=120) == "waves.1"
+    assert not np.array_equal(sea.surface(1.0).height, alone)
+    with pytest.raises(libocean.InvalidValueError, match="wind_sped"):
+        sea.add_waves("waves.0", wind_sped=3)
+    assert sea.get("waves.1.wind_speed") == "6"
+    sea.remove_waves("waves.1")
+    assert np.array_equal(sea.surface(1.0).height, alone)
+    with pytest.raises(libocean.InvalidValueError):
+        sea.remove_waves("waves.0")
+
+
+def test_a_host_s_threads_do_the_work(sea):
+    threads = set()
+
+    def run_all(run, count):
+        with concurrent.futures.ThreadPoolExecutor(count) as pool:
+            list(pool.map(run, range(count)))
+            threads.update(pool._threads)
+
+    def fail(run, count):
+        raise RuntimeError("no threads today")
+
+    hosted = libocean.parse(sea.text, threads=3, jobs=run_all)
+    assert np.array_equal(hosted.surface(3.0).normal, sea.surface(3.0).normal)
+    assert threads
+    with pytest.raises(RuntimeError, match="no threads today"):
+        libocean.parse(sea.text, jobs=fail).surface(3.0, fields=["height"])

@@ -27,7 +27,7 @@ from ._library import (
     library,
     text_of,
 )
-from ._sea import FloatPose, Samples, Sea, Surface
+from ._sea import FloatPose, Samples, Sea, Surface, Water
 
 __all__ = [
     "CancelledError",
@@ -39,6 +39,7 @@ __all__ = [
     "Sea",
     "Surface",
     "UnsupportedError",
+    "Water",
     "open",
     "parameters",
     "parse",
@@ -57,7 +58,9 @@ def open(path: str | os.PathLike[str], **options: Any) -> Sea:
     """Opens a sea file. Options, of parse() and preset() too:
     threads: 0 = the cores this process may use. backend: "cpu", or the slow "radix2" and "dft".
     foam_start: "settled", or "empty" for live tools, which do not wait for the foam's past.
-    progress: called with (done, total) while foam is followed; what it raises ends the call."""
+    progress: called with (done, total) while foam is followed; what it raises ends the call.
+    jobs: called with (run, count) for a host's own threads: it calls run(0) .. run(count - 1), in
+    any order, on any threads, and returns when all have returned."""
     name = os.fsencode(path)
     return Sea(lambda given, out: call("ocean_open", name, given, out), **options)
 

@@ -37,6 +37,8 @@ AXES = ("zup", "yup", "tnb")
 FOAM_STARTS = ("settled", "empty")
 
 Progress = ctypes.CFUNCTYPE(c_int32, c_void_p, c_int64, c_int64)
+Job = ctypes.CFUNCTYPE(None, c_void_p, c_int32)
+RunJobs = ctypes.CFUNCTYPE(None, c_void_p, Job, c_void_p, c_int32)
 
 
 class Options(ctypes.Structure):
@@ -48,6 +50,8 @@ class Options(ctypes.Structure):
         ("reserved", c_int32),
         ("progress", Progress),
         ("user", c_void_p),
+        ("run_jobs", RunJobs),
+        ("jobs_user", c_void_p),
     ]
 
 
@@ -58,6 +62,9 @@ class Output(ctypes.Structure):
         ("channel", c_int32 * 4),
         ("channels", c_int32),
         ("axes", c_int32),
+        ("row_pitch", c_size_t),
+        ("seam", c_int32),
+        ("reserved", c_int32),
     ]
 
 
@@ -68,6 +75,9 @@ class Request(ctypes.Structure):
         ("resolution", c_int32),
         ("outputs", POINTER(Output)),
         ("output_count", c_size_t),
+        ("output_size", c_size_t),
+        ("cascade", c_int32),
+        ("reserved", c_int32),
     ]
 
 
@@ -84,6 +94,39 @@ class QueryRequest(ctypes.Structure):
         ("exact", c_int32),
         ("foam", c_int32),
         ("height_error", POINTER(c_double)),
+    ]
+
+
+class WaterRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("xyz", c_void_p),
+        ("count", c_size_t),
+        ("samples", c_void_p),
+        ("sample_size", c_size_t),
+        ("resolution", c_int32),
+        ("refine", c_int32),
+        ("exact", c_int32),
+        ("reserved", c_int32),
+    ]
+
+
+class Gauge(ctypes.Structure):
+    _fields_ = [("fixes", c_void_p), ("fix_count", c_size_t), ("velocity", c_double * 2)]
+
+
+class GaugeRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("start", c_double),
+        ("end", c_double),
+        ("rate", c_double),
+        ("gauges", POINTER(Gauge)),
+        ("gauge_count", c_size_t),
+        ("gauge_size", c_size_t),
+        ("values", c_void_p),
+        ("value_count", c_size_t),
     ]
 
 
@@ -144,6 +187,8 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_clone": [c_void_p, POINTER(Options), POINTER(c_void_p)],
     "ocean_set": [c_void_p, c_char_p, c_char_p],
     "ocean_set_all": [c_void_p, POINTER(c_char_p), POINTER(c_char_p), c_size_t],
+    "ocean_add_waves": [c_void_p, c_char_p],
+    "ocean_remove_waves": [c_void_p, c_char_p],
     "ocean_perform": [c_void_p, c_double, c_char_p, c_char_p],
     "ocean_get": [c_void_p, c_char_p, c_char_p, c_size_t],
     "ocean_text": [c_void_p, *_TEXT],
@@ -153,10 +198,13 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_preset": [c_char_p, *_TEXT],
     "ocean_water_types_json": _TEXT,
     "ocean_map_resolution": [c_void_p, POINTER(c_int32)],
+    "ocean_cascade_periods": [c_void_p, POINTER(c_double), POINTER(c_size_t)],
     "ocean_evaluate": [c_void_p, POINTER(Request)],
     "ocean_query": [c_void_p, c_double, *_LISTS],
     "ocean_query_points": [c_void_p, POINTER(QueryRequest)],
     "ocean_orbital_velocity": [c_void_p, c_double, c_double, *_LISTS],
+    "ocean_water_points": [c_void_p, POINTER(WaterRequest)],
+    "ocean_gauges": [c_void_p, POINTER(GaugeRequest), POINTER(c_size_t)],
     "ocean_float_pose": [c_void_p, c_double, *_LISTS],
 }
 

@@ -17,14 +17,24 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._library import Options, Output, QueryRequest, Request, call, text_of
+from ._library import (
+    Gauge,
+    GaugeRequest,
+    Options,
+    Output,
+    QueryRequest,
+    Request,
+    WaterRequest,
+    call,
+    text_of,
+)
 
 Array = npt.NDArray[np.float32]
 
 # In the order of the C enum.
 CHANNELS = (
     *("dx", "dy", "height", "nx", "ny", "nz", "slope_x", "slope_y"),
-    *("jacobian", "whitecap", "foam", "vx", "vy", "vz"),
+    *("jacobian", "whitecap", "foam", "vx", "vy", "vz", "dx_x", "dy_y", "dx_y"),
 )
 
 # The channels of each field that a Surface has.
@@ -37,7 +47,14 @@ PRODUCTS: dict[str, tuple[str, ...]] = {
     "whitecap": ("whitecap",),
     "foam": ("foam",),
     "velocity": ("vx", "vy", "vz"),
+    "derivatives": ("dx_x", "dy_y", "dx_y"),
 }
+
+# Of Sea.gauges.
+GAUGE_COLUMNS = (
+    *("time", "x", "y", "elevation", "slope_x", "slope_y"),
+    *("velocity_x", "velocity_y", "velocity_z", "pressure"),
+)
 
 
 def _choose(what: str, name: str, known: Sequence[str]) -> int:
@@ -97,6 +114,19 @@ class Samples(NamedTuple):
     """rms of what the heights lack of the exact sum over all waves, metres."""
 
 
+# ocean_water_sample of libocean.h.
+WATER_SAMPLE = np.dtype([("velocity", np.float32, 3), ("pressure", np.float32)])
+
+
+class Water(NamedTuple):
+    """What moves in the water at n points, as arrays of n rows."""
+
+    velocity: Array
+    """(n, 3), m/s."""
+    pressure: Array
+    """(n,), Pa, without the hydrostatic part."""
+
+
 class FloatPose(NamedTuple):
     """Of n floating bodies: the plane below each, as arrays of n rows."""
 
@@ -116,11 +146,17 @@ class _Reporter:
     """What the library calls while it works. It ends a call for Ctrl-C, and for what the sea's own
     progress function raises."""
 
-    def __init__(self, progress: Callable[[int, int], object] | None) -> None:
+    def __init__(
+        self,
+        progress: Callable[[int, int], object] | None,
+        jobs: Callable[[Callable[[int], None], int], object] | None,
+    ) -> None:
         self._progress = progress
+        self._jobs = jobs
         self._signal: tuple[int, Any] | None = None
         self._failure: BaseException | None = None
-        self.callback = _library.Progress(self._report)
+        self.progress = _library.Progress(self._report)
+        self.run_jobs = _library.RunJobs(self._run_jobs) if jobs else _library.RunJobs()
 
     def _report(self, _user: Any, done: int, total: int) -> int:
         if self._signal is None and self._progress is not None and total > 0:
@@ -129,6 +165,12 @@ class _Reporter:
             except BaseException as failure:
                 self._failure = failure
         return int(self._signal is not None or self._failure is not None)
+
+    def _run_jobs(self, _user: Any, job: Any, work: Any, count: int) -> None:
+        try:
+            self._jobs(lambda index: job(work, index), count)
+        except BaseException as failure:
+            self._failure = failure
 
     @contextmanager
     def watched(self) -> Iterator[None]:
@@ -171,19 +213,22 @@ class Sea:
         backend: str = "cpu",
         foam_start: str = "settled",
         progress: Callable[[int, int], object] | None = None,
+        jobs: Callable[[Callable[[int], None], int], object] | None = None,
     ) -> None:
         self._handle: ctypes.c_void_p | None = None
         self._lock = threading.RLock()
         self._changes = 0
-        self._asked = (threads, backend, foam_start, progress)
-        self._reporter = _Reporter(progress)
+        self._asked = (threads, backend, foam_start, progress, jobs)
+        self._reporter = _Reporter(progress, jobs)
         options = Options(
             ctypes.sizeof(Options),
             threads,
             _choose("backend", backend, _library.BACKENDS),
             _choose("foam_start", foam_start, _library.FOAM_STARTS),
             0,
-            self._reporter.callback,
+            self._reporter.progress,
+            None,
+            self._reporter.run_jobs,
         )
         handle = ctypes.c_void_p()
         opener(ctypes.byref(options), ctypes.byref(handle))
@@ -243,6 +288,27 @@ class Sea:
             self._call("ocean_set_all", array(*names), array(*texts), len(names))
             self._changes += 1
 
+    def add_waves(self, name: str | None = None, **parameters: Any) -> str:
+        """A wave system, the last one or that of the name ("waves.1"; those from there on move up),
+        with these parameters. Returns its name."""
+        with self._lock:
+            if name is None:
+                name = f"waves.{self.text.count(chr(10) + '[[waves]]')}"
+            self._call("ocean_add_waves", name.encode())
+            self._changes += 1
+            try:
+                self.set_all({f"{name}.{key}": value for key, value in parameters.items()})
+            except _library.Error:
+                self.remove_waves(name)
+                raise
+            return name
+
+    def remove_waves(self, name: str) -> None:
+        """The wave system of that name goes; those behind it move down."""
+        with self._lock:
+            self._call("ocean_remove_waves", name.encode())
+            self._changes += 1
+
     def perform(self, time: float, name: str, value: Any) -> None:
         """A live parameter glides to the value from that time on, while the sea is shown. The
         sea's own take grows by it: `text` makes every frame again. What was before stays."""
@@ -280,19 +346,33 @@ class Sea:
         return Surface(self, time, resolution, fields, axes)
 
     def fill(
-        self, time: float, buffers: Iterable[tuple[Array, Sequence[str]]], axes: str = "zup"
+        self,
+        time: float,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        axes: str = "zup",
+        *,
+        seam: bool = False,
+        cascade: int | None = None,
     ) -> None:
         """Writes the maps of `time` into arrays that are there, all in one go: each of shape
         (R, R, n) with the names of its n channels, 1 to 4 of CHANNELS ("dx", "dy", "height",
-        "foam"). Float32, C-contiguous and of one R; those aligned to 64 bytes are filled fastest.
-        """
+        "foam"). Float32 and of one R, each row without gaps; those aligned to 64 bytes are filled
+        fastest. seam: (R + 1, R + 1, n), the first samples again a period on. cascade: of one of
+        cascade_periods alone, over its period, of channels that add up."""
         asked = [(array, tuple(names)) for array, names in buffers]
         for array, names in asked:
             shape = (len(array), len(array), len(names))
-            if array.dtype != np.float32 or not array.flags.carray or array.shape != shape:
+            rows = array.strides == (array.strides[0], 4 * len(names), 4)
+            whole = rows and array.strides[0] % 4 == 0 and array.strides[0] >= len(array) * shape[2]
+            if (
+                array.dtype != np.float32
+                or array.shape != shape
+                or not whole
+                or not (array.flags.writeable and array.flags.aligned)
+            ):
                 raise _library.error(
                     f"an array of {array.dtype} and shape {array.shape}; needed: float32, "
-                    f"C-contiguous, writable, (R, R, {len(names)})",
+                    f"rows C-contiguous, writable, (R, R, {len(names)})",
                     _library.INVALID_ARGUMENT,
                 )
         if len({len(array) for array, _ in asked}) > 1:
@@ -303,7 +383,9 @@ class Sea:
                 for array, names in asked
             ]
             turn = _choose("axes", axes, _library.AXES)
-            self._write_maps(time, len(asked[0][0]), turn, outputs)
+            resolution = len(asked[0][0]) - seam
+            number = 0 if cascade is None else cascade + 1
+            self._write_maps(time, resolution, turn, outputs, seam, number)
 
     def query(self, points: npt.ArrayLike, time: float, foam: bool = True) -> Array:
         """The surface that is shown at each of n world points (x, y): (n, 10), the columns of
@@ -350,6 +432,68 @@ class Sea:
         water: (n, 3), m/s. Above 0 it is that of 0, below the bottom there is none."""
         return self._answers("ocean_orbital_velocity", points, (time, z), 2, 3)
 
+    def water(
+        self,
+        points: npt.ArrayLike,
+        time: float,
+        *,
+        resolution: int = 0,
+        refine: int = 1,
+        exact: bool = False,
+    ) -> Water:
+        """Velocity and pressure of the water at n fixed world points (x, y, z) of any depths, as
+        orbital_velocity. Each other depth costs two transforms. The rest as samples()."""
+        asked = self._rows(points, 3)
+        answers = np.empty(len(asked), dtype=WATER_SAMPLE)
+        request = WaterRequest(
+            ctypes.sizeof(WaterRequest),
+            time,
+            asked.ctypes.data,
+            len(asked),
+            answers.ctypes.data,
+            WATER_SAMPLE.itemsize,
+            resolution,
+            refine,
+            exact,
+        )
+        self._call("ocean_water_points", ctypes.byref(request))
+        return Water(answers["velocity"], answers["pressure"])
+
+    def gauges(
+        self, gauges: Iterable[npt.ArrayLike], start: float, end: float, rate: float
+    ) -> npt.NDArray[np.float64]:
+        """What gauges read from `start` to `end`, `rate` times a second: (times, gauges, 10), the
+        columns GAUGE_COLUMNS, in double precision. Each gauge is (x, y, z), or (x, y, z, vx, vy)
+        for one that moves on, with x, y and z at time 0, or (m, 4): time, x, y, z of a track."""
+        tracks = []
+        for gauge in gauges:
+            track = np.ascontiguousarray(gauge, dtype=np.float64)
+            velocity = (0.0, 0.0)
+            if track.shape in [(3,), (5,)]:
+                velocity = tuple(track[3:]) or velocity
+                track = np.array([[0.0, *track[:3]]])
+            if track.ndim != 2 or track.shape[1] != 4:
+                raise _library.error(
+                    f"a gauge of shape {track.shape}; allowed: (3,), (5,) or (m, 4)",
+                    _library.INVALID_ARGUMENT,
+                )
+            tracks.append((track, velocity))
+        array = (Gauge * len(tracks))()
+        for gauge, (track, velocity) in zip(array, tracks, strict=True):
+            gauge.fixes = track.ctypes.data
+            gauge.fix_count = len(track)
+            gauge.velocity[:] = velocity
+        request = GaugeRequest(
+            ctypes.sizeof(GaugeRequest), start, end, rate, array, len(array), ctypes.sizeof(Gauge)
+        )
+        times = ctypes.c_size_t()
+        self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
+        values = np.empty((times.value, len(array), len(GAUGE_COLUMNS)))
+        request.values = values.ctypes.data
+        request.value_count = values.size
+        self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
+        return values
+
     def float_pose(self, bodies: npt.ArrayLike, time: float) -> FloatPose:
         """How floating bodies lie on the sea, each (x, y, heading, length, width): metres and
         degrees counter-clockwise from +x, the length along the heading."""
@@ -383,18 +527,43 @@ class Sea:
         self._call("ocean_map_resolution", ctypes.byref(resolution))
         return resolution.value
 
+    @property
+    def cascade_periods(self) -> list[float]:
+        """The periods of the sea's cascades, metres."""
+        count = ctypes.c_size_t(0)
+        self._call("ocean_cascade_periods", None, ctypes.byref(count))
+        periods = (ctypes.c_double * count.value)()
+        self._call("ocean_cascade_periods", periods, ctypes.byref(count))
+        return list(periods)
+
     def _write_maps(
-        self, time: float, resolution: int, axes: int, maps: list[tuple[Array, tuple[int, ...]]]
+        self,
+        time: float,
+        resolution: int,
+        axes: int,
+        maps: list[tuple[Array, tuple[int, ...]]],
+        seam: bool = False,
+        cascade: int = 0,
     ) -> None:
         """ocean_evaluate of arrays and the numbers of their channels."""
         outputs = (Output * len(maps))()
         for output, (array, channels) in zip(outputs, maps, strict=True):
             output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
-            output.count = array.size
+            output.row_pitch = array.strides[0] // 4
+            output.count = (len(array) - 1) * output.row_pitch + len(array) * len(channels)
+            output.seam = seam
             output.channel[: len(channels)] = channels
             output.channels = len(channels)
             output.axes = axes
-        request = Request(ctypes.sizeof(Request), time, resolution, outputs, len(maps))
+        request = Request(
+            ctypes.sizeof(Request),
+            time,
+            resolution,
+            outputs,
+            len(maps),
+            ctypes.sizeof(Output),
+            cascade,
+        )
         self._call("ocean_evaluate", ctypes.byref(request))
 
     def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
@@ -497,3 +666,8 @@ class Surface:
     def velocity(self) -> Array:
         """d/dt of the displaced point, m/s, (R, R, 3)."""
         return self._field("velocity")
+
+    @property
+    def derivatives(self) -> Array:
+        """d dx/dx, d dy/dy and d dx/dy (which is d dy/dx) of the offset, by label, (R, R, 3)."""
+        return self._field("derivatives")
