@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, live, node_group, open_sea
+from . import changes, compat, live, node_group, open_sea, parameter_values
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -45,6 +45,9 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 def _data_replaced(*_) -> None:
     oceans = live.ocean_objects()
     open_sea.forget({ob.name_full for ob in oceans})
+    with changes.quiet():
+        for ob in oceans:
+            parameter_values.switch_on_given(ob.libocean)
     live.show_all(oceans, bpy.context.scene)
 
 

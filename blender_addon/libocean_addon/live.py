@@ -257,3 +257,9 @@ def state_of(ob) -> list[tuple[str, str]] | None:
         ("Energy resolved", f"{state['energy_resolved']:.1%}"),
         ("Shortest wave", metres(state["map_shortest_wave"])),
     ]
+
+
+def warnings_of(ob) -> list[str]:
+    """What of it people should know."""
+    sea = sea_of(ob)
+    return sea.read_state()["warnings"] if sea.sea is not None else []

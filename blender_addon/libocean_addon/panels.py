@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import bpy
 
 from . import (
@@ -19,6 +21,8 @@ from . import (
     sea_text,
     translations,
 )
+
+_CHARACTERS = 50  # of a line that a panel of usual width shows whole
 
 _SECTIONS = {
     "water": "Water",
@@ -67,7 +71,9 @@ class WavesList(bpy.types.UIList):
     def draw_item(self, _context, layout, _data, item, _icon, _active, _property, index=0) -> None:
         layout.label(text=str(index + 1), translate=False)
         layout.prop(item, "spectrum", text="", emboss=False)
-        layout.prop(item, "wind_speed", text="", emboss=False)
+        wind = layout.row()
+        wind.active = item.use_wind_speed
+        wind.prop(item, "wind_speed", text="", emboss=False)
 
 
 class _Panel:
@@ -112,6 +118,9 @@ class OceanPanel(_Panel, bpy.types.Panel):
             row = box.row()
             row.label(text=label, text_ctxt=translations.SEA)
             row.label(text=text, translate=False)
+        for warning in live.warnings_of(ob):
+            for number, line in enumerate(textwrap.wrap(warning, _CHARACTERS)):
+                box.label(text=line, icon="BLANK1" if number else "ERROR", translate=False)
 
 
 class WavesPanel(_Panel, bpy.types.Panel):

@@ -99,6 +99,17 @@ def values_of(group) -> sea_text.SeaValues:
     )
 
 
+def switch_on_given(group) -> None:
+    """A file of an add-on for which a parameter was never left out has its value and no switch."""
+    for owner, waves in [(group, False), *((system, True) for system in group.waves)]:
+        for entry in entries(waves=waves):
+            key, switch = entry["key"], f"use_{entry['key']}"
+            if not sea_text.is_optional(entry) or owner.is_property_set(switch):
+                continue
+            if owner.is_property_set(key):
+                setattr(owner, switch, True)
+
+
 def assign(group, sea: sea_text.SeaValues) -> None:
     """Puts a sea into the properties."""
     with changes.quiet():

@@ -111,8 +111,10 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
         system = values.waves[number]
         system.record = ""
         system.values.update(spectrum="measured", file=path, record=self.record, place=self.place)
-        # The measured mean, height and period, not those of the waves before.
-        system.values.update(wind_direction="", significant_wave_height="", peak_period="")
+        # The measured mean, height and period, and no wind of the waves before.
+        system.values.update(
+            wind_speed="", wind_direction="", significant_wave_height="", peak_period=""
+        )
         with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
             operators.take_over(ob, sea)
         settings.active_wave = number

@@ -61,6 +61,7 @@ GERMAN = {
         "Estimator": "Schätzverfahren",
         # Their switches.
         "Use Depth": "Wassertiefe angeben",
+        "Use Wind speed": "Windgeschwindigkeit angeben",
         "Use Wind direction": "Windrichtung angeben",
         "Use Significant wave height": "Signifikante Wellenhöhe angeben",
         "Use Peak period": "Peakperiode angeben",

@@ -73,7 +73,7 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
     }
     Modes& modes = *modes_.own();
     modes.revision = 0;  // while they are neither the old ones nor the new
-    lattice_->set_waves(spectrum, strongest_wind(parameters_), pool, modes);
+    lattice_->set_waves(spectrum, strongest_wind(parameters_).value_or(0.0), pool, modes);
     modes.revision = revision(Stage::modes);
 }
 

@@ -184,6 +184,19 @@ def test_giving_an_optional_value_turns_it_on(ocean):
     assert parameter_values.values_of(ocean.libocean).values["depth"] == "inf"
 
 
+def test_a_wind_saved_without_a_switch_is_given(ocean, tmp_path):
+    path = str(tmp_path / "old.blend")
+    ocean.libocean.waves[0].wind_speed = 21.0
+    ocean.libocean.waves[0].property_unset("use_wind_speed")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    (system,) = bpy.context.object.libocean.waves
+    assert system.use_wind_speed
+    assert parameter_values.values_of(bpy.context.object.libocean).waves[0].values[
+        "wind_speed"
+    ] == "21.0"
+
+
 def test_save_and_load(ocean, tmp_path):
     path = str(tmp_path / "saved.toml")
     ocean.libocean.waves[0].wind_speed = 21.0

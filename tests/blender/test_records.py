@@ -6,7 +6,7 @@ from pathlib import Path
 
 import bpy
 import pytest
-from libocean_addon import open_sea, parameter_values, records
+from libocean_addon import live, open_sea, parameter_values, records
 from libocean_addon.bundled import libocean
 
 SPECTRA = Path(__file__).parents[1] / "data" / "spectra"
@@ -32,6 +32,16 @@ def test_the_sea_is_as_high_as_the_record(ocean, path):
     assert system.spectrum == "measured" and system.measured_record
     assert ocean.libocean.problem == ""
     assert height_of(ocean) == pytest.approx(record["significant_wave_height"], rel=0.01)
+
+
+def test_the_wind_of_the_waves_before_is_not_measured(ocean):
+    assert ocean.libocean.waves[0].use_wind_speed
+    bpy.ops.libocean.pick_record(filepath=BUOY)
+    assert not ocean.libocean.waves[0].use_wind_speed
+    assert any("no wind is known of" in warning for warning in live.warnings_of(ocean))
+    ocean.libocean.waves[0].wind_speed = 8.0
+    assert ocean.libocean.waves[0].use_wind_speed
+    assert not any("no wind" in warning for warning in live.warnings_of(ocean))
 
 
 def test_without_a_time_it_is_the_first_record(ocean):

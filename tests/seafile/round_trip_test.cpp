@@ -65,6 +65,19 @@ TEST(SeaFileRoundTrip, EveryKeyNonDefaultKeepsEveryBit) {
     EXPECT_EQ(write_sea(written_and_read(sea)), write_sea(sea));
 }
 
+TEST(SeaFileRoundTrip, AnUnsetWindStaysUnset) {
+    const Sea swell = parse(
+        "[[waves]]\nspectrum = \"jonswap\"\nsignificant_wave_height = 1.0\npeak_period = 14.0\n");
+    for (const Sea& sea : {swell, buoy_sea()}) {
+        EXPECT_EQ(write_sea(sea).find("wind_speed"), std::string::npos) << write_sea(sea);
+        EXPECT_EQ(difference(written_and_read(sea), sea), "");
+        EXPECT_EQ(written_and_read(sea).parameters.waves.front().wind_above(), std::nullopt);
+        Sea blown = sea;
+        set_parameter(blown.parameters, "wind_speed", "12");
+        EXPECT_EQ(difference(written_and_read(blown), blown), "");
+    }
+}
+
 TEST(SeaFileRoundTrip, AwkwardNumbersKeepTheirBits) {
     const double awkward[] = {-0.0,        0.1,         1.0 / 3.0, 5e-324, 2.2250738585072014e-308,
                               1e6 - 1e-10, 123456789.0, 1e-5,      -1e9};

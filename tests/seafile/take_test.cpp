@@ -142,7 +142,7 @@ TEST(SeaWithTake, FindsItBesideTheSeaFile) {
     const Sea sea = read_sea(folder.path() + "/sea.toml");
     ASSERT_EQ(sea.take.events.size(), 1u);
     EXPECT_EQ(sea.at(100.0).waves.front().wind_speed, 20.0);
-    EXPECT_EQ(sea.parameters.waves.front().wind_speed, 10.0);
+    EXPECT_EQ(sea.parameters.waves.front().wind_speed, std::nullopt);
 }
 
 TEST(SeaWithTake, NamesTheLineOfAFileThatIsNotThereAndThatOfAFaultInIt) {

@@ -79,12 +79,12 @@ TEST(DirectionalSpectrum, DensityIsExactToOneTenThousandthOfThePeak) {
         system.swell = 0.5;
         system.peak_enhancement = 7.0;
         const DirectionalSpectrum table = make_directional_spectrum(parameters);
-        const double peak = jonswap_peak(system.wind_speed, system.fetch, 9.81);
+        const double peak = jonswap_peak(system.wind(), system.fetch, 9.81);
         const double largest = table.density(peak, kPi / 6.0);
         std::vector<double> row(4096);
         for (double x = 0.5; x < 6.0; x *= 1.0137) {
-            spreading_row(system, x, system.wind_speed * peak / 9.81, kPi / 6.0, row);
-            const double s = jonswap_density(x * peak, system.wind_speed, system.fetch, 7.0, 9.81);
+            spreading_row(system, x, system.wind() * peak / 9.81, kPi / 6.0, row);
+            const double s = jonswap_density(x * peak, system.wind(), system.fetch, 7.0, 9.81);
             for (std::size_t j = 3; j < row.size(); j += 117) {
                 const double theta = kTwoPi * static_cast<double>(j) / 4096.0;
                 ASSERT_NEAR(table.density(x * peak, theta), s * row[j], 2e-4 * largest)

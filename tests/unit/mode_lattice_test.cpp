@@ -123,7 +123,7 @@ TEST(ModeLattice, KeptOrNotTheBitsAreTheSame) {
         const DirectionalSpectrum spectrum = make_directional_spectrum(parameters);
         const ModeLattice lattice(parameters, ModeLattice::Memory::keep, pool);
         Modes modes = lattice.still_modes(pool);
-        lattice.set_waves(spectrum, strongest_wind(parameters), pool, modes);
+        lattice.set_waves(spectrum, strongest_wind(parameters).value_or(0.0), pool, modes);
         expect_same_bits(modes, fresh_modes(parameters, 1), "kept");
     }
 }

@@ -94,7 +94,7 @@ TEST(ParameterTable, DefaultsAreThePublishedOnes) {
                                                             {"glide", "0.5"},
                                                             {"seed", "1"},
                                                             {"spectrum", "phillips"},
-                                                            {"wind_speed", "10"},
+                                                            {"wind_speed", ""},
                                                             {"fetch", "300000"},
                                                             {"peak_enhancement", "3.3"},
                                                             {"spreading", "cosine_squared"},
@@ -148,7 +148,7 @@ TEST(ParameterTable, WhatIsWrongIsSaidWithTheAllowedRange) {
     EXPECT_TRUE(contains(message_of("wind_speed", "nan"), "not a number"));
     EXPECT_TRUE(contains(message_of("wind_speed", "inf"), "out of range"));
     EXPECT_TRUE(contains(message_of("wind_speed", "10 m"), "not a number"));
-    EXPECT_TRUE(contains(message_of("wind_speed", ""), "not a number"));
+    EXPECT_TRUE(contains(message_of("fetch", ""), "not a number"));
     EXPECT_TRUE(contains(message_of("alignment", "3"), "is not even"));
     EXPECT_TRUE(contains(message_of("spectrum", "jonswop"), "jonswap, tma, measured"));
     EXPECT_TRUE(contains(message_of("wind_sped", "3"), "did you mean waves.0.wind_speed?"));

@@ -68,7 +68,7 @@ TEST(Robustness, AllowedParametersGiveFiniteSurfaces) {
         const Parameters parameters = seas.next();
         SCOPED_TRACE(testing::Message()
                      << "sea " << i << ": depth " << parameters.water.depth << " patch "
-                     << parameters.grid.patch_size << " wind " << parameters.waves[0].wind_speed
+                     << parameters.grid.patch_size << " wind " << parameters.waves[0].wind()
                      << " spectrum " << static_cast<int>(parameters.waves[0].spectrum));
         Ocean sea(parameters, {.threads = 1});
         const Surface surface = sea.evaluate(12.0, test::kAllChannels);

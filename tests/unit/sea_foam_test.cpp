@@ -5,6 +5,7 @@
 // and closed in a loop. The clock and the coverage by themselves: foam_test.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -85,6 +86,85 @@ TEST(SeaFoam, IsNeverLessThanTheWhitecapsAndFadesWithItsLifetime) {
                     moment.channel(Channel::foam).size_bytes()),
         0);
     EXPECT_LE(brief.stage_runs().foam_ticks, 1) << "there is no past to follow";
+}
+
+/// Its height and period are given, its wind is not.
+Parameters swell(double height, double period) {
+    Parameters parameters;
+    parameters.grid.resolution = 64;
+    WaveSystem& system = parameters.waves.front();
+    system.spectrum = SpectrumKind::jonswap;
+    system.significant_wave_height = height;
+    system.peak_period = period;
+    return parameters;
+}
+
+bool says_no_wind(const SeaState& state) {
+    return std::any_of(state.warnings.begin(), state.warnings.end(), [](const std::string& text) {
+        return text.find("no wind is known of") != std::string::npos;
+    });
+}
+
+TEST(SeaFoam, ASwellHasNoneUntilAWindIsGiven) {
+    Ocean sea(swell(1.0, 14.0), {.threads = 1});
+    const auto whitest = [&](double time) {
+        const Surface surface = sea.evaluate(time, {Channel::foam, Channel::whitecap});
+        const std::span<const float> foam = surface.channel(Channel::foam);
+        return *std::max_element(foam.begin(), foam.end());
+    };
+    const auto heights = [&] {
+        const Surface surface = sea.evaluate(5.0, {Channel::height});
+        const std::span<const float> map = surface.channel(Channel::height);
+        return std::vector<float>(map.begin(), map.end());
+    };
+    EXPECT_EQ(whitest(5.0), 0.0f);
+    EXPECT_EQ(sea.state().whitecap_coverage.asked, 0.0);
+    EXPECT_EQ(sea.state().whitecap_coverage.resolved, 0.0);
+    EXPECT_TRUE(says_no_wind(sea.state()));
+    const std::vector<float> unset = heights();
+
+    sea.set("wind_speed", "10");
+    EXPECT_EQ(heights(), unset) << "the waves are those of before";
+    EXPECT_GT(whitest(5.0), 0.1f);
+    EXPECT_EQ(sea.state().whitecap_coverage.asked, monahan_coverage(10.0));
+    EXPECT_FALSE(says_no_wind(sea.state()));
+
+    sea.set("wind_speed", "");
+    EXPECT_EQ(whitest(5.0), 0.0f);
+    sea.perform(6.0, "wind_speed", "12");
+    EXPECT_EQ(whitest(5.0), 0.0f);
+    EXPECT_EQ(whitest(6.0), 0.0f);
+    EXPECT_GT(whitest(16.0), 0.1f);
+    EXPECT_EQ(sea.modes(60.0).wind_speed, 12.0);
+    EXPECT_FALSE(says_no_wind(sea.state())) << "the take brings one";
+
+    Ocean asked(swell(1.0, 14.0), {.threads = 1});
+    asked.set("foam_coverage", "threshold");
+    EXPECT_FALSE(says_no_wind(asked.state())) << "no wind has a say in it";
+}
+
+TEST(SeaFoam, ItsWindIsTheStrongestThatIsKnownOf) {
+    ThreadPool pool(1);
+    const auto wind = [&](const Parameters& parameters) {
+        return make_modes(make_directional_spectrum(parameters), parameters, pool).wind_speed;
+    };
+    Parameters parameters = swell(1.0, 14.0);
+    EXPECT_EQ(wind(parameters), 0.0);
+    WaveSystem young;
+    young.spectrum = SpectrumKind::jonswap;
+    parameters.waves.push_back(young);
+    EXPECT_EQ(wind(parameters), 10.0) << "a wind sea without a wind_speed";
+    parameters.waves.back().wind_speed = 5.0;
+    EXPECT_EQ(wind(parameters), 5.0) << "the swell has no say";
+    parameters.waves.front().wind_speed = 8.0;
+    EXPECT_EQ(wind(parameters), 8.0);
+    // A height alone leaves the period to the wind, and the other way round.
+    parameters = swell(1.0, 14.0);
+    parameters.waves.front().peak_period.reset();
+    EXPECT_EQ(wind(parameters), 10.0);
+    parameters = swell(1.0, 14.0);
+    parameters.waves.front().significant_wave_height.reset();
+    EXPECT_EQ(wind(parameters), 10.0);
 }
 
 TEST(SeaFoam, HalvingItsStepChangesItByLessThanFourPercent) {

@@ -31,6 +31,7 @@ Sea sea_with(std::vector<TakeEvent> events, double glide = 0.5) {
     Sea sea;
     sea.parameters = test::wind_sea(32, 200.0);
     sea.parameters.time.glide = glide;
+    sea.parameters.waves.front().wind_speed = 10.0;
     sea.parameters.waves.front().significant_wave_height = 2.0;
     sea.parameters.waves.front().peak_period = 6.0;
     sea.take.events = std::move(events);
@@ -39,7 +40,7 @@ Sea sea_with(std::vector<TakeEvent> events, double glide = 0.5) {
 }
 
 double wind_at(const Sea& sea, double time) {
-    return sea.at(time).waves.front().wind_speed;
+    return sea.at(time).waves.front().wind();
 }
 
 std::vector<ParameterRef> live_parameters() {
@@ -200,6 +201,57 @@ TEST(Take, AFlatSeaHasNoPeriodToGlideFrom) {
     system.wind_speed = 0.0;
     EXPECT_EQ(*sea.at(1.0).waves.front().peak_period, 8.0);
     EXPECT_EQ(*sea.at(1.0).waves.front().significant_wave_height, 0.0);
+}
+
+/// The wind that makes whitecaps.
+double whitecap_wind(const Sea& sea, double time) {
+    return *sea.at(time).waves.front().wind_above();
+}
+
+TEST(Take, BringsWindOverASwellFromCalm) {
+    Sea sea = sea_with({event(1.0, "wind_speed", 20.0), event(1.5, "wind_speed", 14.0)}, 0.5);
+    WaveSystem& swell = sea.parameters.waves.front();
+    swell.wind_speed.reset();
+    EXPECT_EQ(whitecap_wind(sea, 0.0), 0.0);
+    EXPECT_EQ(whitecap_wind(sea, 1.0), 0.0);
+    for (double t = 1.0; t < 3.0; t += 0.01) {
+        EXPECT_LT(std::abs(whitecap_wind(sea, t + 0.01) - whitecap_wind(sea, t)), 0.45) << t;
+    }
+    EXPECT_EQ(whitecap_wind(sea, 30.0), 14.0);
+    // The waves were made with 10 m/s and glide on from there.
+    EXPECT_EQ(wind_at(sea, 1.0), 10.0);
+
+    sea.take = {};
+    EXPECT_EQ(sea.at(0.0).waves.front().wind_above(), std::nullopt);
+    swell.wind_speed = 8.0;
+    sea.take.events = {event(1.0, "wind_speed", 14.0)};
+    EXPECT_EQ(whitecap_wind(sea, 1.0), 8.0) << "a wind that was given needs no onset";
+}
+
+TEST(Take, HeightAndPeriodOfAWindSeaDoNotStillItsWind) {
+    Sea sea = sea_with({event(1.0, "significant_wave_height", 1.0), event(1.2, "peak_period", 5.0),
+                        event(2.0, "wind_speed", 14.0)});
+    WaveSystem& system = sea.parameters.waves.front();
+    system.wind_speed.reset();
+    system.significant_wave_height.reset();
+    system.peak_period.reset();
+    for (const double time : {0.0, 1.1, 1.9, 2.0}) {
+        EXPECT_EQ(whitecap_wind(sea, time), 10.0) << time;
+    }
+    EXPECT_EQ(whitecap_wind(sea, 30.0), 14.0);
+}
+
+TEST(Take, AWindThatWasUnsetMovesTheHeightThatAnEventFinds) {
+    // Wind and height are unset: the height glides from what the wind of that moment makes.
+    Sea sea =
+        sea_with({event(1.0, "wind_speed", 20.0), event(30.0, "significant_wave_height", 1.0)});
+    WaveSystem& system = sea.parameters.waves.front();
+    system.wind_speed.reset();
+    system.significant_wave_height.reset();
+    system.peak_period.reset();
+    const double before = height_of(sea.at(29.9));
+    EXPECT_GT(before, 1.5 * height_of(sea.at(0.0)));
+    EXPECT_NEAR(*sea.at(30.0).waves.front().significant_wave_height, before, 1e-6 * before);
 }
 
 std::shared_ptr<const SpectrumRecord> buoy_record() {

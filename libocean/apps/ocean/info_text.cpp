@@ -37,8 +37,8 @@ std::string waves_text(const Parameters& parameters) {
         if (waves.measured) {
             line += ": " + origin_text(*waves.measured);
         } else {
-            line += format_text(", wind %g m/s towards %g deg", waves.wind_speed,
-                                waves.direction_degrees());
+            if (const auto wind = waves.wind_above()) line += format_text(", wind %g m/s", *wind);
+            line += format_text(" towards %g deg", waves.direction_degrees());
         }
         text += row(i == 0 ? "Waves" : "", line);
     }
@@ -97,7 +97,7 @@ std::string foam_text(const SeaState& state, const SurfaceSettings& surface,
     } else {
         text += row("Whitecaps", "none");
     }
-    if (surface.foam_coverage == FoamCoverage::monahan) {
+    if (surface.foam_coverage == FoamCoverage::monahan && state.whitecap_coverage.asked > 0.0) {
         text += row("", format_text("this wind makes %.2f %% white",
                                     100.0 * state.whitecap_coverage.asked));
     }

@@ -8,6 +8,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,8 @@ class ThreadPool;
 enum class BandSide { too_long, inside, too_short };
 BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n, int m);
 
-/// The wind that makes the whitecaps: the strongest.
-double strongest_wind(const Parameters& parameters);
+/// The wind that makes the whitecaps, the strongest; unset where none is known of.
+std::optional<double> strongest_wind(const Parameters& parameters);
 
 /// Points along each side of a mode's cell, `length` steps of the lattice from its origin: 1, or an
 /// even number. The cell is cut into parts, 1/48 of a wavenumber and of a radian wide, with the two

@@ -137,10 +137,11 @@ double band_gain(const DirectionalSpectrum& spectrum, const Parameters& paramete
     return std::clamp(spectrum.variance(parameters.water, shortest, longest) / variance, 0.5, 2.0);
 }
 
-double strongest_wind(const Parameters& parameters) {
-    double strongest = 0.0;
+std::optional<double> strongest_wind(const Parameters& parameters) {
+    std::optional<double> strongest;
+    // Less than any value is what is unset.
     for (const WaveSystem& system : parameters.waves) {
-        strongest = std::max(strongest, system.wind_speed);
+        strongest = std::max(strongest, system.wind_above());
     }
     return strongest;
 }
@@ -149,7 +150,7 @@ Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& paramete
                  ThreadPool& pool) {
     const ModeLattice lattice(parameters, ModeLattice::Memory::none, pool);
     Modes modes = lattice.still_modes(pool);
-    lattice.set_waves(spectrum, strongest_wind(parameters), pool, modes);
+    lattice.set_waves(spectrum, strongest_wind(parameters).value_or(0.0), pool, modes);
     return modes;
 }
 

@@ -160,7 +160,8 @@ namespace {
 bool same_systems(const Parameters& a, const Parameters& b) {
     return std::equal(a.waves.begin(), a.waves.end(), b.waves.begin(), b.waves.end(),
                       [](const WaveSystem& x, const WaveSystem& y) {
-                          return x.measured == y.measured && x.energy_share == y.energy_share;
+                          return x.measured == y.measured && x.energy_share == y.energy_share &&
+                                 x.wind_onset == y.wind_onset;
                       });
 }
 

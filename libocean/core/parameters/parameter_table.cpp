@@ -97,7 +97,10 @@ constexpr ParameterInfo kTable[] = {
 
     {"waves", "spectrum", "", "Spectrum", "How the energy is spread over the frequencies.",
      &WaveSystem::spectrum, 0, 0, 0, 0, kRebuild, Stage::spectrum},
-    {"waves", "wind_speed", "m/s", "Wind speed", "Mean wind 10 m above the water; 0 is flat.",
+    {"waves", "wind_speed", "m/s", "Wind speed",
+     "Mean wind 10 m above the water; 0 is flat. Unset is 10 where the wind makes height or "
+     "period; "
+     "measured waves and those with both given then have no whitecaps of their own.",
      &WaveSystem::wind_speed, 0.0, 75.0, 2.0, 35.0, kLive, Stage::spectrum},
     {"waves", "wind_direction", "deg", "Wind direction",
      "Where the waves travel to, counter-clockwise from +x. Given for a measured spectrum, it "
@@ -171,7 +174,8 @@ static_assert(rows_of("water") == member_count<Water>());
 static_assert(rows_of("grid") == member_count<Grid>());
 static_assert(rows_of("surface") == member_count<SurfaceSettings>());
 static_assert(rows_of("time") == member_count<Timing>());
-static_assert(rows_of("waves") + 2 == member_count<WaveSystem>());  // energy_share, measured
+static_assert(rows_of("waves") + 3 ==
+              member_count<WaveSystem>());  // energy_share, wind_onset, measured
 
 template <typename Section, typename Value>
 constexpr std::span<const std::string_view> choices_of(Value Section::*) {

@@ -149,19 +149,27 @@ double number_at(const Track& track, const std::function<double()>& initial) {
 bool is_optional(const ParameterInfo& info) {
     return std::holds_alternative<std::optional<double> WaveSystem::*>(info.member);
 }
+bool is_wind_speed(const ParameterInfo& info) {
+    return info.member == ParameterMember(&WaveSystem::wind_speed);
+}
 bool is_number(const ParameterInfo& info) {
     return info.type() == "float";
 }
 
-/// What an unset height, period or direction stands for when its first event comes.
+double number_at(const Sea& sea, const Track& track);
+
+/// What an unset height, period, direction or wind stands for when its first event comes.
 double natural_value(const Sea& sea, const Track& track) {
-    // Of the other parameters at that moment only those count that are never unset.
+    if (is_wind_speed(*track.parameter.info)) {
+        return sea.parameters.waves[track.parameter.wave].wind();
+    }
+    // Of the other parameters at that moment only those count that ask for no other's value.
     Parameters then = sea.parameters;
     for (const Track& other : tracks_of(sea, track.events.front()->seconds)) {
         const ParameterInfo& info = *other.parameter.info;
-        if (!info.per_wave_system() || !is_number(info) || is_optional(info)) continue;
-        const auto initial = [&] { return number_of(value_of(sea.parameters, other.parameter)); };
-        assign(then, other.parameter, number_at(other, initial));
+        if (!info.per_wave_system() || !is_number(info)) continue;
+        if (is_optional(info) && !is_wind_speed(info)) continue;
+        assign(then, other.parameter, number_at(sea, other));
     }
     const NaturalScale natural =
         natural_scale(then.waves[track.parameter.wave], then.water, highest_frequency(then));
@@ -218,12 +226,36 @@ void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const
     parameters.waves[wave].energy_share = amplitude[target] * amplitude[target] / energy;
 }
 
+/// The parameters with the winds that are unset but known of: a wind sea's, which a take that gives
+/// it height and period does not still, and one that a take brings, before its onset.
+Parameters with_winds(const Sea& sea) {
+    Parameters parameters = sea.parameters;
+    for (std::size_t wave = 0; wave < parameters.waves.size(); ++wave) {
+        WaveSystem& system = parameters.waves[wave];
+        if (system.wind_speed) continue;
+        const auto brings_wind = [&](const TakeEvent& event) {
+            return event.parameter.wave == wave && is_wind_speed(*event.parameter.info);
+        };
+        const auto& events = sea.take.events;
+        const bool blows = system.is_wind_sea();
+        if (!blows && std::none_of(events.begin(), events.end(), brings_wind)) continue;
+        system.wind_onset = blows ? 1.0 : 0.0;
+        system.wind_speed = system.wind();
+    }
+    return parameters;
+}
+
 }  // namespace
 
 Parameters Sea::at(double time) const {
-    Parameters now = parameters;
+    Parameters now = with_winds(*this);
     const std::vector<Track> tracks = tracks_of(*this, time);
     for (const Track& track : tracks) {
+        double& onset = now.waves[track.parameter.wave].wind_onset;
+        if (is_wind_speed(*track.parameter.info) && onset < 1.0) {
+            const double left = left_of_step(time - track.events.front()->seconds, track.glide);
+            onset = left < kSettled ? 1.0 : 1.0 - left;
+        }
         const bool number = is_number(*track.parameter.info);
         assign(now, track.parameter,
                number ? ParameterValue(number_at(*this, track)) : track.events.back()->value);

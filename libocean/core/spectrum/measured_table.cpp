@@ -186,7 +186,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
     Moments moments = fill_gaps(*system.measured);
     if (moments.first.empty() && !system.measured->is_directional()) {
         // Calm air has no wave age; a metre per second stands for it.
-        const double wave_age_inverse = std::max(system.wind_speed, 1.0) * sea.peak / water.gravity;
+        const double wave_age_inverse = std::max(system.wind(), 1.0) * sea.peak / water.gravity;
         const double mean = system.direction_degrees() * kPi / 180.0;
         table.directions = directions_needed(system, wave_age_inverse);
         table.spreading = [spreading = SpreadingRows(system, wave_age_inverse, mean,

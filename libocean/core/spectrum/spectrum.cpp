@@ -160,7 +160,7 @@ constexpr double kCalm = 1e-6;
 FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water& water,
                                           double highest) {
     FrequencySpectrum result;
-    const double wind = system.wind_speed;
+    const double wind = system.wind();
     const double g = water.gravity;
     if (wind < kCalm) return result;
 

@@ -93,7 +93,7 @@ WaveSystemTable parametric_table(const WaveSystem& system, const Water& water, d
     table.rows = std::move(rows.omega);
     table.density = std::move(rows.density);
 
-    const double wave_age_inverse = system.wind_speed * spectrum.parameter_peak / water.gravity;
+    const double wave_age_inverse = system.wind() * spectrum.parameter_peak / water.gravity;
     const double mean = system.direction_degrees() * kPi / 180.0;
     table.directions = directions_needed(system, wave_age_inverse);
     table.spreading = [spreading = SpreadingRows(system, wave_age_inverse, mean,

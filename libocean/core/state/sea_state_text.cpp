@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "modes/mode_lattice.hpp"
 #include "ocean/json.hpp"
 
 namespace ocean {
@@ -82,6 +83,11 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
              fixed_text(share.period, 1) +
              " m, not only at grid.patch_size: choose smaller grid.cascade_divisors, fewer "
              "cascades or more grid.resolution");
+    }
+    if (parameters.surface.foam_coverage == FoamCoverage::monahan && !strongest_wind(parameters)) {
+        warn(
+            "no wind is known of: heights and periods are measured or given, and wind_speed is "
+            "not. There are no whitecaps; give a wave system its wind_speed to have them");
     }
     if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
         warn("fewer than three of the dominant waves (" +

@@ -64,10 +64,13 @@ struct Timing {
     bool operator==(const Timing&) const = default;
 };
 
+inline constexpr double kDefaultWind = 10.0;  // m/s
+
 /// One source of waves. Their energies add.
 struct WaveSystem {
     SpectrumKind spectrum = SpectrumKind::phillips;
-    double wind_speed = 10.0;
+    /// Unset means 10 m/s for waves that a wind makes, and no wind that is known of over others.
+    std::optional<double> wind_speed;
     /// Unset means 0 for a parametric spectrum and "as measured" for one with directions.
     std::optional<double> wind_direction;
     double fetch = 300000.0;
@@ -89,10 +92,26 @@ struct WaveSystem {
     /// while a take glides between spreadings; not in the table.
     double energy_share = 1.0;
 
+    /// Of wind_speed, what makes whitecaps. 1 but while a take brings a wind over waves that none
+    /// was given for; not in the table.
+    double wind_onset = 1.0;
+
     /// The chosen record of `file`, resolved by ocean::seafile. Shared, never changed.
     std::shared_ptr<const SpectrumRecord> measured;
 
     double direction_degrees() const { return wind_direction.value_or(0.0); }
+
+    /// Height, period or both come from the wind: not measured, not given both.
+    bool is_wind_sea() const {
+        return spectrum != SpectrumKind::measured && !(significant_wave_height && peak_period);
+    }
+    /// What spectrum and spreading are made with, m/s.
+    double wind() const { return wind_speed.value_or(kDefaultWind); }
+    /// The wind over these waves, m/s; unset where nothing says how it blows.
+    std::optional<double> wind_above() const {
+        if (wind_speed) return wind_onset * *wind_speed;
+        return is_wind_sea() ? std::optional(kDefaultWind) : std::nullopt;
+    }
 };
 
 /// Of all times, s from 0, before and after: 31 years. A double still tells a tenth of a

@@ -19,7 +19,9 @@ struct Sea {
     ///   y(t) = v + (y(s) - v) exp(-(t - s) / glide) from the time s of an event with the value v.
     /// Of peak_period the logarithm glides, of fetch the root, and directions the short way round.
     /// While its spreading glides, a wave system has both: copies of it, each with its
-    /// energy_share, stand behind the systems of the file. foam_coverage switches at once. After
+    /// energy_share, stand behind the systems of the file. A wind that the take brings over waves
+    /// that none was given for glides in from calm (wind_onset) for the whitecaps, and for the
+    /// waves from the 10 m/s that they were made with. foam_coverage switches at once. After
     /// about 20 glides a parameter is its value in every bit.
     Parameters at(double time) const;
     /// at(time).surface.foam_lifetime, for those who follow foam over many ticks.

@@ -84,7 +84,8 @@ void draw_dial(Figure& figure, const Dial& dial, double highest) {
 void draw_directions(Figure& figure, const Dial& dial, const Picture& picture) {
     constexpr double kFrom = 0.7;
     for (const WaveSystem& waves : picture.parameters.waves) {
-        if (waves.spectrum == SpectrumKind::measured || waves.wind_speed <= 0.0) continue;
+        if (waves.spectrum == SpectrumKind::measured || waves.wind_above().value_or(0.0) <= 0.0)
+            continue;
         const double theta = waves.direction_degrees() / kDegrees;
         figure.dashed_line({on_dial(dial, kFrom, theta), on_dial(dial, 1.0, theta)}, kWind, 1.6);
         figure.text(on_dial(dial, 0.86, theta + 0.1), "wind", kSmall, kWind, Anchor::center, false,
