@@ -27,6 +27,7 @@ NUMBERS = [
     "memory_bytes",
     "foam_preroll_seconds",
     "loop_error",
+    "folded_share",
 ]
 
 
@@ -39,6 +40,33 @@ def columns(text):
     cells = [line.split(",") for line in lines]
     numbers = [[float(cell) if cell else math.nan for cell in row] for row in cells]
     return dict(zip(header.split(","), np.array(numbers).T, strict=True))
+
+
+SWELL = """libocean = 1
+[grid]
+resolution = 64
+[[waves]]
+spectrum = "jonswap"
+significant_wave_height = 1.0
+peak_period = 14.0
+"""
+
+
+def test_a_sea_that_cannot_be_is_warned_of(ocean):
+    ocean.write("swell.toml", SWELL)
+    calm = ocean("info", "swell.toml")
+    assert re.search(r"Whitecaps +none", calm.stdout)
+    assert "warning: no wind is known of" in calm.stderr
+    assert "wind_speed" not in ocean.good("info", "--sea-file", "swell.toml")
+    blown = ocean("info", "swell.toml", "--set", "wind_speed=10")
+    assert re.search(r"Whitecaps +0\.99 % of the sea", blown.stdout)
+    assert "no wind" not in blown.stderr
+    shallow = ("--set", "depth=1.5", "--set", "wind_speed=10", "--set", "choppiness=4")
+    done = ocean("info", "swell.toml", *shallow)
+    assert "warning: waves of 1.00 m in water.depth = 1.50 m" in done.stderr
+    state = state_of(ocean, "swell.toml", *shallow)
+    assert state["folded_share"] > 0.01
+    assert any("folded over on" in warning for warning in state["warnings"])
 
 
 def test_json_has_the_documented_keys(ocean):

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
@@ -23,6 +24,11 @@ namespace {
 SeaState state_of(const Parameters& parameters) {
     ThreadPool pool(2);
     return sea_state(make_directional_spectrum(parameters), parameters, pool);
+}
+
+bool warns(const SeaState& state, std::string_view of) {
+    return std::any_of(state.warnings.begin(), state.warnings.end(),
+                       [&](const std::string& text) { return text.find(of) != std::string::npos; });
 }
 
 TEST(SeaState, AskedAndResolvedAgreeOnAGoodGrid) {
@@ -69,21 +75,55 @@ TEST(SeaState, ReportsWhatALoopDoesToTheSpeedOfEachWavelength) {
     EXPECT_GT(state.loop_error, 0.02);
     parameters.time.loop_period = 1000.0;
     EXPECT_LT(state_of(parameters).loop_error, state.loop_error / 30.0);
-    const auto warns = [](const SeaState& s) {
-        return std::any_of(s.warnings.begin(), s.warnings.end(), [](const std::string& text) {
-            return text.find("time.loop_period") != std::string::npos;
-        });
-    };
     parameters.time.loop_period = 3.0;
-    EXPECT_TRUE(warns(state_of(parameters)));
+    EXPECT_TRUE(warns(state_of(parameters), "time.loop_period"));
     parameters.time.loop_period = 1000.0;
-    EXPECT_FALSE(warns(state_of(parameters)));
+    EXPECT_FALSE(warns(state_of(parameters), "time.loop_period"));
 }
 
 TEST(SeaState, WarnsOfAGridThatIsTooSmallOrTooCoarse) {
     EXPECT_LT(state_of(test::wind_sea(512, 20.0)).energy_resolved, 0.9);
     EXPECT_FALSE(state_of(test::wind_sea(512, 20.0)).warnings.empty());
     EXPECT_FALSE(state_of(test::wind_sea(32, 4000.0)).warnings.empty());
+}
+
+TEST(SeaState, WarnsOfWavesTooHighForTheirDepth) {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    parameters.waves.front().significant_wave_height = 3.0;
+    parameters.water.depth = 5.01;
+    EXPECT_FALSE(warns(state_of(parameters), "water.depth"));
+    parameters.water.depth = 4.99;
+    EXPECT_TRUE(warns(state_of(parameters), "water.depth"));
+    // Depth-limited by its own spectrum.
+    parameters.waves.front().significant_wave_height.reset();
+    parameters.waves.front().spectrum = SpectrumKind::tma;
+    EXPECT_FALSE(warns(state_of(parameters), "water.depth"));
+}
+
+TEST(SeaState, TheFoldedShareIsThatOfTheMapsAndWarnsFromOnePercent) {
+    Parameters parameters = test::wind_sea(128, 200.0);
+    const auto state = [&] { return Ocean(parameters, {.threads = 1}).state(); };
+    EXPECT_LT(state().folded_share, 1e-10);
+    EXPECT_FALSE(warns(state(), "folded over"));
+
+    parameters.surface.choppiness = 4.0;
+    double folded = 0.0;
+    double samples = 0.0;
+    for (parameters.seed = 1; parameters.seed <= 16; ++parameters.seed) {
+        const Surface surface =
+            Ocean(parameters, {.threads = 1}).evaluate(7.0, {Channel::jacobian});
+        for (const float jacobian : surface.channel(Channel::jacobian)) {
+            folded += jacobian < 0.0f ? 1.0 : 0.0;
+            samples += 1.0;
+        }
+    }
+    const double share = state().folded_share;
+    EXPECT_NEAR(share, folded / samples, 0.06 * share);
+    EXPECT_EQ(warns(state(), "folded over"), share > 0.01) << share;
+
+    parameters.water.depth = 3.0;
+    EXPECT_GT(state().folded_share, 0.01);
+    EXPECT_TRUE(warns(state(), "folded over"));
 }
 
 TEST(SeaState, BandLimitsCountAsAskedFor) {

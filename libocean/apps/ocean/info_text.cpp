@@ -101,6 +101,7 @@ std::string foam_text(const SeaState& state, const SurfaceSettings& surface,
         text += row("", format_text("this wind makes %.2f %% white",
                                     100.0 * state.whitecap_coverage.asked));
     }
+    text += row("Folded over", format_text("%.2f %% of the surface", 100.0 * state.folded_share));
     text += row("Foam", format_text("lives %g s; is followed for %g s before a frame alone",
                                     surface.foam_lifetime, state.foam_preroll_seconds));
     return text + row("A frame with foam",

@@ -135,6 +135,11 @@ double mean_whitecap(const GradientCovariance& covariance, double choppiness, do
     return MeanWhitecap(covariance, choppiness)(threshold, width);
 }
 
+double folded_share(const GradientCovariance& covariance, double choppiness) {
+    constexpr double kJump = 1e-6;
+    return mean_whitecap(covariance, choppiness, 0.0, kJump);
+}
+
 double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSettings& settings,
                           double wind_speed) {
     if (settings.foam_coverage == FoamCoverage::threshold) return settings.foam_threshold;

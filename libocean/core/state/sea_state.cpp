@@ -153,6 +153,8 @@ void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState
     state.whitecap_coverage = {
         monahan_coverage(modes.wind_speed),
         mean_whitecap(covariance, settings.choppiness, state.foam_threshold, settings.foam_width)};
+    state.folded_share = folded_share(covariance, settings.choppiness);
+    add_folding_warning(settings, state);
 }
 
 }  // namespace ocean

@@ -49,6 +49,14 @@ Json loop_errors_json(const std::vector<LoopError>& errors) {
     return list;
 }
 
+/// Hs over depth of a surf zone that breaks all the way: Hrms = 0.42 d [Thornton and Guza 1982],
+/// Hs = sqrt(2) Hrms.
+constexpr double kSaturated = 0.6;
+/// As much as whitecaps cover in a wind of 10 m/s. Presets up to Beaufort 12 fold 3e-11 of their
+/// surface with a choppiness of 1.5, the end of its soft range, 2e-5 with 2 and three cascades, and
+/// 1.4 % with 4, the end of the hard one.
+constexpr double kMuchFolded = 0.01;
+
 }  // namespace
 
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
@@ -69,6 +77,13 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
         warn("the spectrum is narrower than the grid's modes lie apart: heights are " +
              fixed_text(100.0 * state.energy_resolved, 1) +
              " % of the energy asked for; make grid.patch_size larger");
+    }
+    const double height = state.significant_wave_height.asked;
+    if (height > kSaturated * parameters.water.depth) {
+        warn("waves of " + fixed_text(height, 2) +
+             " m in water.depth = " + fixed_text(parameters.water.depth, 2) +
+             " m: a real sea has broken before its significant height is 0.6 of the depth; allow "
+             "more depth, less height, or take spectrum = \"tma\"");
     }
     if (state.loop_error > 0.05) {
         warn("time.loop_period = " + fixed_text(parameters.time.loop_period, 1) +
@@ -96,6 +111,14 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     }
 }
 
+void add_folding_warning(const SurfaceSettings& surface, SeaState& state) {
+    if (state.folded_share <= kMuchFolded) return;
+    state.warnings.push_back(
+        "crests have folded over on " + fixed_text(100.0 * state.folded_share, 1) +
+        " % of the surface, where it passes through itself: make surface.choppiness = " +
+        fixed_text(surface.choppiness, 2) + " smaller, the waves lower or the water deeper");
+}
+
 std::string sea_state_json(const SeaState& state) {
     JsonObject json(JsonLines{2});
     json.add("significant_wave_height", asked_resolved(state.significant_wave_height));
@@ -116,6 +139,7 @@ std::string sea_state_json(const SeaState& state) {
     json.add("foam_preroll_seconds", state.foam_preroll_seconds);
     json.add("whitecap_coverage", asked_resolved(state.whitecap_coverage));
     json.add("foam_threshold", state.foam_threshold);
+    json.add("folded_share", state.folded_share);
     json.add("loop_error", state.loop_error);
     json.add("loop_errors", loop_errors_json(state.loop_errors));
     json.add("warnings", json_array(state.warnings));

@@ -25,6 +25,9 @@ double monahan_coverage(double wind_speed);
 double mean_whitecap(const GradientCovariance& covariance, double choppiness, double threshold,
                      double width);
 
+/// Share of the surface, by label, that has folded over: P(J < 0), the mean of a W that jumps.
+double folded_share(const GradientCovariance& covariance, double choppiness);
+
 /// The Jacobian below which whitecaps begin. With FoamCoverage::monahan the one at which
 /// mean_whitecap is monahan_coverage(wind_speed), but never above 1: water that is not squeezed
 /// makes no whitecaps. Without wind, waves or choppiness: the lowest float, below every Jacobian,

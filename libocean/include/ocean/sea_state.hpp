@@ -63,6 +63,7 @@ struct SeaState {
     /// Asked: what this wind makes white. Resolved: the mean whitecap of a map of map_resolution.
     AskedResolved whitecap_coverage;
     double foam_threshold = 0.0;  // Jacobian where whitecaps begin there; 1 is undisturbed
+    double folded_share = 0.0;    // of that map's area, by label, where crests have folded over
     /// From the longest wave held in octaves to the shortest; empty for a sea without a loop.
     std::vector<LoopError> loop_errors;
     double loop_error = 0.0;            // of the modes, rms weighted by energy
@@ -72,7 +73,8 @@ struct SeaState {
 /// Needs validated parameters. Leaves out the whitecaps, which are the modes': see add_whitecaps.
 SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                    ThreadPool& pool);
-/// whitecap_coverage and foam_threshold of a state of the same sea.
+/// whitecap_coverage, foam_threshold and folded_share of a state of the same sea, and the warning
+/// of folds.
 void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState& state);
 /// The object of `ocean info --json`.
 std::string sea_state_json(const SeaState& state);
