@@ -10,6 +10,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <vector>
 #endif
 
 namespace ocean {
@@ -37,14 +38,13 @@ class Inflater {
     bool good_ = false;
 };
 
-}  // namespace
-
-std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit) {
+/// Unpacks all members, a block after the other.
+template <typename Take>
+void inflate_all(std::string_view packed, const std::string& name, const Take& take) {
     const auto fail = [&](const std::string& why) {
         return text::error_at(ErrorKind::bad_file, name, 0, "gzip: " + why);
     };
-    constexpr std::size_t kBlock = std::size_t{1} << 16;
-    std::string out;
+    std::vector<char> block(std::size_t{1} << 16);
     while (!packed.empty()) {
         Inflater inflater;  // files may be several members in a row
         if (!inflater.good()) throw Error(ErrorKind::out_of_memory, "zlib has not enough memory");
@@ -54,16 +54,10 @@ std::string gunzip(std::string_view packed, const std::string& name, std::size_t
         stream.avail_in = static_cast<uInt>(packed.size());
         int state = Z_OK;
         while (state == Z_OK) {
-            const std::size_t before = out.size();
-            out.resize(before + kBlock);
-            stream.next_out = reinterpret_cast<Bytef*>(out.data() + before);
-            stream.avail_out = kBlock;
+            stream.next_out = reinterpret_cast<Bytef*>(block.data());
+            stream.avail_out = static_cast<uInt>(block.size());
             state = inflate(&stream, Z_NO_FLUSH);
-            out.resize(before + kBlock - stream.avail_out);
-            if (out.size() > limit) {
-                throw fail("unpacks to more than the " + std::to_string(limit >> 20) +
-                           " MiB allowed");
-            }
+            take(std::string_view(block.data(), block.size() - stream.avail_out));
         }
         if (state == Z_BUF_ERROR) throw fail("the file is cut off");
         if (state != Z_STREAM_END) throw fail("the file is damaged");
@@ -71,6 +65,23 @@ std::string gunzip(std::string_view packed, const std::string& name, std::size_t
         // Zeros that pad a block of a tape or a download are no member.
         packed.remove_prefix(std::min(packed.find_first_not_of('\0'), packed.size()));
     }
+}
+
+}  // namespace
+
+std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit) {
+    // Measured before it is kept: what is refused has cost no memory.
+    std::size_t size = 0;
+    inflate_all(packed, name, [&](std::string_view block) {
+        size += block.size();
+        if (size <= limit) return;
+        throw text::error_at(
+            ErrorKind::bad_file, name, 0,
+            "gzip: unpacks to more than the " + std::to_string(limit >> 20) + " MiB allowed");
+    });
+    std::string out;
+    out.reserve(size);
+    inflate_all(packed, name, [&](std::string_view block) { out += block; });
     return out;
 }
 

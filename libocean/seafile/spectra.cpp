@@ -3,6 +3,7 @@
 //
 // Reading spectrum files of any format: recognise by content, read, check. Between a file of a buoy
 // or a wave model and the record that a wave system takes.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -160,8 +161,11 @@ std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
         return text::error_at(ErrorKind::bad_file, source.name, 0, message);
     };
     if (source.content.empty()) throw fail("the file is empty");
+    // Blank lines before the first word would be gone through for every format.
+    const std::size_t first = source.content.find_first_not_of(" \t\r\n");
+    const std::string_view words = source.content.substr(std::min(first, source.content.size()));
     for (const SpectrumFormat* format : kFormats) {
-        if (format->recognises(source.content)) return read_format(*format, source);
+        if (format->recognises(words)) return read_format(*format, source);
     }
     if (source.content.starts_with("CDF") || source.content.starts_with("\x89HDF")) {
         throw fail(

@@ -4,10 +4,12 @@
 
 import gzip
 import json
+import resource
 import shutil
+import subprocess
 
 import pytest
-from conftest import BUOY, DATA
+from conftest import BUOY, DATA, OCEAN
 
 SPECTRA = DATA / "spectra"
 
@@ -129,3 +131,17 @@ def test_a_place_or_time_that_is_not_there_names_the_nearest(ocean):
     assert "the nearest is at 40.9800,-71.1200, 69 km away" in refused('place = "40.5,-70.6"')
     assert "the nearest is 2022-09-12T09:00" in refused('record = "2022-09-12T12:00"')
     assert "measured.toml:4: " in refused('place = "44079"')
+
+
+def test_a_bomb_is_refused_in_little_memory(ocean):
+    """3 MiB that unpack to 3 GiB, in a process that may have a quarter of one."""
+    bomb = gzip.compress(bytes(64 << 20)) * 48  # members in a row
+    assert len(bomb) < 4 << 20
+    ocean.write("bomb.gz", bomb)
+    limit = 256 << 20
+    done = subprocess.run(
+        [OCEAN, "records", "bomb.gz"], cwd=ocean.folder, capture_output=True, text=True,
+        check=False, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)),
+    )  # fmt: skip
+    assert done.returncode == 2
+    assert "bomb.gz: gzip: unpacks to more than the 512 MiB allowed" in done.stderr
