@@ -4,10 +4,16 @@
 // Any allowed set of parameters gives a finite surface: no NaN, no infinity, no crash.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <random>
 
+#include "ocean/enum_words.hpp"
+#include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea_state.hpp"
 #include "test_seas.hpp"
 
 namespace ocean {
@@ -61,6 +67,83 @@ class RandomParameters {
 
     std::mt19937 random_;
 };
+
+/// Both ends of a range, and where it begins at 0 the smallest numbers beside it.
+std::vector<ParameterValue> ends_of(const ParameterInfo& info) {
+    if (info.type() == "int") {
+        return {static_cast<std::int64_t>(info.min), static_cast<std::int64_t>(info.max)};
+    }
+    std::vector<ParameterValue> ends = {info.min, info.max};
+    if (std::isinf(info.max)) ends.emplace_back(std::numeric_limits<double>::max());
+    if (info.least > 0.0) {
+        ends.emplace_back(info.least);
+    } else if (info.min <= 0.0) {
+        ends.emplace_back(std::numeric_limits<double>::denorm_min());
+        ends.emplace_back(1e-100);
+        ends.emplace_back(1e-9);
+    }
+    return ends;
+}
+
+/// A sea of one word, with water shallow enough for all that depends on it.
+Parameters sea_of(SpectrumKind kind) {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    parameters.water.depth = 20.0;
+    parameters.waves.front().spectrum = kind;
+    if (kind == SpectrumKind::measured) {
+        SpectrumRecord record;
+        record.frequency = {0.05, 0.1, 0.2, 0.4};
+        record.density = {0.0, 6.0, 2.0, 0.1};
+        parameters.waves.front().measured = std::make_shared<const SpectrumRecord>(record);
+    }
+    return parameters;
+}
+
+TEST(Robustness, EveryParameterAtItsEndsGivesAFiniteSeaThatEnds) {
+    for (const ParameterInfo& info : parameter_table()) {
+        const bool number = info.type() == "float" || info.type() == "int";
+        if (!number || info.key == "resolution") continue;  // of all tests at the lower end
+        for (std::size_t kind = 0; kind < enum_count<SpectrumKind>(); ++kind) {
+            for (const ParameterValue& end : ends_of(info)) {
+                SCOPED_TRACE(info.path() + " = " + to_text(end) + ", " +
+                             std::string(kEnumWords<SpectrumKind>[kind]));
+                Parameters parameters = sea_of(static_cast<SpectrumKind>(kind));
+                // What foam costs does not depend on the spectrum.
+                const bool foam = kind == 0;
+                assign(parameters, {&info, 0}, end);
+                Ocean sea(parameters, {.threads = 1});
+                const ChannelSet channels =
+                    foam ? test::kAllChannels | Channel::foam : test::kAllChannels;
+                const Surface surface = sea.evaluate(parameters.time.start, channels, 64);
+                for (int c = 0; c < kChannelCount; ++c) {
+                    const auto channel = static_cast<Channel>(c);
+                    if (!channels.contains(channel)) continue;
+                    const std::span<const float> map = surface.channel(channel);
+                    ASSERT_TRUE(std::all_of(map.begin(), map.end(),
+                                            [](float value) { return std::isfinite(value); }))
+                        << "channel " << c;
+                }
+                EXPECT_NO_THROW(sea_state_json(sea.state())) << "a number that JSON lacks";
+            }
+        }
+    }
+}
+
+TEST(Robustness, ALoopIsNoneOrAHundredthOfASecondAtLeast) {
+    Parameters parameters;
+    EXPECT_NO_THROW(set_parameter(parameters, "loop_period", "0"));
+    EXPECT_NO_THROW(set_parameter(parameters, "loop_period", "0.01"));
+    for (const char* tiny : {"0.0099", "1e-100", "5e-324"}) {
+        try {
+            set_parameter(parameters, "loop_period", tiny);
+            ADD_FAILURE() << tiny;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("allowed: 0 or 0.01 .. 1000000 s"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
 
 TEST(Robustness, AllowedParametersGiveFiniteSurfaces) {
     RandomParameters seas(11);

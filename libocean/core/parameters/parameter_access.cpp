@@ -47,7 +47,8 @@ double checked_number(const ParameterRef& ref, const ParameterValue& value) {
         refuse(ref, quoted_text(value), "is not a number");
     }
     if (std::isnan(number)) refuse(ref, "nan", "is not a number");
-    if (number < ref.info->min || number > ref.info->max) {
+    const bool below = number > 0.0 && number < ref.info->least;
+    if (number < ref.info->min || number > ref.info->max || below) {
         refuse(ref, to_text(value), "is out of range");
     }
     return number;

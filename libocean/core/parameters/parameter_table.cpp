@@ -83,7 +83,7 @@ constexpr ParameterInfo kTable[] = {
      120.0, kRebuild, Stage::clock},
     {"time", "loop_period", "s", "Loop period",
      "The sea repeats after this time: every wave's frequency is rounded to it; 0 is never.",
-     &Timing::loop_period, 0.0, 1e6, 0.0, 120.0, kRebuild, Stage::modes},
+     &Timing::loop_period, 0.0, 1e6, 0.0, 120.0, kRebuild, Stage::modes, "", 0.01},
     {"time", "glide", "s", "Glide",
      "Time in which a live parameter goes 63 % of the way to the value that a take gives it; 0 "
      "jumps.",

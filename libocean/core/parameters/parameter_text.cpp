@@ -137,7 +137,10 @@ std::string allowed_values(const ParameterInfo& info) {
     if (!info.choices().empty()) {
         return "one of " + joined(info.choices());
     }
-    std::string range = plain_text(info.min) + " .. " + plain_text(info.max);
+    const bool or_none = info.least > 0.0;
+    std::string range =
+        or_none ? plain_text(info.min) + " or " + plain_text(info.least) : plain_text(info.min);
+    range += " .. " + plain_text(info.max);
     if (!info.unit.empty() && info.unit != "samples") range += " " + std::string(info.unit);
     if (info.key == "resolution") return "a power of two, " + range;
     if (info.key == "alignment") return "an even number, " + range;
@@ -183,6 +186,7 @@ std::string parameters_json() {
             // JSON has no infinity: such a bound is null.
             row.add("min", json_number_or_null(info.min, plain_text));
             row.add("max", json_number_or_null(info.max, plain_text));
+            if (info.least > 0.0) row.add("least", json_number_or_null(info.least, plain_text));
             row.add("soft_min", json_number_or_null(info.soft_min, plain_text));
             row.add("soft_max", json_number_or_null(info.soft_max, plain_text));
         }

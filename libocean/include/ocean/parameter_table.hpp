@@ -50,6 +50,8 @@ struct ParameterInfo {
     /// Words of another parameter of the section, "jonswap, tma": while that has another word,
     /// this one does nothing. Empty: it always counts.
     std::string_view used_by = "";
+    /// The smallest value that is not 0, where 0 is a word for "none".
+    double least = 0.0;
 
     bool per_wave_system() const { return section == "waves"; }
     /// "water.depth", or "waves.N.wind_speed" with the system's number.
