@@ -215,7 +215,8 @@ OCEAN_API ocean_result ocean_perform(ocean_sea* sea, double time, const char* na
 OCEAN_API ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size);
 
 /* The resolved sea file, self-contained: ocean_parse of it gives the same sea in every bit.
- * BUFFER_TOO_SMALL. */
+ * BUFFER_TOO_SMALL; INVALID_VALUE while values that ocean_set has let in one by one contradict each
+ * other. */
 OCEAN_API ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size);
 /* The parameter table, a JSON array. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_parameters_json(char* out, size_t* size);

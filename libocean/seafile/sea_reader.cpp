@@ -20,7 +20,6 @@
 namespace ocean {
 namespace {
 
-constexpr std::size_t kMaxTextBytes = 4096;
 constexpr std::string_view kVersionKey = "libocean";
 constexpr std::string_view kWaves = "waves";
 
@@ -208,12 +207,7 @@ ParameterValue SeaReader::value_for(const ParameterRef& ref, const toml::node& n
         return items;
     }
     if (!node.is_string()) throw wrong("is not a text in quotes");
-    const std::string& word = node.as_string()->get();
-    const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-    if (word.size() > kMaxTextBytes || std::any_of(word.begin(), word.end(), control)) {
-        throw wrong("is longer than 4096 bytes or holds a control character");
-    }
-    return word;
+    return node.as_string()->get();
 }
 
 /// Before the record is looked for: what the sea file itself can be blamed for.

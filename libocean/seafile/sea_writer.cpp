@@ -99,6 +99,7 @@ std::string sea_file_text(const Parameters& parameters, const LineOfParameter& l
 }
 
 std::string write_sea(const Sea& sea) {
+    validate(sea);
     const auto line = [&](const ParameterRef& ref) { return parameter_line(sea.parameters, ref); };
     return std::string(kOpening) + sea_file_text(sea.parameters, line, measured_record_text) +
            take_text(sea);

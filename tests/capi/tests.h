@@ -23,6 +23,7 @@
     TEST(set_of_a_record_reads_it)                            \
     TEST(texts_say_their_size_and_never_overrun)              \
     TEST(resolved_text_gives_the_same_sea)                    \
+    TEST(a_sea_of_contradictions_has_no_text)                 \
     TEST(presets_open)                                        \
     TEST(records_of_a_buoy_are_listed)                        \
     TEST(water_types_are_listed)                              \

@@ -99,6 +99,33 @@ void resolved_text_gives_the_same_sea(void) {
     ocean_free(sea);
 }
 
+/* The text would not open; the sentence is that of whoever asks the sea for anything else. */
+static void check_contradiction(ocean_sea* sea, const char* sentence) {
+    char text[32];
+    size_t size = sizeof(text);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_text(sea, NULL, &size));
+    CHECK(strstr(ocean_last_error(), sentence) != NULL);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_state_json(sea, text, &size));
+    CHECK(strstr(ocean_last_error(), sentence) != NULL);
+}
+
+void a_sea_of_contradictions_has_no_text(void) {
+    ocean_sea* sea = open_small_sea(NULL);
+    char* text;
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "shortest_wavelength", "5"));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "longest_wavelength", "4"));
+    check_contradiction(sea, "surface.longest_wavelength = 4 m: must be more than");
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "longest_wavelength", "6"));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "spectrum", "measured"));
+    check_contradiction(sea, "needs waves.0.file");
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "spectrum", "jonswap"));
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "file", "a\nb"));
+    text = whole_text(sea_text, sea);
+    CHECK(strstr(text, "longest_wavelength = 6") != NULL);
+    free(text);
+    ocean_free(sea);
+}
+
 void presets_open(void) {
     char* names = whole_text(preset_names, NULL);
     char* text = whole_text(preset, NULL);

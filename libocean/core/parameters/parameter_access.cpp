@@ -87,6 +87,13 @@ void store(const ParameterRef& ref, std::uint32_t& target, const ParameterValue&
 void store(const ParameterRef& ref, std::string& target, const ParameterValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) refuse(ref, to_text(value), "is not a text");
+    constexpr std::size_t kMaxBytes = 4096;
+    const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+    if (text->size() > kMaxBytes || std::any_of(text->begin(), text->end(), control)) {
+        std::string shown = quoted_text(value);
+        std::replace_if(shown.begin(), shown.end(), control, '?');
+        refuse(ref, shown, "is longer than 4096 bytes or holds a control character");
+    }
     target = *text;
 }
 void store(const ParameterRef& ref, std::vector<int>& target, const ParameterValue& value) {

@@ -40,7 +40,8 @@ void resolve_files(Sea& sea, const std::string& base_dir,
 /// The resolved sea as text: every key of the table, the chosen records inlined as
 /// [waves.measured_record] and the take as [take]. A reader prefers these to `file` and `take`.
 /// parse_sea(write_sea(s)) gives the same sea in every bit. Throws Error invalid_value for
-/// a text that is not UTF-8.
+/// a text that is not UTF-8, and for a sea that breaks a rule between parameters, which no reader
+/// would take.
 std::string write_sea(const Sea& sea);
 
 /// A take as text: lines "SECONDS NAME VALUE" in order of time, names as in the parameter table,
