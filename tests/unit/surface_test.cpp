@@ -130,6 +130,29 @@ TEST(Surface, BackendsAgreeWithTheDirectSumNowAndAfterElevenDays) {
     }
 }
 
+TEST(Surface, PhasesAreKeptForThirtyOneYears) {
+    struct Bound {
+        double time, height, slope;
+    };
+    // A time just below kLatestTime is worst: a float leaves up to 32 s of it to the low part.
+    const double latest = kLatestTime - 32.3;
+    const Parameters parameters = test::wind_sea(256, 100.0);  // waves down to half a metre
+    Ocean judge(parameters, {.threads = 2, .backend = Backend::dft});
+    Ocean sea(parameters, {.threads = 2});
+    for (const Bound& bound :
+         {Bound{1e8, 2e-6, 2e-6}, Bound{latest, 3e-6, 1.2e-5}, Bound{-latest, 3e-6, 1.2e-5}}) {
+        const ChannelSet channels = {Channel::height, Channel::slope_x, Channel::slope_y};
+        const Surface exact = judge.evaluate(bound.time, channels);
+        const Surface surface = sea.evaluate(bound.time, channels);
+        const auto error = [&](Channel channel) {
+            return test::relative_error(surface.channel(channel), exact.channel(channel));
+        };
+        EXPECT_LT(error(Channel::height), bound.height) << bound.time;
+        EXPECT_LT(error(Channel::slope_x), bound.slope) << bound.time;
+        EXPECT_LT(error(Channel::slope_y), bound.slope) << bound.time;
+    }
+}
+
 TEST(Surface, ImaginaryPartsVanish) {
     ThreadPool pool(1);
     const Parameters parameters = test::wind_sea(64);
