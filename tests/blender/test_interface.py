@@ -192,9 +192,10 @@ def test_a_wind_saved_without_a_switch_is_given(ocean, tmp_path):
     bpy.ops.wm.open_mainfile(filepath=path)
     (system,) = bpy.context.object.libocean.waves
     assert system.use_wind_speed
-    assert parameter_values.values_of(bpy.context.object.libocean).waves[0].values[
-        "wind_speed"
-    ] == "21.0"
+    assert (
+        parameter_values.values_of(bpy.context.object.libocean).waves[0].values["wind_speed"]
+        == "21.0"
+    )
 
 
 def test_save_and_load(ocean, tmp_path):
