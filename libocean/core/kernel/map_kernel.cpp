@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/touch_pages.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 #include "packed_modes.hpp"
@@ -165,11 +166,12 @@ std::size_t intermediate_floats(FrameTask& task, int lanes) {
     return task.pair_stride * (static_cast<std::size_t>(task.size) / (2 * width));
 }
 
-/// At least so many; what was there is lost.
-void make_room(PageVector<float>& floats, std::size_t count) {
-    if (floats.size() >= count) return;
+/// At least so many; what was there is lost. True if they are new.
+bool make_room(PageVector<float>& floats, std::size_t count) {
+    if (floats.size() >= count) return false;
     floats = {};
     floats = PageVector<float>(count);
+    return true;
 }
 
 }  // namespace
@@ -217,7 +219,9 @@ struct MapKernel::State {
         task.direct_count = 0;
         task.output_count = 0;
         Plan(task, frame, outputs);
-        make_room(intermediate, intermediate_floats(task, code.lanes));
+        if (make_room(intermediate, intermediate_floats(task, code.lanes))) {
+            touch_pages(intermediate, pool);
+        }
         task.intermediate = intermediate.data();
         scratch.resize(std::max(scratch.size(), static_cast<std::size_t>(pool.size())));
         for (PageVector<float>& floats : scratch) make_room(floats, code.scratch_floats(task));

@@ -145,21 +145,30 @@ Modes ModeLattice::still_modes(ThreadPool& pool) const {
         still.divisor = cascade.band.divisor;
         still.lattice = cascade.lattice;
         const std::size_t size = cascade.lattice.size();
-        // New memory costs about as much as what is written there: the arrays side by side.
-        pool.for_each_range(4, [&](int first, int last) {
-            for (int i = first; i < last; ++i) {
-                if (i == 0) still.rate_high.resize(size);
-                if (i == 1) still.rate_low.resize(size);
-                if (i == 2) still.h0.resize(size);
-                if (i == 3) still.displacement.resize(size);
-            }
-        });
+        still.h0.resize(size);
+        still.rate_high.resize(size);
+        still.rate_low.resize(size);
+        still.displacement.resize(size);
         still.shell_covariance.resize(static_cast<std::size_t>(half));
         pool.for_each_range(half, [&](int first, int last) {
-            for (int m = first; m < last; ++m) set_rates(cascade, m, still);
+            for (int m = first; m < last; ++m) {
+                clear_row(m, still);
+                clear_row(m == 0 ? -half : -m, still);
+                set_rates(cascade, m, still);
+            }
         });
     }
     return modes;
+}
+
+/// New memory costs about as much as what is written there: each thread has its rows.
+void ModeLattice::clear_row(int m, CascadeModes& modes) {
+    const auto width = static_cast<std::size_t>(modes.lattice.resolution);
+    const auto at = static_cast<std::size_t>(fft_index(m, modes.lattice.resolution)) * width;
+    std::fill_n(&modes.h0[at], width, std::complex<float>(0.0f));
+    std::fill_n(&modes.rate_high[at], width, 0.0f);
+    std::fill_n(&modes.rate_low[at], width, 0.0f);
+    std::fill_n(&modes.displacement[at], width, 0.0f);
 }
 
 void ModeLattice::set_rates(const Cascade& cascade, int m, CascadeModes& modes) const {

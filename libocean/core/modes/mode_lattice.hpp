@@ -101,6 +101,7 @@ class ModeLattice {
     /// Row m, which may be negative, in FFT order: modes (n, m) of `east` and (-n, m) of `west`.
     void draw_row(const Cascade& cascade, int m, ModeRange east, ModeRange west,
                   std::span<std::complex<float>> noise) const;
+    static void clear_row(int m, CascadeModes& modes);
     void set_rates(const Cascade& cascade, int m, CascadeModes& modes) const;
     /// Returns the variance of the modes that measure the band.
     double set_cascade(const Cascade& cascade, const QuadrantSampler& sampler, ThreadPool& pool,

@@ -64,7 +64,7 @@ class MotionStrips {
   public:
     MotionStrips(const Modes& modes, const Water& water, double z, int shown, int fine,
                  ThreadPool& pool)
-        : map_({fine, modes.lattice.period}),
+        : map_({fine, modes.lattice.period}, pool),
           along_(modes, fine, faded(modes, shown, fine, along(modes, water, z)), pool),
           up_(modes, fine, faded(modes, shown, fine, upright(water, z)), pool) {}
 

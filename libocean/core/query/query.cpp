@@ -142,9 +142,9 @@ struct SurfaceQuery::State {
           shown(shown_resolution(modes.lattice.resolution, asked)),
           fine(spline_resolution(modes.lattice.resolution, asked)),
           strips(modes, fine, spline_factor(modes, shown, fine), pool),
-          position({fine, modes.lattice.period}),
-          velocity(position.lattice()),
-          folds(modes.lattice.period, std::min(2 * shown, fine)),
+          position({fine, modes.lattice.period}, pool),
+          velocity(position.lattice(), pool),
+          folds(modes.lattice.period, std::min(2 * shown, fine), pool),
           bounds(query_bounds(modes, shown, fine, asked.exact, pool)),
           revision(modes.revision) {}
 
@@ -173,12 +173,6 @@ struct SurfaceQuery::State {
         const WorldPoint place = wrapped_place(point);
         return folds.block_of(place.x, place.y);
     }
-    void prefetch_guess(WorldPoint point) const { folds.prefetch(wrapped_place(point)); }
-    void prefetch(WorldPoint point) const {
-        const WorldPoint label = folds.guess(wrapped_place(point));
-        position.prefetch(label.x, label.y);
-        velocity.prefetch(label.x, label.y);
-    }
     WorldPoint wrapped_place(WorldPoint point) const {
         return {wrapped(point.x, period()), wrapped(point.y, period())};
     }
@@ -187,8 +181,11 @@ struct SurfaceQuery::State {
         for (const int column : position.columns(x)) strips.need(strips.strip_of(column));
     }
     Solution solve(const InversionTarget& target, WorldPoint start) const;
-    Solution top_solution(WorldPoint place, Starts& starts, QuerySample& sample) const;
-    QuerySample sample(WorldPoint point, Starts& starts) const;
+    Solution top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
+                          QuerySample& sample) const;
+    /// `guess`: of the place of the point, wrapped.
+    QuerySample sample(WorldPoint point, WorldPoint place, WorldPoint guess, Starts& starts) const;
+    void sample_in_order(std::span<const Numbered> points, std::span<QuerySample> samples) const;
     void fill(QuerySample& sample, const Solution& solution) const;
     void fill_exactly(QuerySample& sample, WorldPoint place, ShownLabel label) const;
     double foam_at(double x, double y) const;
@@ -301,12 +298,12 @@ class TopSheet {
 };
 
 /// Sets what the sample says of the search.
-Solution SurfaceQuery::State::top_solution(WorldPoint place, Starts& starts,
+Solution SurfaceQuery::State::top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
                                            QuerySample& sample) const {
     TopSheet sheet;
     const bool listed = folds.labels_near(place.x, place.y, starts);
     const double search = std::max(10.0 * spacing(), 2.0 * reach());
-    if (starts.empty()) starts.push_back(folds.guess(place));  // nothing folds there
+    if (starts.empty()) starts.push_back(guess);  // nothing folds there
     for (const WorldPoint& start : starts) sheet.add(solve(target(place), start));
     // Where all of these end in a fold that just misses this place: around the first of them, as
     // far as a label can be.
@@ -323,10 +320,10 @@ Solution SurfaceQuery::State::top_solution(WorldPoint place, Starts& starts,
     return sheet.top();
 }
 
-QuerySample SurfaceQuery::State::sample(WorldPoint point, Starts& starts) const {
-    const WorldPoint place = wrapped_place(point);
+QuerySample SurfaceQuery::State::sample(WorldPoint point, WorldPoint place, WorldPoint guess,
+                                        Starts& starts) const {
     QuerySample sample{};
-    const Solution solution = top_solution(place, starts, sample);
+    const Solution solution = top_solution(place, guess, starts, sample);
     if (exact) {
         fill_exactly(sample, place, solution.label);
     } else {
@@ -336,6 +333,42 @@ QuerySample SurfaceQuery::State::sample(WorldPoint point, Starts& starts) const 
     sample.label[0] += point.x - place.x;
     sample.label[1] += point.y - place.y;
     return sample;
+}
+
+/// In stages, some points apart: the maps are larger than the caches, and what a stage reads is on
+/// its way since the one before.
+void SurfaceQuery::State::sample_in_order(std::span<const Numbered> points,
+                                          std::span<QuerySample> samples) const {
+    static_assert(FoldIndex::kLooks == 2);
+    constexpr std::size_t kApart = 4;
+    struct Search {
+        WorldPoint place;
+        WorldPoint label;
+    };
+    std::array<Search, 4 * kApart> searches;
+    Starts starts;
+    for (std::size_t now = 0; now < points.size() + 3 * kApart; ++now) {
+        const auto stage = [&](std::size_t number, const auto& body) {
+            const std::size_t i = now - number * kApart;  // beyond all while it is not begun
+            if (i < points.size()) body(points[i], searches[i % searches.size()]);
+        };
+        stage(0, [&](const Numbered& point, Search& search) {
+            search.place = search.label = wrapped_place(point.point);
+            folds.prefetch(search.label);
+        });
+        stage(1, [&](const Numbered&, Search& search) {
+            search.label = folds.look(search.place, search.label);
+            folds.prefetch(search.label);
+        });
+        stage(2, [&](const Numbered&, Search& search) {
+            search.label = folds.look(search.place, search.label);
+            position.prefetch(search.label.x, search.label.y);
+            velocity.prefetch(search.label.x, search.label.y);
+        });
+        stage(3, [&](const Numbered& point, Search& search) {
+            samples[point.number] = sample(point.point, search.place, search.label, starts);
+        });
+    }
 }
 
 void SurfaceQuery::State::fill(QuerySample& sample, const Solution& solution) const {
@@ -424,24 +457,18 @@ void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySam
     require_finite(points);
     state_->prepare(points, &pool);
     const auto numbered = state_->in_order(points);
-    for_each_point(pool, points.size(), state_->options.exact,
-                   [&](std::size_t first, std::size_t last) {
-                       State::Starts starts;
-                       for (std::size_t i = first; i < last; ++i) {
-                           // The maps are larger than the caches: what is read next is on its way
-                           // meanwhile.
-                           if (i + 8 < last) state_->prefetch_guess(numbered[i + 8].point);
-                           if (i + 4 < last) state_->prefetch(numbered[i + 4].point);
-                           samples[numbered[i].number] = state_->sample(numbered[i].point, starts);
-                       }
-                   });
+    for_each_point(
+        pool, points.size(), state_->options.exact, [&](std::size_t first, std::size_t last) {
+            state_->sample_in_order(std::span(numbered).subspan(first, last - first), samples);
+        });
 }
 
 QuerySample SurfaceQuery::sample(WorldPoint point) const {
     require_finite({&point, 1});
     state_->prepare({&point, 1}, nullptr);
+    const WorldPoint place = state_->wrapped_place(point);
     State::Starts starts;
-    return state_->sample(point, starts);
+    return state_->sample(point, place, state_->folds.guess(place), starts);
 }
 
 double SurfaceQuery::time() const {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/touch_pages.hpp"
 #include "base/wave.hpp"
 #include "ocean/thread_pool.hpp"
 
@@ -22,7 +23,7 @@ constexpr std::size_t kMaxTilesPerCell = 16;
 
 }  // namespace
 
-FoldIndex::FoldIndex(double period, int resolution)
+FoldIndex::FoldIndex(double period, int resolution, ThreadPool& pool)
     : lattice_{resolution, period},
       tiles_(resolution / kCellsPerTile),
       across_(resolution / kBlock),
@@ -32,7 +33,10 @@ FoldIndex::FoldIndex(double period, int resolution)
       offset_(lattice_.size()),
       jacobian_(lattice_.size()),
       cells_of_(static_cast<std::size_t>(labels_.count())),
-      cells_(static_cast<std::size_t>(places_.count())) {}
+      cells_(static_cast<std::size_t>(places_.count())) {
+    touch_pages(offset_, pool);
+    touch_pages(jacobian_, pool);
+}
 
 void FoldIndex::begin(double choppiness, double reach) {
     choppiness_ = choppiness;
@@ -199,12 +203,6 @@ std::uint64_t FoldIndex::bytes(int resolution) {
     return cells * (sizeof(Offset) + sizeof(float) + listed * sizeof(std::uint32_t));
 }
 
-std::size_t FoldIndex::sample_at(int i, int j) const {
-    const int mask = lattice_.resolution - 1;
-    return static_cast<std::size_t>(j & mask) * static_cast<std::size_t>(lattice_.resolution) +
-           static_cast<std::size_t>(i & mask);
-}
-
 FoldIndex::Box FoldIndex::box_of(int i, int j) const {
     const double spacing = lattice_.period / lattice_.resolution;
     Box box;
@@ -222,9 +220,7 @@ FoldIndex::Box FoldIndex::box_of(int i, int j) const {
 
 FoldIndex::TileRange FoldIndex::tiles_of(int i, int j) const {
     const Box box = box_of(i, j);
-    const auto tile = [&](double a) {
-        return static_cast<long long>(std::floor(a * tiles_ / lattice_.period));
-    };
+    const auto tile = [&](double a) { return floor_index(a * tiles_ / lattice_.period); };
     const auto count = [&](long long first, long long last) {
         return static_cast<int>(std::min<long long>(last - first + 1, tiles_));
     };
@@ -250,24 +246,9 @@ void FoldIndex::each_tile(const TileRange& range, int block, const Visit& visit)
     }
 }
 
-std::size_t FoldIndex::tile_along(double x) const {
-    const double per_metre = tiles_ / lattice_.period;
-    return static_cast<std::size_t>(std::min(static_cast<int>(x * per_metre), tiles_ - 1));
-}
-
-std::size_t FoldIndex::sample_near(WorldPoint label) const {
-    const double per_metre = lattice_.resolution / lattice_.period;
-    const auto index = [&](double a) { return static_cast<int>(std::floor(a * per_metre + 0.5)); };
-    return sample_at(index(label.x), index(label.y));
-}
-
 WorldPoint FoldIndex::guess(WorldPoint place) const {
-    if (choppiness_ == 0.0) return place;
     WorldPoint label = place;
-    for (int look = 0; look < 2; ++look) {
-        const Offset offset = offset_[sample_near(label)];
-        label = {place.x - static_cast<double>(offset.x), place.y - static_cast<double>(offset.y)};
-    }
+    for (int looks = 0; looks < kLooks; ++looks) label = look(place, label);
     return label;
 }
 

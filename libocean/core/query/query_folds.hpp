@@ -26,7 +26,7 @@ class FoldIndex {
     static constexpr int kBlock = 32;  // cells, along each axis
 
     /// Cells lie between the samples of a lattice of `resolution`, at most that of the map.
-    FoldIndex(double period, int resolution);
+    FoldIndex(double period, int resolution, ThreadPool& pool);
 
     /// From now on of that surface: no block is there. No label is shown farther than `reach` from
     /// where it is.
@@ -55,10 +55,13 @@ class FoldIndex {
     /// there. Empties `labels` first. The block of the place must be there. False: so folded that
     /// the lists would not end, and nothing is known.
     bool labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
-    /// Near the label that is shown at a place where no fold is near. As above.
+    /// Near the label that is shown at a place where no fold is near: the place itself, and after
+    /// kLooks looks near enough to search from. As above.
+    static constexpr int kLooks = 2;
+    WorldPoint look(WorldPoint place, WorldPoint label) const;
     WorldPoint guess(WorldPoint place) const;
-    /// Asks for what guess() looks at first to be brought near.
-    void prefetch(WorldPoint place) const { __builtin_prefetch(&offset_[sample_near(place)]); }
+    /// Asks for what a look at a label reads to be brought near.
+    void prefetch(WorldPoint label) const { __builtin_prefetch(&offset_[sample_near(label)]); }
 
   private:
     static constexpr int kCellsPerTile = 4;  // along each axis
@@ -164,6 +167,29 @@ class FoldIndex {
     std::vector<Measured> cells_of_;  // of a block of labels
     std::vector<Cells> cells_;        // of a block of places
 };
+
+inline std::size_t FoldIndex::tile_along(double x) const {
+    const double per_metre = tiles_ / lattice_.period;
+    return static_cast<std::size_t>(std::min(static_cast<int>(x * per_metre), tiles_ - 1));
+}
+
+inline std::size_t FoldIndex::sample_at(int i, int j) const {
+    const int mask = lattice_.resolution - 1;
+    return static_cast<std::size_t>(j & mask) * static_cast<std::size_t>(lattice_.resolution) +
+           static_cast<std::size_t>(i & mask);
+}
+
+inline std::size_t FoldIndex::sample_near(WorldPoint label) const {
+    const double per_metre = lattice_.resolution / lattice_.period;
+    const auto index = [&](double a) { return static_cast<int>(floor_index(a * per_metre + 0.5)); };
+    return sample_at(index(label.x), index(label.y));
+}
+
+inline WorldPoint FoldIndex::look(WorldPoint place, WorldPoint label) const {
+    if (choppiness_ == 0.0) return place;
+    const Offset offset = offset_[sample_near(label)];
+    return {place.x - static_cast<double>(offset.x), place.y - static_cast<double>(offset.y)};
+}
 
 template <typename Visit>
 void FoldIndex::each_column(const SplineMap& map, int block, int width, const Visit& visit) const {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/touch_pages.hpp"
+
 namespace ocean {
 namespace {
 
@@ -49,11 +51,13 @@ ModeFactor spline_factor(const Modes& modes, int band, int resolution) {
     };
 }
 
-SplineMap::SplineMap(Lattice lattice)
-    : lattice_(lattice), per_metre_(lattice.resolution / lattice.period), texels_(lattice.size()) {}
+SplineMap::SplineMap(Lattice lattice, ThreadPool& pool)
+    : lattice_(lattice), per_metre_(lattice.resolution / lattice.period), texels_(lattice.size()) {
+    touch_pages(texels_, pool);
+}
 
 MapOutput SplineMap::output(const std::array<Quantity, kFields>& quantities) {
-    MapOutput output{texels_.front().field, kFields, {}};
+    MapOutput output{reinterpret_cast<float*>(texels_.data()), kFields, {}};
     for (std::size_t c = 0; c < kFields; ++c) output.component[c].quantity = quantities[c];
     return output;
 }

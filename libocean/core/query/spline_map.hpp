@@ -18,7 +18,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "kernel/packed_modes.hpp"
@@ -28,6 +27,8 @@
 #include "ocean/page_vector.hpp"
 
 namespace ocean {
+
+class ThreadPool;
 
 /// What the fields are at one point, in their order, and the first three with their slopes.
 struct SplineValue {
@@ -39,6 +40,12 @@ struct SplineJet {
     std::array<float, 3> by_y;
 };
 
+/// std::floor is a function call on machines as old as x86-64 allows.
+inline long long floor_index(double x) {
+    const auto whole = static_cast<long long>(x);
+    return x < static_cast<double>(whole) ? whole - 1 : whole;
+}
+
 /// What a mode is multiplied by to become a coefficient of a spline of `resolution` samples:
 /// 1 / (B^(kx) B^(ky)), and 0 where a map of `band` samples does not hold the mode.
 ModeFactor spline_factor(const Modes& modes, int band, int resolution);
@@ -49,7 +56,7 @@ class SplineMap {
   public:
     static constexpr int kFields = 4;
 
-    explicit SplineMap(Lattice lattice);
+    SplineMap(Lattice lattice, ThreadPool& pool);
 
     const Lattice& lattice() const { return lattice_; }
     /// Where the coefficients of these go; those of a field without a quantity stay as they are.
@@ -57,18 +64,18 @@ class SplineMap {
     MapOutput output(const std::array<Quantity, kFields>& quantities);
     /// The first and the last column that a point at x is made of.
     std::array<int, 2> columns(double x) const {
-        const auto i = static_cast<long long>(std::floor(x * per_metre_));
+        const long long i = floor_index(x * per_metre_);
         const long long mask = lattice_.resolution - 1;
         return {static_cast<int>((i - 1) & mask), static_cast<int>((i + 2) & mask)};
     }
-    static constexpr std::size_t bytes_per_sample() { return sizeof(Texel); }
+    static constexpr std::size_t bytes_per_sample() { return sizeof(Fields); }
     /// Finite coordinates in metres, not many periods from 0.
     SplineValue value(double x, double y) const;
     SplineJet jet(double x, double y) const;
     /// Asks for the coefficients around a point to be brought near.
     void prefetch(double x, double y) const {
         const Place at = place(x, y);
-        for (const Texel* const row : at.row) {
+        for (const Fields* const row : at.row) {
             __builtin_prefetch(row + at.column[0]);
             __builtin_prefetch(row + at.column[3]);
         }
@@ -78,19 +85,19 @@ class SplineMap {
 
   private:
     /// Side by side, so that one point touches few cache lines.
-    struct alignas(16) Texel {
-        float field[kFields];
-    };
+    using Fields = float __attribute__((vector_size(kFields * sizeof(float))));
     struct Place {
-        std::array<const Texel*, 4> row;
+        std::array<const Fields*, 4> row;
         std::array<std::size_t, 4> column;
         float x, y;  // within the cell, 0 .. 1
     };
     Place place(double x, double y) const;
+    /// From slopes by sample.
+    SplineJet jet_from(Fields value, Fields by_x, Fields by_y) const;
 
     Lattice lattice_;
     double per_metre_;
-    PageVector<Texel> texels_;
+    PageVector<Fields> texels_;
 };
 
 inline std::array<float, 4> spline_weights(float t) {
@@ -107,10 +114,8 @@ inline std::array<float, 4> spline_slopes(float t) {
 inline SplineMap::Place SplineMap::place(double x, double y) const {
     const double u = x * per_metre_;
     const double v = y * per_metre_;
-    const double cell_x = std::floor(u);
-    const double cell_y = std::floor(v);
-    const auto i = static_cast<long long>(cell_x);
-    const auto j = static_cast<long long>(cell_y);
+    const long long i = floor_index(u);
+    const long long j = floor_index(v);
     const long long mask = lattice_.resolution - 1;
     Place place;
     for (int a = 0; a < 4; ++a) {
@@ -119,8 +124,8 @@ inline SplineMap::Place SplineMap::place(double x, double y) const {
         place.row[at] = texels_.data() + static_cast<std::size_t>((j + a - 1) & mask) *
                                              static_cast<std::size_t>(lattice_.resolution);
     }
-    place.x = static_cast<float>(u - cell_x);
-    place.y = static_cast<float>(v - cell_y);
+    place.x = static_cast<float>(u - static_cast<double>(i));
+    place.y = static_cast<float>(v - static_cast<double>(j));
     return place;
 }
 
@@ -128,16 +133,21 @@ inline SplineValue SplineMap::value(double x, double y) const {
     const Place at = place(x, y);
     const std::array<float, 4> wx = spline_weights(at.x);
     const std::array<float, 4> wy = spline_weights(at.y);
-    float sum[4] = {};
+    Fields sum{};
     for (std::size_t j = 0; j < 4; ++j) {
-        float along[4] = {};
-        for (std::size_t i = 0; i < 4; ++i) {
-            const Texel& texel = at.row[j][at.column[i]];
-            for (int c = 0; c < 4; ++c) along[c] += wx[i] * texel.field[c];
-        }
-        for (int c = 0; c < 4; ++c) sum[c] += wy[j] * along[c];
+        Fields along{};
+        for (std::size_t i = 0; i < 4; ++i) along += wx[i] * at.row[j][at.column[i]];
+        sum += wy[j] * along;
     }
     return {{sum[0], sum[1], sum[2], sum[3]}};
+}
+
+inline SplineJet SplineMap::jet_from(Fields value, Fields by_x, Fields by_y) const {
+    const auto scale = static_cast<float>(per_metre_);
+    by_x *= scale;
+    by_y *= scale;
+    return {
+        {value[0], value[1], value[2]}, {by_x[0], by_x[1], by_x[2]}, {by_y[0], by_y[1], by_y[2]}};
 }
 
 inline SplineJet SplineMap::jet(double x, double y) const {
@@ -146,34 +156,27 @@ inline SplineJet SplineMap::jet(double x, double y) const {
     const std::array<float, 4> wy = spline_weights(at.y);
     const std::array<float, 4> sx = spline_slopes(at.x);
     const std::array<float, 4> sy = spline_slopes(at.y);
-    float sum[4] = {};
-    float by_x[4] = {};
-    float by_y[4] = {};
+    Fields sum{};
+    Fields by_x{};
+    Fields by_y{};
     for (std::size_t j = 0; j < 4; ++j) {
-        float along[4] = {};
-        float slope[4] = {};
+        Fields along{};
+        Fields slope{};
         for (std::size_t i = 0; i < 4; ++i) {
-            const Texel& texel = at.row[j][at.column[i]];
-            for (int c = 0; c < 4; ++c) {
-                along[c] += wx[i] * texel.field[c];
-                slope[c] += sx[i] * texel.field[c];
-            }
+            const Fields texel = at.row[j][at.column[i]];
+            along += wx[i] * texel;
+            slope += sx[i] * texel;
         }
-        for (int c = 0; c < 4; ++c) {
-            sum[c] += wy[j] * along[c];
-            by_x[c] += wy[j] * slope[c];
-            by_y[c] += sy[j] * along[c];
-        }
+        sum += wy[j] * along;
+        by_x += wy[j] * slope;
+        by_y += sy[j] * along;
     }
-    const auto scale = static_cast<float>(per_metre_);
-    return {{sum[0], sum[1], sum[2]},
-            {scale * by_x[0], scale * by_x[1], scale * by_x[2]},
-            {scale * by_y[0], scale * by_y[1], scale * by_y[2]}};
+    return jet_from(sum, by_x, by_y);
 }
 
 inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
     const int mask = lattice_.resolution - 1;
-    const auto texel = [&](int column, int row) -> const Texel& {
+    const auto texel = [&](int column, int row) {
         return texels_[static_cast<std::size_t>(row & mask) *
                            static_cast<std::size_t>(lattice_.resolution) +
                        static_cast<std::size_t>(column & mask)];
@@ -181,25 +184,18 @@ inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
     // Of the kernel at -1, 0, 1: 1/6, 4/6, 1/6, and of its derivative -1/2, 0, 1/2.
     constexpr float kSide = 1.0f / 6.0f;
     constexpr float kMiddle = 4.0f / 6.0f;
-    float along[3][4];
-    float slope[3][4];
+    Fields along[3];
+    Fields slope[3];
     for (int a = 0; a < 3; ++a) {
-        const Texel& south = texel(i + a - 1, j - 1);
-        const Texel& middle = texel(i + a - 1, j);
-        const Texel& north = texel(i + a - 1, j + 1);
-        for (int c = 0; c < 4; ++c) {
-            along[a][c] = kSide * (south.field[c] + north.field[c]) + kMiddle * middle.field[c];
-            slope[a][c] = 0.5f * (north.field[c] - south.field[c]);
-        }
+        const Fields south = texel(i + a - 1, j - 1);
+        const Fields middle = texel(i + a - 1, j);
+        const Fields north = texel(i + a - 1, j + 1);
+        along[a] = kSide * (south + north) + kMiddle * middle;
+        slope[a] = 0.5f * (north - south);
     }
-    const auto scale = static_cast<float>(per_metre_);
-    SplineJet jet;
-    for (std::size_t c = 0; c < 3; ++c) {
-        jet.value[c] = kSide * (along[0][c] + along[2][c]) + kMiddle * along[1][c];
-        jet.by_x[c] = scale * 0.5f * (along[2][c] - along[0][c]);
-        jet.by_y[c] = scale * (kSide * (slope[0][c] + slope[2][c]) + kMiddle * slope[1][c]);
-    }
-    return jet;
+    return jet_from(kSide * (along[0] + along[2]) + kMiddle * along[1],
+                    0.5f * (along[2] - along[0]),
+                    kSide * (slope[0] + slope[2]) + kMiddle * slope[1]);
 }
 
 }  // namespace ocean

@@ -12,6 +12,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/page_vector.hpp"
 
 namespace ocean {
 
@@ -37,10 +38,10 @@ struct GradientCovariance {
 struct CascadeModes {
     int divisor = 1;  // period of this cascade = patch_size / divisor
     Lattice lattice;
-    std::vector<std::complex<float>> h0;  // m
-    std::vector<float> rate_high;         // omega / 2 pi, Hz; with a loop: whole turns per loop
-    std::vector<float> rate_low;          // the rest of it, which rate_high cannot hold
-    std::vector<float> displacement;      // coth(k d) / k, m: that of h is -i kvec * this * h
+    PageVector<std::complex<float>> h0;  // m
+    PageVector<float> rate_high;         // omega / 2 pi, Hz; with a loop: whole turns per loop
+    PageVector<float> rate_low;          // the rest of it, which rate_high cannot hold
+    PageVector<float> displacement;      // coth(k d) / k, m: that of h is -i kvec * this * h
     /// [s]: of the modes with max(|n|, |m|) = s.
     std::vector<GradientCovariance> shell_covariance;
 };

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct PageAllocator {
     void deallocate(T* p, std::size_t n) { free_pages(p, n * sizeof(T)); }
     template <typename U>
     void construct(U* p) {
-        ::new (static_cast<void*>(p)) U;
+        // std::complex would set itself to zero.
+        if constexpr (!std::is_trivially_copyable_v<U>) ::new (static_cast<void*>(p)) U;
     }
     template <typename U, typename... Arguments>
     void construct(U* p, Arguments&&... arguments) {
