@@ -86,16 +86,28 @@ class CApiFrame {
         options.threads = threads;
         require_ok(ocean_parse(text.data(), text.size(), nullptr, &options, &sea_));
         const std::size_t count = 3 * sea.modes.lattice.size();
-        outputs_[0] = {
-            displacement.data(), count, {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, -1}, 3, OCEAN_ZUP};
-        outputs_[1] = {normal.data(), count, {OCEAN_NX, OCEAN_NY, OCEAN_NZ, -1}, 3, OCEAN_ZUP};
+        outputs_[0] = vector_output(displacement.data(), count, OCEAN_DX);
+        outputs_[1] = vector_output(normal.data(), count, OCEAN_NX);
     }
     ~CApiFrame() { ocean_free(sea_); }
     CApiFrame(const CApiFrame&) = delete;
     CApiFrame& operator=(const CApiFrame&) = delete;
 
+    static ocean_output vector_output(float* data, std::size_t count, std::int32_t first) {
+        ocean_output output{};
+        output.data = data;
+        output.count = count;
+        output.channels = 3;
+        for (std::int32_t c = 0; c < 3; ++c) output.channel[c] = first + c;
+        return output;
+    }
+
     void run(double time) const {
-        const ocean_request request{sizeof(ocean_request), time, 0, outputs_, 2};
+        ocean_request request{};
+        request.struct_size = sizeof(request);
+        request.time = time;
+        request.outputs = outputs_;
+        request.output_count = 2;
         require_ok(ocean_evaluate(sea_, &request));
     }
 

@@ -3,10 +3,15 @@
 //
 // What hosts ask for beside frames, each as so many map frames: a displacement map of the same sea
 // on one thread.
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <memory>
+#include <new>
 #include <random>
 #include <string>
 #include <vector>
@@ -55,6 +60,46 @@ class MapFrame {
     Ocean ocean_;
     HugeArray<float> displacement_;
     MapOutput output_;
+};
+
+/// A host's own: on pages of 4 KiB, 16 bytes behind their beginning, as malloc gives it.
+class HostArray {
+  public:
+    explicit HostArray(std::size_t size)
+        : bytes_(size * sizeof(float) + kPage),
+          memory_(static_cast<char*>(std::aligned_alloc(kPage, bytes_ / kPage * kPage + kPage)),
+                  &std::free) {
+        if (!memory_) throw std::bad_alloc();
+        madvise(memory_.get(), bytes_, MADV_NOHUGEPAGE);
+        std::fill_n(memory_.get(), bytes_, '\0');
+    }
+    float* data() const { return reinterpret_cast<float*>(memory_.get() + 16); }
+
+  private:
+    static constexpr std::size_t kPage = 4096;
+    std::size_t bytes_;
+    std::unique_ptr<char, decltype(&std::free)> memory_;
+};
+
+/// Positions and normals in one kind of memory.
+template <typename Array>
+class VertexFrame {
+  public:
+    explicit VertexFrame(const Parameters& parameters)
+        : ocean_(parameters, {.threads = 1}),
+          position_(3 * Lattice{parameters.grid.resolution, 1.0}.size()),
+          normal_(3 * Lattice{parameters.grid.resolution, 1.0}.size()) {
+        using enum Channel;
+        outputs_[0] = {position_.data(), 3, {{{dx}, {dy}, {height}}}};
+        outputs_[1] = {normal_.data(), 3, {{{nx}, {ny}, {nz}}}};
+    }
+    void run(double time) { ocean_.evaluate_into(time, outputs_); }
+
+  private:
+    Ocean ocean_;
+    Array position_;
+    Array normal_;
+    MapOutput outputs_[2];
 };
 
 /// Foam of a live tool, whose every map is a tick on. A frame shows foam and nothing else.
@@ -109,6 +154,12 @@ void host_figures(int n, const TableOptions& options, Report& report) {
     Ocean asked_coarsely(parameters, {.threads = 1});
     Ocean asked_much(parameters, {.threads = 1});
     Ocean kept(parameters, {.threads = 1});
+    Ocean below(parameters, {.threads = 1});
+    VertexFrame<HugeArray<float>> huge(parameters);
+    VertexFrame<HostArray> plain(parameters);
+    std::vector<WaterPoint> depths;
+    for (int i = 0; i < 8; ++i) depths.push_back({10.0 * i, 5.0, -1.0 * i});
+    std::vector<WaterMotion> motions(depths.size());
     const auto points = random_points(kManyPoints, parameters.grid.patch_size);
     const std::span<const WorldPoint> one(points.data(), 1);
     std::vector<QuerySample> samples(points.size());
@@ -139,6 +190,9 @@ void host_figures(int n, const TableOptions& options, Report& report) {
             foam_of_two_sizes.tick(n);
             foam_of_two_sizes.tick(n / 2);
         },
+        [&](double time) { below.water_motion(time, depths, motions); },
+        [&](double time) { huge.run(time); },
+        [&](double time) { plain.run(time); },
     };
     const Rounds rounds = measure(frames, options.rounds(State::hot, 1));
     const double frame = median(rounds.seconds[0]);
@@ -156,6 +210,9 @@ void host_figures(int n, const TableOptions& options, Report& report) {
     in_frames("a clone", 6);
     in_frames("a tick of foam", 7);
     in_frames("a tick of foam on maps of two sizes, in turn", 8);
+    in_frames("velocity and pressure at 8 depths", 9);
+    report.figure("positions and normals into 4 KiB pages of malloc / huge pages" + name, simd, 1,
+                  median_ratio(rounds, 11, 10), "");
     report.figure("from a stop to the end of a call" + name, simd, 1,
                   1e3 * stop_latency(parameters), "ms");
 }
