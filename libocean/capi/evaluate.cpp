@@ -109,7 +109,7 @@ struct Source {
 /// Whether three components are the x, y and z of a vector.
 bool is_vector(std::span<const std::int32_t, 3> channels) {
     return std::ranges::any_of(kProducts, [channels](const Product& product) {
-        return product.count == 3 &&
+        return product.vector &&
                std::ranges::equal(product.channels, channels, {},
                                   [](Channel channel) { return static_cast<int>(channel); });
     });

@@ -65,9 +65,10 @@ void axes_turn_whole_vectors_only(void) {
                                    {OCEAN_NX, OCEAN_NY, OCEAN_NZ},
                                    {OCEAN_VX, OCEAN_VY, OCEAN_VZ}};
     /* Almost vectors: another third component, another second, another order. */
-    const int32_t parts[3][4] = {{OCEAN_NX, OCEAN_NY, OCEAN_HEIGHT, OCEAN_DY},
+    const int32_t parts[4][4] = {{OCEAN_NX, OCEAN_NY, OCEAN_HEIGHT, OCEAN_DY},
                                  {OCEAN_VX, -1, OCEAN_VZ, OCEAN_VY},
-                                 {OCEAN_DY, OCEAN_DX, OCEAN_HEIGHT, -1}};
+                                 {OCEAN_DY, OCEAN_DX, OCEAN_HEIGHT, -1},
+                                 {OCEAN_DX_X, OCEAN_DY_Y, OCEAN_DX_Y, -1}}; /* no vector */
     ocean_sea* sea = open_small_sea(NULL);
     float* data;
     for (int v = 0; v < 3; ++v) {
@@ -92,7 +93,7 @@ void axes_turn_whole_vectors_only(void) {
             free(data);
         }
     }
-    for (int p = 0; p < 3; ++p) {
+    for (int p = 0; p < 4; ++p) {
         data = interleaved(sea, parts[p], 4, OCEAN_YUP);
         for (int c = 0; c < 4; ++c) CHECK(holds(sea, data, 4, c, parts[p][c], 1.0f));
         free(data);

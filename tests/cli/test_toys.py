@@ -41,7 +41,7 @@ def test_help_lists_them():
     text = " ".join(run("bake", "--help").stdout.split())
     assert ".png (height_field), .inc (mesh2) or .stats" in text
     assert "Statistics:" in text and "--digits N Decimals of a number" in text
-    assert "foam, velocity, steepness; default" in text
+    assert "foam, velocity, derivatives, steepness; default" in text
 
 
 @pytest.mark.parametrize("backend", ["cpu", "radix2", "dft"])

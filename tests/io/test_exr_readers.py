@@ -17,6 +17,7 @@ import pytest
 
 N = 64
 DX, DY, HEIGHT, NX, NY, NZ, SLOPE_X, SLOPE_Y, JACOBIAN, WHITECAP, FOAM, VX, VY, VZ = range(14)
+DX_X, DY_Y, DX_Y = range(14, 17)
 PRODUCTS = {
     "height": [HEIGHT],
     "displacement": [DX, DY, HEIGHT],
@@ -26,6 +27,7 @@ PRODUCTS = {
     "whitecap": [WHITECAP],
     "foam": [FOAM],
     "velocity": [VX, VY, VZ],
+    "derivatives": [DX_X, DY_Y, DX_Y],
 }
 
 
@@ -75,6 +77,8 @@ def test_separate(folder, product, suffix):
         expected = {"Y": sample(sources[0])}
     elif len(sources) == 2:
         expected = {"R": sample(sources[0]), "G": sample(sources[1]), "B": numpy.zeros((N, N))}
+    elif product == "derivatives":  # no vector
+        expected = dict(zip("RGB", map(sample, sources), strict=True))
     else:  # tnb: x, z, y
         x, y, z = (sample(c) for c in sources)
         expected = {"R": x, "G": z, "B": y}
@@ -154,6 +158,9 @@ def test_layered(folder):
         "jacobian.V": JACOBIAN,
         "whitecap.V": WHITECAP,
         "foam.V": FOAM,
+        "derivatives.X": DX_X,
+        "derivatives.Y": DY_Y,
+        "derivatives.Z": DX_Y,
     }
     assert set(channels) == set(truth) | {"A"}
     for name, channel in truth.items():

@@ -178,8 +178,8 @@ void adopt_channels(const io::ExrLayout& stored, std::span<const Product* const>
 void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options) {
     const io::ExrLayout& stored = header.layout();
     const std::vector<const Product*> products = find_products(header.text("field"), catalogue);
-    const auto is_vector = [](const Product* product) { return product->count == 3; };
-    // Scalars look the same in all axes, so that their header says nothing of vectors.
+    // What is no vector looks the same in all axes, and its header says nothing of them.
+    const auto is_vector = [](const Product* product) { return product->vector; };
     if (std::any_of(products.begin(), products.end(), is_vector)) {
         options.take("axes", header.text("axes"));
     }

@@ -265,6 +265,7 @@ struct Product {
     std::array<Channel, 3> channels;  // the first `count` hold
     int count;
     std::string_view unit;
+    bool vector = false;  // x, y and z, which a host may want in other axes
 
     constexpr ChannelSet set() const {
         ChannelSet result;
@@ -283,6 +284,11 @@ constexpr Product product(std::string_view name, std::initializer_list<Channel> 
     result.unit = kChannels[static_cast<std::size_t>(result.channels[0])].unit;
     return result;
 }
+constexpr Product vector(std::string_view name, std::initializer_list<Channel> channels) {
+    Product result = product(name, channels);
+    result.vector = true;
+    return result;
+}
 
 }  // namespace detail
 
@@ -290,13 +296,13 @@ inline constexpr auto kProducts = [] {
     using enum Channel;
     return std::to_array<Product>({
         detail::product("height", {height}),
-        detail::product("displacement", {dx, dy, height}),
+        detail::vector("displacement", {dx, dy, height}),
         detail::product("slope", {slope_x, slope_y}),
-        detail::product("normal", {nx, ny, nz}),
+        detail::vector("normal", {nx, ny, nz}),
         detail::product("jacobian", {jacobian}),
         detail::product("whitecap", {whitecap}),
         detail::product("foam", {foam}),
-        detail::product("velocity", {vx, vy, vz}),
+        detail::vector("velocity", {vx, vy, vz}),
         detail::product("derivatives", {dx_x, dy_y, dx_y}),
     });
 }();

@@ -70,9 +70,9 @@ class ProductPlanes {
                         std::string(product.name) + "'");
     }
 
-    /// Named X, Y, Z, or V for a scalar; a slope lies in the plane whatever the axes.
+    /// Named X, Y, Z, or V for a scalar; what is no vector is the same whatever the axes.
     std::vector<ImagePlane> components(const Product& product) const {
-        const auto order = component_order(product.count == 3 ? layout_.axes : Axes::zup);
+        const auto order = component_order(product.vector ? layout_.axes : Axes::zup);
         std::vector<ImagePlane> planes;
         for (int c = 0; c < product.count; ++c) {
             const auto [source, sign] = order[static_cast<std::size_t>(c)];
@@ -118,9 +118,9 @@ std::vector<HeaderString> header_strings(std::span<const Product* const> product
         const char* separator = names.empty() ? "" : ",";
         names += separator + std::string(product->name);
         units += separator + (product->unit.empty() ? "1" : std::string(product->unit));
-        vectors = vectors || product->count == 3;
+        vectors = vectors || product->vector;
     }
-    // Scalars and slopes are the same in all axes: x east and y north, as in zup.
+    // What is no vector is the same in all axes: x east and y north, as in zup.
     return {{"ocean:sea", std::string(label.sea_text)},
             {"ocean:frame", std::to_string(label.number)},
             {"ocean:time", shortest_text(label.time)},
