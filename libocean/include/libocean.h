@@ -107,7 +107,7 @@ typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
 
 /* A host's own threads in place of the library's: runs job(work, 0) .. job(work, count - 1), in any
  * order, at once or one after the other, and returns when all of them have. progress is then called
- * by the thread that runs the first job. */
+ * by one of these threads at a time. */
 typedef void (*ocean_job)(void* work, int32_t index);
 typedef void (*ocean_run_jobs)(void* user, ocean_job job, void* work, int32_t count);
 

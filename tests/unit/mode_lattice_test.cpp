@@ -163,6 +163,29 @@ TEST(Rebuild, AfterAnyChangeTheBitsAreThoseOfAFreshBuild) {
     }
 }
 
+TEST(ModeLattice, WhereThereIsNoWaveThereIsNothingWhateverWasInMemory) {
+    ThreadPool pool(1);
+    constexpr int kSize = 64;
+    const Parameters parameters = test::wind_sea(kSize, 200.0);
+    const auto spectrum = make_directional_spectrum(parameters);
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        for (int i = 0; i < 8; ++i) {  // in the memory that the modes will have
+            PageVector<float>((1 + i % 2) * kSize * kSize, 77.0f);
+        }
+        const Modes modes = make_modes(spectrum, parameters, pool);
+        const CascadeModes& cascade = modes.cascades.front();
+        for (int i = 0; i < kSize; ++i) {
+            for (const int at : {kSize / 2 * kSize + i, i * kSize + kSize / 2, 0}) {
+                const auto mode = static_cast<std::size_t>(at);
+                ASSERT_EQ(cascade.h0[mode], 0.0f);
+                ASSERT_EQ(cascade.rate_high[mode], 0.0f);
+                ASSERT_EQ(cascade.rate_low[mode], 0.0f);
+                ASSERT_EQ(cascade.displacement[mode], 0.0f);
+            }
+        }
+    }
+}
+
 TEST(Rebuild, ALiveChangeLeavesRatesAndMemoryWhereTheyAre) {
     Ocean sea(test::wind_sea(64), {.threads = 2});
     const CascadeModes& cascade = sea.modes().cascades.front();

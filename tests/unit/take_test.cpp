@@ -464,5 +464,40 @@ TEST(TakeMotion, HalvesWithTheFrameOrMoreForAnyStep) {
     }
 }
 
+TEST(WaveSystems, ComeAndGoWithWhatATakePlaysOfThem) {
+    Sea sea = sea_with({event(1.0, "waves.0.wind_speed", 11.0), event(2.0, "choppiness", 0.5)});
+    add_wave_system(sea, "waves.1");
+    sea.parameters.waves[1].wind_speed = 5.0;
+    sea.take.events.push_back(event(3.0, "waves.1.wind_speed", 6.0));
+    validate(sea);
+    const auto played = [&] {
+        std::vector<std::string> names;
+        for (const TakeEvent& e : sea.take.events) {
+            names.push_back(e.parameter.info->path(e.parameter.wave));
+        }
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    add_wave_system(sea, "waves.0");
+    EXPECT_EQ(sea.parameters.waves[2].wind_speed, 5.0);
+    EXPECT_EQ(played(), (Names{"waves.1.wind_speed", "surface.choppiness", "waves.2.wind_speed"}));
+    remove_wave_system(sea, "waves.1");
+    EXPECT_EQ(sea.parameters.waves[1].wind_speed, 5.0);
+    EXPECT_EQ(played(), (Names{"surface.choppiness", "waves.1.wind_speed"}));
+    remove_wave_system(sea, "waves.1");
+    EXPECT_EQ(played(), Names{"surface.choppiness"});
+    validate(sea);
+
+    for (const char* name : {"waves.0", "waves.1", "waves.", "waves.0x", "wave.0", ""}) {
+        EXPECT_THROW(remove_wave_system(sea, name), Error) << name;
+    }
+    for (const char* name : {"waves.2", "waves.-1", "waves.99999999999", "0"}) {
+        EXPECT_THROW(add_wave_system(sea, name), Error) << name;
+    }
+    while (sea.parameters.waves.size() < kMaxWaveSystems) add_wave_system(sea, "waves.1");
+    EXPECT_THROW(add_wave_system(sea, "waves.1"), Error);
+    EXPECT_EQ(played(), Names{"surface.choppiness"});
+}
+
 }  // namespace
 }  // namespace ocean

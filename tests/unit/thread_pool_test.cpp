@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -15,6 +16,8 @@
 
 namespace ocean {
 namespace {
+
+struct Stopped {};
 
 TEST(ThreadPool, EveryItemOnceForAnyCount) {
     for (const int threads : {1, 2, 7}) {
@@ -71,6 +74,37 @@ TEST(ThreadPool, AThreadThatIsHeldUpDoesNotHoldUpTheRest) {
             ++finished;
         });
         EXPECT_EQ(finished.load(), 64);
+    }
+}
+
+TEST(ThreadPool, JobsOfAHostDoAllItemsOnceWhateverItRuns) {
+    using Job = std::function<void(int)>;
+    const ThreadPool::RunJobs hosts[] = {
+        [](int count, const Job& job) {
+            std::vector<std::thread> threads;
+            for (int i = 0; i < count; ++i) threads.emplace_back(job, i);
+            for (std::thread& thread : threads) thread.join();
+        },
+        [](int count, const Job& job) {
+            for (int i = count - 1; i >= 0; --i) job(i);
+        },
+        [](int, const Job& job) { job(1); },  // fewer than it was asked to
+        [](int, const Job&) {},
+    };
+    for (const ThreadPool::RunJobs& host : hosts) {
+        ThreadPool pool(3, host);
+        EXPECT_EQ(pool.size(), 3);
+        std::vector<std::atomic<int>> hits(100);
+        pool.for_each_item(100, [&](int item, int thread) {
+            ++hits[static_cast<std::size_t>(item)];
+            EXPECT_TRUE(thread >= 0 && thread < 3);
+        });
+        for (const auto& hit : hits) EXPECT_EQ(hit.load(), 1);
+        EXPECT_THROW(
+            pool.for_each_item(10, [](int item, int) { item == 7 ? throw Stopped() : void(); }),
+            Stopped);
+        pool.set_interrupt([] { throw Stopped(); });
+        EXPECT_THROW(pool.for_each_item(10, [](int, int) {}), Stopped);
     }
 }
 

@@ -72,6 +72,7 @@ struct ThreadPool::State {
     // The caller's:
     CrewSize crew_size{1};
     std::function<void()> interrupt;
+    std::atomic_flag looking;
     Time next_look{};
     std::mutex mutex;
     std::condition_variable start;
@@ -121,7 +122,7 @@ struct ThreadPool::State {
             ItemRange& range = ranges[static_cast<std::size_t>((thread + other) % crew)];
             for (int item; (item = range.take(other == 0)) >= 0;) {
                 run_item(run, item, thread);
-                if (thread == 0) look_for_interrupt();
+                if (thread == 0 || run_jobs) look_for_interrupt();
             }
         }
         const ThreadUsage after = measured ? usage_of_this_thread() : ThreadUsage{};
@@ -165,9 +166,15 @@ struct ThreadPool::State {
         if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Of the caller's thread.
+    /// By the caller's thread, or by one job at a time of a host that may leave out any of them.
     void look_for_interrupt() {
-        if (!interrupt || std::chrono::steady_clock::now() < next_look) return;
+        if (!interrupt || looking.test_and_set(std::memory_order_acquire)) return;
+        look();
+        looking.clear(std::memory_order_release);
+    }
+
+    void look() {
+        if (std::chrono::steady_clock::now() < next_look) return;
         try {
             interrupt();
         } catch (...) {

@@ -19,7 +19,7 @@ class ThreadPool {
     using RunJobs = std::function<void(int count, const std::function<void(int)>& job)>;
 
     /// 0 = the cores this process may use. With run_jobs on the threads of a host, at most so many
-    /// jobs at once; an interrupt is then called by the thread that runs the first job.
+    /// jobs at once; an interrupt is then called by one of these.
     explicit ThreadPool(int threads = 0, RunJobs run_jobs = {});
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
