@@ -48,6 +48,21 @@ bool is_regular(const BakeFile& file) {
     return std::filesystem::is_regular_file(native(file), error);
 }
 
+void require_own_files(const BakePlan& plan, const Manifest& manifest) {
+    for (const int frame : plan.frames) {
+        for (const BakeFile& file : plan.format->files(plan, frame)) {
+            std::error_code error;
+            const bool empty = std::filesystem::file_size(native(file), error) == 0;
+            if (!is_regular(file) || empty || plan.format->is_baked(file)) continue;
+            if (manifest.find(native(file).filename().string()) != nullptr) continue;
+            throw Error(ErrorKind::invalid_value,
+                        "'" + file.path +
+                            "' is there and was not written by a bake: it is not replaced; move "
+                            "it or choose another --output");
+        }
+    }
+}
+
 ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
     ManifestEntry entry;
     entry.name = native(file).filename().string();

@@ -15,6 +15,10 @@ namespace ocean {
 /// A device or a pipe has nothing to keep, and nothing to read back.
 bool is_regular(const BakeFile& file);
 
+/// Throws Error invalid_value for a file of the plan that is there and was not baked, which is then
+/// the user's: neither the manifest lists it nor does it look so.
+void require_own_files(const BakePlan& plan, const Manifest& manifest);
+
 /// Reads all of a file, and its pixels. Throws Error bad_file if it is damaged or none of this
 /// plan.
 ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads);

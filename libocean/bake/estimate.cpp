@@ -60,6 +60,7 @@ WorkShare share_work(const BakePlan& plan) {
 BakeForecast forecast_bake(const BakePlan& plan) {
     const WorkShare share = share_work(plan);
     const Manifest manifest(plan.pattern.manifest());
+    require_own_files(plan, manifest);
     BakeForecast forecast;
     for (const int frame : plan.frames) {
         const std::vector<BakeFile> files = plan.format->files(plan, frame);

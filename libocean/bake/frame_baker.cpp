@@ -5,9 +5,12 @@
 // those of what the disk holds, and a disk that lies is found out.
 #include "frame_baker.hpp"
 
+#include <filesystem>
+
 #include "complete_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/map_levels.hpp"
+#include "ocean/platform.hpp"
 #include "ocean/text.hpp"
 #include "ocean/world_heights.hpp"
 
@@ -55,8 +58,18 @@ std::vector<Surface> FrameBaker::make_maps(double time) {
     return surfaces;
 }
 
+/// What a frame's name points to may be another frame: the frame takes the place of the link.
+static void remove_link(const BakeFile& file) {
+    std::error_code ignored;
+    const std::filesystem::path path = utf8_path(file.path);
+    if (std::filesystem::is_symlink(path, ignored) && is_regular(file)) {
+        std::filesystem::remove(path, ignored);
+    }
+}
+
 void FrameBaker::put(const BakeFile& file, const std::function<void()>& write) {
     bake_.host.whole([&] {
+        remove_link(file);
         write();
         if (!is_regular(file)) return;
         try {

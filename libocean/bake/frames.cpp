@@ -9,6 +9,7 @@
 #include <regex>
 #include <unordered_set>
 
+#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/text.hpp"
 
@@ -69,7 +70,7 @@ std::vector<int> parse_frames(std::string_view text) {
     std::vector<int> frames;
     std::unordered_set<int> seen;
     for (const std::string& part : split(text, ',')) {
-        const FrameRange range = parse_range(part);
+        const FrameRange range = parse_range(csv::trimmed(part));
         for (long long frame = range.first; frame <= range.last; frame += range.step) {
             const int number = static_cast<int>(frame);
             if (!seen.insert(number).second) continue;

@@ -68,11 +68,18 @@ void drop_missing_files(ManifestEntries& entries, const std::filesystem::path& f
 }  // namespace
 
 Manifest::Manifest(std::string path) : path_(std::move(path)) {
+    std::string text;
     try {
-        const std::string text = read_text(utf8_path(path_));
+        text = read_text(utf8_path(path_));
         if (!text.empty()) found_ = parse_manifest(text);
     } catch (const Error& error) {
-        distrust_ = path_ + " is not a manifest of ours: " + error.what();
+        if (text.find(kManifestKey) == std::string::npos) {
+            throw Error(ErrorKind::invalid_value, "'" + path_ +
+                                                      "' is there and no manifest of a "
+                                                      "bake: it is not replaced; move it or choose "
+                                                      "another --output");
+        }
+        distrust_ = path_ + " is damaged: " + error.what();
     }
 }
 

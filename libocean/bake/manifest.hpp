@@ -25,6 +25,9 @@ struct ManifestEntry {
     std::string recipe;         // SHA-256 of all that decides the file's content
 };
 
+/// A manifest opens with this key and its version.
+inline constexpr const char* kManifestKey = "libocean_manifest";
+
 /// By name.
 using ManifestEntries = std::map<std::string, ManifestEntry>;
 
@@ -34,8 +37,8 @@ ManifestEntries parse_manifest(std::string_view text);
 
 class Manifest {
   public:
-    /// Reads the file `path` if it is there. What is not a manifest is not trusted: `distrust()`
-    /// says why, and save() replaces it.
+    /// Reads the file `path` if it is there. A damaged manifest is not trusted: `distrust()` says
+    /// why, and save() replaces it. Throws Error invalid_value for what is none: it is the user's.
     explicit Manifest(std::string path);
 
     const std::string& distrust() const { return distrust_; }

@@ -17,7 +17,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kManifestVersion = 1;
-constexpr const char* kVersionKey = "libocean_manifest";
 constexpr const char* kFilesKey = "files";
 
 bool is_hash(const std::string& text) {
@@ -98,7 +97,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
 
     template <typename Whole>
     bool number(Whole value) {
-        if (place_ == Place::top && key_ == kVersionKey) {
+        if (place_ == Place::top && key_ == kManifestKey) {
             version_known = value == static_cast<Whole>(kManifestVersion);
             return version_known || refuse("it is of another version");
         }
@@ -121,7 +120,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
 }  // namespace
 
 std::string manifest_text(const ManifestEntries& entries) {
-    std::string text = "{\n\"" + std::string(kVersionKey) +
+    std::string text = "{\n\"" + std::string(kManifestKey) +
                        "\": " + std::to_string(kManifestVersion) + ",\n\"" + kFilesKey + "\": [";
     const char* separator = "\n";
     for (const auto& [name, entry] : entries) {

@@ -8,6 +8,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
@@ -21,6 +22,16 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ErrorKind::invalid_value, message);
+}
+
+/// "24000/1001" as the number that it is, the rate of film on television.
+std::string decimal_rate(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) return text;
+    const auto part = [&](const std::string& digits) {
+        return parse_number(csv::trimmed(digits), "--fps " + text, 1e-9, 1e9);
+    };
+    return shortest_text(part(text.substr(0, slash)) / part(text.substr(slash + 1)));
 }
 
 /// By the extension of the output; null if there is none of it.
@@ -121,6 +132,16 @@ double BakePlan::shortest_wave() const {
                     Lattice{resolution, grid.patch_size}.shortest_wavelength());
 }
 
+std::vector<std::string> output_paths(const BakePlan& plan) {
+    std::vector<std::string> paths = {plan.pattern.manifest()};
+    for (const int frame : plan.frames) {
+        for (BakeFile& file : plan.format->files(plan, frame)) {
+            paths.push_back(std::move(file.path));
+        }
+    }
+    return paths;
+}
+
 io::FrameLabel frame_label(const BakePlan& plan, int frame) {
     return {plan.sea_text, frame, plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
             plan.backend.name};
@@ -164,7 +185,9 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     if (!options.frames.empty()) plan.frames = parse_frames(options.frames);
 
     plan.sea = options.open_sea(options.source);
-    if (!options.fps.empty()) set_parameter(plan.sea.parameters, "time.fps", options.fps);
+    if (!options.fps.empty()) {
+        set_parameter(plan.sea.parameters, "time.fps", decimal_rate(options.fps));
+    }
     if (plan.frames.empty()) plan.frames = {plan.sea.parameters.time.first_frame};
     plan.resolution = find_resolution(options, plan.sea.parameters.grid);
     FormatPlan settled = plan.format->settle(plan);

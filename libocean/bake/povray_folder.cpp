@@ -47,7 +47,7 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const std::vec
         {"ocean.inc", std::string(kOceanInc)},
         {"ocean_parameters.inc", io::povray_declarations(folder)},
         {"ocean.ini", animation_settings(folder)},
-        {"sea.toml", plan.sea_text},
+        {"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.sea_text},
         {"scene.pov", std::string(kScenePov), true},
     };
     // Of larger maps the macros make them: the text would be 220 MB at 2048.

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "complete_file.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
 #include "ocean/error.hpp"
@@ -190,12 +191,13 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
         host.begin(plan, share);
         return host.end();
     }
-    io::make_folder(plan.pattern.folder());
-    io::remove_abandoned_temporaries(plan.pattern.folder());
     Manifest manifest(plan.pattern.manifest());
     if (!manifest.distrust().empty()) {
         host.warning(manifest.distrust() + "; it will be replaced");
     }
+    require_own_files(plan, manifest);
+    io::make_folder(plan.pattern.folder());
+    io::remove_abandoned_temporaries(plan.pattern.folder());
     host.begin(plan, share);
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
                           share.threads_each));

@@ -120,7 +120,7 @@ def test_frame_grammar(ocean, frames, numbers):
         "5-1",
         "1,,2",
         "1-2-3",
-        " 1",
+        "1 2",
         "1;2",
         "1.5",
         "99999999999",
@@ -365,7 +365,19 @@ def test_short_waves_that_no_map_holds_still_turn_the_normals(ocean):
 
 
 def test_an_existing_frame_is_replaced_whole(ocean):
-    path = ocean.write("s.exr", "old")
+    bake(ocean, "-o", "s.exr", "--products", "height", "--set", "seed=9")
+    old = (ocean.folder / "s.exr").read_bytes()
     bake(ocean, "-o", "s.exr", "--products", "height")
-    assert path.read_bytes()[:4] == b"\x76\x2f\x31\x01"
+    new = (ocean.folder / "s.exr").read_bytes()
+    assert new[:4] == b"\x76\x2f\x31\x01" and new != old
     assert ocean.files(".") == ["buoy.toml", "s.exr", "s.manifest.json", "sea.toml"]
+
+
+def test_lists_may_have_blanks_and_rates_be_fractions(ocean):
+    bake(ocean, "-o", "a/s.####.exr", "--frames", " 1-3 , 5", "--products", "height, slope")
+    bake(ocean, "-o", "b/s.####.exr", "--frames", "1-3,5", "--products", "height,slope")
+    assert ocean.hashes("a") == ocean.hashes("b")
+    bake(ocean, "-o", "t.exr", "--products", "height", "--fps", "24000/1001", "--frames", "25")
+    assert ocean.manifest("t.manifest.json")["t.exr"]["time"] == pytest.approx(1.001, abs=1e-12)
+    for rate in ("24/", "/2", "24/0", "a/b", "1/2/3"):
+        assert "--fps" in ocean.bad("bake", "sea.toml", "-o", "u.exr", "--fps", rate)

@@ -358,11 +358,8 @@ def test_other_formats_are_trusted_if_the_manifest_vouches(ocean, extension):
     assert baked("--backend", "dft", "--set", "seed=2") == [1, 2, 3]
 
 
-HOSTILE = [
+DAMAGED = [
     "",
-    "{",
-    "null",
-    "[[[[" * 20000,
     '{"libocean_manifest": 2, "files": []}',
     '{"libocean_manifest": 1, "files": [{"name": 3}]}',
     '{"libocean_manifest": 1, "files": [{"name": "s.normal.0001.exr"}]}',
@@ -370,20 +367,30 @@ HOSTILE = [
     '{"libocean_manifest": 1, "files": [[]]}',
     '{"libocean_manifest": 1, "files": [{"name": "../x", "sha256": "HASH", "recipe": "HASH"}]}',
     '{"libocean_manifest": 1, "files": [{"frame": 99999999999999999999}]}',
-    '{"name": "some other tool", "version": "1.2"}',
-    b"\xff\xfe\x00\x01" * 100,
+    '{"libocean_manifest": [[[[' + "[" * 80000,
 ]
 
 
-@pytest.mark.parametrize("text", HOSTILE, ids=range(len(HOSTILE)))
-def test_a_hostile_manifest_is_replaced_with_a_warning(ocean, expected, text):
-    if isinstance(text, str):
-        text = text.replace("HASH", "0" * 64)
-    ocean.write("out/s.manifest.json", text)
+@pytest.mark.parametrize("text", DAMAGED, ids=range(len(DAMAGED)))
+def test_a_damaged_manifest_is_replaced_with_a_warning(ocean, expected, text):
+    ocean.write("out/s.manifest.json", text.replace("HASH", "0" * 64))
     done = ocean(*BAKE, pattern("out"))
     assert done.returncode == 0, done.stderr
     assert ("warning: out/s.manifest.json" in done.stderr) == bool(text)
     assert ocean.hashes("out") == expected
+
+
+FOREIGN = ["{", "null", '{"name": "some other tool", "version": "1.2"}', b"\xff\xfe\x00\x01" * 100]
+
+
+@pytest.mark.parametrize("text", FOREIGN, ids=range(len(FOREIGN)))
+def test_a_file_of_others_is_no_manifest_and_stays(ocean, text):
+    path = ocean.write("out/s.manifest.json", text)
+    before = path.read_bytes()
+    for more in ([], ["-n"]):
+        assert "s.manifest.json' is there" in ocean.bad(*BAKE, pattern("out"), *more)
+    assert path.read_bytes() == before
+    assert ocean.files("out") == ["s.manifest.json"]
 
 
 def test_a_manifest_forgets_files_that_are_gone(ocean, expected):

@@ -119,7 +119,7 @@ def test_folded_points_are_counted(ocean):
         ("x,y\n0,1.1e9\n", "points.csv:2: y = '1.1e9'; allowed"),
         ("x,y\n0,1e999\n", "points.csv:2: y = '1e999'; allowed"),
         ('x,y\n"0,1\n', "points.csv:2: a quote is not closed"),
-        ("x;y\n0;1\n", "unknown column 'x;y'"),
+        ("x|y\n0|1\n", "unknown column 'x|y'"),
         (b"x,y\n\x00\xff,1\n", "points.csv:2: x = '??'; allowed"),
     ],
 )
@@ -152,3 +152,27 @@ def test_an_output_that_cannot_be_written_fails_at_run_time(ocean, points):
     ocean.write("file", "")
     words = ("query", "sea.toml", "--time", 0, "--points", "points.csv", "-o", "file/out.csv")
     assert "file" in ocean.bad(*words, code=1)
+
+
+def test_tables_of_other_programs_are_read(ocean):
+    plain = ocean.write("p.csv", "x,y\n1,2\n30,-4\n")
+    other = ocean.write("q.csv", 'Name; X ;Y\n"Buoy; north";1;2\n b ;30; -4\n')
+    arguments = ("query", "sea.toml", "--time", "1", "--points")
+    expected = ocean.good(*arguments, plain.name).splitlines()
+    rows = ocean.good(*arguments, other.name).splitlines()
+    assert rows[0] == expected[0] + ",name"
+    assert rows[1] == expected[1] + ',"Buoy; north"'
+    assert rows[2] == expected[2] + ",b"
+    read = ("--from", "0", "--to", "9", "--rate", "2")
+    assert "Buoy; north" in ocean.good("gauge", "sea.toml", "--points", other.name, *read)
+
+
+def test_the_sea_comes_from_standard_input(ocean):
+    ocean.write("p.csv", "x,y\n1,2\n")
+    expected = ocean.good("query", "sea.toml", "--time", "1", "--points", "p.csv")
+    done = ocean.shell('"$OCEAN" query - --time 1 --points p.csv < sea.toml')
+    assert (done.returncode, done.stdout) == (0, expected), done.stderr
+    done = ocean.shell('cat sea.toml | "$OCEAN" info --json -')
+    assert done.stdout == ocean.good("info", "--json", "sea.toml")
+    both = ocean.shell('"$OCEAN" query - --time 1 --points - < sea.toml')
+    assert both.returncode == 2 and "standard input: is read once" in both.stderr

@@ -5,13 +5,13 @@
 #include "point_table.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
-#include <cstdio>
 
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
 #include "ocean/line_reader.hpp"
+#include "standard_input.hpp"
 
 namespace ocean::app {
 namespace {
@@ -31,13 +31,18 @@ std::string names_of(std::span<const PointColumn> columns) {
     return names;
 }
 
-std::vector<PointColumn> read_header(LineReader& lines, std::span<const PointColumn> known) {
-    if (!csv::next_row(lines)) {
-        throw lines.fail("there is no header line; known columns: " + names_of(known));
-    }
+bool same_word(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+        return std::tolower(x) == std::tolower(y);
+    });
+}
+
+/// The header line is the reader's.
+std::vector<PointColumn> read_header(const LineReader& lines, char separator,
+                                     std::span<const PointColumn> known) {
     std::vector<PointColumn> columns;
-    for (const std::string_view cell : csv::fields_of(lines, ',', known.size())) {
-        const auto named = [&](const PointColumn& column) { return column.name == cell; };
+    for (const std::string_view cell : csv::fields_of(lines, separator, known.size())) {
+        const auto named = [&](const PointColumn& column) { return same_word(column.name, cell); };
         const auto found = std::find_if(known.begin(), known.end(), named);
         if (found == known.end()) {
             throw lines.fail("the header line names an unknown column " + quoted(cell) +
@@ -104,12 +109,16 @@ PointTable parse_points(std::string_view text, const std::string& name,
                         std::span<const PointColumn> known) {
     LineReader lines(text, name);
     PointTable table;
-    for (PointColumn& column : read_header(lines, known)) {
+    if (!csv::next_row(lines)) {
+        throw lines.fail("there is no header line; known columns: " + names_of(known));
+    }
+    const char separator = lines.line().find(';') != std::string_view::npos ? ';' : ',';
+    for (PointColumn& column : read_header(lines, separator, known)) {
         table.columns_.push_back({std::move(column), {}, {}});
     }
     const std::size_t width = table.columns_.size();
     while (csv::next_row(lines)) {
-        const std::vector<std::string_view> cells = csv::fields_of(lines, ',', width);
+        const std::vector<std::string_view> cells = csv::fields_of(lines, separator, width);
         if (cells.size() != width) {
             throw lines.fail((cells.size() > width ? "more" : "fewer") +
                              std::string(" cells than the ") + std::to_string(width) +
@@ -128,27 +137,10 @@ PointTable parse_points(std::string_view text, const std::string& name,
     return table;
 }
 
-namespace {
-
-std::string read_standard_input() {
-    std::string content;
-    std::array<char, 1 << 16> block;
-    while (const std::size_t got = std::fread(block.data(), 1, block.size(), stdin)) {
-        content.append(block.data(), got);
-        if (content.size() > kMaxFileBytes) {
-            throw Error(ErrorKind::bad_file, "standard input: more than the 1 GiB allowed");
-        }
-    }
-    if (std::ferror(stdin) != 0) {
-        throw Error(ErrorKind::bad_file, "standard input: cannot be read to its end");
-    }
-    return content;
-}
-
-}  // namespace
-
 PointTable read_points(const std::string& path, std::span<const PointColumn> known) {
-    if (path == "-") return parse_points(read_standard_input(), "standard input", known);
+    if (path == kStandardInput) {
+        return parse_points(read_standard_input(kMaxFileBytes), "standard input", known);
+    }
     return parse_points(text::read_file_or_pipe(path, kMaxFileBytes), path, known);
 }
 

@@ -51,7 +51,8 @@ class PointTable {
     std::size_t rows_ = 0;
 };
 
-/// Cells stand between commas, blanks around them do not count; a text may stand in "quotes". Blank
+/// Cells stand between commas, or semicolons where the header line has some; blanks around them do
+/// not count, nor whether a column is written large; a text may stand in "quotes". Blank
 /// lines and lines that begin with '#' are skipped. `name` is for messages. Throws Error bad_file
 /// "NAME:LINE: ...".
 PointTable parse_points(std::string_view text, const std::string& name,

@@ -13,6 +13,7 @@
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
+#include "standard_input.hpp"
 
 namespace ocean::app {
 namespace {
@@ -36,6 +37,10 @@ Sea read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
         const Preset& preset = find_preset(source.substr(kPresetPrefix.size()));
         return parse_sea(preset.toml, source, "", read_any_spectra);
+    }
+    if (source == kStandardInput) {
+        return parse_sea(read_standard_input(kMaxSeaFileBytes), "standard input", "",
+                         read_any_spectra);
     }
     if (text::is_pipe_or_device(source)) {
         // Whose first bytes cannot be read twice.
@@ -63,12 +68,14 @@ void assign_text(Parameters& parameters, const std::string& assignment) {
 }  // namespace
 
 OptionGroup sea_options(SeaArgument& argument, bool required) {
-    return {"Sea",
-            {{"SEA", &argument.source, "",
-              "A sea file, an EXR file that was baked from one, or preset:NAME", required},
-             {"--set", &argument.assignments, "NAME=VALUE",
-              "Change a parameter, such as wind_speed=12 or waves.1.fetch=50000; may be "
-              "repeated"}}};
+    return {
+        "Sea",
+        {{"SEA", &argument.source, "",
+          "A sea file, - for standard input, an EXR file that was baked from one, or preset:NAME",
+          required},
+         {"--set", &argument.assignments, "NAME=VALUE",
+          "Change a parameter, such as wind_speed=12 or waves.1.fetch=50000; may be "
+          "repeated"}}};
 }
 
 Sea open_sea(const SeaArgument& argument) {

@@ -22,6 +22,16 @@ std::string duration_text(double seconds) {
     return format_text("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"# ") == std::string::npos && !text.empty()) return text;
+    std::string cell = "\"";
+    for (const char c : text) {
+        if (c == '"') cell += '"';
+        cell += c;
+    }
+    return cell + '"';
+}
+
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
     std::string lines;
     std::string line;

@@ -26,6 +26,8 @@ std::string significant(double value) {
 std::string bytes_text(std::uint64_t bytes);
 /// "4.2 s", "1:38", "2:03:10".
 std::string duration_text(double seconds);
+/// Quoted where a reader of CSV would otherwise see more than one cell.
+std::string csv_cell(const std::string& text);
 /// Lines of at most `width` characters, each after `indent` spaces and with a final newline.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width);
 

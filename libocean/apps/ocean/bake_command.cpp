@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "console_host.hpp"
+#include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
 #include "sea_argument.hpp"
 
@@ -88,6 +89,9 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
         return open_sea({source, typed.sea.assignments});
     };
     const BakePlan plan = make_bake_plan(options, catalogue);
+    InputFiles inputs(typed.sea, plan.sea);
+    inputs.add(options.from);
+    for (const std::string& path : output_paths(plan)) inputs.spare(path);
     if (typed.dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
     ConsoleHost host(context);
     run_bake(plan, host);

@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "gauge/gauge_files.hpp"
 #include "gauge/gauge_points.hpp"
+#include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
@@ -102,6 +103,9 @@ void require_room(const GaugePlan& plan, Ocean& ocean, int threads) {
 
 void run(const GaugeOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
+    InputFiles inputs(options.sea, sea);
+    inputs.add(options.points);
+    for (const std::string& output : {options.output, options.spectrum}) inputs.spare(output);
     const GaugePlan plan = plan_of(options, sea);
     Ocean ocean(sea, {.threads = context.options.threads});
     ThreadPool pool(context.options.threads);

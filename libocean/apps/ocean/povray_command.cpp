@@ -10,7 +10,9 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "console_host.hpp"
+#include "input_files.hpp"
 #include "ocean/bake/povray_folder.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/platform.hpp"
@@ -80,6 +82,22 @@ std::vector<int> all_frames(const Typed& typed, const Sea& sea) {
     return parse_frames(typed.bake.frames);
 }
 
+/// Other files of these names are not ours to write over.
+void require_own_files(const std::vector<FolderFile>& files, const std::string& folder) {
+    for (const FolderFile& file : files) {
+        const std::string path = folder + "/" + file.name;
+        std::error_code error;
+        if (file.users || !std::filesystem::exists(utf8_path(path), error)) continue;
+        // The first line, but for what it counts.
+        const std::string opening = file.text.substr(0, file.text.find_first_of("\n0123456789"));
+        if (text::first_bytes(path, opening.size()) == opening) continue;
+        throw Error(ErrorKind::invalid_value,
+                    "'" + path +
+                        "' is there and is not of `ocean povray`: it is not replaced; move it or "
+                        "choose another --output");
+    }
+}
+
 bool is_kept(const FolderFile& file, const std::string& path) {
     std::error_code error;
     return file.users && std::filesystem::exists(utf8_path(path), error);
@@ -113,8 +131,16 @@ void write_folder(const std::vector<FolderFile>& files, const std::string& folde
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
     const BakePlan plan = make_povray_plan(typed, folder, context);
-    warn_of_cost(plan, context.console);
     const std::vector<FolderFile> files = povray_folder_files(plan, all_frames(typed, plan.sea));
+    const InputFiles inputs(typed.sea, plan.sea);
+    for (const FolderFile& file : files) {
+        // The sea of the folder itself makes the folder again.
+        const std::string path = folder + "/" + file.name;
+        if (text::first_bytes(path, file.text.size() + 1) != file.text) inputs.spare(path);
+    }
+    for (const std::string& path : output_paths(plan)) inputs.spare(path);
+    require_own_files(files, folder);
+    warn_of_cost(plan, context.console);
     if (typed.dry_run) {
         return show_forecast(forecast_bake(plan), forecast_folder(files, folder), context.console);
     }

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
@@ -45,18 +46,25 @@ class QueryRun {
         time_ = options.time ? *options.time : sea_.time_of(*options.frame);
         require_finite("--time", time_);
         if (options.orbital_z) require_finite("--orbital", *options.orbital_z);
+        InputFiles inputs(options.sea, sea_);
+        inputs.add(options.points);
+        inputs.spare(options.output);
     }
 
     void run() {
-        static const std::array<PointColumn, 2> kColumns = {{{"x"}, {"y"}}};
+        static const std::array<PointColumn, 3> kColumns = {
+            {{"x"}, {"y"}, {"name", PointColumn::Kind::text}}};
         const PointTable table = read_points(options_.points, kColumns);
         Ocean ocean(sea_, {.threads = context_.options.threads,
                            .foam_progress = foam_progress_on(context_.console)});
-        write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") + "\n");
+        write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") +
+              (table.has("name") ? ",name\n" : "\n"));
         for (std::size_t first = 0; first < table.size(); first += kBatch) {
             const std::size_t count = std::min(kBatch, table.size() - first);
+            const auto names = table.has("name") ? table.texts("name").subspan(first, count)
+                                                 : std::span<const std::string>();
             write(rows(ocean, table.numbers("x").subspan(first, count),
-                       table.numbers("y").subspan(first, count)));
+                       table.numbers("y").subspan(first, count), names));
         }
         if (!options_.output.empty()) write_output(context_.interrupts, options_.output, text_);
         if (folded_ > 0) {
@@ -84,7 +92,8 @@ class QueryRun {
         text_ += text;
     }
 
-    std::string rows(Ocean& ocean, std::span<const double> x, std::span<const double> y) {
+    std::string rows(Ocean& ocean, std::span<const double> x, std::span<const double> y,
+                     std::span<const std::string> names) {
         std::vector<WorldPoint> points;
         for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
         std::vector<QuerySample> samples(points.size());
@@ -112,6 +121,7 @@ class QueryRun {
                 const WaterMotion& water = orbital[i];
                 append_values(text, {{water.velocity_x, water.velocity_y, water.velocity_z}});
             }
+            if (!names.empty()) text += ',' + csv_cell(names[i]);
             text += '\n';
         }
         return text;
@@ -139,7 +149,8 @@ class QueryRun {
 constexpr char kFooter[] =
     R"(Columns: x,y,height (m), normal_x,y,z (unit, up), velocity_x,y,z (m/s, of the shown
 point), foam (0 .. 1). The displacement is inverted: the row says what is seen at x,y.
-Where crests have folded over, a point takes the top sheet.)";
+Where crests have folded over, a point takes the top sheet. A column name of the points
+stands last.)";
 
 }  // namespace
 

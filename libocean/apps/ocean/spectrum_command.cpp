@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/ocean.hpp"
 #include "plot/spectrum_plot.hpp"
@@ -25,6 +26,8 @@ struct SpectrumOptions {
 
 void run(const SpectrumOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
+    const InputFiles inputs(options.sea, sea);
+    for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
     Ocean ocean(sea, {.threads = context.options.threads});
     const DirectionalSpectrum& spectrum = ocean.spectrum();
     const auto write = [&](const std::string& path, const std::string& bytes) {

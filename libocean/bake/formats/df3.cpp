@@ -6,6 +6,7 @@
 #include "ocean/io/df3.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/checked_text.hpp"
 
 namespace ocean {
 namespace {
@@ -41,6 +42,16 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     return files;
 }
 
+/// A square of whole maps' size, six slices.
+bool is_baked(const BakeFile& file) {
+    const std::string head = text::first_bytes(file.path, 6);
+    if (head.size() < 6) return false;
+    const auto size_at = [&head](std::size_t i) {
+        return static_cast<unsigned char>(head[i]) << 8 | static_cast<unsigned char>(head[i + 1]);
+    };
+    return size_at(0) == size_at(2) && is_resolution(size_at(0)) && size_at(4) == io::kDf3Slices;
+}
+
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     return io::df3_bytes(plan.maps.resolutions[file.part]);
 }
@@ -61,6 +72,7 @@ const BakeFormat kDf3Format = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .is_baked = is_baked,
     .most_bytes = most_bytes,
     .write = write,
 };

@@ -8,6 +8,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
@@ -52,7 +53,8 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
 
 std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue) {
     std::vector<const Product*> products;
-    for (const std::string& name : split(list, ',')) {
+    for (const std::string& part : split(list, ',')) {
+        const std::string name(csv::trimmed(part));
         const Product* product = &find_product(name, catalogue.products);
         if (std::find(products.begin(), products.end(), product) != products.end()) {
             throw Error(ErrorKind::invalid_value,
@@ -137,6 +139,16 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     return io::most_exr_bytes(image_of(plan, file), settings_of(plan).compression);
 }
 
+bool is_baked(const BakeFile& file) {
+    try {
+        const auto header = io::read_exr_header(file.path);
+        return std::any_of(header.begin(), header.end(),
+                           [](const auto& string) { return string.name == "ocean:sea"; });
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 void write(const FrameWork& work, std::span<const BakeFile> files) {
     const Settings& settings = settings_of(work.plan);
     for (const BakeFile& file : files) {
@@ -204,6 +216,7 @@ const BakeFormat kExrFormat = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .is_baked = is_baked,
     .most_bytes = most_bytes,
     .write = write,
     .read_pixels = read_pixels,

@@ -6,6 +6,7 @@
 #include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/world_heights.hpp"
@@ -25,6 +26,21 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     return {{path, frame, kImage, "height", recipe},
             {path + ".txt", frame, kDescription, "height", recipe},
             {path + ".inc", frame, kDeclarations, "height", recipe}};
+}
+
+/// A grey PNG of 16 bits with the first row and column again, and texts that open as ours do.
+bool is_baked(const BakeFile& file) {
+    constexpr std::size_t kHead = 26;  // signature, length and name of IHDR, its first five values
+    const std::string head = text::first_bytes(file.path, kHead);
+    if (file.part == kDescription) return head.starts_with("# height = base + scale");
+    if (file.part == kDeclarations) return head.starts_with("// height = Ocean_Base");
+    if (head.size() < kHead || !head.starts_with("\x89PNG")) return false;
+    const auto side_at = [&head](std::size_t i) {  // up to 65535
+        return static_cast<unsigned char>(head[i + 2]) << 8 |
+               static_cast<unsigned char>(head[i + 3]);
+    };
+    const bool grey_of_16_bits = head[24] == 16 && head[25] == 0;
+    return grey_of_16_bits && side_at(16) == side_at(20) && is_resolution(side_at(16) - 1);
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan) {
@@ -62,6 +78,7 @@ const BakeFormat kHeightFieldFormat = {
     .family = "Height fields",
     .settle = settle,
     .files = list_files,
+    .is_baked = is_baked,
     .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,
     .write = write,

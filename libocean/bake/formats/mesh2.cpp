@@ -8,6 +8,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/ocean.hpp"
@@ -147,6 +148,11 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
                        (3 * kFloat + 3 * kUnit + 2 * 3 * kIndex + (1 + 1 + 2) * kAround + foam);
 }
 
+bool is_baked(const BakeFile& file) {
+    const std::string head = text::first_bytes(file.path, 1000);
+    return head.find("The surface of a sea at one time, by libocean") != std::string::npos;
+}
+
 void write(const FrameWork& work, std::span<const BakeFile> files) {
     const auto& view = settings_of(work.plan).view;
     const io::Mesh mesh =
@@ -166,6 +172,7 @@ const BakeFormat kMesh2Format = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .is_baked = is_baked,
     .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,
     .write = write,

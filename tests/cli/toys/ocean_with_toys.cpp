@@ -49,6 +49,11 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     return {{plan.pattern.file(frame), frame, 0, "height,steepness", recipe}};
 }
 
+bool is_baked(const BakeFile& file) {
+    double first = 0.0;
+    return static_cast<bool>(std::ifstream(file.path) >> first);
+}
+
 std::uint64_t most_bytes(const BakePlan&, const BakeFile&) {
     return 100;
 }
@@ -84,6 +89,7 @@ const BakeFormat kStatsFormat = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .is_baked = is_baked,
     .most_bytes = most_bytes,
     .write = write,
     .read_pixels = read_pixels,

@@ -8,23 +8,9 @@
 #include <span>
 
 #include "ocean/text.hpp"
+#include "text.hpp"
 
 namespace ocean::app {
-namespace {
-
-/// Quoted where a reader would otherwise see more than one cell.
-std::string csv_cell(const std::string& text) {
-    if (text.find_first_of(",\"# ") == std::string::npos && !text.empty()) return text;
-    std::string cell = "\"";
-    for (const char c : text) {
-        if (c == '"') cell += '"';
-        cell += c;
-    }
-    return cell + '"';
-}
-
-}  // namespace
-
 std::string series_csv(const GaugeSeries& series, const std::vector<Gauge>& gauges) {
     std::string csv = "time,gauge";
     for (const std::string_view column : std::span(GaugeSeries::kColumns).subspan(1)) {

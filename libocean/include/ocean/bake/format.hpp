@@ -84,6 +84,9 @@ struct BakeFormat {
     FormatPlan (*settle)(const BakePlan& begun);
     /// In the order in which they are written.
     std::vector<BakeFile> (*files)(const BakePlan& plan, int frame);
+    /// Whether a file that is there may be one that a bake wrote, of any sea: others are the
+    /// user's, and stay. By its beginning, so that it costs little.
+    bool (*is_baked)(const BakeFile& file);
     /// Memory that a frame needs beside its maps, at most.
     std::uint64_t (*frame_bytes)(const BakePlan& plan) = nullptr;
     /// Of a file, at most.

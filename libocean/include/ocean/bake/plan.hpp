@@ -61,6 +61,9 @@ struct BakePlan {
     double shortest_wave() const;
 };
 
+/// All files of a bake, the manifest too.
+std::vector<std::string> output_paths(const BakePlan& plan);
+
 /// Throws Error invalid_value, unsupported, or what opening the sea throws. What the catalogue
 /// refers to must outlive the plan.
 BakePlan make_bake_plan(const BakeOptions& options, const Catalogue& catalogue);

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files that are read; see input_files.hpp.
+#include "input_files.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "ocean/error.hpp"
+#include "ocean/platform.hpp"
+
+namespace ocean::app {
+
+InputFiles::InputFiles(const SeaArgument& argument, const Sea& sea) {
+    add(argument.source);
+    const std::filesystem::path folder = utf8_path(argument.source).parent_path();
+    const auto add_named = [&](const std::string& name) {
+        if (!name.empty()) add((folder / utf8_path(name)).string());
+    };
+    add_named(sea.parameters.time.take);
+    for (const WaveSystem& system : sea.parameters.waves) add_named(system.file);
+}
+
+void InputFiles::add(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(utf8_path(path), ignored)) paths_.push_back(path);
+}
+
+void InputFiles::spare(const std::string& output) const {
+    for (const std::string& path : paths_) {
+        std::error_code missing;
+        if (!std::filesystem::equivalent(utf8_path(path), utf8_path(output), missing)) continue;
+        const bool same_name = path == output;
+        throw Error(ErrorKind::invalid_value,
+                    "'" + output + "' is read by this command" +
+                        (same_name ? "" : ", as '" + path + "'") +
+                        ": it is not written over; allowed is another file");
+    }
+}
+
+}  // namespace ocean::app

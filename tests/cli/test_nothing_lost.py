@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""No command writes over what is the user's: what it reads, and files that are not its own."""
+
+import os
+
+import pytest
+from conftest import BUOY, SMALL_SEA
+
+POINTS = "x,y\n1,2\n3,4\n"
+QUERY = ("query", "sea.toml", "--time", "1", "--points", "p.csv")
+GAUGE = ("gauge", "sea.toml", "--points", "p.csv", "--from", "0", "--to", "9", "--rate", "2")
+
+
+@pytest.fixture
+def lot(ocean):
+    """The program in a folder with a file of every kind that it reads."""
+    ocean.write("p.csv", POINTS)
+    ocean.write("buoy.data_spec", BUOY.read_bytes())
+    ocean.write("wind.take", "1 wind_speed 9\n")
+    ocean.write(
+        "own.toml",
+        SMALL_SEA.replace("[grid]", '[time]\ntake = "wind.take"\n[grid]')
+        + '[[waves]]\nspectrum = "measured"\nfile = "buoy.data_spec"\n',
+    )
+    ocean.good("bake", "sea.toml", "-o", "a.exr", "--products", "height")
+    os.symlink("sea.toml", ocean.folder / "link.toml")
+    os.link(ocean.folder / "p.csv", ocean.folder / "hard.csv")
+    (ocean.folder / "sub").mkdir()
+    return ocean
+
+
+@pytest.mark.parametrize(
+    ("command", "file"),
+    [
+        (("spectrum", "sea.toml", "-o", "sea.toml"), "sea.toml"),
+        (("spectrum", "sea.toml", "-o", "sub/../sea.toml"), "sea.toml"),
+        (("spectrum", "link.toml", "-o", "sea.toml"), "sea.toml"),
+        (("spectrum", "sea.toml", "--plot", "link.toml"), "sea.toml"),
+        (("spectrum", "own.toml", "-o", "buoy.data_spec"), "buoy.data_spec"),
+        (("spectrum", "own.toml", "-o", "wind.take"), "wind.take"),
+        ((*QUERY, "-o", "p.csv"), "p.csv"),
+        ((*QUERY, "-o", "hard.csv"), "p.csv"),
+        ((*QUERY, "-o", "sea.toml"), "sea.toml"),
+        ((*GAUGE, "-o", "p.csv"), "p.csv"),
+        ((*GAUGE, "--spectrum", "hard.csv"), "p.csv"),
+        (("bake", "--from", "a.exr", "-o", "a.exr"), "a.exr"),
+        (("bake", "a.exr", "-o", "./a.exr", "--products", "height"), "a.exr"),
+        (("povray", "sea.toml", "-o", "."), "sea.toml"),
+        (("povray", "sea.toml", "-o", ".", "-n"), "sea.toml"),
+    ],
+)
+def test_what_is_read_is_not_written_over(lot, command, file):
+    content = (lot.folder / file).read_bytes()
+    names = lot.files(".")
+    assert "is read by this command" in lot.bad(*command)
+    assert (lot.folder / file).read_bytes() == content
+    assert lot.files(".") == names
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments"),
+    [
+        ("s.exr", ("--products", "height")),
+        ("s.df3", ()),
+        ("s.png", ()),
+        ("s.png.txt", ()),
+        ("s.inc", ()),
+    ],
+)
+def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
+    path = ocean.write(name, "my own picture, or text")
+    output = name.removesuffix(".txt")
+    for more in ([], ["-n"], ["--skip-existing"]):
+        error = ocean.bad("bake", "sea.toml", "-o", output, *arguments, *more)
+        assert f"'{name}' is there and was not written by a bake" in error
+    assert path.read_text() == "my own picture, or text"
+    assert ocean.files(".") == sorted(["buoy.toml", name, "sea.toml"])
+
+
+@pytest.mark.parametrize("extension", ["exr", "df3", "png", "inc"])
+def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension):
+    command = ("bake", "sea.toml", "-o", f"s.{extension}")
+    ocean.good(*command)
+    expected = ocean.hashes(".")
+    (ocean.folder / "s.manifest.json").unlink()
+    ocean.good(*command)
+    assert ocean.hashes(".") == expected
+
+
+def test_a_frame_takes_the_place_of_a_link_to_another(ocean):
+    command = ("bake", "sea.toml", "-o", "s.####.exr", "--products", "height", "--frames")
+    ocean.good(*command, "1-2")
+    expected = ocean.hashes(".")
+    second = ocean.folder / "s.height.0002.exr"
+    second.unlink()
+    second.symlink_to("s.height.0001.exr")
+    ocean.good(*command, "2")
+    assert not second.is_symlink()
+    assert ocean.hashes(".") == expected
+
+
+@pytest.mark.parametrize("name", ["sea.toml", "ocean.inc", "ocean.ini", "ocean_parameters.inc"])
+def test_a_folder_for_povray_keeps_files_of_others(ocean, name):
+    ocean.write(f"scene/{name}", "# mine\n")
+    for more in ([], ["-n"]):
+        error = ocean.bad("povray", "sea.toml", "-o", "scene", *more)
+        assert f"'scene/{name}' is there and is not of `ocean povray`" in error
+    assert (ocean.folder / "scene" / name).read_text() == "# mine\n"
+    assert ocean.files("scene") == [name]
+
+
+def test_a_folder_for_povray_is_made_again_from_its_own_sea(ocean):
+    ocean.good("povray", "sea.toml", "-o", "scene")
+    expected = ocean.hashes("scene")
+    ocean.good("povray", "scene/sea.toml", "-o", "scene")
+    assert ocean.hashes("scene") == expected
+    ocean.good("povray", "sea.toml", "-o", "scene", "--resolution", "32")
+    assert "is read by this command" in ocean.bad(
+        "povray", "scene/sea.toml", "-o", "scene", "--set", "wind_speed=3"
+    )
