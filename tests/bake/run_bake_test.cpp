@@ -143,6 +143,38 @@ TEST(RunBake, KeepsWhatItWouldWriteAndNothingElse) {
 }
 
 // A dry run reads what is there and writes nothing.
+TEST(RunBake, LeavesFilesOfOthersWhereTheyAre) {
+    for (const char* const name : {"sea.0002.df3", "sea.height.0002.exr", "sea.0002.png",
+                                   "sea.0002.png.inc", "sea.0002.inc", "sea.manifest.json"}) {
+        const TemporaryFolder folder;
+        std::ofstream(folder.file(name)) << "not a frame of ours";
+        std::string extension = std::filesystem::path(name).extension().string();
+        if (std::string_view(name).ends_with(".png.inc")) extension = ".png";
+        if (extension == ".json") extension = ".exr";
+        BakeOptions height = small_bake(folder, "sea.####" + extension);
+        if (extension == ".exr") height.of_format["products"] = "height";
+        const BakePlan asked = plan_of(height);
+        BakeHost nobody;
+        EXPECT_THROW(forecast_bake(asked), Error) << name;
+        EXPECT_THROW(run_bake(asked, nobody), Error) << name;
+        EXPECT_EQ(folder.entries(), 1u) << name;
+    }
+}
+
+TEST(RunBake, ReplacesItsOwnFilesWithoutAManifest) {
+    for (const char* const output : {"sea.####.exr", "sea.####.df3", "sea.png", "sea.inc"}) {
+        const TemporaryFolder folder;
+        BakeOptions options = small_bake(folder, output);
+        options.frames = "2";
+        BakeHost nobody;
+        run_bake(plan_of(options), nobody);
+        const std::size_t files = folder.entries();
+        std::filesystem::remove(plan_of(options).pattern.manifest());
+        EXPECT_NO_THROW(run_bake(plan_of(options), nobody)) << output;
+        EXPECT_EQ(folder.entries(), files);
+    }
+}
+
 TEST(RunBake, AForecastNamesTheFilesAndTheirRoom) {
     const TemporaryFolder folder;
     BakeOptions options = small_bake(folder, "sea.####.png");
