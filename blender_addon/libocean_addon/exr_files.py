@@ -221,6 +221,10 @@ class NotWholeError(Exception):
     """The file, its one argument, could not be written to its end."""
 
 
+# As `ocean bake` does: of float vectors ZIP saves a thirtieth, for five times the time of a frame.
+_NONE, _RLE = 0, 1
+_MOSTLY_NOTHING = ("foam", "whitecap", "slope")
+
 # The package keeps Python waiting while it writes: not for longer than a blink of the interface.
 _ROWS_AT_A_TIME = 64
 
@@ -235,7 +239,7 @@ def _write_image(package, path: Path, label: Label, field: str, values: np.ndarr
     }
     header = package.Header(columns, rows)
     header["channels"] = {name: imath.Channel(imath.PixelType(2)) for name in planes}  # 2: float
-    header["compression"] = imath.Compression(imath.Compression.ZIP_COMPRESSION)
+    header["compression"] = imath.Compression(_RLE if field in _MOSTLY_NOTHING else _NONE)
     strings = {"wrapmodes": "periodic", **label.strings(field)}
     header.update({name: text.encode() for name, text in strings.items()})
     image = package.OutputFile(str(path), header)

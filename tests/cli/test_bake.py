@@ -5,6 +5,7 @@
 import json
 import math
 import re
+import resource
 
 import numpy as np
 import OpenImageIO
@@ -371,6 +372,49 @@ def test_an_existing_frame_is_replaced_whole(ocean):
     new = (ocean.folder / "s.exr").read_bytes()
     assert new[:4] == b"\x76\x2f\x31\x01" and new != old
     assert ocean.files(".") == ["buoy.toml", "s.exr", "s.manifest.json", "sea.toml"]
+
+
+def cpu_seconds(ocean, *arguments):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    bake(ocean, *arguments)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def test_files_are_compressed_where_it_pays(ocean):
+    products = "displacement,velocity,height,normal,slope,jacobian,whitecap,foam,derivatives"
+
+    def used(name):
+        (path,) = ocean.folder.glob(name)
+        return image(ocean, path.name)[0]["compression"]
+
+    small = {"normal", "slope", "jacobian", "whitecap", "foam", "derivatives"}
+    bake(ocean, "-o", "s.exr", "--products", products)
+    bake(ocean, "-o", "f.exr", "--products", products, "--type", "float")
+    bake(ocean, "-o", "l.exr", "--products", "normal,foam", "--layout", "layered")
+    bake(ocean, "-o", "m.exr", "--products", "displacement,foam", "--layout", "layered")
+    for product in products.split(","):
+        assert used(f"s.{product}.*exr") == ("rle" if product in small else "none"), product
+        always = product in {"slope", "whitecap", "foam"}
+        assert used(f"f.{product}.*exr") == ("rle" if always else "none"), product
+    assert used("l.*exr") == "rle"
+    assert used("m.*exr") == "none"
+
+
+def test_compression_costs_less_than_half_a_bake(ocean):
+    common = (
+        "--resolution",
+        "1024",
+        "--threads",
+        "1",
+        "--frames",
+        "1-4",
+        "--set",
+        "foam_lifetime=0",
+    )
+    plain = cpu_seconds(ocean, "-o", "p/s.####.exr", "--compression", "none", *common)
+    usual = cpu_seconds(ocean, "-o", "u/s.####.exr", *common)
+    assert usual < 1.5 * plain
 
 
 def test_lists_may_have_blanks_and_rates_be_fractions(ocean):

@@ -286,12 +286,15 @@ def zero(content):
 
 @pytest.mark.parametrize("listed", [True, False], ids=["listed", "unlisted"])
 @pytest.mark.parametrize("change", [cut, flip, zero, bytearray.clear])
-def test_damaged_images_are_baked_again(ocean, expected, change, listed):
-    shutil.copytree(ocean.folder / "whole", ocean.folder / "out")
+def test_damaged_images_are_baked_again(ocean, change, listed):
+    # What no manifest lists has its codec's sum alone, which RLE and none do not have.
+    bake = [*BAKE, pattern("out"), *([] if listed else ["--compression", "zip"])]
+    ocean.good(*bake)
+    expected = ocean.hashes("out")
     damage(ocean.folder / "out/s.normal.0003.exr", change)
     if not listed:
         (ocean.folder / "out/s.manifest.json").unlink()
-    done = ocean(*BAKE, pattern("out"), "--skip-existing", "--json")
+    done = ocean(*bake, "--skip-existing", "--json")
     assert done.returncode == 0, done.stderr
     log = events(done)
     assert [event["frame"] for event in log if event["event"] == "frame"] == [3]

@@ -5,6 +5,9 @@
 // function of the plan alone, so that a file tells by itself whether it is the one that the plan
 // would write.
 #include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
@@ -24,7 +27,7 @@ constexpr const char* kDefaultProducts = "displacement,normal,foam";
 struct Settings {
     std::vector<const Product*> products;
     io::ProductLayout layout;
-    io::ExrCompression compression = io::ExrCompression::zip;
+    std::optional<io::ExrCompression> compression;  // none: what pays for each file
 
     /// The products of each file of a frame.
     std::size_t files() const { return layout.layered ? 1 : products.size(); }
@@ -47,7 +50,9 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "Order of vectors: tnb (x, z, y), zup (x, y, z), yup (x, z, -y); default tnb"},
         {"layout", "LAYOUT",
          "separate (a file for each product) or layered (one file); default separate"},
-        {"compression", "CODEC", "none, rle, zips, zip, piz or pxr24; default zip"},
+        {"compression", "CODEC",
+         "none, rle, zips, zip, piz or pxr24; default rle for slope, whitecap and foam and for "
+         "halves of normal, jacobian and derivatives, none for the rest"},
     };
 }
 
@@ -63,6 +68,23 @@ std::vector<const Product*> find_products(const std::string& list, const Catalog
         products.push_back(product);
     }
     return products;
+}
+
+/// Run lengths where they leave less than 0.9 of the bytes, for at most 1.4 times the CPU of a
+/// frame that is computed and written as it is: 0.14 of whitecaps, 0.68 of slopes, whose B is
+/// empty, 0.86 of halves of normals. ZIP leaves 0.97 of float displacement for 5.5 times, 0.72 of
+/// normals for 4.4 [measured, N = 1024].
+io::ExrCompression usual_compression(std::span<const Product* const> products, io::PixelType type) {
+    const auto pays = [type](const Product* product) {
+        const auto is_one_of = [product](std::initializer_list<std::string_view> names) {
+            return std::find(names.begin(), names.end(), product->name) != names.end();
+        };
+        return is_one_of({"slope", "whitecap", "foam"}) ||
+               (type == io::PixelType::half_float &&
+                is_one_of({"normal", "jacobian", "derivatives"}));
+    };
+    return std::all_of(products.begin(), products.end(), pays) ? io::ExrCompression::rle
+                                                               : io::ExrCompression::none;
 }
 
 template <typename Value>
@@ -116,8 +138,16 @@ io::Image image_of(const BakePlan& plan, const BakeFile& file) {
                              frame_label(plan, file.frame), plan.resolution);
 }
 
+io::ExrCompression compression_of(const BakePlan& plan, const BakeFile& file,
+                                  const io::Image& image) {
+    const Settings& settings = settings_of(plan);
+    if (settings.compression) return *settings.compression;
+    return usual_compression(settings.of_file(file.part), image.planes.front().type);
+}
+
 std::string header_of(const BakePlan& plan, const BakeFile& file) {
-    return io::exr_header_bytes(image_of(plan, file), settings_of(plan).compression);
+    const io::Image image = image_of(plan, file);
+    return io::exr_header_bytes(image, compression_of(plan, file, image));
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
@@ -136,7 +166,8 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
-    return io::most_exr_bytes(image_of(plan, file), settings_of(plan).compression);
+    const io::Image image = image_of(plan, file);
+    return io::most_exr_bytes(image, compression_of(plan, file, image));
 }
 
 bool is_baked(const BakeFile& file) {
@@ -154,8 +185,8 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
     for (const BakeFile& file : files) {
         const io::Image image = io::product_image(settings.of_file(file.part), settings.layout,
                                                   work.label(), work.maps.front());
-        work.put(file,
-                 [&] { io::write_exr(image, file.path, settings.compression, work.threads); });
+        const io::ExrCompression compression = compression_of(work.plan, file, image);
+        work.put(file, [&] { io::write_exr(image, file.path, compression, work.threads); });
     }
 }
 
@@ -201,7 +232,10 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
         if (!stored.compression) {
             refuse_source(options.from, "`ocean bake` does not have its compression");
         }
-        options.take("compression", io::exr_compression_name(*stored.compression));
+        // What is usual for that file stays unsaid: other products may have another.
+        if (*stored.compression != usual_compression(products, stored.channels.front().type)) {
+            options.take("compression", io::exr_compression_name(*stored.compression));
+        }
     }
     options.take("products", header.text("field"));
 }
