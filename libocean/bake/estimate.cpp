@@ -10,6 +10,7 @@
 #include "complete_file.hpp"
 #include "manifest.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/io/output_file.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/text.hpp"
@@ -61,6 +62,7 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     const WorkShare share = share_work(plan);
     const Manifest manifest(plan.pattern.manifest());
     require_own_files(plan, manifest);
+    io::require_folder(plan.pattern.folder());
     BakeForecast forecast;
     for (const int frame : plan.frames) {
         const std::vector<BakeFile> files = plan.format->files(plan, frame);

@@ -225,3 +225,27 @@ def piped(text):
         yield read
     finally:
         os.close(read)
+
+
+def test_a_mistyped_command_is_named_with_the_one_meant(ocean):
+    assert "unknown command 'bak', did you mean bake?" in ocean.bad("bak", "sea.toml")
+    assert "unknown command 'zzzzzz' (see" in ocean.bad("zzzzzz")
+
+
+def test_a_flag_is_echoed_as_it_was_typed(ocean):
+    for typed in ("-q=3", "-n=yes"):
+        assert typed in ocean.bad("bake", "sea.toml", "-o", "s.exr", typed)
+    for command in ("query", "bake", "spectrum", "gauge"):
+        assert "{" not in ocean.good(command, "--help").split("Running")[0]
+
+
+def test_a_picture_is_a_png(ocean):
+    assert "allowed is NAME.png" in ocean.bad("spectrum", "sea.toml", "--plot", "s.jpg")
+    assert not (ocean.folder / "s.jpg").exists()
+
+
+def test_a_plan_for_a_folder_that_cannot_be_says_so(ocean):
+    message = ocean.bad("bake", "sea.toml", "-o", "sea.toml/out/s.exr", "-n", code=1)
+    assert "the folder cannot be written" in message and message.endswith("sea.toml is no folder")
+    message = ocean.bad("povray", "sea.toml", "-o", "sea.toml/out", "-n", code=1)
+    assert "the folder cannot be written" in message

@@ -10,10 +10,14 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <span>
+#include <string_view>
 
 #include "console.hpp"
 #include "interrupt.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/nearest_name.hpp"
 
 namespace ocean::app {
 namespace {
@@ -44,7 +48,10 @@ struct OptionAdder {
     RunOptions& run_options;
 
     CLI::Option* operator()(bool* flag) const {
-        return parser.add_flag(option.names, *flag, option.help);
+        if (!option.names.starts_with('!'))
+            return parser.add_flag(option.names, *flag, option.help);
+        return parser.add_flag_callback(
+            option.names.substr(1), [flag] { *flag = false; }, option.help);
     }
     CLI::Option* operator()(std::vector<std::string>* list) const {
         return value(*list)->allow_extra_args(false);
@@ -113,7 +120,20 @@ class CommandLine {
         }
     }
 
-    void parse(int argc, char** argv) { parser_.parse(argc, argv); }
+    void parse(int argc, char** argv) {
+        for (const std::string_view argument : std::span(argv, static_cast<std::size_t>(argc))) {
+            // Which the parser would read as several short options.
+            if (argument.size() > 2 && argument[0] == '-' && argument[1] != '-' &&
+                argument[2] == '=') {
+                throw Error(ErrorKind::invalid_value,
+                            std::string(argument) +
+                                ": the value of a short option stands behind "
+                                "a blank, and a flag has none");
+            }
+        }
+        if (argc > 1) require_command(argv[1]);
+        parser_.parse(argc, argv);
+    }
 
     /// Throws what the command throws.
     void run(const Context& context) const {
@@ -135,6 +155,19 @@ class CommandLine {
     }
 
   private:
+    void require_command(std::string_view word) const {
+        std::vector<std::string_view> names;
+        for (const Command& command : program_.commands) names.push_back(command.name);
+        if (names.empty() || word.starts_with('-')) return;
+        if (std::find(names.begin(), names.end(), word) != names.end()) return;
+        const std::string_view nearest = nearest_name(word, names);
+        const std::string meant =
+            nearest.empty() ? "" : ", did you mean " + std::string(nearest) + "?";
+        throw Error(ErrorKind::invalid_value, "unknown command '" + text::printable(word) + "'" +
+                                                  meant + " (see `" + program_.main.name +
+                                                  " --help`)");
+    }
+
     const Program& program_;
     CLI::App parser_;
 };

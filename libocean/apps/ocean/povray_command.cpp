@@ -140,6 +140,7 @@ void run(const Typed& typed, const Context& context) {
     }
     for (const std::string& path : output_paths(plan)) inputs.spare(path);
     require_own_files(files, folder);
+    io::require_folder(folder);
     warn_of_cost(plan, context.console);
     if (typed.dry_run) {
         return show_forecast(forecast_bake(plan), forecast_folder(files, folder), context.console);

@@ -3,13 +3,16 @@
 //
 // `ocean spectrum`: the directional spectrum of a sea as CSV, from the one table that modes, CPU
 // and GPU read, and as a picture.
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "input_files.hpp"
 #include "interrupt.hpp"
+#include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/platform.hpp"
 #include "plot/spectrum_plot.hpp"
 #include "sea_argument.hpp"
 #include "spectrum_csv.hpp"
@@ -28,6 +31,11 @@ void run(const SpectrumOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
     const InputFiles inputs(options.sea, sea);
     for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
+    const std::filesystem::path picture = utf8_path(options.plot);
+    if (picture.has_extension() && picture.extension() != ".png") {
+        throw Error(ErrorKind::invalid_value,
+                    "--plot " + options.plot + ": the picture is a PNG; allowed is NAME.png");
+    }
     Ocean ocean(sea, {.threads = context.options.threads});
     const DirectionalSpectrum& spectrum = ocean.spectrum();
     const auto write = [&](const std::string& path, const std::string& bytes) {

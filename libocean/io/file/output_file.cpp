@@ -55,6 +55,9 @@ long long position_of(std::FILE* file) {
 bool abandoned(const std::filesystem::path&) {
     return true;
 }
+bool may_write(const std::filesystem::path&) {
+    return true;
+}
 #else
 int process_id() {
     return static_cast<int>(getpid());
@@ -89,6 +92,10 @@ bool seek_to(std::FILE* file, std::uint64_t position) {
 }
 long long position_of(std::FILE* file) {
     return static_cast<long long>(ftello(file));
+}
+
+bool may_write(const std::filesystem::path& folder) {
+    return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
 bool abandoned(const std::filesystem::path& path) {
@@ -211,6 +218,20 @@ void make_folder(const std::string& folder) {
     std::filesystem::create_directories(utf8_path(folder), code);
     if (!code) return;
     throw Error(ErrorKind::output, folder + ": the folder cannot be made: " + code.message());
+}
+
+void require_folder(const std::string& folder) {
+    std::error_code code;
+    const std::string named = folder.empty() ? "." : folder;
+    std::filesystem::path place = std::filesystem::absolute(utf8_path(named), code);
+    while (!std::filesystem::exists(place, code) && place.has_relative_path()) {
+        place = place.parent_path();
+    }
+    const bool is_folder = std::filesystem::is_directory(place, code);
+    if (is_folder && may_write(place)) return;
+    throw Error(ErrorKind::output, (folder.empty() ? "." : folder) +
+                                       ": the folder cannot be written: " + place.string() +
+                                       (is_folder ? " is not ours to write in" : " is no folder"));
 }
 
 void write_output(const std::string& path, std::string_view bytes) {

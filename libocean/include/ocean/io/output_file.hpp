@@ -49,6 +49,8 @@ void write_file_atomically(const std::string& path, std::string_view bytes);
 
 /// Makes `folder` and those above it; "" is the current one. Throws Error output.
 void make_folder(const std::string& folder);
+/// Throws what make_folder or a file in it would, as far as that is known without making them.
+void require_folder(const std::string& folder);
 /// write_file_atomically, the file's folder made first.
 void write_output(const std::string& path, std::string_view bytes);
 
