@@ -51,9 +51,10 @@ bool is_regular(const BakeFile& file) {
 void require_own_files(const BakePlan& plan, const Manifest& manifest) {
     for (const int frame : plan.frames) {
         for (const BakeFile& file : plan.format->files(plan, frame)) {
+            if (!is_regular(file)) continue;
             std::error_code error;
             const bool empty = std::filesystem::file_size(native(file), error) == 0;
-            if (!is_regular(file) || empty || plan.format->is_baked(file)) continue;
+            if (empty || plan.format->is_baked(file)) continue;
             if (manifest.find(native(file).filename().string()) != nullptr) continue;
             throw Error(ErrorKind::invalid_value,
                         "'" + file.path +
@@ -69,7 +70,7 @@ ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
     entry.frame = file.frame;
     entry.time = plan.sea.time_of(file.frame);
     entry.product = file.product;
-    entry.recipe = file.recipe;
+    entry.recipe = plan.format->recipe(plan, file);
     hash_file(file, entry);
     entry.pixels_sha256 = hash_pixels(plan, file, threads);
     return entry;

@@ -5,7 +5,6 @@
 #include "ocean/bake/estimate.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "complete_file.hpp"
 #include "manifest.hpp"
@@ -24,16 +23,6 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
     const int maps = plan.maps.channels.size() + (plan.has_foam() ? kFoamMaps : 0);
     for (const int resolution : plan.maps.resolutions) bytes += surface_bytes(resolution, maps);
     return bytes;
-}
-
-/// Of the file system that the folder is on, or will be.
-std::uint64_t free_bytes(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::path place = std::filesystem::absolute(utf8_path(folder), error);
-    while (!std::filesystem::exists(place, error) && place.has_relative_path()) {
-        place = place.parent_path();
-    }
-    return std::filesystem::space(place, error).available;
 }
 
 }  // namespace
@@ -75,7 +64,7 @@ BakeForecast forecast_bake(const BakePlan& plan) {
             if (!keep) forecast.bytes += plan.format->most_bytes(plan, file);
         }
     }
-    forecast.free_bytes = free_bytes(plan.pattern.folder());
+    forecast.free_bytes = io::free_bytes(plan.pattern.folder());
     forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);
     return forecast;
 }

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cfenv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "libocean.h"
+#include "ocean/platform.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::capi {
@@ -42,22 +42,6 @@ inline void require(const void* argument, const char* name) {
 const char* last_error() noexcept;
 /// The code of the exception being handled; keeps its sentence. Only inside a catch block.
 ocean_result translate_exception() noexcept;
-
-/// The calling thread's floating-point modes, set to the standard's while the object lives: what a
-/// host rounds by, or flushes to zero, is its own.
-class PlainFloats {
-  public:
-    PlainFloats() {
-        std::fegetenv(&host_);
-        std::fesetenv(FE_DFL_ENV);
-    }
-    ~PlainFloats() { std::fesetenv(&host_); }
-    PlainFloats(const PlainFloats&) = delete;
-    PlainFloats& operator=(const PlainFloats&) = delete;
-
-  private:
-    std::fenv_t host_;
-};
 
 /// Runs `body` so that nothing is thrown out of it.
 template <typename Body>

@@ -96,6 +96,13 @@ std::string preset_names_json() {
     return names.text();
 }
 
+/// Another sea from now on: whole, or, where `edit` throws, not at all.
+void change_sea(ocean_sea& sea, const std::function<void(Sea&)>& edit) {
+    Sea changed = sea.ocean->sea();
+    edit(changed);
+    sea.ocean->change(std::move(changed));
+}
+
 }  // namespace
 
 ocean::capi::Visit::Visit(const ocean_sea* sea) : sea_(sea) {
@@ -166,10 +173,10 @@ ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value) {
         const Visit visit(sea);
         require(name, "name");
         require(value, "value");
-        Sea changed = sea->ocean->sea();
-        set_parameter(changed.parameters, name, value);
-        resolve_files(changed, sea->base_dir);
-        sea->ocean->change(std::move(changed));
+        change_sea(*sea, [&](Sea& changed) {
+            set_parameter(changed.parameters, name, value);
+            resolve_files(changed, sea->base_dir);
+        });
     });
 }
 
@@ -181,15 +188,15 @@ ocean_result ocean_set_all(ocean_sea* sea, const char* const* names, const char*
             require(names, "names");
             require(values, "values");
         }
-        Sea changed = sea->ocean->sea();
-        for (std::size_t i = 0; i < count; ++i) {
-            require(names[i], ("names[" + std::to_string(i) + "]").c_str());
-            require(values[i], ("values[" + std::to_string(i) + "]").c_str());
-            set_parameter(changed.parameters, names[i], values[i]);
-        }
-        resolve_files(changed, sea->base_dir);
-        validate(changed);
-        sea->ocean->change(std::move(changed));
+        change_sea(*sea, [&](Sea& changed) {
+            for (std::size_t i = 0; i < count; ++i) {
+                require(names[i], ("names[" + std::to_string(i) + "]").c_str());
+                require(values[i], ("values[" + std::to_string(i) + "]").c_str());
+                set_parameter(changed.parameters, names[i], values[i]);
+            }
+            resolve_files(changed, sea->base_dir);
+            validate(changed);
+        });
     });
 }
 
@@ -197,9 +204,7 @@ ocean_result ocean_add_waves(ocean_sea* sea, const char* name) {
     return guarded([&] {
         const Visit visit(sea);
         require(name, "name");
-        Sea changed = sea->ocean->sea();
-        add_wave_system(changed, name);
-        sea->ocean->change(std::move(changed));
+        change_sea(*sea, [&](Sea& changed) { add_wave_system(changed, name); });
     });
 }
 
@@ -207,9 +212,7 @@ ocean_result ocean_remove_waves(ocean_sea* sea, const char* name) {
     return guarded([&] {
         const Visit visit(sea);
         require(name, "name");
-        Sea changed = sea->ocean->sea();
-        remove_wave_system(changed, name);
-        sea->ocean->change(std::move(changed));
+        change_sea(*sea, [&](Sea& changed) { remove_wave_system(changed, name); });
     });
 }
 

@@ -52,7 +52,14 @@ LIBRARIES = {
         foreign={
             "": ("wave/",),
             "base/control_groups.cpp": ("fstream",),
-            "base/platform.cpp": ("fstream", "sched.h", "sys/", "unistd.h", "windows.h"),
+            "base/platform.cpp": (
+                "fstream",
+                "sched.h",
+                "sys/",
+                "unistd.h",
+                "windows.h",
+                "xmmintrin.h",
+            ),
             "base/text.cpp": ("cstdio",),  # snprintf alone
             "kernel/simd.hpp": ("immintrin.h",),
             "kernel/simd_level.cpp": ("cpuid.h",),

@@ -28,8 +28,9 @@ void InputFiles::add(const std::string& path) {
 }
 
 void InputFiles::spare(const std::string& output) const {
+    std::error_code missing;
+    if (!std::filesystem::exists(utf8_path(output), missing)) return;
     for (const std::string& path : paths_) {
-        std::error_code missing;
         if (!std::filesystem::equivalent(utf8_path(path), utf8_path(output), missing)) continue;
         const bool same_name = path == output;
         throw Error(ErrorKind::invalid_value,

@@ -34,12 +34,15 @@ std::string far_path(const std::string& path, std::size_t level) {
 
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     const std::string path = plan.pattern.file(frame);
-    const std::string recipe = bake_recipe(plan, frame);
     std::vector<BakeFile> files;
     for (std::size_t part = 0; part < plan.maps.resolutions.size(); ++part) {
-        files.push_back({part == 0 ? path : far_path(path, part), frame, part, "map", recipe});
+        files.push_back({part == 0 ? path : far_path(path, part), frame, part, "map"});
     }
     return files;
+}
+
+std::string recipe(const BakePlan& plan, const BakeFile& file) {
+    return bake_recipe(plan, file.frame);
 }
 
 /// A square of whole maps' size, six slices.
@@ -72,6 +75,7 @@ const BakeFormat kDf3Format = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .recipe = recipe,
     .is_baked = is_baked,
     .most_bytes = most_bytes,
     .write = write,

@@ -154,15 +154,18 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     const Settings& settings = settings_of(plan);
     std::vector<BakeFile> files;
     for (std::size_t part = 0; part < settings.files(); ++part) {
-        BakeFile file{"", frame, part, "", ""};
+        BakeFile file{"", frame, part, ""};
         for (const Product* product : settings.of_file(part)) {
             file.product += (file.product.empty() ? "" : ",") + std::string(product->name);
         }
         file.path = plan.pattern.file(frame, plan.product_in_name ? file.product : "");
-        file.recipe = sha256_hex(header_of(plan, file));
         files.push_back(std::move(file));
     }
     return files;
+}
+
+std::string recipe(const BakePlan& plan, const BakeFile& file) {
+    return sha256_hex(header_of(plan, file));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
@@ -250,6 +253,7 @@ const BakeFormat kExrFormat = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .recipe = recipe,
     .is_baked = is_baked,
     .most_bytes = most_bytes,
     .write = write,

@@ -22,10 +22,13 @@ FormatPlan settle(const BakePlan& begun) {
 
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     const std::string path = plan.pattern.file(frame);
-    const std::string recipe = bake_recipe(plan, frame);
-    return {{path, frame, kImage, "height", recipe},
-            {path + ".txt", frame, kDescription, "height", recipe},
-            {path + ".inc", frame, kDeclarations, "height", recipe}};
+    return {{path, frame, kImage, "height"},
+            {path + ".txt", frame, kDescription, "height"},
+            {path + ".inc", frame, kDeclarations, "height"}};
+}
+
+std::string recipe(const BakePlan& plan, const BakeFile& file) {
+    return bake_recipe(plan, file.frame);
 }
 
 /// A grey PNG of 16 bits with the first row and column again, and texts that open as ours do.
@@ -78,6 +81,7 @@ const BakeFormat kHeightFieldFormat = {
     .family = "Height fields",
     .settle = settle,
     .files = list_files,
+    .recipe = recipe,
     .is_baked = is_baked,
     .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,

@@ -116,6 +116,10 @@ FormatPlan settle(const BakePlan& begun) {
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+    return {{plan.pattern.file(frame), frame, 0, "mesh"}};
+}
+
+std::string recipe(const BakePlan& plan, const BakeFile& file) {
     std::string lines;
     if (const auto& view = settings_of(plan).view) {
         lines =
@@ -123,7 +127,7 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
                         view->y, view->height, view->heading, view->field_of_view, view->nearest,
                         view->horizon, view->columns, view->rows, view->unresolved_slope_variance);
     }
-    return {{plan.pattern.file(frame), frame, 0, "mesh", bake_recipe(plan, frame, lines)}};
+    return bake_recipe(plan, file.frame, lines);
 }
 
 std::uint64_t vertices(const BakePlan& plan) {
@@ -172,6 +176,7 @@ const BakeFormat kMesh2Format = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .recipe = recipe,
     .is_baked = is_baked,
     .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,

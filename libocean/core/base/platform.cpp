@@ -19,6 +19,9 @@
 #else
 #include <unistd.h>
 #endif
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 #if defined(__linux__)
 #include <sched.h>
 #include <sys/mman.h>
@@ -35,6 +38,24 @@ std::uint64_t process_number() {
     return 0;  // there is no fork
 #else
     return static_cast<std::uint64_t>(getpid());
+#endif
+}
+
+PlainFloats::PlainFloats() {
+    std::fegetenv(&host_);
+    std::fesetenv(FE_DFL_ENV);
+#if defined(__SSE2__)
+    // MinGW's FE_DFL_ENV leaves MXCSR, by which the compiler's code rounds, as it is.
+    constexpr unsigned kDefaultSse = 0x1f80;
+    host_sse_ = _mm_getcsr();
+    _mm_setcsr(kDefaultSse);
+#endif
+}
+
+PlainFloats::~PlainFloats() {
+    std::fesetenv(&host_);
+#if defined(__SSE2__)
+    _mm_setcsr(host_sse_);
 #endif
 }
 

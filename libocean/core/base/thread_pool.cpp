@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cfenv>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -197,7 +196,7 @@ struct ThreadPool::State {
     }
 
     void work(int thread) {
-        std::fesetenv(FE_DFL_ENV);  // not what the host's thread has that made this one
+        const PlainFloats plain;  // not what the host's thread has that made this one
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {

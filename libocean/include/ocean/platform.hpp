@@ -4,6 +4,7 @@
 // What differs between operating systems, in one place: core/base/platform.cpp.
 #pragma once
 
+#include <cfenv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +23,19 @@ struct ThreadUsage {
     double seconds = 0.0;          // of a core
 };
 ThreadUsage usage_of_this_thread();
+/// The calling thread's floating-point modes, set to the standard's while the object lives: what a
+/// host rounds by, or flushes to zero, is its own.
+class PlainFloats {
+  public:
+    PlainFloats();
+    ~PlainFloats();
+    PlainFloats(const PlainFloats&) = delete;
+    PlainFloats& operator=(const PlainFloats&) = delete;
+
+  private:
+    std::fenv_t host_;
+    unsigned host_sse_ = 0;  // MXCSR of x86
+};
 /// Bytes that can still be allocated (free memory, container and process limits), or the largest
 /// value where the system does not tell.
 std::uint64_t available_memory();

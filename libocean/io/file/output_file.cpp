@@ -108,6 +108,17 @@ bool abandoned(const std::filesystem::path& path) {
 }
 #endif
 
+/// The folder, or the first above it that is there.
+std::filesystem::path nearest_existing(const std::string& folder) {
+    std::error_code code;
+    std::filesystem::path place =
+        std::filesystem::absolute(utf8_path(folder.empty() ? "." : folder), code);
+    while (!std::filesystem::exists(place, code) && place.has_relative_path()) {
+        place = place.parent_path();
+    }
+    return place;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
@@ -222,16 +233,17 @@ void make_folder(const std::string& folder) {
 
 void require_folder(const std::string& folder) {
     std::error_code code;
-    const std::string named = folder.empty() ? "." : folder;
-    std::filesystem::path place = std::filesystem::absolute(utf8_path(named), code);
-    while (!std::filesystem::exists(place, code) && place.has_relative_path()) {
-        place = place.parent_path();
-    }
+    const std::filesystem::path place = nearest_existing(folder);
     const bool is_folder = std::filesystem::is_directory(place, code);
     if (is_folder && may_write(place)) return;
     throw Error(ErrorKind::output, (folder.empty() ? "." : folder) +
                                        ": the folder cannot be written: " + place.string() +
                                        (is_folder ? " is not ours to write in" : " is no folder"));
+}
+
+std::uint64_t free_bytes(const std::string& folder) {
+    std::error_code code;
+    return std::filesystem::space(nearest_existing(folder), code).available;
 }
 
 void write_output(const std::string& path, std::string_view bytes) {

@@ -406,23 +406,11 @@ class Sea:
         """All that is known of the surface at each of n world points (x, y). resolution: the waves
         that a map of so many samples holds, at a fraction of the cost. refine: 2, 4 ... for smaller
         errors. exact: the sum over all waves, a hundred times as slow."""
-        asked = self._rows(points, 2)
-        answers = np.empty(len(asked), dtype=SAMPLE)
         error = ctypes.c_double()
-        request = QueryRequest(
-            ctypes.sizeof(QueryRequest),
-            time,
-            asked.ctypes.data,
-            len(asked),
-            answers.ctypes.data,
-            SAMPLE.itemsize,
-            resolution,
-            refine,
-            exact,
-            foam,
-            ctypes.pointer(error),
+        how = (resolution, refine, exact, foam, ctypes.pointer(error))
+        answers = self._samples(
+            "ocean_query_points", QueryRequest, SAMPLE, self._rows(points, 2), time, how
         )
-        self._call("ocean_query_points", ctypes.byref(request))
         fields = [answers[name] for name in ("height", "normal", "velocity", "foam", "label")]
         flags = answers["flags"]
         return Samples(*fields, flags & _FOLDED != 0, flags & _UNDECIDED != 0, error.value)
@@ -443,20 +431,10 @@ class Sea:
     ) -> Water:
         """Velocity and pressure of the water at n fixed world points (x, y, z) of any depths, as
         orbital_velocity. Each other depth costs two transforms. The rest as samples()."""
-        asked = self._rows(points, 3)
-        answers = np.empty(len(asked), dtype=WATER_SAMPLE)
-        request = WaterRequest(
-            ctypes.sizeof(WaterRequest),
-            time,
-            asked.ctypes.data,
-            len(asked),
-            answers.ctypes.data,
-            WATER_SAMPLE.itemsize,
-            resolution,
-            refine,
-            exact,
+        how = (resolution, refine, exact)
+        answers = self._samples(
+            "ocean_water_points", WaterRequest, WATER_SAMPLE, self._rows(points, 3), time, how
         )
-        self._call("ocean_water_points", ctypes.byref(request))
         return Water(answers["velocity"], answers["pressure"])
 
     def gauges(
@@ -499,6 +477,22 @@ class Sea:
         degrees counter-clockwise from +x, the length along the heading."""
         poses = self._answers("ocean_float_pose", bodies, (time,), 5, 11)
         return FloatPose(poses[:, 0:3], poses[:, 3:6], poses[:, 6:9], poses[:, 9], poses[:, 10])
+
+    def _samples(
+        self,
+        name: str,
+        request_type: type[ctypes.Structure],
+        sample: np.dtype[Any],
+        asked: Array,
+        time: float,
+        how: tuple[Any, ...],
+    ) -> npt.NDArray[Any]:
+        """A sample for each row asked; `how` is what the request's struct has beyond them."""
+        answers = np.empty(len(asked), dtype=sample)
+        rows = (asked.ctypes.data, len(asked), answers.ctypes.data, sample.itemsize)
+        request = request_type(ctypes.sizeof(request_type), time, *rows, *how)
+        self._call(name, ctypes.byref(request))
+        return answers
 
     def _answers(
         self, name: str, rows: npt.ArrayLike, when: tuple[float, ...], width: int, columns: int

@@ -44,9 +44,12 @@ FormatPlan settle(const BakePlan& begun) {
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+    return {{plan.pattern.file(frame), frame, 0, "height,steepness"}};
+}
+
+std::string recipe(const BakePlan& plan, const BakeFile& file) {
     const int digits = std::any_cast<int>(plan.settings);
-    const std::string recipe = bake_recipe(plan, frame, format_text("digits %d\n", digits));
-    return {{plan.pattern.file(frame), frame, 0, "height,steepness", recipe}};
+    return bake_recipe(plan, file.frame, format_text("digits %d\n", digits));
 }
 
 bool is_baked(const BakeFile& file) {
@@ -89,6 +92,7 @@ const BakeFormat kStatsFormat = {
     .read_options = read_options,
     .settle = settle,
     .files = list_files,
+    .recipe = recipe,
     .is_baked = is_baked,
     .most_bytes = most_bytes,
     .write = write,

@@ -53,7 +53,6 @@ struct BakeFile {
     int frame = 0;
     std::size_t part = 0;  // its number among the files of the frame
     std::string product;   // what it holds, several in comma lists
-    std::string recipe;    // SHA-256 of all that decides its content
 };
 
 /// A frame whose maps are there, on its way to its files.
@@ -82,8 +81,10 @@ struct BakeFormat {
     std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue) = nullptr;
     /// For a plan with sea, resolution and settings. Throws Error.
     FormatPlan (*settle)(const BakePlan& begun);
-    /// In the order in which they are written.
+    /// In the order in which they are written. Cheap: a bake asks for all its frames at its start.
     std::vector<BakeFile> (*files)(const BakePlan& plan, int frame);
+    /// SHA-256 of all that decides the content of a file.
+    std::string (*recipe)(const BakePlan& plan, const BakeFile& file);
     /// Whether a file that is there may be one that a bake wrote, of any sea: others are the
     /// user's, and stay. By its beginning, so that it costs little.
     bool (*is_baked)(const BakeFile& file);

@@ -51,6 +51,8 @@ void write_file_atomically(const std::string& path, std::string_view bytes);
 void make_folder(const std::string& folder);
 /// Throws what make_folder or a file in it would, as far as that is known without making them.
 void require_folder(const std::string& folder);
+/// Of the file system that the folder is on, or will be.
+std::uint64_t free_bytes(const std::string& folder);
 /// write_file_atomically, the file's folder made first.
 void write_output(const std::string& path, std::string_view bytes);
 
