@@ -34,7 +34,7 @@ class PlainFloats {
 
   private:
     std::fenv_t host_;
-    unsigned host_sse_ = 0;  // MXCSR of x86
+    [[maybe_unused]] unsigned host_sse_ = 0;  // MXCSR, where there is one
 };
 /// Bytes that can still be allocated (free memory, container and process limits), or the largest
 /// value where the system does not tell.
