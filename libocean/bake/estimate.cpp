@@ -17,11 +17,18 @@
 namespace ocean {
 namespace {
 
-/// Its maps, and what the format makes of them.
+/// The program and its libraries, before there is a sea [measured].
+constexpr std::uint64_t kProgramBytes = 24 << 20;
+
+/// Its maps, what makes them, and what the format makes of them.
 std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
     const int maps = plan.maps.channels.size() + (plan.has_foam() ? kFoamMaps : 0);
-    for (const int resolution : plan.maps.resolutions) bytes += surface_bytes(resolution, maps);
+    for (const int resolution : plan.maps.resolutions) {
+        bytes += maps_bytes(resolution, maps) + work_bytes(plan.sea.parameters.grid, plan.backend,
+                                                           plan.maps.channels, resolution,
+                                                           plan.channels);
+    }
     return bytes;
 }
 
@@ -31,7 +38,7 @@ std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
     const auto each = static_cast<std::uint64_t>(frames_at_a_time);
     // With a take each worker is at a time of its own, and the sea at another.
     const std::uint64_t seas = plan.sea.take.empty() ? 1 : 1 + each;
-    return seas * modes_bytes(plan.sea.parameters.grid) + each * frame_bytes(plan);
+    return kProgramBytes + seas * modes_bytes(plan.sea.parameters.grid) + each * frame_bytes(plan);
 }
 
 WorkShare share_work(const BakePlan& plan) {

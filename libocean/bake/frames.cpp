@@ -105,6 +105,11 @@ OutputPattern::OutputPattern(const std::string& path) {
     const std::size_t start = slash == std::string::npos ? 0 : slash + 1;
     folder_ = path.substr(0, start);
     const std::string name = path.substr(start);
+    static const std::regex folder_token("##+|%0?[0-9]*d|\\$F");
+    if (std::smatch match; std::regex_search(folder_, match, folder_token)) {
+        refuse("-o '" + path + "': " + match.str() +
+               " stands in a folder's name; frames are numbered in the names of files alone");
+    }
     if (name.empty()) refuse("-o '" + path + "': the name of a file is missing");
 
     static const std::regex token("#+|%0?([0-9]*)d|\\$F([0-9]*)");

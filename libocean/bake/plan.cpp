@@ -125,11 +125,9 @@ void BakeOptions::take(const std::string& name, std::string_view value) {
 }
 
 double BakePlan::shortest_wave() const {
-    const Grid& grid = sea.parameters.grid;
-    // On an axis the modes end with the last cascade's.
-    const Lattice finest{grid.resolution, grid.patch_size / cascade_divisors(grid).back()};
-    return std::max(finest.shortest_wavelength(),
-                    Lattice{resolution, grid.patch_size}.shortest_wavelength());
+    const Parameters& parameters = sea.parameters;
+    return std::max(parameters.surface.shortest_wavelength,
+                    ocean::shortest_wave(parameters.grid, resolution));
 }
 
 std::vector<std::string> output_paths(const BakePlan& plan) {

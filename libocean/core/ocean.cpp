@@ -215,7 +215,7 @@ void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
     if (cascade_maps_.size() <= cascade) cascade_maps_.resize(cascade + 1);
     std::unique_ptr<MapWriter>& maps = cascade_maps_[cascade];
     if (!maps) {
-        require_memory(kernel_bytes(resolution, kLinearCount) + surface_bytes(resolution, 0),
+        require_memory(work_bytes(now().grid, options_.backend, channels_of(outputs), resolution),
                        "a map of a cascade");
         maps = std::make_unique<MapWriter>(options_.backend, options_.channels);
     }
@@ -233,12 +233,12 @@ void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) co
     const int foam = has_foam(channels) && !foam_.contains(resolution) ? kFoamMaps : 0;
     const auto made = made_.find(resolution);
     const bool has_work_space = made != made_.end() && channels.without(made->second).empty();
-    const std::uint64_t buffers =
-        Lattice{resolution, 1.0}.size() * sizeof(float) * static_cast<std::uint64_t>(maps + foam);
-    const std::uint64_t anew =
-        kernel_bytes(resolution, channels.size()) + surface_bytes(resolution, maps + foam);
+    const std::uint64_t work = has_work_space ? 0
+                                              : work_bytes(now().grid, options_.backend, channels,
+                                                           resolution, options_.channels);
     require_memory(
-        (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + (has_work_space ? buffers : anew),
+        (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + work +
+            maps_bytes(resolution, maps + foam),
         "a map of " + std::to_string(resolution) + " x " + std::to_string(resolution) + " samples");
 }
 

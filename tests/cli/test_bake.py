@@ -135,7 +135,9 @@ def test_other_frame_grammars_are_refused_not_misread(ocean, frames):
     assert not (ocean.folder / "out").exists()
 
 
-@pytest.mark.parametrize("output", ["", "out/", "s_##.####.exr", "s.%099d.exr"])
+@pytest.mark.parametrize(
+    "output", ["", "out/", "s_##.####.exr", "s.%099d.exr", "s.####/s.exr", "%d/s.exr"]
+)
 def test_bad_names_are_refused(ocean, output):
     ocean.bad("bake", "sea.toml", "-o", output)
 

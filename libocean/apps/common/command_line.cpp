@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -23,6 +25,7 @@ namespace ocean::app {
 namespace {
 
 constexpr int kFailed = 1;
+constexpr int kClosedPipe = 128 + SIGPIPE;  // as if it had ended the process
 constexpr int kWrongUsage = 2;
 
 int exit_code(ErrorKind kind) {
@@ -183,6 +186,8 @@ int parse_and_run(int argc, char** argv, const Program& program) {
         return 0;
     } catch (const CLI::ParseError& error) {
         return command_line.report(error, console);
+    } catch (const ClosedPipe&) {
+        return kClosedPipe;
     } catch (const Error& error) {
         console.error(error.what());
         return exit_code(error.kind());
@@ -213,6 +218,7 @@ int run_program(int argc, char** argv, const Program& program) {
         // Help texts are written by the parser: a full disk behind them shows only here.
         const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
         if (code != 0 || written) return code;
+        if (errno == EPIPE) return kClosedPipe;
         std::fprintf(stderr, "%s: standard output cannot be written\n", name);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s: %s\n", name, error.what());

@@ -34,6 +34,7 @@ bool standard_error_is_terminal() {
 void Console::data(std::string_view text) {
     const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (whole && std::fflush(stdout) == 0) return;
+    if (errno == EPIPE) throw ClosedPipe();
     throw Error(ErrorKind::output,
                 std::string("standard output cannot be written: ") + std::strerror(errno));
 }

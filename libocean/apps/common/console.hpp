@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -19,6 +20,12 @@
 
 namespace ocean::app {
 
+/// Who read standard output has had enough, as `head` does: the program ends without a word.
+class ClosedPipe : public std::exception {
+  public:
+    const char* what() const noexcept override { return "standard output is closed"; }
+};
+
 class Console {
   public:
     /// Of a JSON object.
@@ -29,8 +36,8 @@ class Console {
     Console(const std::string& program, const RunOptions& options)
         : prefix_(program + ": "), options_(options) {}
 
-    /// Standard output; the main thread only. Throws Error output if it cannot be written, so that
-    /// a full disk behind a redirection is not taken for success.
+    /// Standard output; the main thread only. Throws ClosedPipe, or Error output if it cannot be
+    /// written, so that a full disk behind a redirection is not taken for success.
     void data(std::string_view text);
     /// Standard error. Notes need -v; notes and warnings are silent with -q.
     void note(std::string_view text) { say("note", text, options_.verbose && !options_.quiet); }

@@ -24,8 +24,9 @@ bool ignored(int signal_number) {
 }  // namespace
 
 InterruptWatch::InterruptWatch(std::function<void()> farewell) : farewell_(std::move(farewell)) {
-    // A file over its limit is an error of the write, with a message.
+    // A file over its limit and a closed pipe are errors of the write.
     std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGPIPE, SIG_IGN);
     sigemptyset(&signals_);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         if (!ignored(number)) sigaddset(&signals_, number);

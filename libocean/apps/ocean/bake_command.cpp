@@ -98,9 +98,10 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
 }
 
 constexpr char kFooter[] =
-    R"(With -o out/sea.####.exr a product goes into out/sea.<product>.0001.exr. A run of # is
-as many digits; %04d and $F4 are understood too. Finished paths are printed on standard
-output in the order of the frames, progress on standard error.
+    R"(With -o out/sea.####.exr a product goes into out/sea.<product>.0001.exr, and several
+frames of -o out/sea.exr into the same; one product of one frame is out/sea.exr itself. A
+run of # is as many digits; %04d and $F4 are understood too. Finished paths are printed on
+standard output in the order of the frames, progress on standard error.
 
 out/sea.manifest.json lists the files with their SHA-256, and with that of their pixels
 whatever the compression. Shards and repeated runs merge into it. However a bake is
@@ -110,7 +111,7 @@ whole files.
 Events of --json: start, then for each frame one of frame, skipped, failed, with the
 counts done, skipped, failed and total; last done or interrupted; error and warning
 with a message; plan with -n. Exit codes: 0 done, 1 a frame failed (disk, memory),
-2 wrong usage or bad sea file, 130 interrupted.)";
+2 wrong usage or bad sea file, 130 interrupted, 141 nobody reads standard output any more.)";
 
 }  // namespace
 

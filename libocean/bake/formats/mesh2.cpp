@@ -140,8 +140,8 @@ std::uint64_t vertices(const BakePlan& plan) {
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan) {
-    // A vertex has six floats and two triangles of three numbers, and as much again as text.
-    return vertices(plan) * 2 * (6 * sizeof(float) + 6 * sizeof(int));
+    // A vertex has six floats and two triangles of three numbers.
+    return vertices(plan) * (6 * sizeof(float) + 6 * sizeof(int));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/touch_pages.hpp"
+#include "ocean/cascades.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
 #include "packed_modes.hpp"
@@ -296,11 +297,31 @@ void write_rows(const PlanarFields& fields, int resolution, int first, int last,
     for (int row = first; row < last; ++row) code.write_row(task, fields, row);
 }
 
-std::uint64_t kernel_bytes(int resolution, int fields) {
-    const auto samples = Lattice{resolution, 1.0}.size();
-    // Eleven numbers for two modes of a half plane; each field's half spectrum between the passes.
-    constexpr std::uint64_t kPacked = 4 * kPairNumbers / 4;
-    return samples * (kPacked + 4 * static_cast<std::uint64_t>(fields));
+std::uint64_t packed_bytes(int resolution) {
+    // Eleven numbers for two modes of a half plane.
+    return Lattice{resolution, 1.0}.size() * sizeof(float) * kPairNumbers / 4;
+}
+
+std::uint64_t kernel_bytes(const Grid& grid, LinearSet fields, int resolution) {
+    std::uint64_t packed = 0;
+    int half_band = 0;
+    for (const int divisor : cascade_divisors(grid)) {
+        const int half = half_of(grid.resolution, divisor, resolution);
+        // All lanes of a block are there where one of its rows has modes.
+        const int rows = std::min(divisor, kernel_code(simd_level()).lanes);
+        packed += packed_bytes(2 * half) * static_cast<std::uint64_t>(rows);
+        half_band = std::max(half_band, (half - 1) * divisor + 1);
+    }
+    const auto needed = [fields](const SourceFields& source) {
+        return fields.contains(source.own) ||
+               (source.derived >= 0 && fields.contains(static_cast<Linear>(source.derived)));
+    };
+    const auto sources = std::count_if(std::begin(kSources), std::end(kSources), needed);
+    // Complex numbers, one for each ky of the band and each x.
+    const std::uint64_t between = static_cast<std::uint64_t>(sources) * 2 * sizeof(float) *
+                                  static_cast<std::uint64_t>(half_band) *
+                                  static_cast<std::uint64_t>(resolution);
+    return std::min(packed, packed_bytes(resolution)) + between;
 }
 
 }  // namespace ocean

@@ -63,7 +63,9 @@ class MapKernel {
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,
                 const KernelFrame& frame, SimdLevel level = simd_level());
 
-/// Bytes that a kernel of this resolution and so many linear fields takes, packed modes included.
-std::uint64_t kernel_bytes(int resolution, int fields);
+/// Bytes of the packed modes of a map, at most.
+std::uint64_t packed_bytes(int resolution);
+/// Those that a kernel takes for maps of a sea: packed modes, and what lies between the passes.
+std::uint64_t kernel_bytes(const Grid& grid, LinearSet fields, int resolution);
 
 }  // namespace ocean

@@ -54,6 +54,16 @@ std::vector<CascadeBand> cascade_bands(const Grid& grid) {
     return bands;
 }
 
+double shortest_wave(const Grid& grid) {
+    return Lattice{grid.resolution, grid.patch_size / cascade_divisors(grid).back()}
+        .shortest_wavelength();
+}
+
+double shortest_wave(const Grid& grid, int map_resolution) {
+    return std::max(shortest_wave(grid),
+                    Lattice{map_resolution, grid.patch_size}.shortest_wavelength());
+}
+
 long long complete_map_resolution(const Grid& grid) {
     const long long extent =
         static_cast<long long>(grid.resolution) * cascade_divisors(grid).back();

@@ -47,7 +47,7 @@ inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& optio
     // Between the passes: of each field the columns that have modes, complex.
     constexpr std::uint64_t kBetween = 4;
     return static_cast<std::uint64_t>(splines) * SplineMap::bytes_per_sample() * fine * fine +
-           kernel_bytes(static_cast<int>(shown), 0) +
+           packed_bytes(static_cast<int>(shown)) +
            kBetween * static_cast<std::uint64_t>(fields) * fine * shown;
 }
 

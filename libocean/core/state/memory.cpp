@@ -4,7 +4,6 @@
 // Bytes of modes and maps; see memory.hpp.
 #include "ocean/memory.hpp"
 
-#include <algorithm>
 #include <complex>
 
 #include "ocean/error.hpp"
@@ -18,13 +17,19 @@ std::uint64_t modes_bytes(const Grid& grid) {
            static_cast<std::uint64_t>(grid.cascades);
 }
 
-std::uint64_t surface_bytes(int resolution, int channels) {
-    // The maps themselves, the linear planes they are made of, and the half spectra between the two
-    // passes of the transform: at most eleven linear fields exist.
-    const auto n = static_cast<std::uint64_t>(resolution);
-    const auto maps = static_cast<std::uint64_t>(channels);
-    const std::uint64_t linear = std::min<std::uint64_t>(maps + 5, 11);
-    return n * n * sizeof(float) * (maps + 2 * linear);
+std::uint64_t maps_bytes(int resolution, int maps) {
+    return Lattice{resolution, 1.0}.size() * sizeof(float) * static_cast<std::uint64_t>(maps);
+}
+
+std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet channels,
+                         int resolution, std::span<const ChannelInfo> further) {
+    const std::uint64_t own =
+        backend.work_bytes == nullptr
+            ? 0
+            : backend.work_bytes(grid, fields_of(channels, false, further), resolution);
+    // Channels that the backend has no code for are made of planes of their fields.
+    const LinearSet planes = fields_of(channels.without(backend.makes), false, further);
+    return own + maps_bytes(resolution, planes.size());
 }
 
 void require_memory(std::uint64_t bytes, const std::string& what, const std::string& advice) {

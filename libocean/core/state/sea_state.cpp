@@ -41,6 +41,14 @@ double peak_of_rings(std::span<const ModeSums> cascades, std::span<const Cascade
     return peak;
 }
 
+/// Displacement, normals and foam, with what makes them.
+std::uint64_t frame_bytes(const Grid& grid, int resolution) {
+    using enum Channel;
+    constexpr ChannelSet kChannels = {dx, dy, height, nx, ny, nz, foam};
+    return work_bytes(grid, Backend::cpu, kChannels, resolution) +
+           maps_bytes(resolution, kChannels.size() + kFoamMaps);
+}
+
 /// The waves of a cascade repeat at its own period, and at that of another whose divisor divides
 /// its own.
 std::vector<CascadeShare> cascade_shares(std::span<const ModeSums> cascades,
@@ -123,21 +131,17 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
         degrees(asked.directional_spread),
         sums.m0 > 0.0 ? degrees(circular_spread(std::abs(sums.direction) / sums.m0)) : 0.0};
     state.energy_resolved = asked.m0 > 0.0 ? sums.m0 / asked.m0 : 1.0;
-    const auto corner = [](const Lattice& lattice) {
-        return lattice.shortest_wavelength() / std::sqrt(2.0);
-    };
-    const Lattice finest{grid.resolution, grid.patch_size / bands.back().divisor};
-    state.shortest_wave = sums.shortest > 0.0 ? sums.shortest : corner(finest);
+    state.shortest_wave = std::max(sums.shortest, shortest_wave(grid));
     state.longest_wave = sums.longest > 0.0 ? sums.longest : grid.patch_size;
     state.map_resolution = default_map_resolution(grid);
-    const Lattice map{state.map_resolution, grid.patch_size};
-    state.map_shortest_wave = std::max(state.shortest_wave, corner(map));
+    state.map_shortest_wave =
+        std::max(state.shortest_wave, shortest_wave(grid, state.map_resolution));
     state.cascades = cascade_shares(cascades, bands, sums, grid.patch_size);
     state.loop_errors = loop_errors(parameters, state.longest_wave, state.shortest_wave);
     state.loop_error = sums.m0 > 0.0 ? std::sqrt(sums.loop_error / sums.m0) : 0.0;
     state.period = grid.patch_size;
     state.memory_bytes =
-        modes_bytes(grid) + surface_bytes(state.map_resolution, 12) + spectrum.table().size_bytes();
+        modes_bytes(grid) + frame_bytes(grid, state.map_resolution) + spectrum.table().size_bytes();
     const FoamClock clock = foam_clock(surface, parameters.time.loop_period);
     state.foam_preroll_seconds = static_cast<double>(preroll_ticks(
                                      clock, 0, [&](double) { return surface.foam_lifetime; })) *

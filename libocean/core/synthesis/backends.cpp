@@ -4,6 +4,7 @@
 // The backends of core, in one table.
 #include "ocean/backend.hpp"
 
+#include <complex>
 #include <string>
 
 #include "kernel/cpu_backend.hpp"
@@ -43,11 +44,20 @@ MapFunction start_reference() {
     };
 }
 
+/// Of each field a complex grid in `Real` and a plane in float.
+template <typename Real>
+std::uint64_t reference_bytes(const Grid&, LinearSet fields, int resolution) {
+    return Lattice{resolution, 1.0}.size() * static_cast<std::uint64_t>(fields.size()) *
+           (sizeof(std::complex<Real>) + sizeof(float));
+}
+
 }  // namespace
 
-constexpr Backend Backend::cpu = {"cpu", kCpuChannels, start_cpu};
-constexpr Backend Backend::radix2 = {"radix2", kAll, start_reference<synthesize_radix2>};
-constexpr Backend Backend::dft = {"dft", kAll, start_reference<synthesize_dft>};
+constexpr Backend Backend::cpu = {"cpu", kCpuChannels, start_cpu, kernel_bytes};
+constexpr Backend Backend::radix2 = {"radix2", kAll, start_reference<synthesize_radix2>,
+                                     reference_bytes<float>};
+constexpr Backend Backend::dft = {"dft", kAll, start_reference<synthesize_dft>,
+                                  reference_bytes<double>};
 
 std::span<const Backend> core_backends() {
     static constexpr Backend kBackends[] = {Backend::cpu, Backend::radix2, Backend::dft};

@@ -19,6 +19,13 @@ namespace ocean {
 
 class ThreadPool;
 
+/// The modes -half + 1 .. half - 1 along each axis of `modes` of them fit a map on which they stand
+/// `stride` apart.
+inline int half_of(int modes, int stride, int map_resolution) {
+    const int below_nyquist = (map_resolution / 2 - 1) / stride + 1;
+    return std::min(modes / 2, below_nyquist);
+}
+
 /// The modes of a map at one time: those of a whole sea, or of one of its cascades over its own
 /// period.
 struct MapModes {
@@ -35,8 +42,7 @@ struct MapModes {
     int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
     /// The map holds the modes -half + 1 .. half - 1 of a cascade along each axis.
     int half(const CascadeModes& cascade) const {
-        const int below_nyquist = (resolution / 2 - 1) / stride(cascade) + 1;
-        return std::min(cascade.lattice.resolution / 2, below_nyquist);
+        return half_of(cascade.lattice.resolution, stride(cascade), resolution);
     }
     /// Of the map itself: its modes beyond -half_band + 1 .. half_band - 1 are zero.
     int half_band() const {
@@ -73,6 +79,8 @@ struct Backend {
     /// which every backend writes.
     ChannelSet makes;
     MapFunction (*start)() = nullptr;
+    /// Memory of its own for maps of such fields of a sea, beside modes and outputs; null: little.
+    std::uint64_t (*work_bytes)(const Grid& grid, LinearSet fields, int resolution) = nullptr;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 

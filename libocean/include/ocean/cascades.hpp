@@ -32,6 +32,12 @@ std::vector<int> cascade_divisors(const Grid& grid);
 /// One band for each cascade. Needs validated parameters.
 std::vector<CascadeBand> cascade_bands(const Grid& grid);
 
+/// The shortest wave of the modes that runs in any direction, two samples of the finest cascade;
+/// in the corners of its square there are shorter ones, along no axis.
+double shortest_wave(const Grid& grid);
+/// That of a map of so many samples.
+double shortest_wave(const Grid& grid, int map_resolution);
+
 /// Smallest number of samples, a power of two, whose map holds every mode; may be more than
 /// kMaxResolution.
 long long complete_map_resolution(const Grid& grid);

@@ -50,7 +50,7 @@ struct SeaState {
     AskedResolved mean_direction;      // degrees counter-clockwise from +x, travelling to
     AskedResolved directional_spread;  // degrees, circular standard deviation
     double energy_resolved = 1.0;      // resolved m0 / asked m0; 1 for a flat sea
-    double shortest_wave = 0.0;        // m, of the grid within the band limits
+    double shortest_wave = 0.0;        // m, within the limits, along an axis of the grid
     double longest_wave = 0.0;
     double period = 0.0;               // m
     int map_resolution = 0;            // of a map when nobody says
@@ -58,7 +58,8 @@ struct SeaState {
     std::vector<MapSlope> map_slopes;  // of 1, 2, 4 .. 8192 samples a side
     /// One for each cascade, longest period first.
     std::vector<CascadeShare> cascades;
-    std::uint64_t memory_bytes = 0;  // modes, spectrum table and one frame of all fields
+    /// Modes, spectrum table and a frame of displacement, normals and foam.
+    std::uint64_t memory_bytes = 0;
     double foam_preroll_seconds = 0.0;
     /// Asked: what this wind makes white. Resolved: the mean whitecap of a map of map_resolution.
     AskedResolved whitecap_coverage;

@@ -57,7 +57,7 @@ struct BakePlan {
 
     /// Foam has a past: frames are made one after another.
     bool has_foam() const { return maps.channels.contains(Channel::foam); }
-    /// The shortest wave of the finest map, along an axis.
+    /// The shortest wave of the finest map.
     double shortest_wave() const;
 };
 
