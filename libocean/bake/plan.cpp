@@ -141,8 +141,9 @@ std::vector<std::string> output_paths(const BakePlan& plan) {
 }
 
 io::FrameLabel frame_label(const BakePlan& plan, int frame) {
-    return {plan.sea_text, frame, plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
-            plan.backend.name};
+    return {plan.sea_text,           frame,
+            plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
+            plan.backend.name,       plan.sea_id};
 }
 
 io::FrameLabel FrameWork::label() const {
@@ -195,6 +196,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
     plan.sea_text = write_sea(plan.sea);
+    plan.sea_id = sha256_hex(plan.sea_text + std::to_string(plan.resolution)).substr(0, 16);
     return plan;
 }
 

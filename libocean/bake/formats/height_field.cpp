@@ -8,6 +8,7 @@
 #include "ocean/bake/plan.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/world_heights.hpp"
 
@@ -63,7 +64,9 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         io::write_file_atomically(files[kDescription].path, io::height_field_description(image));
     });
     work.put(files[kDeclarations], [&] {
-        io::write_file_atomically(files[kDeclarations].path, io::height_field_declarations(image));
+        io::write_file_atomically(
+            files[kDeclarations].path,
+            io::height_field_declarations(image) + io::povray_frame_declarations(work.label()));
     });
 }
 

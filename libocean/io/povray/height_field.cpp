@@ -108,8 +108,7 @@ std::string height_field_declarations(const Image& image) {
     return "// height = Ocean_Base + Ocean_Scale * code / 65536, in metres\n"
            "#declare Ocean_Base = " +
            shortest_text(fit.base) + ";\n#declare Ocean_Scale = " + shortest_text(fit.scale) +
-           ";\n#declare Ocean_Frame_Number = " + image.string("ocean:frame") +
-           ";\n#declare Ocean_Time = " + image.string("ocean:time") + ";\n";
+           ";\n";
 }
 
 std::uint64_t most_height_field_bytes(int resolution) {

@@ -6,7 +6,6 @@
 // vertices which met still meet.
 #include "ocean/io/mesh2.hpp"
 
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/io/povray_declarations.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/version.hpp"
 
@@ -62,15 +62,6 @@ class TextWriter {
     std::string buffer_;
 };
 
-// The guard's name, from the file's: two frames may be included by one scene.
-std::string guard_name(const std::string& file_name) {
-    std::string name = "Ocean_";
-    for (const char c : file_name) {
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-    }
-    return name + "_Temp";
-}
-
 void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label,
                 const std::string& file_name) {
     out << "//   Persistence of Vision Ray Tracer Include File\n//   File: " << file_name
@@ -78,11 +69,9 @@ void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label,
            "libocean " OCEAN_VERSION
         << "\n//         Ocean_Surface: mesh2 of ";
     out.number(mesh.positions.size() / 3) << " vertices with normals, metres, <east, up, north>.\n";
-    const std::string guard = guard_name(file_name);
-    out << "#ifndef(" << guard << ")\n#declare " << guard << " = version;\n#version 3.7;\n\n";
-    out << "#declare Ocean_Frame_Number = ";
-    out.number(label.number) << ";\n#declare Ocean_Time = ";
-    out.number(label.time) << ";      // s\n#declare Ocean_Period = ";
+    // No guard: a frame that is loaded again is the current one again.
+    out << "#declare Ocean_Mesh_Inc_Temp = version;\n#version 3.7;\n\n";
+    out << povray_frame_declarations(label) << "#declare Ocean_Period = ";
     out.number(label.period) << ";  // m, in both directions\n";
 }
 
@@ -166,8 +155,7 @@ void write_mesh2(const Mesh& mesh, const FrameLabel& label, const std::string& p
     write_faces(out, mesh.triangles);
     // A sheet is not a solid, but an inside lets it cut others; off the axis, so that the test ray
     // does not run along vertices and edges.
-    out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version "
-        << guard_name(utf8_path(path).filename().string()) << ";\n#end\n";
+    out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version Ocean_Mesh_Inc_Temp;\n";
     out.flush();
     file.commit();
 }

@@ -53,6 +53,12 @@ void declare(std::string& text, const std::string& name, const std::string& valu
     text += "\n";
 }
 
+/// What another sea in the same scene may have declared. Not by #ifdef: POV-Ray 3.7 loses its place
+/// after a file with conditions that a macro includes, at some positions [measured].
+void forget(std::string& text, const std::string& name) {
+    text += "#declare " + name + " = 0; #undef " + name + "\n";
+}
+
 template <typename Range, typename Item>
 std::string array_of(const Range& values, const Item& item) {
     std::string text = "array[" + std::to_string(values.size()) + "] { ";
@@ -90,9 +96,12 @@ void declare_parameters(std::string& text, const Parameters& parameters) {
         const std::size_t systems = info.per_wave_system() ? parameters.waves.size() : 1;
         for (std::size_t wave = 0; wave < systems; ++wave) {
             const ParameterValue value = value_of(parameters, {&info, wave});
-            if (!is_set(value, info)) continue;
-            declare(text, identifier(info.path(wave)), std::visit(ValueText(), value),
-                    std::string(info.unit));
+            const std::string name = identifier(info.path(wave));
+            if (is_set(value, info)) {
+                declare(text, name, std::visit(ValueText(), value), std::string(info.unit));
+            } else {
+                forget(text, name);
+            }
         }
     }
 }
@@ -101,6 +110,7 @@ void declare_frames(std::string& text, const PovrayFolder& folder) {
     text += "\n// ---- Frames ----\n";
     declare(text, "Ocean_First_Frame", std::to_string(folder.frames.front()));
     declare(text, "Ocean_Last_Frame", std::to_string(folder.frames.back()));
+    forget(text, "Ocean_Frames");
     if (folder.frames_are_consecutive()) return;
     text += "// frame_number counts them from 1.\n";
     declare(text, "Ocean_Frames",
@@ -144,6 +154,7 @@ std::string povray_declarations(const PovrayFolder& folder) {
         ". Written anew by each\n"
         "//         export: change the sea file instead. Metres, seconds, degrees.\n";
     declare(text, "Ocean_Data_Version", std::to_string(kPovrayDataVersion));
+    declare(text, "Ocean_Sea_Id", string_literal(folder.sea_id), "its frames say the same");
     declare(text, "Ocean_Format", string_literal(folder.format));
     declare(text, "Ocean_Samples", std::to_string(folder.maps.front()), "along a side");
     declare(text, "Ocean_Period", number(parameters.grid.patch_size), "m, in both directions");
@@ -167,6 +178,14 @@ std::string povray_declarations(const PovrayFolder& folder) {
     declare_frames(text, folder);
     declare_parameters(text, parameters);
     declare_water(text);
+    return text;
+}
+
+std::string povray_frame_declarations(const FrameLabel& label) {
+    std::string text;
+    declare(text, "Ocean_Frame_Number", std::to_string(label.number));
+    declare(text, "Ocean_Time", number(label.time), "s");
+    declare(text, "Ocean_Frame_Sea_Id", string_literal(label.sea_id));
     return text;
 }
 

@@ -16,6 +16,8 @@ struct FrameLabel {
     double period = 0.0;  // m
     /// Which computed the surface: the last bits differ.
     std::string_view backend = "cpu";
+    /// A short name of the sea on its map: others have another.
+    std::string_view sea_id = "";
 };
 
 }  // namespace ocean::io

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/io/frame_label.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 
 namespace ocean::io {
 
 /// Of the folders that `ocean povray` writes: ocean.inc refuses any other.
-inline constexpr int kPovrayDataVersion = 1;
+inline constexpr int kPovrayDataVersion = 2;
 
 /// A folder of frames for POV-Ray. References must outlive it.
 struct PovrayFolder {
@@ -23,6 +24,7 @@ struct PovrayFolder {
     std::string_view format;  // "df3", "mesh2" or "height_field"
     std::vector<int> maps;    // samples a side of each frame's maps, the finest first
     std::vector<int> frames;  // at least one
+    std::string_view sea_id;  // of FrameLabel
 
     /// Whether POV-Ray's own frame_number can be theirs.
     bool frames_are_consecutive() const;
@@ -30,5 +32,7 @@ struct PovrayFolder {
 /// The include file that tells a scene all of that, each parameter by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
+/// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
+std::string povray_frame_declarations(const FrameLabel& label);
 
 }  // namespace ocean::io
