@@ -19,6 +19,7 @@ import dataclasses
 import hashlib
 import io
 import json
+import re
 import sys
 import zipfile
 from pathlib import Path
@@ -122,9 +123,21 @@ def legacy_zip(library: Path, wheels: list[Path]) -> bytes:
     return zipped(files)
 
 
+def needed_glibc(library: Path) -> int:
+    """The N of the newest glibc 2.N whose symbols it asks for; 0 for a library of no glibc."""
+    return max(map(int, re.findall(rb"GLIBC_2\.(\d+)", library.read_bytes())), default=0)
+
+
+def wheel_platform(library: Path) -> str:
+    """What its wheel is tagged with: of a Linux library the glibc that it really needs."""
+    tag = platform_of(library).wheel
+    oldest = int(re.search(r"manylinux_2_(\d+)", tag)[1]) if "manylinux" in tag else 0
+    return tag.replace(f"_2_{oldest}_", f"_2_{max(oldest, needed_glibc(library))}_")
+
+
 def library_wheel(library: Path) -> tuple[str, bytes]:
     """Name and bytes of a wheel for one platform and every Python: the wrapper is plain ctypes."""
-    tag = f"py3-none-{platform_of(library).wheel}"
+    tag = f"py3-none-{wheel_platform(library)}"
     info = f"libocean-{version()}.dist-info"
     files = {f"libocean/{name}": data for name, data in wrapper_files(library).items()}
     files[f"{info}/METADATA"] = (
