@@ -22,6 +22,9 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
     const int maps = plan.maps.channels.size() + (plan.has_foam() ? kFoamMaps : 0);
     for (const int resolution : plan.maps.resolutions) bytes += surface_bytes(resolution, maps);
+    if (plan.maps.finer > 0) {
+        bytes += surface_bytes(plan.maps.finer, plan.maps.finer_channels.size());
+    }
     return bytes;
 }
 

@@ -7,14 +7,9 @@ import re
 import subprocess
 
 import pytest
-from conftest import Folder, floats_of, ocean, povray, read_png, sea_text, surface
+from conftest import Folder, floats_of, ocean, parse_seconds, povray, read_png, sea_text, surface
 
 import libocean
-
-
-def parse_seconds(log):
-    """Of the processor: other work on the machine counts for less."""
-    return float(re.search(r"Parse Time:[^%]*?([\d.]+) CPU-seconds", log).group(1))
 
 
 def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
@@ -36,7 +31,10 @@ def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
 
 def test_the_frames_are_those_of_a_bake(tmp_path):
     sea = sea_text(resolution=64, period=60.0)
-    for form, extension, option in (("df3", "df3", "--far-maps"), ("mesh2", "inc", "--mesh-foam")):
+    for form, extension, options in (
+        ("df3", "df3", ["--far-maps", "--fine-map"]),
+        ("mesh2", "inc", ["--mesh-foam"]),
+    ):
         folder = Folder(tmp_path / form, sea, "--format", form)
         baked = tmp_path / ("baked_" + form)
         done = ocean(
@@ -45,11 +43,11 @@ def test_the_frames_are_those_of_a_bake(tmp_path):
             folder.path / "sea.toml",
             "-o",
             baked / f"sea_####.{extension}",
-            option,
+            *options,
         )
         assert done.returncode == 0, done.stderr
         frames = sorted(baked.glob(f"sea_0001*.{extension}"))
-        assert len(frames) == (2 if form == "df3" else 1)
+        assert len(frames) == (3 if form == "df3" else 1)
         for frame in frames:
             assert frame.read_bytes() == (folder.path / frame.name).read_bytes(), frame.name
 

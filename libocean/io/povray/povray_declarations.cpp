@@ -149,6 +149,8 @@ std::string povray_declarations(const PovrayFolder& folder) {
     declare(text, "Ocean_Period", number(parameters.grid.patch_size), "m, in both directions");
     declare(text, "Ocean_Maps", std::to_string(folder.maps.size()),
             "each of half the samples of the one before");
+    declare(text, "Ocean_Fine_Samples", std::to_string(folder.fine_map),
+            "of the map for heights of places; 0: there is none");
     const auto lost_slopes = [&](int resolution) {
         double shown = 0.0;
         for (const MapSlope& map : folder.state.map_slopes) {
