@@ -75,7 +75,7 @@ EARTH = 6371000.0
 
 
 class Camera:
-    """POV-Ray's perspective camera: `angle` is across, `sky` is turned by `roll` about the sight."""
+    """POV-Ray's perspective camera: `angle` across, its `sky` turned by `roll` about the sight."""
 
     def __init__(self, eye, pitch, heading, roll, angle, aspect):
         self.eye, self.roll, self.angle, self.aspect = numpy.array(eye), roll, angle, aspect
