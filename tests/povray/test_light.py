@@ -6,7 +6,7 @@ import re
 
 import numpy
 import pytest
-from conftest import floats_of, read_png
+from conftest import Folder, floats_of, read_png, sea_text
 
 
 @pytest.mark.parametrize("height", [2, 60, 2000, 15000])
@@ -34,6 +34,43 @@ object {{ Ocean_View(Eye, Target, 1.2, 0.05) pigment {{ rgb 0 }} }}""",
     assert numpy.all(water[: first - 1]) and not numpy.any(water[first + 1 :])
     sky = picture[first + 1 : first + 31]
     assert sky.min() > 0.9 * sky.max() > 0.55
+
+
+def test_far_water_blurs_the_clouds_that_it_mirrors(tmp_path):
+    """Against a mirror on the same mesh: the contrast of columns, which are streaks."""
+    folder = Folder(tmp_path, sea_text(resolution=128, period=200.0, wind=12.0))
+    smooth = "pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } }"
+    contrast = {}
+    for water in (f"{smooth} interior {{ ior Ocean_Water_Ior }}", 'Ocean_Material("jerlov_ii")'):
+        folder.run(
+            f"""global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
+Ocean_Load("sea_0001")
+#declare Eye = <0, 20, 0>;
+#declare Target = Eye + <1, -0.012, 0.1>;
+camera {{ location Eye right x*image_width/image_height angle 30 look_at Target }}
+Ocean_Eye(Eye, 30)
+#declare Ocean_Sun_Altitude = 45;  // and no light, so no glitter
+#declare Ocean_Sun_Direction = <0, 1, 0>;
+#declare Ocean_Sun_Colour = <0, 0, 0>;
+#declare Ocean_Sun_Shown_ = 0;
+Ocean_Sky(0.5)
+#declare Ocean_Sky_Light = 0;
+object {{ Ocean_View(Eye, Target, 30, 1) {water} no_reflection }}""",
+            "+A0.05",
+            "+AM2",
+            "+R2",
+            width=320,
+            height=100,
+        )
+        rows = read_png(folder.path / "out.png").mean(axis=2)
+        horizon = int(numpy.argmax(rows.mean(axis=1) > 0.5))
+        far = rows[horizon - 18 : horizon - 2]
+        columns = far.mean(axis=0)
+        contrast[water] = columns.std() / columns.mean()
+    mirror, material = contrast.values()
+    print(f"\nmirror {mirror:.3f}, material {material:.3f}")
+    assert mirror > 0.02, "there are no streaks to blur"
+    assert material < 0.5 * mirror
 
 
 def brightness(folder, altitude):
