@@ -8,7 +8,7 @@ global_settings { assumed_gamma 1.0 }
 Ocean_Load(Ocean_Frame_Name(frame_number))
 #declare Eye = <10, 7, -2>;
 camera { location Eye right x*image_width/image_height angle 50 look_at <20, 0.4, 9> }
-Ocean_Eye(Eye, 50)
+Ocean_Eye_At(Eye, 50)
 Ocean_Sun(38, 100)
 Ocean_Sky(0.3)
 // Its outside, 4.4 m long, waterline at y = 0; the boat is that less its room.
