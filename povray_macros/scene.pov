@@ -16,6 +16,7 @@ Ocean_Load(Ocean_Frame_Name(frame_number))
 #declare View_Angle = 60;
 camera { location Eye right x*image_width/image_height angle View_Angle look_at Target }
 
+Ocean_Eye_At(Eye, View_Angle)
 Ocean_Sun(24, Ocean_Direction + 14)
 Ocean_Sky(0.4)
 

@@ -24,10 +24,14 @@ constexpr std::uint64_t kProgramBytes = 24 << 20;
 std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
     const int maps = plan.maps.channels.size() + (plan.has_foam() ? kFoamMaps : 0);
-    for (const int resolution : plan.maps.resolutions) {
-        bytes += maps_bytes(resolution, maps) + work_bytes(plan.sea.parameters.grid, plan.backend,
-                                                           plan.maps.channels, resolution,
-                                                           plan.channels);
+    const auto add = [&](int resolution, int maps_there, ChannelSet channels) {
+        bytes +=
+            maps_bytes(resolution, maps_there) +
+            work_bytes(plan.sea.parameters.grid, plan.backend, channels, resolution, plan.channels);
+    };
+    for (const int resolution : plan.maps.resolutions) add(resolution, maps, plan.maps.channels);
+    if (plan.maps.finer > 0) {
+        add(plan.maps.finer, plan.maps.finer_channels.size(), plan.maps.finer_channels);
     }
     return bytes;
 }

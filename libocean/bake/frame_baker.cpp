@@ -45,7 +45,13 @@ void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
 
 std::vector<Surface> FrameBaker::make_maps(double time) {
     const FrameMaps& maps = bake_.plan.maps;
-    if (!maps.by_place) return map_levels(ocean_, time, maps.channels, maps.resolutions);
+    if (!maps.by_place) {
+        std::vector<Surface> levels = map_levels(ocean_, time, maps.channels, maps.resolutions);
+        if (maps.finer > 0) {
+            levels.push_back(ocean_.evaluate(time, maps.finer_channels, maps.finer));
+        }
+        return levels;
+    }
     WorldHeights heights = world_heights(ocean_, time, maps.resolutions.front());
     if (heights.folded > 0) {
         bake_.host.warning(format_text(

@@ -42,8 +42,8 @@ std::string animation_settings(const io::PovrayFolder& folder) {
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const std::vector<int>& frames) {
     const Sea& sea = plan.sea;
     const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
-    const io::PovrayFolder folder{sea,    state,      plan.format->name, plan.maps.resolutions,
-                                  frames, plan.sea_id};
+    const io::PovrayFolder folder{sea,    state,       plan.format->name, plan.maps.resolutions,
+                                  frames, plan.sea_id, plan.maps.finer};
     std::vector<FolderFile> files = {
         {"ocean.inc", std::string(kOceanInc)},
         {"ocean_parameters.inc", io::povray_declarations(folder)},

@@ -12,7 +12,6 @@ intersection {
     object { Ocean_Block(3) }
     box { <1, -1.6, 1>, <11, 1, 11> }
     Ocean_Clear_Material("jerlov_i")
-    hollow
     Ocean_Caustics()
 }
 box { <-20, -2, -20>, <40, -1.59, 40> pigment { checker rgb <0.6, 0.68, 0.70> rgb <0.5, 0.6, 0.64> scale 0.4 } finish { ambient 0 emission 0.06 diffuse 0.85 } }

@@ -9,7 +9,7 @@ Ocean_Load(Ocean_Frame_Name(frame_number))
 camera { location <6, 5, -4> right x*image_width/image_height angle 55 look_at <6, -1.5, 6> }
 Ocean_Sun(50, 130)
 Ocean_Sky(0.1)
-object { Ocean_Block(5) Ocean_Clear_Material("jerlov_1c") hollow }
+object { Ocean_Block(5) Ocean_Clear_Material("jerlov_1c") }
 #for (I, 0, 4)
     cylinder { <2 + 2*I, -5, 5 + mod(I, 2)>, <2 + 2*I, 1, 5 + mod(I, 2)>, 0.18
                pigment { gradient y color_map { [0.5 rgb <0.8, 0.05, 0.03>] [0.5 rgb 0.9] } scale 2 }

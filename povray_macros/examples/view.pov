@@ -9,6 +9,7 @@ Ocean_Load(Ocean_Frame_Name(frame_number))
 #declare Eye = <0, 4, 0>;
 #declare Target = <20, 2.4, 12>;
 camera { location Eye right x*image_width/image_height angle 60 look_at Target }
+Ocean_Eye_At(Eye, 60)
 Ocean_Sun(22, 44)
 Ocean_Sky(0.4)
 object { Ocean_View(Eye, Target, 60, 0.6) Ocean_Material("jerlov_ii") no_reflection }

@@ -39,7 +39,6 @@ intersection {
     // The basin's walls lie within the water: a gap of air would be a mirror.
     box { <Low, -Depth, Low> - 0.01, <High, 1, High> + 0.01 }
     Ocean_Clear_Material("jerlov_ib")
-    hollow
     Ocean_Caustics()
 }
 

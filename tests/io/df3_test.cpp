@@ -86,6 +86,18 @@ TEST(Df3, HoldsTheMapsInPovRaysAxes) {
     }
 }
 
+TEST(Df3, ThreeSlicesAreThoseOfThePosition) {
+    const TemporaryFolder folder;
+    const Surface surface = tilted_surface(32);
+    io::write_df3(surface, folder.file("six.df3"));
+    io::write_df3(surface, folder.file("three.df3"), io::kDf3PositionSlices);
+    const std::string six = test::read_bytes(folder.file("six.df3"));
+    const std::string three = test::read_bytes(folder.file("three.df3"));
+    ASSERT_EQ(three.size(), io::df3_bytes(32, io::kDf3PositionSlices));
+    EXPECT_EQ(big_endian(three, 4, 2), 3u);
+    EXPECT_EQ(three.substr(6), six.substr(6, three.size() - 6));
+}
+
 TEST(Df3, RefusesWhatItCannotHold) {
     const TemporaryFolder folder;
     const auto refused = [&](Channel channel, float value) {

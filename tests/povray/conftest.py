@@ -115,3 +115,8 @@ def read_png(path):
 def floats_of(log):
     """The values of the lines `V value` that a scene told."""
     return numpy.array([float(word) for word in re.findall(r"^V (\S+)$", log, re.MULTILINE)])
+
+
+def parse_seconds(log):
+    """Of the processor: other work on the machine counts for less."""
+    return float(re.search(r"Parse Time:[^%]*?([\d.]+) CPU-seconds", log).group(1))

@@ -156,6 +156,33 @@ def test_height_at_a_place_is_that_of_ocean_query(tmp_path):
     assert found[:, 3].max() > 0.3
 
 
+def test_height_at_a_place_is_that_of_ocean_query_on_the_map_of_an_export(tmp_path):
+    """As `ocean povray` writes it of a preset, whose shortest waves have two samples."""
+    done = ocean(tmp_path, "presets", "beaufort_6")
+    folder = Folder(tmp_path, done.stdout)
+    points = numpy.random.default_rng(8).uniform(-900, 1500, (600, 2))
+    places = ", ".join(f"<{x:.9f}, {z:.9f}>" for x, z in points)
+    log = folder.run(
+        f"""Ocean_Load("sea_0001")
+#declare Places = array[600] {{ {places} }}
+#for (K, 0, 599)
+    #debug concat("V ", str(Ocean_Height_At(Places[K].u, Places[K].v), 0, 9), "\\n")
+#end"""
+    )
+    error = floats_of(log) - query(folder, points, "--refine", "2")["height"]
+    print(f"\nat most {1e3 * numpy.abs(error).max():.2f} mm, rms {1e3 * error.std():.2f} mm")
+    assert numpy.abs(error).max() < 2e-3
+
+
+def test_a_map_that_is_fine_enough_has_no_finer_one(tmp_path):
+    sea = sea_text(resolution=64, more=f"shortest_wavelength = {4 * PERIOD / 64}")
+    fine, coarse = Folder(tmp_path / "a", sea), Folder(tmp_path / "b", sea_text(resolution=64))
+    assert not (fine.path / "sea_0001_fine.df3").exists()
+    assert (coarse.path / "sea_0001_fine.df3").stat().st_size == 6 + 128 * 128 * 3 * 4
+    for folder in (fine, coarse):
+        folder.run('Ocean_Load("sea_0001")\n#declare Height = Ocean_Height_At(3, 4);')
+
+
 @pytest.mark.parametrize("form", ["mesh2", "height_field"])
 def test_height_at_a_place_of_other_formats_is_traced(tmp_path, form):
     folder = Folder(tmp_path, sea_text(), "--format", form, "--resolution", "256")

@@ -51,6 +51,7 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
     options.output = folder + "/sea_####" + extension_of(typed.format);
     options.threads = context.options.threads;
     options.largest_map = kLargestMap;
+    if (df3) options.of_format["fine-map"] = "yes";
     if (df3 && !typed.near_only) options.of_format["far-maps"] = "yes";
     if (typed.format == "mesh2") options.of_format["mesh-foam"] = "yes";
     options.open_sea = [&typed](const std::string& source) {
@@ -167,7 +168,7 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
           {"--resolution", &bake.resolution, "R",
            "Samples along a side, a power of two up to 2048; default: the sea's grid"},
           {"--near-only", &typed.near_only, "",
-           "Leave out the coarser maps, a third more data, that draw the sea to the horizon"},
+           "Leave out the coarser maps, that draw the sea to the horizon"},
           {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames"},
           {"--skip-existing", &bake.skip_existing, "", "Keep complete frames of the same sea"},
           {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},

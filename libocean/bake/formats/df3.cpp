@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Maps for POV-Ray as density files: one a frame and, for the sea to the horizon, coarser ones
-// beside it, sea_0001_far1.df3 and so on. A density file has no room for words: sea_0001.df3.inc
-// tells a scene what they are of.
+// beside it, sea_0001_far1.df3 and so on. For what floats there is sea_0001_fine.df3, of twice the
+// samples: between samples a wave of two is not to be found, one of four is. A density file has no
+// room for words: sea_0001.df3.inc tells a scene what these are of.
 #include "ocean/io/df3.hpp"
+
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/checked_text.hpp"
@@ -16,33 +18,63 @@ namespace ocean {
 namespace {
 
 std::vector<FormatOption> list_options(const Catalogue&) {
-    return {{"far-maps", "", "Coarser maps beside that of each frame, a third more data"}};
+    return {{"far-maps", "", "Coarser maps beside that of each frame, a third more data"},
+            {"fine-map", "",
+             "Height and displacement at twice the samples beside each frame, for exact heights of "
+             "places, twice its data; where the map has not four samples of its shortest wave"}};
 }
 
+struct Settings {
+    bool far_maps = false;
+    bool fine_map = false;
+};
+
 std::any read_options(const BakeOptions& options, const Catalogue&) {
-    return !options.format_option("far-maps").empty();
+    return Settings{!options.format_option("far-maps").empty(),
+                    !options.format_option("fine-map").empty()};
+}
+
+/// Samples along a side of the fine map, or 0 where the map itself is fine enough.
+int fine_resolution(const BakePlan& begun) {
+    constexpr int kLargest = 4096;  // 200 MB
+    const double shortest = begun.shortest_wave();
+    const double cell = begun.sea.parameters.grid.patch_size / begun.resolution;
+    const int fine = 2 * begun.resolution;
+    return shortest < 4.0 * cell && fine <= kLargest ? fine : 0;
 }
 
 FormatPlan settle(const BakePlan& begun) {
-    const bool far_maps = std::any_cast<bool>(begun.settings);
-    return {{io::df3_channels(),
-             far_maps ? halving_resolutions(begun.resolution) : std::vector<int>{begun.resolution}},
-            begun.settings};
+    const auto& settings = std::any_cast<const Settings&>(begun.settings);
+    FrameMaps maps{io::df3_channels(), {begun.resolution}};
+    if (settings.far_maps) maps.resolutions = halving_resolutions(begun.resolution);
+    if (settings.fine_map) {
+        maps.finer = fine_resolution(begun);
+        maps.finer_channels = io::df3_position_channels();
+    }
+    return {maps, begun.settings};
 }
 
-/// "sea_0001.df3" -> "sea_0001_far1.df3".
-std::string far_path(const std::string& path, std::size_t level) {
+/// "sea_0001.df3", "_fine" -> "sea_0001_fine.df3".
+std::string path_with(const std::string& path, const std::string& ending) {
     const std::size_t dot = path.rfind('.');
-    return path.substr(0, dot) + "_far" + std::to_string(level) + path.substr(dot);
+    return path.substr(0, dot) + ending + path.substr(dot);
+}
+
+bool is_fine(const BakePlan& plan, const BakeFile& file) {
+    return plan.maps.finer > 0 && file.part == plan.maps.resolutions.size();
 }
 
 std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     const std::string path = plan.pattern.file(frame);
     std::vector<BakeFile> files;
     for (std::size_t part = 0; part < plan.maps.resolutions.size(); ++part) {
-        files.push_back({part == 0 ? path : far_path(path, part), frame, part, "map"});
+        const std::string far = "_far" + std::to_string(part);
+        files.push_back({part == 0 ? path : path_with(path, far), frame, part, "map"});
     }
-    files.push_back({path + ".inc", frame, plan.maps.resolutions.size(), "map"});
+    if (plan.maps.finer > 0) {
+        files.push_back({path_with(path, "_fine"), frame, files.size(), "map"});
+    }
+    files.push_back({path + ".inc", frame, files.size(), "map"});
     return files;
 }
 
@@ -52,7 +84,7 @@ std::string recipe(const BakePlan& plan, const BakeFile& file) {
 
 constexpr std::string_view kOpening = "// A frame for POV-Ray";
 
-/// A square of whole maps' size, six slices; or words that open as ours do.
+/// A square of whole maps' size, six slices or three; or words that open as ours do.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
         return text::first_bytes(file.path, kOpening.size()) == kOpening;
@@ -62,13 +94,15 @@ bool is_baked(const BakeFile& file) {
     const auto size_at = [&head](std::size_t i) {
         return static_cast<unsigned char>(head[i]) << 8 | static_cast<unsigned char>(head[i + 1]);
     };
-    return size_at(0) == size_at(2) && is_resolution(size_at(0)) && size_at(4) == io::kDf3Slices;
+    return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
+           (size_at(4) == io::kDf3Slices || size_at(4) == io::kDf3PositionSlices);
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     constexpr std::uint64_t kWords = 512;
     const std::vector<int>& maps = plan.maps.resolutions;
-    return file.part < maps.size() ? io::df3_bytes(maps[file.part]) : kWords;
+    if (file.part < maps.size()) return io::df3_bytes(maps[file.part]);
+    return is_fine(plan, file) ? io::df3_bytes(plan.maps.finer, io::kDf3PositionSlices) : kWords;
 }
 
 /// Three heights, so that words and map are known to be of one frame.
@@ -78,14 +112,15 @@ std::string witnesses(const Surface& map) {
         return shortest_text(static_cast<double>(map.channel(Channel::height)[place]));
     };
     const int half = map.resolution() / 2;
-    return "#declare Ocean_Frame_Heights = array[3] { " + height_at(0, 0) + ", " +
+    return "#declare Ocean_Frame_Heights_ = array[3] { " + height_at(0, 0) + ", " +
            height_at(half, half / 2) + ", " + height_at(half / 2, half) +
            " };  // m, at <0, 0>, <1/2, 1/4>, <1/4, 1/2> periods\n";
 }
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
     for (const BakeFile& file : files.first(work.maps.size())) {
-        work.put(file, [&] { io::write_df3(work.maps[file.part], file.path); });
+        const int slices = is_fine(work.plan, file) ? io::kDf3PositionSlices : io::kDf3Slices;
+        work.put(file, [&] { io::write_df3(work.maps[file.part], file.path, slices); });
     }
     work.put(files.back(), [&] {
         io::write_file_atomically(

@@ -101,18 +101,25 @@ void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
 
 }  // namespace
 
+ChannelSet df3_position_channels() {
+    using enum Channel;
+    return {dx, dy, height};
+}
+
 ChannelSet df3_channels() {
     using enum Channel;
     return {dx, dy, height, nx, ny, nz, foam};
 }
 
-std::uint64_t df3_bytes(int resolution) {
+std::uint64_t df3_bytes(int resolution, int slices) {
     const auto n = static_cast<std::uint64_t>(resolution);
-    return 6 + n * n * kDf3Slices * sizeof(std::uint32_t);
+    return 6 + n * n * static_cast<std::uint64_t>(slices) * sizeof(std::uint32_t);
 }
 
-void write_df3(const Surface& surface, const std::string& path) {
-    if ((surface.channels() | df3_channels()).size() != surface.channels().size()) {
+void write_df3(const Surface& surface, const std::string& path, int slices) {
+    const ChannelSet needed =
+        slices == kDf3PositionSlices ? df3_position_channels() : df3_channels();
+    if ((surface.channels() | needed).size() != surface.channels().size()) {
         throw Error(ErrorKind::invalid_value,
                     "a DF3 file needs displacement, height, normal and foam");
     }
@@ -121,11 +128,11 @@ void write_df3(const Surface& surface, const std::string& path) {
     OutputFile file(path);
     std::string bytes;
     bytes.reserve(n * sizeof(std::uint32_t));
-    for (const std::size_t size : {n, n, std::size_t{kDf3Slices}}) {
+    for (const std::size_t size : {n, n, static_cast<std::size_t>(slices)}) {
         append_big_endian(bytes, static_cast<std::uint32_t>(size), 2);
     }
     file.write(bytes);
-    for (int slice = 0; slice < kDf3Slices; ++slice) {
+    for (int slice = 0; slice < slices; ++slice) {
         for (std::size_t j = 0; j < n; ++j) {
             bytes.clear();
             for (std::size_t i = 0; i < n; ++i) {

@@ -154,12 +154,14 @@ std::string povray_declarations(const PovrayFolder& folder) {
         ". Written anew by each\n"
         "//         export: change the sea file instead. Metres, seconds, degrees.\n";
     declare(text, "Ocean_Data_Version", std::to_string(kPovrayDataVersion));
-    declare(text, "Ocean_Sea_Id", string_literal(folder.sea_id), "its frames say the same");
+    declare(text, "Ocean_Sea_", string_literal(folder.sea_id), "its frames say the same");
     declare(text, "Ocean_Format", string_literal(folder.format));
     declare(text, "Ocean_Samples", std::to_string(folder.maps.front()), "along a side");
     declare(text, "Ocean_Period", number(parameters.grid.patch_size), "m, in both directions");
     declare(text, "Ocean_Maps", std::to_string(folder.maps.size()),
             "each of half the samples of the one before");
+    declare(text, "Ocean_Fine_Samples", std::to_string(folder.fine_map),
+            "of the map for heights of places; 0: there is none");
     const auto lost_slopes = [&](int resolution) {
         double shown = 0.0;
         for (const MapSlope& map : folder.state.map_slopes) {
@@ -185,7 +187,7 @@ std::string povray_frame_declarations(const FrameLabel& label) {
     std::string text;
     declare(text, "Ocean_Frame_Number", std::to_string(label.number));
     declare(text, "Ocean_Time", number(label.time), "s");
-    declare(text, "Ocean_Frame_Sea_Id", string_literal(label.sea_id));
+    declare(text, "Ocean_Frame_Sea_", string_literal(label.sea_id));
     return text;
 }
 

@@ -38,6 +38,8 @@ struct FrameMaps {
     ChannelSet channels;
     std::vector<int> resolutions;  // the finest first
     bool by_place = false;         // the height alone, a function of the place instead of the label
+    int finer = 0;                 // one more map of so many samples, after the others; 0 = none
+    ChannelSet finer_channels = {};
 };
 
 /// What a format makes of its options and of the sea.

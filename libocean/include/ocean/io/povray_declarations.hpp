@@ -25,6 +25,7 @@ struct PovrayFolder {
     std::vector<int> maps;    // samples a side of each frame's maps, the finest first
     std::vector<int> frames;  // at least one
     std::string_view sea_id;  // of FrameLabel
+    int fine_map = 0;         // samples a side of the map for heights of places; 0 = the finest
 
     /// Whether POV-Ray's own frame_number can be theirs.
     bool frames_are_consecutive() const;
