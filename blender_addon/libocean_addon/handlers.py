@@ -35,7 +35,9 @@ def _frame_changed(scene, depsgraph=None) -> None:
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
-    if any(isinstance(update.id, bpy.types.Object) for update in depsgraph.updates):
+    # Of a collection, or the whole scene: something came or went.
+    kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
+    if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         oceans = live.ocean_objects()
         _own_images(oceans)
         live.show_all(oceans, scene, depsgraph)

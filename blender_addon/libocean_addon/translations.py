@@ -212,7 +212,6 @@ GERMAN = {
             "{} Bilder in {}: {} geschrieben, {} waren schon da"
         ),
         "{} is gone; its files are in {}": "{} gibt es nicht mehr; die Dateien sind in {}",
-        "{} turns by quaternions now": "{} dreht sich jetzt mit Quaternionen",
         "A bake of {} is under way": "{} wird gerade gebacken",
         "A sea has at least one wave system": "Eine See hat mindestens ein Wellensystem",
         "After {} frames: {}": "Nach {} Bildern: {}",
