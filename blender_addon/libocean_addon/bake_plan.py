@@ -12,7 +12,17 @@ from pathlib import Path
 
 import bpy
 
-from . import bake_job, baked, changes, exr_files, live, node_group, parameter_values, sea_text
+from . import (
+    bake_job,
+    baked,
+    changes,
+    exr_files,
+    live,
+    messages,
+    node_group,
+    parameter_values,
+    sea_text,
+)
 from .compat import tr
 from .native import libocean
 
@@ -133,7 +143,7 @@ class Bake:
                 self.period = float(sea.get("patch_size"))
                 self.samples = live.samples_of(ob.libocean, sea.map_resolution())
         except libocean.Error as failure:
-            raise BakeError(str(failure)) from failure
+            raise BakeError(messages.in_words(str(failure))) from failure
         self.job = bake_job.Job(
             _made_folder(ob, folder, self.recipes),
             frames,

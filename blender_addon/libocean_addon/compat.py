@@ -27,6 +27,17 @@ def add_socket(group, name: str, kind: str, *, output: bool = False, **settings)
     return socket
 
 
+def hide_inputs(group) -> None:
+    """Out of the modifier's panel, where Blender lets us: from 3.5 on."""
+    if hasattr(group, "interface"):  # 4.0
+        sockets = [item for item in group.interface.items_tree if item.item_type == "SOCKET"]
+    else:
+        sockets = group.inputs
+    for socket in sockets:
+        if hasattr(socket, "hide_in_modifier"):
+            socket.hide_in_modifier = True
+
+
 def input_identifiers(group) -> dict[str, str]:
     """The identifier of each input: "Input_N" before 4.0, "Socket_N" from then on."""
     if hasattr(group, "interface"):

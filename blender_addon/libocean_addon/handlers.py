@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, live, node_group, open_sea, parameter_values
+from . import changes, compat, live, node_group, open_sea, versions
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -28,7 +28,7 @@ def _own_images(oceans: list[bpy.types.Object]) -> None:
 @persistent
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
-    live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering)
+    live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering, passing=True)
 
 
 @persistent
@@ -47,10 +47,11 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 def _data_replaced(*_) -> None:
     oceans = live.ocean_objects()
     open_sea.forget({ob.name_full for ob in oceans})
-    with changes.quiet():
-        for ob in oceans:
-            parameter_values.switch_on_given(ob.libocean)
+    for ob in oceans:
+        versions.upgrade(ob)
     live.show_all(oceans, bpy.context.scene)
+    for ob in oceans:  # one that was not there yet when the values of an undo step were kept
+        live.follow_mesh(ob)
 
 
 @persistent

@@ -8,7 +8,7 @@ import bpy
 from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import changes, live, material, node_group, parameter_values, sea_text
+from . import changes, live, material, messages, node_group, parameter_values, sea_text
 from .compat import tr
 from .native import libocean
 
@@ -162,7 +162,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
             with open(bpy.path.abspath(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
         except (libocean.Error, OSError) as failure:
-            self.report({"ERROR"}, str(failure))
+            self.report({"ERROR"}, messages.in_words(str(failure)))
             return {"CANCELLED"}
         return {"FINISHED"}
 

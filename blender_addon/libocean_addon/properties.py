@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat
+from . import compat, meshes, resolutions
 from .parameter_properties import annotations as parameters
 from .parameter_properties import changed
 
@@ -30,15 +30,13 @@ class OceanWaves(bpy.types.PropertyGroup):
     }
 
 
-def _map_resolution(where: str):
-    return bpy.props.IntProperty(
-        name=f"{where} resolution",
-        description=f"Samples a side of the maps in the {where.lower()}, a power of two; "
-        "0: the sea's own",
-        min=0,
-        max=8192,
-        soft_max=2048,
-        update=changed,
+def _map_resolution(where: str) -> dict:
+    return resolutions.properties(
+        f"{where.lower()}_resolution",
+        f"{where} resolution",
+        f"Samples a side of the maps in the {where.lower()}; 0: the sea's own",
+        0,
+        none="Sea's own",
     )
 
 
@@ -119,8 +117,17 @@ class OceanSettings(bpy.types.PropertyGroup):
             default=600000,
             update=changed,
         ),
-        "viewport_resolution": _map_resolution("Viewport"),
-        "render_resolution": _map_resolution("Render"),
+        **_map_resolution("Viewport"),
+        **_map_resolution("Render"),
+        **resolutions.properties(
+            "mesh_resolution",
+            "Mesh resolution",
+            "Vertices along a side of a patch; 0: as the maps, at most "
+            f"{meshes.AUTOMATIC}. More is only made when it is asked for here",
+            0,
+            none="Automatic",
+            most=meshes.MAX_SAMPLES,
+        ),
         "use_scene_frame_rate": bpy.props.BoolProperty(
             name="Scene's frame rate",
             description="Frames last as long as the scene says, else as the sea file does",

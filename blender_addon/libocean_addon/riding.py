@@ -103,15 +103,17 @@ def _heading(rotation: Matrix) -> float:
 def _pose(settings, ocean, heading: float, location: Vector, moment):
     """Height and axes of the plane below; None where there is no sea."""
     to_world = ocean.matrix_world
-    turn, scale = to_world.to_quaternion(), to_world.median_scale
+    scale = to_world.median_scale
     if not scale > 0.0:
         return None
     local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
-    anchor = to_world.translation if ocean.libocean.follow_world else Vector()
+    place, turn = local, to_world.to_3x3().normalized()
+    if ocean.libocean.follow_world:  # the sea is that of the world, however the mesh lies in it
+        place, turn = turn @ local + to_world.translation, Matrix.Identity(3)
     level = Matrix.Rotation(math.radians(heading), 3, "Z")
     body = (
-        *(local + anchor).xy,
-        _heading(turn.to_matrix().inverted() @ level),
+        *place.xy,
+        _heading(turn.inverted() @ level),
         settings.length / scale,
         settings.width / scale,
     )
@@ -119,8 +121,9 @@ def _pose(settings, ocean, heading: float, location: Vector, moment):
     if pose is None:
         return None
     position, up, forward = (Vector(row[0].tolist()) for row in pose[:3])
-    axes = turn.to_matrix() @ Matrix((forward, up.cross(forward), up)).transposed()
-    return (to_world @ Vector((*local.xy, position.z))).z, axes
+    axes = turn @ Matrix((forward, up.cross(forward), up)).transposed()
+    rest = to_world @ Vector((*local.xy, 0.0))
+    return rest.z + scale * (turn @ Vector((0.0, 0.0, position.z))).z, axes
 
 
 def _motion(place: Matrix, height: float, turn: Matrix) -> Matrix:

@@ -52,6 +52,11 @@ GERMAN = {
         "Opposing waves": "Gegenläufige Wellen",
         "Significant wave height": "Signifikante Wellenhöhe",
         "Peak period": "Peakperiode",
+        "Viewport resolution": "Auflösung in der Ansicht",
+        "Render resolution": "Auflösung beim Rendern",
+        "Mesh resolution": "Auflösung des Meshs",
+        "Sea's own": "Wie die See",
+        "Automatic": "Automatisch",
         "Amplitude": "Amplitude",
         "Alignment": "Ausrichtung am Wind",
         "Cut-off wavelength": "Grenzwellenlänge",
@@ -128,8 +133,6 @@ GERMAN = {
         "Horizon": "Horizont",
         "Distance": "Entfernung",
         "Vertices": "Punkte",
-        "Viewport resolution": "Auflösung in der Ansicht",
-        "Render resolution": "Auflösung beim Rendern",
         "Scene's frame rate": "Bildrate der Szene",
         "Own time": "Eigene Zeit",
         "Foam": "Schaum",
@@ -204,6 +207,9 @@ GERMAN = {
             "Das Objekt ist verknüpft: backen Sie es in seiner eigenen Datei"
         ),
         # Reports.
+        "A measured spectrum needs a file: choose one below": (
+            "Ein gemessenes Spektrum braucht eine Datei: wählen Sie unten eine"
+        ),
         "{} could not be written to its end: is the disk full?": (
             "{} konnte nicht zu Ende geschrieben werden: ist der Datenträger voll?"
         ),

@@ -485,8 +485,8 @@ def test_a_folder_that_cannot_be_made_is_told(sea, tmp_path):
 
 
 def test_what_the_library_refuses_is_told(sea, tmp_path):
-    sea.libocean.render_resolution = 48
-    assert "power of two" in failing(bpy.ops.libocean.bake)
+    sea.libocean.shortest_wavelength, sea.libocean.longest_wavelength = 50.0, 10.0
+    assert "Longest wavelength = 10 m: must be more" in failing(bpy.ops.libocean.bake)
     assert not sea.libocean.use_bake
 
 

@@ -92,17 +92,35 @@ def test_without_tilt_it_rises_and_falls(scene, ocean, boat):
         assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24), tilt=False)
 
 
-def test_on_an_ocean_that_is_moved_turned_and_scaled(scene, ocean, boat):
+@pytest.mark.parametrize("follow", [True, False])
+def test_on_an_ocean_that_is_moved_turned_and_scaled(scene, ocean, boat, follow):
+    ocean.libocean.follow_world = follow
     ocean.location, ocean.rotation_euler.z, ocean.scale = (7, 3, 1.5), math.radians(90), (2, 2, 2)
     scene.frame_set(50)
-    # A quarter turn takes x to y: in the ocean's own axes the boat is at (-15 - 3, -(40 - 7)) / 2.
-    own = np.array((-18.0, -33.0)) / 2.0 + (7.0, 3.0)
+    # Anchored to the world, its turn does not count. Else a quarter turn takes x to y.
+    if follow:
+        place = (7.0 + (40 - 7) / 2.0, 3.0 + (-15 - 3) / 2.0, 30, 10, 3)
+    else:
+        place = (-18.0 / 2.0, -33.0 / 2.0, 30 - 90, 10, 3)
     with sea_of(ocean) as sea:
-        pose = sea.float_pose([(*own, 30 - 90, 10, 3)], 49 / 24)
+        pose = sea.float_pose([place], 49 / 24)
     matrix = np.array(boat.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world)
     assert matrix[2, 3] == pytest.approx(2.0 * pose.position[0][2] + 1.5, abs=1e-4)
     x, y, z = pose.up[0]
-    assert np.abs(matrix[:3, 2] / np.linalg.norm(matrix[:3, 2]) - (-y, x, z)).max() < 1e-5
+    up = (x, y, z) if follow else (-y, x, z)
+    assert np.abs(matrix[:3, 2] / np.linalg.norm(matrix[:3, 2]) - up).max() < 1e-5
+
+
+def test_it_lies_on_the_mesh_of_a_turned_ocean(scene, ocean, boat):
+    """What floats and what is seen are one sea: the mesh below a small, moved and turned float."""
+    ocean.location, ocean.rotation_euler.z = (7.3, 3.1, 1.5), math.radians(37)
+    boat.libocean_float.length = boat.libocean_float.width = 0.0
+    ocean.libocean.resolution = 256
+    scene.frame_set(50)
+    seen = ocean.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    points = np.array([seen.matrix_world @ vertex.co for vertex in seen.data.vertices])
+    near = points[np.argsort(np.hypot(points[:, 0] - 40, points[:, 1] + 15))[:4]]
+    assert near[:, 2].min() - 0.02 <= world(boat)[2, 3] <= near[:, 2].max() + 0.02
 
 
 def test_a_change_of_the_sea_moves_the_boat(scene, ocean, boat):

@@ -34,7 +34,7 @@ PARTS = (properties, material, operators, records, bake, panels, floating)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
-PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) ")  # of presets and types of water
+PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers
 
 
 # What is to be translated -------------------------------------------------------
