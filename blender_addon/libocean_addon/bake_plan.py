@@ -8,6 +8,7 @@ scene and parameters (here) -> bake_job (a thread) -> record, baked group (here)
 from __future__ import annotations
 
 import json
+import uuid
 from pathlib import Path
 
 import bpy
@@ -132,6 +133,8 @@ class Bake:
             )
             raise BakeError(text) from failure
         self.object_name = ob.name
+        # By which it is found again where it gets another name meanwhile.
+        self.token = ob.libocean.bake.token = uuid.uuid4().hex
         self.folder = folder
         self.range = with_margins(*shot)
         self.frame_length = baked.frame_length(context.scene)
@@ -154,10 +157,18 @@ class Bake:
             package,
         )
 
+    def is_of(self, ob) -> bool:
+        return ob.libocean.bake.token == self.token
+
+    def find(self):
+        """The object; its copies, which were made meanwhile, come after it."""
+        found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
+        return min(found, key=lambda ob: ob.name != self.object_name, default=None)
+
     def finish(self) -> str:
         """The object plays what was baked. Returns what was done, in words."""
         job = self.job
-        ob = bpy.data.objects.get(self.object_name)
+        ob = self.find()
         if ob is None or not node_group.modifiers(ob):
             text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
             raise BakeError(text)

@@ -40,13 +40,20 @@ def wanted_fields(settings) -> list[str]:
 # Where ------------------------------------------------------------------------
 
 
+_BAKES = "//ocean_bake/"
+
+
 def default_folder(ob) -> str:
-    return f"//ocean_bake/{bpy.path.clean_name(ob.name)}/"
+    return f"{_BAKES}{bpy.path.clean_name(ob.name)}/"
 
 
 def asked_folder(ob) -> str:
-    """Where the next bake goes."""
-    return ob.libocean.bake.directory or default_folder(ob)
+    """Where the next bake goes: on, where the last one is, whatever the object is called by now."""
+    asked = ob.libocean.bake.directory
+    if not asked and exists(ob) and folder(ob).startswith(_BAKES):
+        if not others_in(ob, folder_path(ob)):
+            return folder(ob)
+    return asked or default_folder(ob)
 
 
 def folder(ob) -> str:

@@ -115,10 +115,10 @@ class _Wish:
     rest: float
 
 
-# Given by live.py: the job of an object's whole sea, None where there is none to be had; what is
-# done with it when it has ended.
-make_job: Callable[[str], Job | None]
-finish: Callable[[str, Job], None]
+make_job: Callable[[str], Job | None] = lambda _name: None
+"""Given by live.py: the job of an object's whole sea; None where there is none to be had."""
+finish: Callable[[str, Job], None] = lambda _name, _job: None
+"""Given by live.py: what is done with it when it has ended."""
 
 _wishes: dict[str, _Wish] = {}
 _running: tuple[str, Job] | None = None

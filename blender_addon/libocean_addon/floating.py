@@ -15,6 +15,7 @@ import bpy
 
 from . import changes, live, node_group, riding
 from .compat import tr
+from .drawing import never_raises
 
 
 def _is_ocean(_self, ob) -> bool:
@@ -268,6 +269,7 @@ class FloatPanel(bpy.types.Panel):
     def poll(cls, context) -> bool:
         return context.object is not None and context.object.libocean_float.ocean is not None
 
+    @never_raises
     def draw(self, context) -> None:
         self.layout.use_property_split = True
         for name in ("ocean", "length", "width", "use_tilt"):

@@ -22,6 +22,8 @@ NO_FOAM = "height"  # in the place of foam where nobody asks for it: a channel t
 QUICK = {FOAM: "whitecap", NO_FOAM: NO_FOAM}
 """What a draft has in its place: whitecaps have no past."""
 
+_LIMITS = ("shortest_wavelength", "longest_wavelength")
+
 _AT_HAND = 3.0  # seconds of the sea that foam goes on for while one waits: sixty of its steps
 
 
@@ -38,6 +40,7 @@ class OpenSea:
         self.values: sea_text.SeaValues | None = None
         self.changes = 0
         self.state: dict | None = None  # read_state()
+        self.share: float | None = None  # share_within_limits()
         self.state_before: dict | None = None  # of the values before these
         self.point_sea = None
         self.point_changes = 0
@@ -66,7 +69,7 @@ class OpenSea:
                 raise libocean.Error(text, failure.code) from failure
         self.values = values
         self.state_before = self.state or self.state_before
-        self.state = None
+        self.state = self.share = None
         self.changes += 1
 
     def _open(self, values: sea_text.SeaValues) -> None:
@@ -102,6 +105,20 @@ class OpenSea:
         if self.state is None:
             self.state = self.sea.state
         return self.state
+
+    def has_limits(self) -> bool:
+        """Whether waves of some lengths are left out."""
+        return any(float(self.values.values[name]) > 0.0 for name in _LIMITS)
+
+    def share_within_limits(self) -> float:
+        """Its significant wave height, of what it had without limits."""
+        if self.share is None:
+            height = self.read_state()["significant_wave_height"]["resolved"]
+            with self.sea.clone() as free:
+                free.set_all(dict.fromkeys(_LIMITS, "0"))
+                whole = free.state["significant_wave_height"]["resolved"]
+            self.share = height / whole if whole > 0.0 else 1.0
+        return self.share
 
     # What is shown --------------------------------------------------------------
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat, meshes, resolutions
+from . import compat, live, meshes, parameter_values, resolutions
 from .parameter_properties import annotations as parameters
 from .parameter_properties import changed
 
@@ -74,6 +74,20 @@ class OceanBake(bpy.types.PropertyGroup):
     frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
+    token: bpy.props.StringProperty(options={"HIDDEN"})  # of the last bake that was begun
+
+
+def _has_divisors(settings) -> bool:
+    return any(settings.cascade_divisors)
+
+
+def _set_divisors(settings, wanted: bool) -> None:
+    """Begins with those that were chosen."""
+    if wanted == _has_divisors(settings):
+        return
+    chosen = live.cascade_divisors(settings.id_data) if wanted else []
+    free = parameter_values.DIVISORS - len(chosen)
+    settings.cascade_divisors = [*chosen, *[0] * free]
 
 
 class OceanSettings(bpy.types.PropertyGroup):
@@ -98,6 +112,14 @@ class OceanSettings(bpy.types.PropertyGroup):
                 ("HORIZON", "Horizon", "Rings around the scene's camera"),
             ],
             default="MESH",
+        ),
+        "use_cascade_divisors": bpy.props.BoolProperty(
+            name="Own divisors",
+            description="Say by what the period of the patch is divided for each cascade, instead "
+            "of having it chosen",
+            get=_has_divisors,
+            set=_set_divisors,
+            options=set(),
         ),
         "horizon_distance": bpy.props.FloatProperty(
             name="Distance",

@@ -51,6 +51,13 @@ GERMAN = {
         "Swell": "Dünung",
         "Opposing waves": "Gegenläufige Wellen",
         "Significant wave height": "Signifikante Wellenhöhe",
+        "Wave height": "Wellenhöhe",
+        "Enhancement": "Überhöhung",
+        "Cut-off": "Grenzwelle",
+        "Longest wave": "Längste Welle",
+        "Viewport": "Ansicht",
+        "Render": "Rendern",
+        "Mesh": "Mesh",
         "Peak period": "Peakperiode",
         "Viewport resolution": "Auflösung in der Ansicht",
         "Render resolution": "Auflösung beim Rendern",
@@ -106,6 +113,7 @@ GERMAN = {
         "Stop Floating": "Nicht mehr schwimmen",
         "Bake Floating": "Schwimmen backen",
         "Free Floating": "Schwimmen freigeben",
+        "Subdivide for Waves": "Für Wellen unterteilen",
         "Preset": "Vorgabe",
         "Load": "Laden",
         "Save": "Speichern",
@@ -116,13 +124,39 @@ GERMAN = {
     "*": {
         # Panels.
         "Ocean (libocean)": "Ozean (libocean)",
-        "Waves": "Wellen",
+        "Sea": "See",
+        "Look": "Aussehen",
+        "Advanced": "Weiteres",
         "Water": "Wasser",
-        "Grid": "Raster",
         "Surface": "Oberfläche",
         "Time": "Zeit",
-        "Random": "Zufall",
         "Mesh": "Mesh",
+        "Own divisors": "Eigene Teiler",
+        "A draft; the whole sea: {:.0%}": "Ein Entwurf; die ganze See: {:.0%}",
+        "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
+        # What people should know.
+        "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
+        "Maps: {} x {} samples, {:,.0f} MB": "Karten: {} x {} Stützstellen, {:,.0f} MB",
+        "Maps: {} and, rendered, {}, {:,.0f} MB": "Karten: {} und, gerendert, {}, {:,.0f} MB",
+        "The mesh shows one in {} of their samples": "Das Mesh zeigt eine von {} Stützstellen",
+        "The object is scaled by {:.3g}, and so are its waves": (
+            "Das Objekt ist um {:.3g} skaliert, und seine Wellen auch"
+        ),
+        "The object is scaled unevenly, and so are its waves: apply the scale": (
+            "Das Objekt ist ungleich skaliert, und seine Wellen auch: Skalierung anwenden"
+        ),
+        "{} is no vertex group or attribute: the sea stands still": (
+            "{} ist weder Punktgruppe noch Attribut: die See steht still"
+        ),
+        "The limits of the wavelength leave {:.0%} of the wave height": (
+            "Die Grenzen der Wellenlänge lassen {:.0%} der Wellenhöhe"
+        ),
+        "Two ocean modifiers show the same sea, and their waves add up": (
+            "Zwei Ozean-Modifikatoren zeigen dieselbe See, ihre Wellen addieren sich"
+        ),
+        "{:.0f} m between vertices are too far for waves of {:.0f} m": (
+            "{:.0f} m zwischen den Punkten sind zu weit für Wellen von {:.0f} m"
+        ),
         "Bake": "Backen",
         "Float (libocean)": "Schwimmen (libocean)",
         "Attributes": "Attribute",
@@ -200,6 +234,10 @@ GERMAN = {
         "Select the objects that shall float": "Wählen Sie die Objekte, die schwimmen sollen",
         "The active object has no bake": "Vom aktiven Objekt ist nichts gebacken",
         "The active object has no ocean modifier": "Das aktive Objekt hat keinen Ozean-Modifikator",
+        "The active object has an ocean: add wave systems to it": (
+            "Das aktive Objekt hat einen Ozean: fügen Sie ihm Wellensysteme hinzu"
+        ),
+        "The active object is no mesh with an ocean": ("Das aktive Objekt ist kein Mesh mit Ozean"),
         "The active object is no mesh, curve or text": (
             "Das aktive Objekt ist weder Mesh noch Kurve noch Text"
         ),

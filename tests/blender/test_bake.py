@@ -484,6 +484,37 @@ def test_a_folder_that_cannot_be_made_is_told(sea, tmp_path):
     assert not sea.libocean.use_bake
 
 
+def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
+    from libocean_addon import baked
+
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    before = baked.folder(sea)
+    sea.name = "Atlantic"
+    assert baked.folder(sea) == baked.asked_folder(sea) == before
+    written = sorted((tmp_path / "ocean_bake").rglob("*.exr"))
+    assert bpy.ops.libocean.bake() == {"FINISHED"}  # goes on, there
+    assert sorted((tmp_path / "ocean_bake").rglob("*.exr")) == written
+    assert sea.libocean.use_bake
+    assert sea.libocean.problem == ""
+    twin = sea.copy()  # a bake of its own
+    bpy.context.collection.objects.link(twin)
+    assert baked.asked_folder(twin) != before
+
+
+def test_an_object_that_is_renamed_meanwhile_gets_its_bake(sea, tmp_path):
+    from libocean_addon import bake_plan, bake_state
+
+    folder = str(tmp_path / "there")
+    started = bake_plan.Bake(bpy.context, sea, folder, (2, 3), overwrite=False)
+    sea.name = "Atlantic"
+    started.job.run()
+    assert started.is_of(sea)
+    started.finish()
+    assert sea.libocean.use_bake
+    assert bake_state.state(sea, bpy.context.scene)
+
+
 def test_what_the_library_refuses_is_told(sea, tmp_path):
     sea.libocean.shortest_wavelength, sea.libocean.longest_wavelength = 50.0, 10.0
     assert "Longest wavelength = 10 m: must be more" in failing(bpy.ops.libocean.bake)

@@ -14,6 +14,7 @@ from libocean_addon import (
     bake,
     changes,
     floating,
+    hints,
     manual,
     material,
     operators,
@@ -53,7 +54,7 @@ def test_every_parameter_is_a_property(ocean):
             assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
-def test_what_the_spectrum_does_not_use_is_grey(ocean):
+def test_what_the_spectrum_does_not_use_is_not_there(ocean):
     system = ocean.libocean.waves[0]
     entries = {entry["key"]: entry for entry in parameter_values.entries(waves=True)}
 
@@ -72,7 +73,7 @@ def test_what_the_spectrum_does_not_use_is_grey(ocean):
     assert panels.is_used(ocean.libocean, threshold)
 
 
-PARTS = (properties, material, operators, records, bake, panels, floating)
+PARTS = (properties, material, operators, records, bake, hints, panels, floating)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 GROUPS = [cls for cls in CLASSES if issubclass(cls, bpy.types.PropertyGroup)]
@@ -320,7 +321,7 @@ def test_the_read_out_is_that_of_the_library(ocean):
     shown = dict(live.state_of(ocean))
     with libocean.parse(text_of(ocean)) as sea:
         height = sea.state["significant_wave_height"]["resolved"]
-    assert shown["Significant wave height"] == f"{height:.2f} m"
+    assert shown["Wave height"] == f"{height:.2f} m"
     json.dumps(shown)
 
 
