@@ -50,9 +50,9 @@ def default_folder(ob) -> str:
 def asked_folder(ob) -> str:
     """Where the next bake goes: on, where the last one is, whatever the object is called by now."""
     asked = ob.libocean.bake.directory
-    if not asked and exists(ob) and folder(ob).startswith(_BAKES):
-        if not others_in(ob, folder_path(ob)):
-            return folder(ob)
+    goes_on = not asked and exists(ob) and folder(ob).startswith(_BAKES)
+    if goes_on and not others_in(ob, folder_path(ob)):
+        return folder(ob)
     return asked or default_folder(ob)
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nobody waits for a sea while values move or time plays: a draft is shown at once, and the whole sea
-when they rest.
+"""Nobody waits for a sea while values move or time plays: a draft is shown at once, and the whole
+sea when they rest.
 
 A draft has whitecaps in the place of foam, whose past takes longest, and fewer samples where these
 take long. Meanwhile a thread makes the whole sea ready in a handle of its own, which then takes the
@@ -43,17 +43,21 @@ class Pace:
 
     def __init__(self) -> None:
         self.size = _FIRST
-        self._most = 0
+        self._last = 0
 
     def note(self, size: int, seconds: float, wanted: int) -> None:
-        """A draft of this size took so long; wanted: samples of the whole."""
+        """A draft of this size took so long; wanted: samples of the whole. The first of a size pays
+        for what the others find."""
+        first, self._last = size != self._last, size
+        if first:
+            return
         if seconds > SECONDS / 2 and size > _SMALLEST:
-            self.size = self._most = size // 2
-        elif seconds < SECONDS / 12 and size < wanted and not self._most:
+            self.size = size // 2
+        elif seconds < SECONDS / 8 and size < wanted:  # four times the samples: half of the time
             self.size = size * 2
 
 
-class _Cancelled(Exception):
+class CancelledError(Exception):
     """The whole sea is not wanted any more."""
 
 
@@ -77,7 +81,7 @@ class Job:
         try:
             map_ = np.empty((self.size, self.size, 4), np.float32)
             self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
-        except (libocean.Error, MemoryError, _Cancelled) as failure:
+        except (libocean.Error, MemoryError, CancelledError) as failure:
             self.failure = failure
         finally:
             del watchers[threading.get_ident()]
@@ -86,7 +90,7 @@ class Job:
     def _watch(self, done: int, total: int) -> None:
         self.share = done / total
         if self._stop.is_set():
-            raise _Cancelled
+            raise CancelledError
 
     def is_alive(self) -> bool:
         return self._thread.is_alive()
@@ -115,9 +119,9 @@ class _Wish:
     rest: float
 
 
-make_job: Callable[[str], Job | None] = lambda _name: None
+make_job: Callable[[str], Job | None] | None = None
 """Given by live.py: the job of an object's whole sea; None where there is none to be had."""
-finish: Callable[[str, Job], None] = lambda _name, _job: None
+finish: Callable[[str, Job], None] | None = None
 """Given by live.py: what is done with it when it has ended."""
 
 _wishes: dict[str, _Wish] = {}

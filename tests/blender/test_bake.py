@@ -484,6 +484,24 @@ def test_a_folder_that_cannot_be_made_is_told(sea, tmp_path):
     assert not sea.libocean.use_bake
 
 
+@pytest.mark.parametrize("turn", [(0.0, 0.0, 0.6), (0.3, 0.0, 0.6)])
+def test_what_is_turned_plays_the_same_sea(scene, sea, turn):
+    """Also where it is turned while it plays, which takes no add-on."""
+    scene.frame_set(3)
+    sea.location, sea.rotation_euler = (31.7, -12.2, 3.0), turn
+    bpy.context.view_layer.update()
+    live = shown(sea)
+    sea.rotation_euler = (0.0, 0.0, 0.0)
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    level = positions(sea).copy()
+    sea.rotation_euler = turn
+    bpy.context.view_layer.update()
+    baked = shown(sea)
+    assert np.abs(baked["position"] - level).max() > 0.1
+    for name, values in live.items():
+        assert np.abs(values - baked[name]).max() < 1e-4, name
+
+
 def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
     from libocean_addon import baked
 

@@ -113,10 +113,26 @@ def test_the_next_change_stops_the_work_for_the_last(scene, ocean, waiting):
     _, job = drafts._running
     ocean.libocean.choppiness = 0.6
     job.join()
-    assert isinstance(job.failure, drafts._Cancelled)
+    assert isinstance(job.failure, drafts.CancelledError)
     rest(ocean)
     assert open_sea.sea_of(ocean).ready[0] == open_sea.sea_of(ocean).changes
     assert ocean.libocean.problem == ""
+
+
+def test_a_draft_has_as_many_samples_as_time_allows():
+    pace = drafts.Pace()
+    first = pace.size
+    for _ in range(2):
+        pace.note(pace.size, 10 * drafts.SECONDS, 1024)
+    assert pace.size == first // 2
+    for _ in range(20):
+        pace.note(pace.size, 10 * drafts.SECONDS, 1024)
+    assert pace.size == 64
+    for _ in range(20):
+        pace.note(pace.size, drafts.SECONDS / 100, 1024)
+    assert pace.size == 1024
+    pace.note(1024, drafts.SECONDS / 3, 1024)
+    assert pace.size == 1024
 
 
 def test_a_render_is_whole_whatever_is_shown(scene, ocean, waiting):
