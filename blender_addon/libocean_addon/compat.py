@@ -8,6 +8,7 @@ import atexit
 from collections.abc import Callable
 
 import bpy
+import numpy as np
 
 VERSION = bpy.app.version[:2]
 
@@ -85,6 +86,11 @@ def get_input(modifier, identifier: str):
 def set_input(modifier, identifier: str, value) -> None:
     """Sets it where it is another; the object is told, which Blender leaves to us."""
     now = get_input(modifier, identifier)
+    # From 4.0 on what is set comes back in single precision.
+    if isinstance(value, float):
+        value = float(np.float32(value))
+    elif isinstance(value, tuple):
+        value = tuple(float(np.float32(part)) for part in value)
     if (tuple(now) if isinstance(value, tuple) else now) == value:
         return
     if _INPUTS_ARE_PROPERTIES:

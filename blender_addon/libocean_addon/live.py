@@ -248,7 +248,8 @@ def parameters_changed(ob) -> None:
     show(ob, None, moment)
     for follower in followers:
         follower(None, moment)
-    if drafts.progress(ob.name_full) is None:  # else it follows when values rest
+    # Behind a draft it follows when values rest; a new one is not to be without a mesh so long.
+    if drafts.progress(ob.name_full) is None or meshes.is_empty(ob):
         follow_mesh(ob)
 
 

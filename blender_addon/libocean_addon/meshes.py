@@ -63,6 +63,11 @@ def samples_of(ob) -> int | None:
     return int(words[2]) if words and words[0] == "patch" else None
 
 
+def is_empty(ob) -> bool:
+    """Whether it has not been made yet."""
+    return ob.type == "MESH" and len(ob.data.vertices) == 0
+
+
 def is_on_samples(ob, samples: int) -> bool:
     """Whether each vertex of a patch lies on a sample of a map of so many a side."""
     made_for = samples_of(ob)

@@ -31,6 +31,7 @@ SHORT = {
     "peak_enhancement": "Enhancement",
     "significant_wave_height": "Wave height",
     "cutoff_wavelength": "Cut-off",
+    "cascade_divisors": "Divisors",
     "shortest_wavelength": "Shortest wave",
     "longest_wavelength": "Longest wave",
     "viewport_resolution": "Viewport",

@@ -119,6 +119,15 @@ def test_the_next_change_stops_the_work_for_the_last(scene, ocean, waiting):
     assert ocean.libocean.problem == ""
 
 
+@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
+def test_a_new_sea_is_there_at_once(waiting, kind):
+    bpy.ops.libocean.add(kind=kind, preset="beaufort_6", use_material=False)
+    ob = bpy.context.object
+    assert drafts.progress(ob.name_full) == 0.0
+    assert len(ob.data.vertices) > 1000
+    assert np.ptp(positions(ob)[:, 2]) > 1.0
+
+
 def test_a_draft_has_as_many_samples_as_time_allows():
     pace = drafts.Pace()
     first = pace.size

@@ -254,6 +254,8 @@ def test_constraints_count_wherever_they_stand(scene, ocean, boat, later):
 def test_nothing_is_written_while_nothing_moves(scene, ocean, boat):
     """Each write would make Blender evaluate the scene again, and so on forever."""
     boat.parent = empty("Parent", (1000.3, 2000.7, 3.0), 77.0)
+    ocean.location, ocean.rotation_euler.z = (7.3, 1003.1, 0.0), 0.3
+    bpy.context.view_layer.update()
     scene.frame_set(50)
     bpy.context.view_layer.update()
     updates = []

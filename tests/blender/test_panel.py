@@ -18,6 +18,7 @@ from libocean_addon import (
     node_group,
     panels,
     parameter_values,
+    translations,
 )
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -178,14 +179,17 @@ def test_divisors_are_as_many_as_cascades(ocean):
     assert not any(settings.cascade_divisors)
 
 
-LABEL = 97  # pixels of a label in a properties editor of 333, which 1920 x 1080 has at first
+LABEL = 82  # pixels that a label has in a properties editor of 333, as 1920 x 1080 has at first
 
 
 def test_labels_fit():
     blf.size(0, 11) if bpy.app.version >= (4, 0) else blf.size(0, 11, 72)
+    german = translations.TABLE["de_DE"]
     for entry in parameter_values.TABLE:
-        width, _ = blf.dimensions(0, panels.label_of(entry))
-        assert width <= LABEL, entry["label"]
+        label = panels.label_of(entry)
+        for text in (label, german[translations.SEA, label]):
+            width, _ = blf.dimensions(0, text)
+            assert width <= LABEL, text
     assert blf.dimensions(0, "Significant wave height")[0] > LABEL
 
 

@@ -26,7 +26,7 @@ def sea_of(ob):
     return libocean.parse(sea_text.write(parameter_values.TABLE, values))
 
 
-def test_the_file_is_old(old):
+def test_the_file_is_old():
     """Else the tests below would say nothing."""
     text = OLD.read_bytes()
     assert len(text) < 400_000

@@ -29,4 +29,4 @@ boat.name = "Boat"
 boat.rotation_euler.z = math.radians(30)
 bpy.ops.libocean.add_float(ocean="Ocean")
 scene.frame_set(50)
-bpy.data.libraries.write(sys.argv[-1], {scene}, compress=True, path_remap="NONE")
+bpy.ops.wm.save_as_mainfile(filepath=sys.argv[-1], compress=True)
