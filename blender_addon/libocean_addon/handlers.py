@@ -52,6 +52,9 @@ def _data_replaced(*_) -> None:
     live.show_all(oceans, bpy.context.scene)
     for ob in oceans:  # one that was not there yet when the values of an undo step were kept
         live.follow_mesh(ob)
+    if oceans:
+        # From 4.0 on nothing knows where it is in the world before it is evaluated.
+        live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
 
 
 @persistent

@@ -237,6 +237,12 @@ def show_all(
         follower(depsgraph, moment)
 
 
+def follow(depsgraph, scene) -> None:
+    """What rides the seas of a scene is put where it belongs."""
+    for follower in followers:
+        follower(depsgraph, Moment(scene, rendering=False))
+
+
 def parameters_changed(ob) -> None:
     """After a property was set from the user interface or a script."""
     if not node_group.modifiers(ob):

@@ -263,9 +263,9 @@ def test_a_file_in_which_resolutions_were_plain_numbers(ocean, tmp_path):
     path = str(tmp_path / "old.blend")
     settings = ocean.libocean
     settings.use_foam = False
+    settings.viewport_resolution, settings.render_resolution = 128, 256
     settings.resolution = settings.mesh_resolution = 1024
     settings.property_unset("mesh_resolution")
-    settings.viewport_resolution, settings.render_resolution = 128, 256
     if bpy.app.version < (5, 0):  # later ones do not let us
         settings["viewport_resolution"] = 100
     bpy.ops.wm.save_as_mainfile(filepath=path)
