@@ -8,7 +8,7 @@ import threading
 
 import bpy
 
-from . import baked, changes, compat, exr_files, operators
+from . import baked, changes, compat, exr_files, messages, operators
 from .bake_plan import Bake, BakeError, asked_range
 from .compat import tr, tr_label
 
@@ -18,7 +18,7 @@ def _words(failure: Exception) -> str:
     if isinstance(failure, exr_files.NotWholeError):
         path = failure.args[0]
         return tr("{} could not be written to its end: is the disk full?", path)
-    return str(failure) or type(failure).__name__
+    return messages.in_words(str(failure)) or type(failure).__name__
 
 
 running: Bake | None = None

@@ -8,11 +8,22 @@ scene and parameters (here) -> bake_job (a thread) -> record, baked group (here)
 from __future__ import annotations
 
 import json
+import uuid
 from pathlib import Path
 
 import bpy
 
-from . import bake_job, baked, changes, exr_files, live, node_group, parameter_values, sea_text
+from . import (
+    bake_job,
+    baked,
+    changes,
+    exr_files,
+    live,
+    messages,
+    node_group,
+    parameter_values,
+    sea_text,
+)
 from .compat import tr
 from .native import libocean
 
@@ -122,6 +133,8 @@ class Bake:
             )
             raise BakeError(text) from failure
         self.object_name = ob.name
+        # By which it is found again where it gets another name meanwhile.
+        self.token = ob.libocean.bake.token = uuid.uuid4().hex
         self.folder = folder
         self.range = with_margins(*shot)
         self.frame_length = baked.frame_length(context.scene)
@@ -133,7 +146,7 @@ class Bake:
                 self.period = float(sea.get("patch_size"))
                 self.samples = live.samples_of(ob.libocean, sea.map_resolution())
         except libocean.Error as failure:
-            raise BakeError(str(failure)) from failure
+            raise BakeError(messages.in_words(str(failure))) from failure
         self.job = bake_job.Job(
             _made_folder(ob, folder, self.recipes),
             frames,
@@ -144,10 +157,18 @@ class Bake:
             package,
         )
 
+    def is_of(self, ob) -> bool:
+        return ob.libocean.bake.token == self.token
+
+    def find(self):
+        """The object; its copies, which were made meanwhile, come after it."""
+        found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
+        return min(found, key=lambda ob: ob.name != self.object_name, default=None)
+
     def finish(self) -> str:
         """The object plays what was baked. Returns what was done, in words."""
         job = self.job
-        ob = bpy.data.objects.get(self.object_name)
+        ob = self.find()
         if ob is None or not node_group.modifiers(ob):
             text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
             raise BakeError(text)

@@ -42,7 +42,7 @@ def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
 
 def state(ob, scene) -> list[tuple[str, str]]:
     """Lines of text about the bake of an object, with icons."""
-    if bake.running is not None and bake.running.object_name == ob.name:
+    if bake.running is not None and bake.running.is_of(ob):
         job = bake.running.job
         return [(tr_label("{} of {} frames; ESC stops", job.done, len(job.frames)), "TIME")]
     lines = _of_the_bake(ob, scene) if baked.exists(ob) else []

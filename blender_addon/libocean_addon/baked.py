@@ -15,7 +15,7 @@ from pathlib import Path
 
 import bpy
 
-from . import baked_nodes, changes, exr_files, node_group, parameter_values, sea_text
+from . import baked_nodes, changes, exr_files, meshes, node_group, parameter_values, sea_text
 from .compat import tr
 
 # Names of the fields in files, by those of the node group's inputs.
@@ -40,13 +40,20 @@ def wanted_fields(settings) -> list[str]:
 # Where ------------------------------------------------------------------------
 
 
+_BAKES = "//ocean_bake/"
+
+
 def default_folder(ob) -> str:
-    return f"//ocean_bake/{bpy.path.clean_name(ob.name)}/"
+    return f"{_BAKES}{bpy.path.clean_name(ob.name)}/"
 
 
 def asked_folder(ob) -> str:
-    """Where the next bake goes."""
-    return ob.libocean.bake.directory or default_folder(ob)
+    """Where the next bake goes: on, where the last one is, whatever the object is called by now."""
+    asked = ob.libocean.bake.directory
+    goes_on = not asked and exists(ob) and folder(ob).startswith(_BAKES)
+    if goes_on and not others_in(ob, folder_path(ob)):
+        return folder(ob)
+    return asked or default_folder(ob)
 
 
 def folder(ob) -> str:
@@ -163,6 +170,7 @@ def _set_inputs(ob, modifier) -> bool:
             **images,
             "Tile Size": record.period,
             "Half Texel": 0.5 / record.resolution,
+            node_group.ON_SAMPLES: meshes.is_on_samples(ob, record.resolution),
             "Follow World": settings.follow_world,
             "First": float(record.first),
             "Last": float(record.last),
@@ -179,6 +187,18 @@ def _set_inputs(ob, modifier) -> bool:
         node_group.assign(modifier, {"Samples": float(record.samples)})
     there = [images[name] for name in images if FILES[name] in fields]
     return None not in there
+
+
+def upgrade(ob) -> None:
+    """Node groups that an earlier version of the add-on built become today's."""
+    if ob.library is not None:
+        return
+    for modifier in node_group.modifiers(ob):
+        if node_group.is_old(modifier.node_group):
+            playing = node_group.is_baked(modifier.node_group)
+            _change_group(modifier, to_baked=playing)
+            if playing:
+                _set_inputs(ob, modifier)
 
 
 def follow(ob) -> bool:

@@ -12,6 +12,9 @@ from . import compat, ring_nodes
 
 FIELDS = ("Displacement", "Foam", "Velocity", "Normal")
 
+ON_SAMPLES = "On Samples"
+ON_SAMPLES_HELP = "The map has a sample for each vertex of the patch"
+
 LOST_SLOPES = "Of the waves that the finest map leaves out"
 
 # The scene's time, in single precision, may fall short of a frame by its last bits.
@@ -31,6 +34,7 @@ def declare(group, kind: str) -> None:
     socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
     socket(group, "Half Texel", "NodeSocketFloat")
     socket(group, "Follow World", "NodeSocketBool")
+    socket(group, ON_SAMPLES, "NodeSocketBool", description=ON_SAMPLES_HELP)
     socket(group, "First", "NodeSocketFloat", description="The first frame that has files")
     socket(group, "Last", "NodeSocketFloat", description="The last frame that has files")
     socket(
@@ -62,10 +66,17 @@ class BakedFields:
         self.after = b.number("CEIL", b.number("SUBTRACT", frame, _ALMOST))
         self.fraction = b.number("MAXIMUM", b.number("SUBTRACT", frame, self.before), 0.0)
 
+    def _self(self):
+        whole = self.b.node("GeometryNodeObjectInfo")
+        self.b.link(self.b.node("GeometryNodeSelfObject").outputs[0], whole.inputs["Object"])
+        return whole
+
+    def turn(self):
+        return self.b.scale(self._self().outputs["Rotation"], self.inputs["Follow World"])
+
     def origin(self):
         b = self.b
-        whole = b.node("GeometryNodeObjectInfo")
-        b.link(b.node("GeometryNodeSelfObject").outputs[0], whole.inputs["Object"])
+        whole = self._self()
         # Only the place within a period counts, and in single precision it counts most near 0.
         place = b.math("MODULO", whole.outputs["Location"], self.inputs["Tile Size"])
         place = b.math("MULTIPLY", place, (1.0, 1.0, 0.0))

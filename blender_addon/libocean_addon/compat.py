@@ -8,6 +8,7 @@ import atexit
 from collections.abc import Callable
 
 import bpy
+import numpy as np
 
 VERSION = bpy.app.version[:2]
 
@@ -25,6 +26,17 @@ def add_socket(group, name: str, kind: str, *, output: bool = False, **settings)
     for key, value in settings.items():
         setattr(socket, key, value)
     return socket
+
+
+def hide_inputs(group) -> None:
+    """Out of the modifier's panel, where Blender lets us: from 3.5 on."""
+    if hasattr(group, "interface"):  # 4.0
+        sockets = [item for item in group.interface.items_tree if item.item_type == "SOCKET"]
+    else:
+        sockets = group.inputs
+    for socket in sockets:
+        if hasattr(socket, "hide_in_modifier"):
+            socket.hide_in_modifier = True
 
 
 def input_identifiers(group) -> dict[str, str]:
@@ -74,6 +86,11 @@ def get_input(modifier, identifier: str):
 def set_input(modifier, identifier: str, value) -> None:
     """Sets it where it is another; the object is told, which Blender leaves to us."""
     now = get_input(modifier, identifier)
+    # From 4.0 on what is set comes back in single precision.
+    if isinstance(value, float):
+        value = float(np.float32(value))
+    elif isinstance(value, tuple):
+        value = tuple(float(np.float32(part)) for part in value)
     if (tuple(now) if isinstance(value, tuple) else now) == value:
         return
     if _INPUTS_ARE_PROPERTIES:

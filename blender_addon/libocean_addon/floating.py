@@ -1,22 +1,21 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects that ride the waves.
+"""Objects that ride the waves: their settings, what can be done with them, their panel.
 
-Where an object floats (x, y and heading) stays its own location and rotation, which may be animated
-or driven; the waves move it by its delta transform, which they own. Baked, the delta transform has
+Where an object floats (x, y and heading) stays its own, whatever makes it: keyframes, drivers,
+parents, constraints, paths. The waves move it from there (riding.py). Baked, their motion has
 keyframes and nobody else moves it.
 """
 
 from __future__ import annotations
 
 import contextlib
-import math
 
 import bpy
-from mathutils import Matrix, Vector
 
-from . import changes, live, node_group
+from . import changes, live, node_group, riding
 from .compat import tr
+from .drawing import never_raises
 
 
 def _is_ocean(_self, ob) -> bool:
@@ -24,8 +23,13 @@ def _is_ocean(_self, ob) -> bool:
 
 
 def _changed(self, context) -> None:
-    if not changes.is_quiet() and self.ocean is not None:
-        ride(self.id_data, None, live.Moment(context.scene, rendering=False))
+    if changes.is_quiet():
+        return
+    if self.ocean is None:
+        riding.detach(self.id_data)
+        return
+    self.version = 1
+    ride(self.id_data, None, live.Moment(context.scene, rendering=False))
 
 
 class FloatSettings(bpy.types.PropertyGroup):
@@ -63,6 +67,10 @@ class FloatSettings(bpy.types.PropertyGroup):
         update=_changed,
     )
 
+    motion: bpy.props.PointerProperty(
+        type=bpy.types.Object, options={"HIDDEN"}, description="What the waves do to it"
+    )
+    version: bpy.props.IntProperty(options={"HIDDEN"})  # 0: of when it was moved by its delta
     baked_first: bpy.props.IntProperty(options={"HIDDEN"})
     baked_last: bpy.props.IntProperty(options={"HIDDEN"}, default=-1)  # no frames: not baked
 
@@ -72,96 +80,55 @@ def is_baked(ob) -> bool:
     return ob.libocean_float.baked_last >= ob.libocean_float.baked_first
 
 
-def _heading(rotation: Matrix) -> float:
-    """Degrees counter-clockwise from +x, of the own x axis."""
-    forward = rotation.col[0]
-    return math.degrees(math.atan2(forward[1], forward[0]))
-
-
-def _pose(settings, ocean, rotation: Matrix, location: Vector, moment):
-    """Height and rotation of the plane below; None where there is no sea."""
-    to_world = ocean.matrix_world
-    turn, scale = to_world.to_quaternion(), to_world.median_scale
-    if not scale > 0.0:
-        return None
-    local = to_world.inverted() @ Vector((*location.xy, to_world.translation.z))
-    anchor = to_world.translation if ocean.libocean.follow_world else Vector()
-    body = (
-        *(local + anchor).xy,
-        _heading(turn.to_matrix().inverted() @ rotation),
-        settings.length / scale,
-        settings.width / scale,
-    )
-    pose = live.float_pose(ocean, body, moment)
-    if pose is None:
-        return None
-    position, up, forward = (Vector(row[0].tolist()) for row in pose[:3])
-    tilted = turn.to_matrix() @ Matrix((forward, up.cross(forward), up)).transposed()
-    return (to_world @ Vector((*local.xy, position.z))).z, tilted
-
-
 def ride(ob, depsgraph, moment) -> None:
-    """Puts an object on the waves of this moment."""
-    if is_baked(ob):
-        return
-    ocean = ob.libocean_float.ocean
-    seen, sea = (o.evaluated_get(depsgraph) if depsgraph else o for o in (ob, ocean))
-    rotation = _own_rotation(seen)
-    pose = _pose(seen.libocean_float, sea, rotation, seen.location, moment)
-    if pose is None:
-        return
-    height, tilted = pose
-    delta_location = (0.0, 0.0, height)
-    delta = Matrix.Identity(3)
-    if ob.libocean_float.use_tilt:
-        level = Matrix.Rotation(math.radians(_heading(rotation)), 3, "Z")
-        delta = tilted @ level.inverted()
-    _set_delta(ob, delta_location, delta)
+    """Puts an object on the waves of this moment; one whose ocean is gone is let go."""
+    if not riding.is_there(ob.libocean_float.ocean):
+        _let_go(ob)
+    elif not is_baked(ob):
+        riding.ride(ob, depsgraph, moment)
+
+
+def _let_go(ob) -> None:
+    _free(ob)
+    riding.detach(ob)
+    with changes.quiet():
+        ob.libocean_float.ocean = None
+
+
+def _own_motions(floating: list) -> None:
+    """The copy of an object is moved by a motion of its own."""
+    owners = {}
+    for ob in floating:
+        motion = ob.libocean_float.motion
+        if motion is None or owners.setdefault(motion, ob) == ob or ob.library is not None:
+            continue
+        constraint = riding.constraint_of(ob)
+        ob.libocean_float.motion = motion.copy()
+        if constraint is not None:
+            constraint.target = ob.libocean_float.motion
 
 
 def ride_all(depsgraph, moment) -> None:
-    for ob in moment.scene.objects:
-        if ob.libocean_float.ocean is not None:
-            ride(ob, depsgraph, moment)
+    floating = [ob for ob in moment.scene.objects if ob.libocean_float.ocean is not None]
+    _own_motions(floating)
+    for ob in floating:
+        ride(ob, depsgraph, moment)
 
 
-def _own_rotation(ob) -> Matrix:
-    if ob.rotation_mode == "QUATERNION":
-        return ob.rotation_quaternion.to_matrix()
-    if ob.rotation_mode == "AXIS_ANGLE":
-        angle, *axis = ob.rotation_axis_angle
-        return Matrix.Rotation(angle, 3, axis)
-    return ob.rotation_euler.to_matrix()
-
-
-def _set_delta(ob, location: tuple[float, float, float], rotation: Matrix) -> None:
-    """Only where it is another: to write it makes Blender evaluate the object again."""
-    if tuple(ob.delta_location) != tuple(Vector(location)):
-        ob.delta_location = location
-    if ob.rotation_mode == "QUATERNION":
-        turn = rotation.to_quaternion()
-        if ob.delta_rotation_quaternion != turn:
-            ob.delta_rotation_quaternion = turn
-        return
-    if ob.rotation_mode == "AXIS_ANGLE":
-        return
-    turn = rotation.to_euler(ob.rotation_mode)
-    if ob.delta_rotation_euler != turn:
-        ob.delta_rotation_euler = turn
-
-
-def _delta_paths(ob) -> tuple[str, str]:
-    quaternion = ob.rotation_mode == "QUATERNION"
-    return "delta_location", "delta_rotation_quaternion" if quaternion else "delta_rotation_euler"
+# Of what floated before the waves had an object for their motion.
+_OLD_PATHS = ("delta_location", "delta_rotation_euler", "delta_rotation_quaternion")
 
 
 def _free(ob) -> None:
     """Takes the keyframes of the bake away."""
     settings = ob.libocean_float
-    for frame in range(settings.baked_first, settings.baked_last + 1):
-        for path in _delta_paths(ob):
-            with contextlib.suppress(RuntimeError):  # somebody has removed it
-                ob.keyframe_delete(path, frame=frame)
+    if settings.motion is not None:
+        settings.motion.animation_data_clear()
+    elif is_baked(ob):
+        for frame in range(settings.baked_first, settings.baked_last + 1):
+            for path in _OLD_PATHS:
+                with contextlib.suppress(RuntimeError):  # somebody has removed it
+                    ob.keyframe_delete(path, frame=frame)
     settings.property_unset("baked_first")
     settings.property_unset("baked_last")
 
@@ -201,13 +168,10 @@ class AddFloat(bpy.types.Operator):
         for ob in context.selected_objects:
             if node_group.modifiers(ob):
                 continue
-            if ob.rotation_mode == "AXIS_ANGLE":
-                # The one mode without a delta that can be set: Blender converts the rotation.
-                ob.rotation_mode = "QUATERNION"
-                self.report({"INFO"}, tr("{} turns by quaternions now", ob.name))
             settings = ob.libocean_float
             with changes.quiet():
                 settings.length, settings.width = ob.dimensions.xy
+                settings.version = 1
                 settings.ocean = ocean
             ride(ob, None, live.Moment(context.scene, rendering=False))
         return {"FINISHED"}
@@ -233,9 +197,8 @@ class RemoveFloat(_OnFloating, bpy.types.Operator):
 
     def execute(self, context):
         for ob in context.selected_objects:
-            _free(ob)
-            with changes.quiet():
-                ob.libocean_float.ocean = None
+            if ob.libocean_float.ocean is not None:
+                _let_go(ob)
         return {"FINISHED"}
 
 
@@ -249,17 +212,20 @@ class BakeFloat(_OnFloating, bpy.types.Operator):
 
     def execute(self, context):
         scene = context.scene
+        moment = live.Moment(scene, rendering=False)
         floating = [ob for ob in context.selected_objects if ob.libocean_float.ocean]
         for ob in floating:
             _free(ob)
+            ride(ob, None, moment)
+        floating = [ob for ob in floating if ob.libocean_float.motion]
         now, part = scene.frame_current, scene.frame_subframe
         first, last = scene.frame_start - 1, scene.frame_end + 1
         try:
             for frame in range(first, last + 1):
                 scene.frame_set(frame)  # which puts them on the waves
                 for ob in floating:
-                    for path in _delta_paths(ob):
-                        ob.keyframe_insert(path, frame=frame)
+                    for path in ("location", "rotation_quaternion"):
+                        ob.libocean_float.motion.keyframe_insert(path, frame=frame)
         finally:
             for ob in floating:
                 ob.libocean_float.baked_first, ob.libocean_float.baked_last = first, last
@@ -303,6 +269,7 @@ class FloatPanel(bpy.types.Panel):
     def poll(cls, context) -> bool:
         return context.object is not None and context.object.libocean_float.ocean is not None
 
+    @never_raises
     def draw(self, context) -> None:
         self.layout.use_property_split = True
         for name in ("ocean", "length", "width", "use_tilt"):

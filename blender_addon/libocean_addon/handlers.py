@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, live, node_group, open_sea, parameter_values
+from . import changes, compat, live, node_group, open_sea, versions
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -28,14 +28,16 @@ def _own_images(oceans: list[bpy.types.Object]) -> None:
 @persistent
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
-    live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering)
+    live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering, passing=True)
 
 
 @persistent
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
-    if any(isinstance(update.id, bpy.types.Object) for update in depsgraph.updates):
+    # Of a collection, or the whole scene: something came or went.
+    kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
+    if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         oceans = live.ocean_objects()
         _own_images(oceans)
         live.show_all(oceans, scene, depsgraph)
@@ -45,10 +47,14 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 def _data_replaced(*_) -> None:
     oceans = live.ocean_objects()
     open_sea.forget({ob.name_full for ob in oceans})
-    with changes.quiet():
-        for ob in oceans:
-            parameter_values.switch_on_given(ob.libocean)
+    for ob in oceans:
+        versions.upgrade(ob)
     live.show_all(oceans, bpy.context.scene)
+    for ob in oceans:  # one that was not there yet when the values of an undo step were kept
+        live.follow_mesh(ob)
+    if oceans:
+        # From 4.0 on nothing knows where it is in the world before it is evaluated.
+        live.follow(bpy.context.evaluated_depsgraph_get(), bpy.context.scene)
 
 
 @persistent

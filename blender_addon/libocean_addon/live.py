@@ -13,13 +13,14 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import math
 from collections.abc import Callable, Iterator
 
 import bpy
 
-from . import atlas, baked, images, meshes, node_group, parameter_values, sea_text
+from . import atlas, baked, drafts, images, meshes, messages, node_group, parameter_values, sea_text
 from .native import libocean
-from .open_sea import OpenSea, sea_of
+from .open_sea import FOAM, NO_FOAM, OpenSea, sea_of
 
 # Of a sea at rest.
 BLANKS = {
@@ -48,6 +49,8 @@ class Moment:
 
     scene: bpy.types.Scene
     rendering: bool
+    moving: bool = False
+    """Whether a draft will do for now: values move, or time plays."""
 
     def time(self, settings, values: sea_text.SeaValues) -> float:
         """Seconds of the sea at the scene's frame, which may be between two."""
@@ -74,14 +77,14 @@ def current_values(settings, scene) -> sea_text.SeaValues:
     return values
 
 
-def _targets(ob, modifier, size: int, *, render: bool, shared: bool) -> dict:
+def _targets(ob, modifier, size: int, *, render: bool, shared: bool, draft: bool = False) -> dict:
     """The images of the fields in use, made where they are missing. shared: those of the viewport
-    serve renders too."""
+    serve renders too. A draft has the displacement alone."""
     settings = ob.libocean
     wanted = {
         "Displacement": True,
-        "Velocity": settings.use_velocity,
-        "Normal": settings.use_normal,
+        "Velocity": settings.use_velocity and not draft,
+        "Normal": settings.use_normal and not draft,
     }
     targets = {}
     for field, used in wanted.items():
@@ -122,44 +125,84 @@ def show(ob, depsgraph, moment: Moment) -> None:
     problem = ""
     try:
         sea.follow(values)
-        own = sea.sea.map_resolution()
-        sizes = (settings.viewport_resolution or own, settings.render_resolution or own)
-        shared = sizes[0] == sizes[1]
-        size = sizes[1] if moment.rendering else sizes[0]
-        time = moment.time(settings, values)
         for modifier in modifiers:
-            targets = _targets(ob, modifier, size, render=moment.rendering, shared=shared)
-            _set_inputs(ob, seen, modifier, values, sizes)
-            if settings.kind == "HORIZON":
-                node_group.assign(modifier, {"Samples": float(samples_of(settings, own))})
-            sea.show(time, size, targets)
+            _show_in(ob, seen, modifier, sea, moment)
     except libocean.Error as failure:
-        problem = str(failure)
+        problem = messages.in_words(str(failure), len(values.waves))
     if ob.libocean.problem != problem:
         ob.libocean.problem = problem
 
 
-def _set_inputs(ob, seen, modifier, values: sea_text.SeaValues, sizes: tuple[int, int]) -> None:
+def _sizes(settings, sea: OpenSea) -> tuple[int, int]:
+    """Samples a side of the maps in the viewport and in renders."""
+    own = sea.sea.map_resolution()
+    return settings.viewport_resolution or own, settings.render_resolution or own
+
+
+def _channel(settings) -> str:
+    return FOAM if settings.use_foam else NO_FOAM
+
+
+def _show_in(ob, seen, modifier, sea: OpenSea, moment: Moment) -> None:
+    """Fills the images of a modifier and sets its other inputs."""
+    settings = seen.libocean
+    sizes = _sizes(settings, sea)
+    shared = sizes[0] == sizes[1]
+    size = sizes[1] if moment.rendering else sizes[0]
+    at, channel = moment.time(settings, sea.values), _channel(settings)
+    name = ob.name_full
+    draft = moment.moving and not sea.is_ready(at, size, channel)
+    if draft:
+        # While time plays only foam is behind; while values move, all of the sea.
+        known = sea.ready is not None and sea.ready[:2] == (sea.changes, size)
+        drawn = size if known else min(size, sea.pace.size)
+        targets = _targets(ob, modifier, drawn, render=False, shared=shared, draft=True)
+        sea.show_draft(at, drawn, size, targets, channel)
+        drafts.ask(name, rest=not drafts.is_playing())
+    else:
+        targets = _targets(ob, modifier, size, render=moment.rendering, shared=shared)
+        sea.show(at, size, targets, channel)
+        if not moment.rendering:
+            drafts.forget(name)
+    _set_inputs(ob, seen, modifier, sea.values, sizes, draft=draft)
+    if not draft:
+        state = sea.read_state()
+        lost = [atlas.lost_slopes(state, samples) for samples in sizes]
+        names = ("Slope Variance", node_group.render_twin("Slope Variance"))
+        node_group.assign(modifier, dict(zip(names, lost, strict=True)))
+    if settings.kind == "HORIZON":
+        own = sea.sea.map_resolution()
+        node_group.assign(modifier, {"Samples": float(samples_of(settings, own))})
+
+
+def _set_inputs(
+    ob, seen, modifier, values: sea_text.SeaValues, sizes: tuple[int, int], *, draft: bool
+) -> None:
     settings = ob.libocean
     period = float(values.values["patch_size"])
     # Only the place within a period counts, and in single precision it counts most near 0.
-    place = seen.matrix_world.translation if settings.follow_world else (0.0, 0.0)
+    place, turn = (0.0, 0.0), (0.0, 0.0, 0.0)
+    if settings.follow_world:
+        place = seen.matrix_world.translation
+        turn = tuple(seen.matrix_world.to_euler("XYZ"))
     origin = (place[0] % period, place[1] % period, 0.0)
-    state = sea_of(ob).read_state()
+    # A draft in the viewport has fewer samples than are asked for.
+    shown = node_group.value(modifier, "Displacement")
+    samples = shown.size[0] if shown is not None else sizes[0]
     node_group.assign(
         modifier,
         {
             "Tile Size": period,
-            "Half Texel": 0.5 / sizes[0],
+            "Half Texel": 0.5 / samples,
             node_group.render_twin("Half Texel"): 0.5 / sizes[1],
-            "Slope Variance": atlas.lost_slopes(state, sizes[0]),
-            node_group.render_twin("Slope Variance"): atlas.lost_slopes(state, sizes[1]),
             "Origin": origin,
+            "Turn": turn,
+            node_group.ON_SAMPLES: meshes.is_on_samples(ob, min(samples, sizes[1])),
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
             "Use Foam": settings.use_foam,
-            "Use Velocity": settings.use_velocity,
-            "Use Normal": settings.use_normal,
+            "Use Velocity": settings.use_velocity and not draft,
+            "Use Normal": settings.use_normal and not draft,
         },
     )
 
@@ -178,45 +221,92 @@ def paused() -> Iterator[None]:
         _paused = False
 
 
-def show_all(oceans, scene, depsgraph=None, *, rendering: bool = False) -> None:
+def show_all(
+    oceans, scene, depsgraph=None, *, rendering: bool = False, passing: bool = False
+) -> None:
+    """passing: a frame has come. Where nothing plays, it may be one of a render of the viewport,
+    which waits for its foam."""
     if _paused:
         return
-    moment = Moment(scene, rendering)
+    playing = drafts.is_playing()
+    moving = drafts.allowed and not rendering and (playing or not passing)
+    moment = Moment(scene, rendering, moving)
     for ob in oceans:
         show(ob, depsgraph, moment)
     for follower in followers:
         follower(depsgraph, moment)
 
 
+def follow(depsgraph, scene) -> None:
+    """What rides the seas of a scene is put where it belongs."""
+    for follower in followers:
+        follower(depsgraph, Moment(scene, rendering=False))
+
+
 def parameters_changed(ob) -> None:
     """After a property was set from the user interface or a script."""
     if not node_group.modifiers(ob):
         return
+    ob.update_tag()  # else what is evaluated goes on having the values of before
     if baked.follow(ob):
         sea_of(ob).shown.clear()
-    moment = Moment(bpy.context.scene, rendering=False)
+    moment = Moment(bpy.context.scene, rendering=False, moving=drafts.allowed)
     show(ob, None, moment)
     for follower in followers:
         follower(None, moment)
-    if ob.libocean.use_bake:
-        return
+    # Behind a draft it follows when values rest; a new one is not to be without a mesh so long.
+    if drafts.progress(ob.name_full) is None or meshes.is_empty(ob):
+        follow_mesh(ob)
+
+
+def follow_mesh(ob) -> None:
+    """Makes a mesh that is ours fit the sea."""
     sea = sea_of(ob)
-    ours = ob.libocean.kind != "MESH" and ob.data.library is None
-    if ours and sea.sea is not None and ob.mode == "OBJECT":
-        _follow(ob, sea)
-
-
-def _follow(ob, sea: OpenSea) -> None:
-    """Makes the mesh that is ours fit the sea."""
+    ours = ob.libocean.kind != "MESH" and ob.library is None and ob.data.library is None
+    if not ours or ob.libocean.use_bake or sea.sea is None or ob.mode != "OBJECT":
+        return
     settings, period = ob.libocean, float(sea.values.values["patch_size"])
     own = sea.sea.map_resolution()
     if settings.kind == "PATCH":
-        meshes.follow_patch(ob, period, own)
+        meshes.follow_patch(ob, period, settings.mesh_resolution or meshes.automatic(own))
     else:
         samples = samples_of(settings, own)
         meshes.follow_horizon(
             ob, period / samples, settings.horizon_vertices, settings.horizon_distance
         )
+
+
+# The whole sea after a draft --------------------------------------------------
+
+
+def _named(name: str):
+    return next((ob for ob in ocean_objects() if ob.name_full == name), None)
+
+
+def _job(name: str) -> drafts.Job | None:
+    ob = _named(name)
+    sea = None if ob is None or ob.libocean.use_bake else sea_of(ob)
+    if sea is None or sea.sea is None or ob.libocean.problem:
+        return None
+    settings = ob.libocean
+    at = Moment(bpy.context.scene, rendering=False).time(settings, sea.values)
+    return sea.job(at, _sizes(settings, sea)[0], _channel(settings))
+
+
+def _finish(name: str, job: drafts.Job) -> None:
+    ob = _named(name)
+    if ob is None:
+        job.sea.close()
+        return
+    sea = sea_of(ob)
+    if sea.take_over(job):
+        follow_mesh(ob)
+        show_all([ob], bpy.context.scene)
+    elif isinstance(job.failure, (libocean.Error, MemoryError)):
+        ob.libocean.problem = messages.in_words(str(job.failure), len(sea.values.waves))
+
+
+drafts.make_job, drafts.finish = _job, _finish
 
 
 def float_pose(ob, body: tuple[float, ...], moment: Moment):
@@ -241,18 +331,68 @@ def map_resolution(ob) -> int | None:
     return None if sea is None else sea.map_resolution()
 
 
+def map_sizes(ob) -> tuple[int, int] | None:
+    """Samples a side of the maps in the viewport and in renders."""
+    sea = sea_of(ob)
+    return None if sea.sea is None else _sizes(ob.libocean, sea)
+
+
+def image_bytes(ob) -> int:
+    """Of the images that hold the maps, in the viewport and in renders where those are others."""
+    settings, sizes = ob.libocean, set(map_sizes(ob))
+    fields = 1 + settings.use_velocity + settings.use_normal
+    if settings.kind == "HORIZON":
+        samples = sum(size * size + math.prod(atlas.shape(size)) for size in sizes)
+    else:
+        samples = sum(size * size for size in sizes)
+    return 16 * fields * samples
+
+
+def cascade_divisors(ob) -> list[int]:
+    """By what the period is divided for each cascade of the sea that is shown."""
+    sea = sea_of(ob).sea
+    if sea is None:
+        return [1]
+    period = float(sea.get("patch_size"))
+    return [round(period / of_cascade) for of_cascade in sea.cascade_periods]
+
+
+def peak_wavelength(ob) -> float | None:
+    """Metres, in deep water; None where there are no waves."""
+    sea = sea_of(ob)
+    period = None if sea.sea is None else _state(ob, sea)["peak_period"]["resolved"]
+    if not period:
+        return None
+    return float(sea.values.values["gravity"]) * period**2 / (2.0 * math.pi)
+
+
+def share_within_limits(ob) -> float | None:
+    """How much of the wave height the limits of the wavelength leave; None without limits."""
+    sea = sea_of(ob)
+    if sea.sea is None or not sea.has_limits() or drafts.progress(ob.name_full) is not None:
+        return None
+    return sea.share_within_limits()
+
+
+def _state(ob, sea: OpenSea) -> dict:
+    """While a draft is shown, what was known before it: a slider is not to wait for this."""
+    if sea.state is None and sea.state_before is not None and drafts.progress(ob.name_full) == 0.0:
+        return sea.state_before
+    return sea.read_state()
+
+
 def state_of(ob) -> list[tuple[str, str]] | None:
     """What the sea of an object is, for reading: labels and texts."""
     sea = sea_of(ob)
     if sea.sea is None:
         return None
-    state = sea.read_state()
+    state = _state(ob, sea)
 
     def metres(value: float) -> str:
         return f"{value:.2f} m"
 
     return [
-        ("Significant wave height", metres(state["significant_wave_height"]["resolved"])),
+        ("Wave height", metres(state["significant_wave_height"]["resolved"])),
         ("Peak period", f"{state['peak_period']['resolved']:.1f} s"),
         ("Energy resolved", f"{state['energy_resolved']:.1%}"),
         ("Shortest wave", metres(state["map_shortest_wave"])),
@@ -262,4 +402,7 @@ def state_of(ob) -> list[tuple[str, str]] | None:
 def warnings_of(ob) -> list[str]:
     """What of it people should know."""
     sea = sea_of(ob)
-    return sea.read_state()["warnings"] if sea.sea is not None else []
+    if sea.sea is None:
+        return []
+    systems = len(sea.values.waves)
+    return [messages.in_words(text, systems) for text in _state(ob, sea)["warnings"]]

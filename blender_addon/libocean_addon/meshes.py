@@ -29,20 +29,49 @@ def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
     compat.shade_smooth(mesh)
 
 
-def patch(size: float, samples: int) -> tuple[np.ndarray, np.ndarray]:
+def _patch_vertices(size: float, samples: int) -> np.ndarray:
     """One period around the origin: a vertex on each of samples x samples, and the seam's."""
     side = samples + 1
     along = (np.arange(side) - samples // 2) * (size / samples)
-    vertices = np.zeros((side, side, 3))
+    vertices = np.zeros((side, side, 3), np.float32)
     vertices[..., 0] = along[None, :]
     vertices[..., 1] = along[:, None]
+    return vertices.reshape(-1, 3)
+
+
+def _patch_faces(samples: int) -> np.ndarray:
+    side = samples + 1
     corner = (np.arange(samples)[:, None] * side + np.arange(samples)[None, :]).ravel()
-    quads = np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
-    return vertices.reshape(-1, 3), quads
+    return np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
 
 
-MAX_SAMPLES = 1024
+AUTOMATIC = 512
+"""The most samples a side that a mesh follows the maps to without being told: vertices by the
+quarter of a million."""
+MAX_SAMPLES = 4096
 _MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
+
+
+def automatic(own: int) -> int:
+    """Samples a side of a patch's mesh that follows a map of so many."""
+    return min(own, AUTOMATIC)
+
+
+def samples_of(ob) -> int | None:
+    """Samples a side that a patch's mesh was made for; None where it was not."""
+    words = ob.data.get(_MADE_OF, "").split() if ob.type == "MESH" else []
+    return int(words[2]) if words and words[0] == "patch" else None
+
+
+def is_empty(ob) -> bool:
+    """Whether it has not been made yet."""
+    return ob.type == "MESH" and len(ob.data.vertices) == 0
+
+
+def is_on_samples(ob, samples: int) -> bool:
+    """Whether each vertex of a patch lies on a sample of a map of so many a side."""
+    made_for = samples_of(ob)
+    return made_for is None or samples % made_for == 0
 
 
 def _follow(ob, made_of: str, make) -> None:
@@ -57,8 +86,16 @@ def _follow(ob, made_of: str, make) -> None:
 
 def follow_patch(ob, size: float, samples: int) -> None:
     """Makes a patch's mesh anew where the period or the number of samples is another."""
-    samples = min(samples, MAX_SAMPLES)
-    _follow(ob, f"patch {size!r} {samples}", lambda mesh: fill(mesh, *patch(size, samples)))
+
+    def make(mesh) -> None:
+        before = samples_of(ob)
+        if before == samples and len(mesh.vertices) == (samples + 1) ** 2:
+            mesh.vertices.foreach_set("co", _patch_vertices(size, samples).ravel())
+            mesh.update()
+        else:
+            fill(mesh, _patch_vertices(size, samples), _patch_faces(samples))
+
+    _follow(ob, f"patch {size!r} {samples}", make)
 
 
 # The rings of a horizon -------------------------------------------------------

@@ -60,6 +60,13 @@ class Builder:
         self.feed(factor, made.inputs["Scale"])
         return made.outputs["Vector"]
 
+    def rotate(self, vector, euler, *, back: bool = False):
+        """By Euler angles, XYZ; back: by the opposite turn."""
+        made = self.node("ShaderNodeVectorRotate", rotation_type="EULER_XYZ", invert=back)
+        self.feed(vector, made.inputs["Vector"])
+        self.link(euler, made.inputs["Rotation"])
+        return made.outputs["Vector"]
+
     def feed(self, value, socket) -> None:
         if isinstance(value, bpy.types.NodeSocket):
             self.link(value, socket)

@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The node group of the modifier: it reads finished fields from images, nothing else.
 
-    position + origin -> / tile size -> + half a texel -> image -> offset, attributes
+    position, turned, + origin -> / tile size -> + half a texel -> image -> offset, attributes
+
+What lies turned in the world shows the same sea: it looks where it is in the world, and what it
+finds is turned back. Most things are not turned, and a patch's vertices lie on samples: these have
+a branch of their own, of which a switch of geometry runs one.
 
 Each image is read once: a field is evaluated anew by every node that uses it, a captured one is
 not. A live group reads images that the add-on fills; a baked one plays image sequences by the
@@ -15,11 +19,11 @@ from __future__ import annotations
 import bpy
 
 from . import baked_nodes, compat, ring_nodes
-from .baked_nodes import LOST_SLOPES
+from .baked_nodes import LOST_SLOPES, ON_SAMPLES, ON_SAMPLES_HELP
 from .node_builder import Builder
 from .ring_nodes import far_image
 
-VERSION = 1
+VERSION = 2
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
 _BAKED = "libocean_baked"  # of one that plays a bake
@@ -27,6 +31,10 @@ _BAKED = "libocean_baked"  # of one that plays a bake
 FIELDS = ("Displacement", "Velocity", "Normal")
 """The maps; each image has a twin for renders. Foam is the alpha of the first, and of a horizon's
 third one the variance of the slopes that are left out."""
+
+
+SMALLEST_TURN = 1e-6
+"""Radians: less is what single precision makes of none."""
 
 
 def render_twin(name: str) -> str:
@@ -49,6 +57,10 @@ def _declare(group, kind: str) -> None:
     socket(group, "Slope Variance", "NodeSocketFloat", description=LOST_SLOPES)
     socket(group, render_twin("Slope Variance"), "NodeSocketFloat", description=LOST_SLOPES)
     socket(group, "Origin", "NodeSocketVector")
+    socket(
+        group, "Turn", "NodeSocketVector", description="Of the object in the world, as Euler XYZ"
+    )
+    socket(group, ON_SAMPLES, "NodeSocketBool", description=ON_SAMPLES_HELP)
     socket(group, "Mask", "NodeSocketString")
     for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
         socket(group, name, "NodeSocketBool")
@@ -70,6 +82,9 @@ class _LiveFields:
     def origin(self):
         return self.inputs["Origin"]
 
+    def turn(self):
+        return self.inputs["Turn"]
+
     def half_texel(self):
         return self.shown("Half Texel", "FLOAT")
 
@@ -86,14 +101,26 @@ class _LiveFields:
         return self.shown("Slope Variance", "FLOAT")
 
 
+class Turn:
+    """Between an object's own axes and the world's; None: they are the same."""
+
+    def __init__(self, b: Builder, euler) -> None:
+        self.b, self.euler = b, euler
+
+    def to_world(self, vector):
+        return vector if self.euler is None else self.b.rotate(vector, self.euler)
+
+    def to_local(self, vector):
+        return vector if self.euler is None else self.b.rotate(vector, self.euler, back=True)
+
+
 class _Flat:
     """A mesh that shows the finest map wherever it lies."""
 
-    def __init__(self, b: Builder, inputs, fields, kind: str) -> None:
+    def __init__(self, b: Builder, inputs, fields, turn: Turn, interpolation: str) -> None:
         self.fields = fields
-        # A patch's vertices lie on samples: they take the nearest one, to the bit.
-        self.interpolation = "Closest" if kind == "PATCH" else "Linear"
-        position = b.node("GeometryNodeInputPosition").outputs[0]
+        self.interpolation = interpolation
+        position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
         place = b.math("DIVIDE", b.math("ADD", position, fields.origin()), inputs["Tile Size"])
         self.place = b.math("ADD", place, fields.half_texel())
 
@@ -108,19 +135,9 @@ class _Flat:
         return geometry, self.color("Normal"), self.fields.lost_slopes()
 
 
-def _build(group, kind: str, *, baked: bool) -> None:
-    declare, make_fields = _declare, _LiveFields
-    if baked:
-        declare, make_fields = baked_nodes.declare, baked_nodes.BakedFields
-    declare(group, kind)
-    b = Builder(group)
-    inputs = b.node("NodeGroupInput").outputs
-    fields = make_fields(b, inputs)
-    if kind == "HORIZON":
-        lookup = ring_nodes.Rings(b, inputs, fields)
-    else:
-        lookup = _Flat(b, inputs, fields, kind)
-
+def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
+    """The geometry with its attributes, moved."""
+    group = b.group
     named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
     b.link(inputs["Mask"], named.inputs["Name"])
     mask = b.switch("FLOAT", inputs["Use Mask"], 1.0, compat.active(named.outputs, "Attribute"))
@@ -133,7 +150,7 @@ def _build(group, kind: str, *, baked: bool) -> None:
     geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, stored)
 
     stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))
-    velocity = b.scale(velocity, mask)
+    velocity = turn.to_local(b.scale(velocity, mask))
     # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
     stored = b.store(stored, "velocity", "FLOAT_VECTOR", velocity)
     stored = b.store(stored, "ocean_velocity", "FLOAT_VECTOR", velocity)
@@ -142,15 +159,43 @@ def _build(group, kind: str, *, baked: bool) -> None:
     up = (0.0, 0.0, 1.0)
     stored, normal, slope_variance = lookup.normal(geometry)
     normal = b.math("ADD", b.scale(b.math("SUBTRACT", normal, up), mask), up)
-    stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", normal)
+    stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", turn.to_local(normal))
     slope_variance = b.number("MULTIPLY", slope_variance, mask)
     stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
     geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)
 
     moved = b.node("GeometryNodeSetPosition")
     b.link(geometry, moved.inputs["Geometry"])
-    b.link(b.scale(offset, mask), moved.inputs["Offset"])
-    b.link(moved.outputs["Geometry"], b.node("NodeGroupOutput").inputs[0])
+    b.link(turn.to_local(b.scale(offset, mask)), moved.inputs["Offset"])
+    return moved.outputs["Geometry"]
+
+
+def _build(group, kind: str, *, baked: bool) -> None:
+    declare, make_fields = _declare, _LiveFields
+    if baked:
+        declare, make_fields = baked_nodes.declare, baked_nodes.BakedFields
+    declare(group, kind)
+    compat.hide_inputs(group)
+    b = Builder(group)
+    inputs = b.node("NodeGroupInput").outputs
+    fields = make_fields(b, inputs)
+
+    def branch(*, turned: bool, interpolation: str = "Linear"):
+        turn = Turn(b, fields.turn() if turned else None)
+        if kind == "HORIZON":
+            lookup = ring_nodes.Rings(b, inputs, fields, turn)
+        else:
+            lookup = _Flat(b, inputs, fields, turn, interpolation)
+        return _displaced(b, inputs, fields, lookup, turn)
+
+    level = branch(turned=False)
+    if kind == "PATCH":  # its vertices take the nearest sample, to the bit
+        nearest = branch(turned=False, interpolation="Closest")
+        level = b.switch("GEOMETRY", inputs[ON_SAMPLES], level, nearest)
+    angle = b.math("LENGTH", fields.turn(), result="Value")
+    is_turned = b.number("GREATER_THAN", angle, SMALLEST_TURN)
+    result = b.switch("GEOMETRY", is_turned, level, branch(turned=True))
+    b.link(result, b.node("NodeGroupOutput").inputs[0])
     for number, made in enumerate(group.nodes):
         made.location = (220 * (number // 4), -240 * (number % 4))
 
@@ -185,6 +230,11 @@ def get(kind: str, *, baked: bool = False):
     return group
 
 
+def is_old(group) -> bool:
+    """Whether an earlier version of the add-on built it, into this file."""
+    return is_ours(group) and group[MARK] != VERSION and group.library is None
+
+
 def image_inputs(group) -> list[str]:
     """The names of the inputs that take images."""
     fields = [*FIELDS, *baked_nodes.FIELDS]
@@ -207,7 +257,8 @@ def assign(modifier, values: dict) -> None:
     """Sets inputs of the modifier by their names."""
     identifiers = compat.input_identifiers(modifier.node_group)
     for name, value in values.items():
-        compat.set_input(modifier, identifiers[name], value)
+        if name in identifiers:  # a linked group may be of an earlier version
+            compat.set_input(modifier, identifiers[name], value)
 
 
 def value(modifier, name: str):

@@ -8,7 +8,19 @@ import bpy
 from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import changes, live, material, node_group, parameter_values, sea_text
+from . import (
+    changes,
+    compat,
+    live,
+    material,
+    meshes,
+    messages,
+    node_group,
+    parameter_values,
+    resolutions,
+    sea_text,
+    translations,
+)
 from .compat import tr
 from .native import libocean
 
@@ -30,6 +42,7 @@ def add_modifier(ob, kind: str = "MESH"):
     """The ocean modifier on an object that has no sea, or already one."""
     modifier = ob.modifiers.new("Ocean", "NODES")
     modifier.node_group = node_group.get(kind)
+    modifier.show_expanded = False  # its inputs are the add-on's business; the panel is below
     return modifier
 
 
@@ -75,6 +88,13 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
         items=PRESETS,
         default=DEFAULT_PRESET,
     )
+    mesh_resolution: bpy.props.EnumProperty(
+        name="Mesh resolution",
+        description="Vertices along a side of a patch",
+        items=resolutions.items("Automatic", meshes.MAX_SAMPLES),
+        default="0",
+        **compat.in_context(translations.SEA),
+    )
     use_material: bpy.props.BoolProperty(
         name="Material",
         description="Give it a material of sea water with foam",
@@ -90,6 +110,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
         add_modifier(ob, self.kind)
         with changes.quiet():
             ob.libocean.kind = self.kind
+            ob.libocean.mesh_resolution = int(self.mesh_resolution)
         parameter_values.assign(ob.libocean, values)
         if self.use_material:
             material.assign(ob, material.make(self.water_type))
@@ -106,10 +127,13 @@ class AddModifier(bpy.types.Operator):
     @classmethod
     def poll(cls, context) -> bool:
         ob = context.object
-        if ob is not None and ob.type in {"MESH", "CURVE", "SURFACE", "FONT"}:
-            return True
-        cls.poll_message_set(tr("The active object is no mesh, curve or text"))
-        return False
+        if ob is None or ob.type not in {"MESH", "CURVE", "SURFACE", "FONT"}:
+            cls.poll_message_set(tr("The active object is no mesh, curve or text"))
+            return False
+        if node_group.modifiers(ob):
+            cls.poll_message_set(tr("The active object has an ocean: add wave systems to it"))
+            return False
+        return True
 
     def execute(self, context):
         add_modifier(context.object)
@@ -162,7 +186,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
             with open(bpy.path.abspath(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
         except (libocean.Error, OSError) as failure:
-            self.report({"ERROR"}, str(failure))
+            self.report({"ERROR"}, messages.in_words(str(failure)))
             return {"CANCELLED"}
         return {"FINISHED"}
 

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels below the modifiers of an object with a sea, made from the parameter table."""
+"""The panels below the modifiers of an object with a sea: what it is, how it looks, its bake, and
+what few will need. Parameters come from the library's table; what does not apply is not there.
+"""
 
 from __future__ import annotations
-
-import textwrap
 
 import bpy
 
@@ -12,55 +12,105 @@ from . import (
     bake,
     bake_state,
     baked,
+    drafts,
+    hints,
     live,
     material,
     node_group,
     operators,
     parameter_values,
     records,
+    resolutions,
     sea_text,
     translations,
 )
+from .compat import tr_label
+from .drawing import never_raises, say
 
-_CHARACTERS = 50  # of a line that a panel of usual width shows whole
+SHORT = {
+    "peak_enhancement": "Enhancement",
+    "significant_wave_height": "Wave height",
+    "cutoff_wavelength": "Cut-off",
+    "cascade_divisors": "Divisors",
+    "shortest_wavelength": "Shortest wave",
+    "longest_wavelength": "Longest wave",
+    "viewport_resolution": "Viewport",
+    "render_resolution": "Render",
+    "mesh_resolution": "Mesh",
+}
+"""What a panel of the usual width shows of labels that are longer than it."""
 
-_SECTIONS = {
-    "water": "Water",
-    "grid": "Grid",
-    "surface": "Surface",
-    "time": "Time",
-    "random": "Random",
+# Parameters by the panel that shows them; every other one is in Advanced.
+SEA = ("patch_size", "depth", "seed")
+FOAM = ("foam_lifetime", "foam_coverage", "foam_threshold", "foam_width")
+LOOK = ("resolution", "choppiness", *FOAM)
+TIME = ("start", "first_frame", "fps", "loop_period", "take", "glide")
+
+_ENTRIES = {entry["key"]: entry for entry in parameter_values.entries(waves=False)}
+ADVANCED = tuple(key for key in _ENTRIES if key not in (*SEA, *LOOK, *TIME))
+
+
+def label_of(entry) -> str:
+    return SHORT.get(entry["key"], entry["label"])
+
+
+_ONLY_IF = {
+    "cascade_divisors": lambda settings: settings.cascades > 1,
+    **dict.fromkeys(FOAM, lambda settings: settings.use_foam),
+    "foam_step": lambda settings: settings.use_foam,
+    "fps": lambda settings: not settings.use_scene_frame_rate,
+    "glide": lambda settings: bool(settings.take or settings.take_lines),
 }
 
 
 def is_used(group, entry) -> bool:
-    """Whether the spectrum, say, that is chosen has this parameter."""
+    """Whether a parameter applies: to the spectrum, say, that is chosen."""
     chosen = {
         getattr(group, other["key"])
         for other in parameter_values.TABLE
         if other["section"] == entry["section"] and other["type"] == "enum"
     }
+    condition = _ONLY_IF.get(entry["key"])
+    if condition is not None and not condition(group):
+        return False
     return "used_by" not in entry or not chosen.isdisjoint(entry["used_by"])
 
 
 def _draw_parameter(layout, group, entry) -> None:
-    key = entry["key"]
-    layout = layout.column()
-    layout.active = is_used(group, entry)
-    if not sea_text.is_optional(entry):
-        layout.prop(group, key, text=entry["label"], text_ctxt=translations.SEA)
+    key, label = entry["key"], label_of(entry)
+    if not is_used(group, entry):
         return
-    row = layout.row(heading=entry["label"], heading_ctxt=translations.SEA)
+    layout = layout.column()
+    if entry["type"] == "list":
+        _draw_divisors(layout, group, label)
+        return
+    if not sea_text.is_optional(entry):
+        key = resolutions.listed(key) if key == "resolution" else key
+        layout.prop(group, key, text=label, text_ctxt=translations.SEA)
+        return
+    row = layout.row(heading=label, heading_ctxt=translations.SEA)
     row.prop(group, f"use_{key}", text="")
     value = row.row()
     value.active = getattr(group, f"use_{key}")
     value.prop(group, key, text="")
 
 
-def _draw_section(layout, settings, section: str) -> None:
-    for entry in parameter_values.entries(waves=False):
-        if entry["section"] == section:
-            _draw_parameter(layout, settings, entry)
+def _draw_divisors(layout, settings, label: str) -> None:
+    """As many as there are cascades, once they are not chosen by themselves."""
+    layout.prop(settings, "use_cascade_divisors")
+    if not settings.use_cascade_divisors:
+        return
+    column = layout.column(align=True)
+    for number in range(settings.cascades):
+        text = "" if number else label
+        column.prop(
+            settings, "cascade_divisors", index=number, text=text, text_ctxt=translations.SEA
+        )
+
+
+def _draw_parameters(layout, settings, keys) -> None:
+    for key in keys:
+        _draw_parameter(layout, settings, _ENTRIES[key])
 
 
 class WavesList(bpy.types.UIList):
@@ -92,44 +142,56 @@ class OceanPanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_ocean"
     bl_label = "Ocean (libocean)"
 
+    @never_raises
     def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean
+        layout, ob = self.layout, context.object
         layout.use_property_split = True
         row = layout.row(align=True)
         row.operator_menu_enum(operators.LoadPreset.bl_idname, "preset", text="Preset")
         row.operator(operators.LoadSea.bl_idname, text="Load", icon="IMPORT")
         row.operator(operators.SaveSea.bl_idname, text="Save", icon="EXPORT")
-        layout.operator_menu_enum(
-            material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
-        )
-        if settings.problem:
-            layout.label(text=settings.problem, icon="ERROR", translate=False)
+        if ob.libocean.problem:
+            say(layout, ob.libocean.problem, "ERROR")
         if context.scene.unit_settings.scale_length != 1.0:
             layout.label(text="The sea takes a Blender unit for a metre", icon="INFO")
-        self._draw_state(layout, context.object)
+        _draw_state(layout, ob)
+        _draw_hints(layout, ob, ob.evaluated_get(context.view_layer.depsgraph))
 
-    @staticmethod
-    def _draw_state(layout, ob) -> None:
-        state = live.state_of(ob)
-        if state is None:
-            return
-        box = layout.box().column(align=True)
-        for label, text in state:
-            row = box.row()
-            row.label(text=label, text_ctxt=translations.SEA)
-            row.label(text=text, translate=False)
-        for warning in live.warnings_of(ob):
-            for number, line in enumerate(textwrap.wrap(warning, _CHARACTERS)):
-                box.label(text=line, icon="BLANK1" if number else "ERROR", translate=False)
+
+def _draw_state(layout, ob) -> None:
+    """What the sea is, how far it is, and how large."""
+    share = drafts.progress(ob.name_full)
+    if share is not None:
+        say(layout, tr_label("A draft; the whole sea: {:.0%}", share), "SORTTIME")
+    state = live.state_of(ob)
+    if state is None:
+        return
+    box = layout.box().column(align=True)
+    for label, text in state:
+        row = box.row()
+        row.label(text=label, text_ctxt=translations.SEA)
+        row.label(text=text, translate=False)
+    for text in hints.of_size(ob):
+        say(box, text)
+    for warning in live.warnings_of(ob):
+        say(box, warning, "ERROR")
+
+
+def _draw_hints(layout, ob, seen) -> None:
+    for text in hints.of_object(ob, seen):
+        say(layout, text, "ERROR")
+    if hints.is_too_coarse(ob, seen):
+        layout.operator(hints.Subdivide.bl_idname, icon="MOD_SUBSURF")
 
 
 class WavesPanel(_Panel, bpy.types.Panel):
-    """Its wave systems"""
+    """Its waves, and the water they run on"""
 
     bl_idname = "LIBOCEAN_PT_waves"
     bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Waves"
+    bl_label = "Sea"
 
+    @never_raises
     def draw(self, context) -> None:
         layout, settings = self.layout, context.object.libocean
         row = layout.row()
@@ -139,61 +201,47 @@ class WavesPanel(_Panel, bpy.types.Panel):
         column = row.column(align=True)
         column.operator(operators.AddWaves.bl_idname, text="", icon="ADD")
         column.operator(operators.RemoveWaves.bl_idname, text="", icon="REMOVE")
-        if settings.active_wave >= len(settings.waves):
-            return
-        system = settings.waves[settings.active_wave]
-        layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
         layout.use_property_split = True
-        for entry in parameter_values.entries(waves=True):
-            _draw_parameter(layout, system, entry)
+        if settings.active_wave < len(settings.waves):
+            system = settings.waves[settings.active_wave]
+            layout.operator(records.PickRecord.bl_idname, icon="FILE_FOLDER").filepath = ""
+            for entry in parameter_values.entries(waves=True):
+                _draw_parameter(layout, system, entry)
+            layout.separator()
+        _draw_parameters(layout, settings, SEA)
 
 
-def _section_panel(section: str, label: str) -> type:
-    def draw(self, context) -> None:
-        self.layout.use_property_split = True
-        settings = context.object.libocean
-        if section == "time":
-            self.layout.prop(settings, "use_scene_frame_rate")
-        _draw_section(self.layout, settings, section)
-        if section == "time":
-            self.layout.prop(settings, "use_custom_time")
-            row = self.layout.row()
-            row.active = settings.use_custom_time
-            row.prop(settings, "custom_time")
+class LookPanel(_Panel, bpy.types.Panel):
+    """How the sea is shown"""
 
-    return type(
-        f"{label}Panel",
-        (_Panel, bpy.types.Panel),
-        {
-            "__doc__": f"{label} of the sea",
-            "bl_idname": f"LIBOCEAN_PT_{section}",
-            "bl_parent_id": OceanPanel.bl_idname,
-            "bl_label": label,
-            "bl_options": {"DEFAULT_CLOSED"},
-            "draw": draw,
-        },
-    )
-
-
-class MeshPanel(_Panel, bpy.types.Panel):
-    """How the sea is put on the mesh"""
-
-    bl_idname = "LIBOCEAN_PT_mesh"
+    bl_idname = "LIBOCEAN_PT_look"
     bl_parent_id = OceanPanel.bl_idname
-    bl_label = "Mesh"
+    bl_label = "Look"
 
+    @never_raises
     def draw(self, context) -> None:
-        layout, settings = self.layout, context.object.libocean
+        layout, ob = self.layout, context.object
+        settings = ob.libocean
         layout.use_property_split = True
-        for name in ("viewport_resolution", "render_resolution"):
-            layout.prop(settings, name)
+        layout.operator_menu_enum(
+            material.AddMaterial.bl_idname, "water_type", text="Material", icon="MATERIAL"
+        )
+        _draw_parameters(layout, settings, ("choppiness", "resolution"))
+        names = ["viewport_resolution", "render_resolution"]
+        if settings.kind == "PATCH":
+            names.append("mesh_resolution")
+        column = layout.column(align=True)
+        for name in names:
+            text, listed = SHORT[name], resolutions.listed(name)
+            column.prop(settings, listed, text=text, text_ctxt=translations.SEA)
         if settings.kind == "HORIZON":
             layout.prop(settings, "horizon_distance")
             layout.prop(settings, "horizon_vertices")
         column = layout.column(heading="Attributes")
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(settings, name)
-        layout.prop_search(settings, "mask", context.object, "vertex_groups")
+        _draw_parameters(layout, settings, FOAM)
+        layout.prop_search(settings, "mask", ob, "vertex_groups")
         layout.prop(settings, "follow_world")
 
 
@@ -203,35 +251,51 @@ class BakePanel(_Panel, bpy.types.Panel):
     bl_idname = "LIBOCEAN_PT_bake"
     bl_parent_id = OceanPanel.bl_idname
     bl_label = "Bake"
+    bl_options = {"DEFAULT_CLOSED"}
 
+    @never_raises
     def draw(self, context) -> None:
         layout, ob = self.layout, context.object
         settings = ob.libocean
         layout.use_property_split = True
-        row = layout.row()
-        row.enabled = baked.exists(ob)
-        row.prop(settings, "use_bake")
+        if baked.exists(ob):
+            layout.prop(settings, "use_bake")
         layout.prop(settings.bake, "directory")
         layout.prop(settings.bake, "use_custom_range")
-        column = layout.column(align=True)
-        column.active = settings.bake.use_custom_range
-        column.prop(settings.bake, "frame_start")
-        column.prop(settings.bake, "frame_end", text="To", text_ctxt=translations.SEA)
+        if settings.bake.use_custom_range:
+            column = layout.column(align=True)
+            column.prop(settings.bake, "frame_start")
+            column.prop(settings.bake, "frame_end", text="To", text_ctxt=translations.SEA)
         row = layout.row(align=True)
         row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
-        row.operator(bake.FreeBake.bl_idname, text="Free")
-        row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
+        if baked.exists(ob):
+            row.operator(bake.FreeBake.bl_idname, text="Free")
+            row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
         for text, icon in bake_state.state(ob, context.scene):
-            layout.label(text=text, icon=icon, translate=False)
+            say(layout, text, icon)
 
 
-CLASSES = (
-    WavesList,
-    OceanPanel,
-    WavesPanel,
-    *(_section_panel(section, label) for section, label in _SECTIONS.items()),
-    MeshPanel,
-    BakePanel,
-)
+class AdvancedPanel(_Panel, bpy.types.Panel):
+    """Its time, and what few will need"""
+
+    bl_idname = "LIBOCEAN_PT_advanced"
+    bl_parent_id = OceanPanel.bl_idname
+    bl_label = "Advanced"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, settings = self.layout, context.object.libocean
+        layout.use_property_split = True
+        layout.prop(settings, "use_custom_time")
+        if settings.use_custom_time:
+            layout.prop(settings, "custom_time")
+        layout.prop(settings, "use_scene_frame_rate")
+        _draw_parameters(layout, settings, TIME)
+        layout.separator()
+        _draw_parameters(layout, settings, ADVANCED)
+
+
+CLASSES = (WavesList, OceanPanel, WavesPanel, LookPanel, BakePanel, AdvancedPanel)
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -13,7 +13,7 @@ from typing import Any
 
 import bpy
 
-from . import changes, compat, sea_text, translations
+from . import changes, compat, resolutions, sea_text, translations
 from .parameter_values import DIVISORS, entries
 
 _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
@@ -59,14 +59,6 @@ _COPIES = {
 }
 
 
-def _to_power_of_two(self, context) -> None:
-    power = 1 << round(math.log2(self.resolution))
-    if power != self.resolution:
-        self.resolution = power  # which comes back here
-        return
-    changed(self, context)
-
-
 def _label(choice: str) -> str:
     return choice.replace("_", " ").capitalize()
 
@@ -107,7 +99,9 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
     common.update(_number_limits(entry))
     if kind == "int":
         if key == "resolution":
-            common["update"] = _to_power_of_two
+            return resolutions.properties(
+                key, entry["label"], common["description"], entry["default"]
+            )
         return {key: bpy.props.IntProperty(**common, default=entry["default"])}
     common["unit"] = _UNITS.get(entry["unit"], "NONE")
     common["precision"] = 3

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat
+from . import compat, live, meshes, parameter_values, resolutions
 from .parameter_properties import annotations as parameters
 from .parameter_properties import changed
 
@@ -30,15 +30,13 @@ class OceanWaves(bpy.types.PropertyGroup):
     }
 
 
-def _map_resolution(where: str):
-    return bpy.props.IntProperty(
-        name=f"{where} resolution",
-        description=f"Samples a side of the maps in the {where.lower()}, a power of two; "
-        "0: the sea's own",
-        min=0,
-        max=8192,
-        soft_max=2048,
-        update=changed,
+def _map_resolution(where: str) -> dict:
+    return resolutions.properties(
+        f"{where.lower()}_resolution",
+        f"{where} resolution",
+        f"Samples a side of the maps in the {where.lower()}; 0: the sea's own",
+        0,
+        none="Sea's own",
     )
 
 
@@ -76,6 +74,20 @@ class OceanBake(bpy.types.PropertyGroup):
     frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
+    token: bpy.props.StringProperty(options={"HIDDEN"})  # of the last bake that was begun
+
+
+def _has_divisors(settings) -> bool:
+    return any(settings.cascade_divisors)
+
+
+def _set_divisors(settings, wanted: bool) -> None:
+    """Begins with those that were chosen."""
+    if wanted == _has_divisors(settings):
+        return
+    chosen = live.cascade_divisors(settings.id_data) if wanted else []
+    free = parameter_values.DIVISORS - len(chosen)
+    settings.cascade_divisors = [*chosen, *[0] * free]
 
 
 class OceanSettings(bpy.types.PropertyGroup):
@@ -101,6 +113,14 @@ class OceanSettings(bpy.types.PropertyGroup):
             ],
             default="MESH",
         ),
+        "use_cascade_divisors": bpy.props.BoolProperty(
+            name="Own divisors",
+            description="Say by what the period of the patch is divided for each cascade, instead "
+            "of having it chosen",
+            get=_has_divisors,
+            set=_set_divisors,
+            options=set(),
+        ),
         "horizon_distance": bpy.props.FloatProperty(
             name="Distance",
             description="How far a horizon reaches from the scene's camera",
@@ -119,8 +139,17 @@ class OceanSettings(bpy.types.PropertyGroup):
             default=600000,
             update=changed,
         ),
-        "viewport_resolution": _map_resolution("Viewport"),
-        "render_resolution": _map_resolution("Render"),
+        **_map_resolution("Viewport"),
+        **_map_resolution("Render"),
+        **resolutions.properties(
+            "mesh_resolution",
+            "Mesh resolution",
+            "Vertices along a side of a patch; 0: as the maps, at most "
+            f"{meshes.AUTOMATIC}. More is only made when it is asked for here",
+            0,
+            none="Automatic",
+            most=meshes.MAX_SAMPLES,
+        ),
         "use_scene_frame_rate": bpy.props.BoolProperty(
             name="Scene's frame rate",
             description="Frames last as long as the scene says, else as the sea file does",

@@ -13,7 +13,7 @@ import os
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from . import live, operators, parameter_values, sea_text
+from . import live, messages, operators, parameter_values, sea_text
 from .native import libocean
 
 
@@ -98,7 +98,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
                 return {"CANCELLED"}  # nothing was done yet
             self._measure(context, path)
         except (libocean.Error, OSError) as failure:
-            self.report({"ERROR"}, str(failure))
+            self.report({"ERROR"}, messages.in_words(str(failure)))
             return {"CANCELLED"}
         return {"FINISHED"}
 

@@ -42,8 +42,8 @@ class Rings:
     nor a line is seen; geometry clipmaps do so [Losasso and Hoppe 2004].
     """
 
-    def __init__(self, b, inputs, fields) -> None:
-        self.b, self.inputs, self.fields = b, inputs, fields
+    def __init__(self, b, inputs, fields, turn) -> None:
+        self.b, self.inputs, self.fields, self.turn = b, inputs, fields, turn
         named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
         named.inputs["Name"].default_value = RING
         self.level, self.share, self.cells = b.parts(compat.active(named.outputs, "Attribute"))
@@ -60,7 +60,7 @@ class Rings:
         level_only = (1.0, 1.0, 0.0)
         camera = b.node("GeometryNodeObjectInfo", transform_space="RELATIVE")
         b.link(inputs["Camera"], camera.inputs["Object"])
-        above = b.math("ADD", camera.outputs["Location"], self.origin)
+        above = b.math("ADD", self.turn.to_world(camera.outputs["Location"]), self.origin)
         spacing = b.number("DIVIDE", inputs["Tile Size"], inputs["Samples"])
         above = b.math("MULTIPLY", above, level_only)
         cell = b.number("MULTIPLY", self.cells, spacing)
@@ -76,7 +76,8 @@ class Rings:
         per_sample = b.number("DIVIDE", 1.0, inputs["Samples"])
         self.place = b.scale(index, b.number("MULTIPLY", self.cells, per_sample))
         origin = b.math("MULTIPLY", self.origin, level_only)
-        self.moved = b.math("ADD", position, b.math("SUBTRACT", b.scale(steps, cell), origin))
+        moved = b.math("ADD", position, b.math("SUBTRACT", b.scale(steps, cell), origin))
+        self.moved = self.turn.to_local(moved)
 
     def _choose_maps(self) -> None:
         """Where in the finest map, in the ring's own and in the next one's a vertex is. A map that

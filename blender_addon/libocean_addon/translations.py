@@ -20,8 +20,8 @@ GERMAN = {
     SEA: {
         # Parameters of the sea file.
         "Depth": "Wassertiefe",
-        "Gravity": "Schwerebeschleunigung",
-        "Surface tension": "Oberflächenspannung",
+        "Gravity": "Schwerkraft",
+        "Surface tension": "Oberfl.spannung",
         "Density": "Dichte",
         "Resolution": "Auflösung",
         "Patch size": "Kachelgröße",
@@ -30,11 +30,11 @@ GERMAN = {
         "Choppiness": "Kammschärfe",
         "Shortest wavelength": "Kürzeste Wellenlänge",
         "Longest wavelength": "Längste Wellenlänge",
-        "Foam lifetime": "Lebensdauer des Schaums",
-        "Foam step": "Zeitschritt des Schaums",
-        "Foam coverage": "Schaumbedeckung",
-        "Foam threshold": "Schaumschwelle",
-        "Foam width": "Breite der Schaumschwelle",
+        "Foam lifetime": "Schaumdauer",
+        "Foam step": "Schaumschritt",
+        "Foam coverage": "Bedeckung",
+        "Foam threshold": "Schwelle",
+        "Foam width": "Schaumbreite",
         "Start": "Startzeit",
         "First frame": "Erstes Bild",
         "Frame rate": "Bildrate",
@@ -43,17 +43,30 @@ GERMAN = {
         "Take": "Aufnahme",
         "Seed": "Startwert",
         "Spectrum": "Spektrum",
-        "Wind speed": "Windgeschwindigkeit",
+        "Wind speed": "Windgeschw.",
         "Wind direction": "Windrichtung",
-        "Fetch": "Wirklänge (Fetch)",
+        "Fetch": "Wirklänge",
         "Peak enhancement": "Überhöhungsfaktor",
-        "Spreading": "Richtungsverteilung",
+        "Spreading": "Verteilung",
         "Swell": "Dünung",
-        "Opposing waves": "Gegenläufige Wellen",
+        "Opposing waves": "Gegenwellen",
         "Significant wave height": "Signifikante Wellenhöhe",
+        "Wave height": "Wellenhöhe",
+        "Enhancement": "Überhöhung",
+        "Cut-off": "Grenzwelle",
+        "Divisors": "Teiler",
+        "Longest wave": "Längste Welle",
+        "Viewport": "Ansicht",
+        "Render": "Rendern",
+        "Mesh": "Mesh",
         "Peak period": "Peakperiode",
+        "Viewport resolution": "Auflösung in der Ansicht",
+        "Render resolution": "Auflösung beim Rendern",
+        "Mesh resolution": "Auflösung des Meshs",
+        "Sea's own": "Wie die See",
+        "Automatic": "Automatisch",
         "Amplitude": "Amplitude",
-        "Alignment": "Ausrichtung am Wind",
+        "Alignment": "Ausrichtung",
         "Cut-off wavelength": "Grenzwellenlänge",
         "Spectrum file": "Spektrumsdatei",
         "Record": "Messung",
@@ -101,6 +114,7 @@ GERMAN = {
         "Stop Floating": "Nicht mehr schwimmen",
         "Bake Floating": "Schwimmen backen",
         "Free Floating": "Schwimmen freigeben",
+        "Subdivide for Waves": "Für Wellen unterteilen",
         "Preset": "Vorgabe",
         "Load": "Laden",
         "Save": "Speichern",
@@ -111,13 +125,39 @@ GERMAN = {
     "*": {
         # Panels.
         "Ocean (libocean)": "Ozean (libocean)",
-        "Waves": "Wellen",
+        "Sea": "See",
+        "Look": "Aussehen",
+        "Advanced": "Weiteres",
         "Water": "Wasser",
-        "Grid": "Raster",
         "Surface": "Oberfläche",
         "Time": "Zeit",
-        "Random": "Zufall",
         "Mesh": "Mesh",
+        "Own divisors": "Eigene Teiler",
+        "A draft; the whole sea: {:.0%}": "Ein Entwurf; die ganze See: {:.0%}",
+        "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
+        # What people should know.
+        "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
+        "Maps: {} x {} samples, {:,.0f} MB": "Karten: {} x {} Stützstellen, {:,.0f} MB",
+        "Maps: {} and, rendered, {}, {:,.0f} MB": "Karten: {} und, gerendert, {}, {:,.0f} MB",
+        "The mesh shows one in {} of their samples": "Das Mesh zeigt eine von {} Stützstellen",
+        "The object is scaled by {:.3g}, and so are its waves": (
+            "Das Objekt ist um {:.3g} skaliert, und seine Wellen auch"
+        ),
+        "The object is scaled unevenly, and so are its waves: apply the scale": (
+            "Das Objekt ist ungleich skaliert, und seine Wellen auch: Skalierung anwenden"
+        ),
+        "{} is no vertex group or attribute: the sea stands still": (
+            "{} ist weder Punktgruppe noch Attribut: die See steht still"
+        ),
+        "The limits of the wavelength leave {:.0%} of the wave height": (
+            "Die Grenzen der Wellenlänge lassen {:.0%} der Wellenhöhe"
+        ),
+        "Two ocean modifiers show the same sea, and their waves add up": (
+            "Zwei Ozean-Modifikatoren zeigen dieselbe See, ihre Wellen addieren sich"
+        ),
+        "{:.0f} m between vertices are too far for waves of {:.0f} m": (
+            "{:.0f} m zwischen den Punkten sind zu weit für Wellen von {:.0f} m"
+        ),
         "Bake": "Backen",
         "Float (libocean)": "Schwimmen (libocean)",
         "Attributes": "Attribute",
@@ -128,8 +168,6 @@ GERMAN = {
         "Horizon": "Horizont",
         "Distance": "Entfernung",
         "Vertices": "Punkte",
-        "Viewport resolution": "Auflösung in der Ansicht",
-        "Render resolution": "Auflösung beim Rendern",
         "Scene's frame rate": "Bildrate der Szene",
         "Own time": "Eigene Zeit",
         "Foam": "Schaum",
@@ -197,6 +235,10 @@ GERMAN = {
         "Select the objects that shall float": "Wählen Sie die Objekte, die schwimmen sollen",
         "The active object has no bake": "Vom aktiven Objekt ist nichts gebacken",
         "The active object has no ocean modifier": "Das aktive Objekt hat keinen Ozean-Modifikator",
+        "The active object has an ocean: add wave systems to it": (
+            "Das aktive Objekt hat einen Ozean: fügen Sie ihm Wellensysteme hinzu"
+        ),
+        "The active object is no mesh with an ocean": ("Das aktive Objekt ist kein Mesh mit Ozean"),
         "The active object is no mesh, curve or text": (
             "Das aktive Objekt ist weder Mesh noch Kurve noch Text"
         ),
@@ -204,6 +246,9 @@ GERMAN = {
             "Das Objekt ist verknüpft: backen Sie es in seiner eigenen Datei"
         ),
         # Reports.
+        "A measured spectrum needs a file: choose one below": (
+            "Ein gemessenes Spektrum braucht eine Datei: wählen Sie unten eine"
+        ),
         "{} could not be written to its end: is the disk full?": (
             "{} konnte nicht zu Ende geschrieben werden: ist der Datenträger voll?"
         ),
@@ -212,7 +257,6 @@ GERMAN = {
             "{} Bilder in {}: {} geschrieben, {} waren schon da"
         ),
         "{} is gone; its files are in {}": "{} gibt es nicht mehr; die Dateien sind in {}",
-        "{} turns by quaternions now": "{} dreht sich jetzt mit Quaternionen",
         "A bake of {} is under way": "{} wird gerade gebacken",
         "A sea has at least one wave system": "Eine See hat mindestens ein Wellensystem",
         "After {} frames: {}": "Nach {} Bildern: {}",

@@ -484,9 +484,58 @@ def test_a_folder_that_cannot_be_made_is_told(sea, tmp_path):
     assert not sea.libocean.use_bake
 
 
+@pytest.mark.parametrize("turn", [(0.0, 0.0, 0.6), (0.3, 0.0, 0.6)])
+def test_what_is_turned_plays_the_same_sea(scene, sea, turn):
+    """Also where it is turned while it plays, which takes no add-on."""
+    scene.frame_set(3)
+    sea.location, sea.rotation_euler = (31.7, -12.2, 3.0), turn
+    bpy.context.view_layer.update()
+    live = shown(sea)
+    sea.rotation_euler = (0.0, 0.0, 0.0)
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    level = positions(sea).copy()
+    sea.rotation_euler = turn
+    bpy.context.view_layer.update()
+    baked = shown(sea)
+    assert np.abs(baked["position"] - level).max() > 0.1
+    for name, values in live.items():
+        assert np.abs(values - baked[name]).max() < 1e-4, name
+
+
+def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
+    from libocean_addon import baked
+
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+    before = baked.folder(sea)
+    sea.name = "Atlantic"
+    assert baked.folder(sea) == baked.asked_folder(sea) == before
+    written = sorted((tmp_path / "ocean_bake").rglob("*.exr"))
+    assert bpy.ops.libocean.bake() == {"FINISHED"}  # goes on, there
+    assert sorted((tmp_path / "ocean_bake").rglob("*.exr")) == written
+    assert sea.libocean.use_bake
+    assert sea.libocean.problem == ""
+    twin = sea.copy()  # a bake of its own
+    bpy.context.collection.objects.link(twin)
+    assert baked.asked_folder(twin) != before
+
+
+def test_an_object_that_is_renamed_meanwhile_gets_its_bake(sea, tmp_path):
+    from libocean_addon import bake_plan, bake_state
+
+    folder = str(tmp_path / "there")
+    started = bake_plan.Bake(bpy.context, sea, folder, (2, 3), overwrite=False)
+    sea.name = "Atlantic"
+    started.job.run()
+    assert started.is_of(sea)
+    started.finish()
+    assert sea.libocean.use_bake
+    assert bake_state.state(sea, bpy.context.scene)
+
+
 def test_what_the_library_refuses_is_told(sea, tmp_path):
-    sea.libocean.render_resolution = 48
-    assert "power of two" in failing(bpy.ops.libocean.bake)
+    sea.libocean.shortest_wavelength, sea.libocean.longest_wavelength = 50.0, 10.0
+    assert "Longest wavelength = 10 m: must be more" in failing(bpy.ops.libocean.bake)
     assert not sea.libocean.use_bake
 
 

@@ -70,26 +70,19 @@ def test_a_boat_under_way(scene, ocean, boat):
             assert_rides(boat, sea.float_pose([(*place, 30, 20, 6)], (curve_frame - 1) / 24))
 
 
-@pytest.mark.parametrize("mode", ["QUATERNION", "ZXY"])
+@pytest.mark.parametrize("mode", ["QUATERNION", "ZXY", "AXIS_ANGLE"])
 def test_any_rotation_mode(scene, ocean, boat, mode):
     boat.rotation_mode = mode
     turn = math.radians(-50)
     if mode == "QUATERNION":
         boat.rotation_quaternion = (math.cos(turn / 2), 0, 0, math.sin(turn / 2))
+    elif mode == "AXIS_ANGLE":
+        boat.rotation_axis_angle = (turn, 0, 0, 1)
     else:
         boat.rotation_euler = (0, 0, turn)
     scene.frame_set(50)
     with sea_of(ocean) as sea:
         assert_rides(boat, sea.float_pose([(40, -15, -50, 20, 6)], 49 / 24))
-
-
-def test_a_rotation_by_axis_and_angle_is_converted(scene, ocean, boat):
-    boat.rotation_mode = "AXIS_ANGLE"
-    bpy.ops.libocean.add_float(ocean=ocean.name)
-    assert boat.rotation_mode == "QUATERNION"
-    scene.frame_set(50)
-    with sea_of(ocean) as sea:
-        assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24))
 
 
 def test_without_tilt_it_rises_and_falls(scene, ocean, boat):
@@ -99,17 +92,35 @@ def test_without_tilt_it_rises_and_falls(scene, ocean, boat):
         assert_rides(boat, sea.float_pose([(40, -15, 30, 20, 6)], 49 / 24), tilt=False)
 
 
-def test_on_an_ocean_that_is_moved_turned_and_scaled(scene, ocean, boat):
+@pytest.mark.parametrize("follow", [True, False])
+def test_on_an_ocean_that_is_moved_turned_and_scaled(scene, ocean, boat, follow):
+    ocean.libocean.follow_world = follow
     ocean.location, ocean.rotation_euler.z, ocean.scale = (7, 3, 1.5), math.radians(90), (2, 2, 2)
     scene.frame_set(50)
-    # A quarter turn takes x to y: in the ocean's own axes the boat is at (-15 - 3, -(40 - 7)) / 2.
-    own = np.array((-18.0, -33.0)) / 2.0 + (7.0, 3.0)
+    # Anchored to the world, its turn does not count. Else a quarter turn takes x to y.
+    if follow:
+        place = (7.0 + (40 - 7) / 2.0, 3.0 + (-15 - 3) / 2.0, 30, 10, 3)
+    else:
+        place = (-18.0 / 2.0, -33.0 / 2.0, 30 - 90, 10, 3)
     with sea_of(ocean) as sea:
-        pose = sea.float_pose([(*own, 30 - 90, 10, 3)], 49 / 24)
+        pose = sea.float_pose([place], 49 / 24)
     matrix = np.array(boat.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world)
     assert matrix[2, 3] == pytest.approx(2.0 * pose.position[0][2] + 1.5, abs=1e-4)
     x, y, z = pose.up[0]
-    assert np.abs(matrix[:3, 2] / np.linalg.norm(matrix[:3, 2]) - (-y, x, z)).max() < 1e-5
+    up = (x, y, z) if follow else (-y, x, z)
+    assert np.abs(matrix[:3, 2] / np.linalg.norm(matrix[:3, 2]) - up).max() < 1e-5
+
+
+def test_it_lies_on_the_mesh_of_a_turned_ocean(scene, ocean, boat):
+    """What floats and what is seen are one sea: the mesh below a small, moved and turned float."""
+    ocean.location, ocean.rotation_euler.z = (7.3, 3.1, 1.5), math.radians(37)
+    boat.libocean_float.length = boat.libocean_float.width = 0.0
+    ocean.libocean.resolution = 256
+    scene.frame_set(50)
+    seen = ocean.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    points = np.array([seen.matrix_world @ vertex.co for vertex in seen.data.vertices])
+    near = points[np.argsort(np.hypot(points[:, 0] - 40, points[:, 1] + 15))[:4]]
+    assert near[:, 2].min() - 0.02 <= world(boat)[2, 3] <= near[:, 2].max() + 0.02
 
 
 def test_a_change_of_the_sea_moves_the_boat(scene, ocean, boat):
@@ -147,11 +158,183 @@ def test_a_rendered_frame_has_the_boat_in_place(scene, ocean, boat, tmp_path):
 
 
 def test_it_can_be_let_go(scene, ocean, boat):
+    scene.frame_set(50)
+    before = world(boat)
     assert bpy.ops.libocean.remove_float() == {"FINISHED"}
-    before = tuple(boat.delta_location)
+    assert np.allclose(world(boat), before, atol=1e-5)  # it stays where it is
     scene.frame_set(80)
-    assert tuple(boat.delta_location) == before
+    assert np.allclose(world(boat), before, atol=1e-5)
+    assert len(boat.constraints) == 0
     assert not bpy.ops.libocean.remove_float.poll()
+
+
+# What moves it beside the waves --------------------------------------------------
+
+
+def empty(name: str, location=(0.0, 0.0, 0.0), heading=0.0):
+    ob = bpy.data.objects.new(name, None)
+    bpy.context.collection.objects.link(ob)
+    ob.location, ob.rotation_euler.z = location, math.radians(heading)
+    return ob
+
+
+def assert_rides_at(scene, ocean, boat, place, height=0.0):
+    """place: x, y, heading, length, width; height of its own place."""
+    with sea_of(ocean) as sea:
+        pose = sea.float_pose([place], (scene.frame_current - 1) / 24)
+    pose.position[0][2] += height
+    assert_rides(boat, pose)
+    matrix = world(boat)
+    assert matrix[:2, 3] == pytest.approx(place[:2], abs=1e-3)
+
+
+def test_its_parent_counts(scene, ocean, boat):
+    boat.parent = empty("Parent", (100.0, 20.0, 3.0), 90.0)
+    bpy.context.view_layer.update()
+    for frame in (50, 90):
+        scene.frame_set(frame)
+        assert_rides_at(scene, ocean, boat, (115, 60, 120, 20, 6), 3.0)
+    boat.parent.location.x += 30.0  # without a new frame
+    bpy.context.view_layer.update()
+    bpy.context.view_layer.update()
+    assert_rides_at(scene, ocean, boat, (145, 60, 120, 20, 6), 3.0)
+
+
+def test_a_ship_on_a_path(scene, ocean, boat):
+    points = bpy.data.curves.new("Course", "CURVE")
+    points.dimensions = "3D"
+    spline = points.splines.new("POLY")
+    spline.points.add(1)
+    spline.points[0].co, spline.points[1].co = (0, 50, 0, 1), (100, 50, 0, 1)
+    course = bpy.data.objects.new("Course", points)
+    bpy.context.collection.objects.link(course)
+    course.rotation_euler.z = math.radians(-20)
+    boat.location, boat.rotation_euler.z = (0, 0, 0), 0.0
+    follow = boat.constraints.new("FOLLOW_PATH")
+    follow.target, follow.use_fixed_location, follow.use_curve_follow = course, True, True
+    follow.forward_axis = "FORWARD_X"
+    for frame, offset in ((1, 0.1), (101, 0.9)):
+        follow.offset_factor = offset
+        follow.keyframe_insert("offset_factor", frame=frame)
+    bpy.context.view_layer.update()
+    turn, seen = math.radians(-20), set()
+    for frame in (1, 40, 101, 60):
+        scene.frame_set(frame)
+        x, y = 100.0 * boat.constraints["Follow Path"].offset_factor, 50.0
+        place = (
+            x * math.cos(turn) - y * math.sin(turn),
+            x * math.sin(turn) + y * math.cos(turn),
+            -20,
+            20,
+            6,
+        )
+        assert_rides_at(scene, ocean, boat, place)
+        seen.add(round(x, 3))
+    assert len(seen) == 4
+
+
+@pytest.mark.parametrize("later", [False, True])
+def test_constraints_count_wherever_they_stand(scene, ocean, boat, later):
+    if not later:
+        bpy.ops.libocean.remove_float()
+    leader = empty("Leader", (-60.0, 33.0, 0.0), -70.0)
+    for kind in ("COPY_LOCATION", "COPY_ROTATION"):
+        boat.constraints.new(kind).target = leader
+    if not later:
+        bpy.ops.libocean.add_float(ocean=ocean.name)
+        boat.libocean_float.length, boat.libocean_float.width = 20, 6
+    bpy.context.view_layer.update()
+    scene.frame_set(50)
+    assert_rides_at(scene, ocean, boat, (-60, 33, -70, 20, 6))
+    leader.location = (-50.0, 20.0, 1.0)
+    scene.frame_set(51)
+    assert_rides_at(scene, ocean, boat, (-50, 20, -70, 20, 6), 1.0)
+
+
+def test_nothing_is_written_while_nothing_moves(scene, ocean, boat):
+    """Each write would make Blender evaluate the scene again, and so on forever."""
+    boat.parent = empty("Parent", (1000.3, 2000.7, 3.0), 77.0)
+    ocean.location, ocean.rotation_euler.z = (7.3, 1003.1, 0.0), 0.3
+    bpy.context.view_layer.update()
+    scene.frame_set(50)
+    bpy.context.view_layer.update()
+    updates = []
+
+    def count(_scene, depsgraph):
+        moved = [update.id for update in depsgraph.updates]
+        updates.extend(seen.name for seen in moved if isinstance(seen, bpy.types.Object))
+
+    bpy.app.handlers.depsgraph_update_post.append(count)
+    try:
+        for _ in range(5):
+            bpy.context.view_layer.objects.active = boat
+            bpy.context.view_layer.update()
+    finally:
+        bpy.app.handlers.depsgraph_update_post.remove(count)
+    assert updates == []
+
+
+def test_a_deleted_ocean_lets_it_go(scene, ocean, boat):
+    scene.frame_set(50)
+    place = world(boat)
+    bpy.ops.object.select_all(action="DESELECT")
+    ocean.select_set(True)
+    bpy.context.view_layer.objects.active = ocean
+    bpy.ops.ed.undo_push(message="before")
+    bpy.ops.object.delete()
+    bpy.context.view_layer.update()
+    assert boat.libocean_float.ocean is None
+    assert len(boat.constraints) == 0
+    assert np.allclose(world(boat), place, atol=1e-5)
+    scene.frame_set(90)
+    assert np.allclose(world(boat), place, atol=1e-5)
+    bpy.ops.ed.undo_push(message="deleted")
+    bpy.ops.ed.undo()
+    scene, ocean, boat = bpy.context.scene, bpy.data.objects["Ocean"], bpy.data.objects["Boat"]
+    assert boat.libocean_float.ocean == ocean
+    scene.frame_set(50)
+    assert_rides_at(scene, ocean, boat, (40, -15, 30, 20, 6))
+
+
+def test_without_its_modifier_the_sea_is_flat(scene, ocean, boat):
+    scene.frame_set(50)
+    ocean.modifiers.clear()
+    scene.frame_set(51)
+    matrix = world(boat)
+    assert matrix[:3, 3] == pytest.approx((40, -15, 0), abs=1e-4)
+    assert matrix[:3, 2] == pytest.approx((0, 0, 1), abs=1e-6)
+
+
+def test_a_copy_rides_by_itself(scene, ocean, boat):
+    twin = boat.copy()
+    bpy.context.collection.objects.link(twin)
+    twin.location.x -= 70.0
+    scene.frame_set(50)
+    assert_rides_at(scene, ocean, boat, (40, -15, 30, 20, 6))
+    assert_rides_at(scene, ocean, twin, (-30, -15, 30, 20, 6))
+
+
+def test_the_motion_is_saved_with_what_floats(scene, ocean, boat, tmp_path):
+    scene.frame_set(50)
+    place = world(boat)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "boat.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "boat.blend"))
+    boat = bpy.data.objects["Boat"]
+    assert np.allclose(world(boat), place, atol=1e-4)
+    assert len(boat.constraints) == 1
+
+
+def test_a_file_in_which_the_delta_transform_moved_it(scene, ocean, boat, tmp_path):
+    scene.frame_set(50)
+    place = world(boat)
+    boat.constraints.clear()
+    boat.libocean_float.property_unset("motion")
+    boat.libocean_float.property_unset("version")
+    boat.delta_location.z, boat.delta_rotation_euler.x = 1.2, 0.1
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "old.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "old.blend"))
+    bpy.context.scene.frame_set(50)
+    assert np.allclose(world(bpy.data.objects["Boat"]), place, atol=1e-4)
 
 
 def test_which_ocean_must_be_clear(ocean):

@@ -31,7 +31,7 @@ def built_in(side: int):
 
 def ours(side: int):
     bpy.ops.libocean.add(kind="PATCH")
-    bpy.context.object.libocean.resolution = side
+    bpy.context.object.libocean.resolution = bpy.context.object.libocean.mesh_resolution = side
     return bpy.context.object
 
 

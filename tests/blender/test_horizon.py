@@ -118,6 +118,24 @@ def test_it_stays_in_the_world_while_its_object_moves(scene, horizon):
     assert_rings(ob, sea, (37.1, -12.9), 9 / 24)
 
 
+def test_it_stays_in_the_world_while_its_object_turns(scene, horizon):
+    ob, _ = horizon()
+    ob.location = (310.3, -77.7, 0.0)
+    bpy.context.view_layer.update()
+    scene.frame_set(40)
+    level, velocity = positions(ob).copy(), attribute(ob, "ocean_velocity").copy()
+    ob.rotation_euler = (0.0, 0.0, 0.7)
+    bpy.context.view_layer.update()
+    scene.frame_set(40)
+    turn = np.array(ob.matrix_world.to_3x3())
+    assert np.abs(positions(ob) - level).max() > 100.0
+    # A turn there and back loses the last bits of 5 km.
+    assert np.abs(positions(ob) @ turn.T - level).max() < 5e-3
+    near = np.abs(level[:, :2]).max(axis=1) < 500.0
+    assert np.abs((positions(ob) @ turn.T - level)[near]).max() < 5e-4
+    assert np.abs(attribute(ob, "ocean_velocity") @ turn.T - velocity)[near].max() < 1e-3
+
+
 def test_it_is_the_same_after_reload_undo_and_redo(scene, horizon, tmp_path):
     ob, sea = horizon()
     scene.frame_set(10)

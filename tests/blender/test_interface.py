@@ -14,6 +14,7 @@ from libocean_addon import (
     bake,
     changes,
     floating,
+    hints,
     manual,
     material,
     operators,
@@ -53,7 +54,7 @@ def test_every_parameter_is_a_property(ocean):
             assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
 
 
-def test_what_the_spectrum_does_not_use_is_grey(ocean):
+def test_what_the_spectrum_does_not_use_is_not_there(ocean):
     system = ocean.libocean.waves[0]
     entries = {entry["key"]: entry for entry in parameter_values.entries(waves=True)}
 
@@ -72,7 +73,7 @@ def test_what_the_spectrum_does_not_use_is_grey(ocean):
     assert panels.is_used(ocean.libocean, threshold)
 
 
-PARTS = (properties, material, operators, records, bake, panels, floating)
+PARTS = (properties, material, operators, records, bake, hints, panels, floating)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 GROUPS = [cls for cls in CLASSES if issubclass(cls, bpy.types.PropertyGroup)]
@@ -226,6 +227,71 @@ def test_what_the_library_refuses_is_said_in_the_panel(ocean):
     assert ocean.libocean.problem == ""
 
 
+def test_messages_speak_of_the_panels_fields(ocean, tmp_path):
+    settings = ocean.libocean
+    settings.shortest_wavelength = 50.0
+    settings.longest_wavelength = 10.0
+    assert settings.problem.startswith("Longest wavelength = 10 m: must be more than Shortest wave")
+    settings.longest_wavelength = 0.0
+    settings.take = "/nowhere.take"
+    assert settings.problem == 'Take = "/nowhere.take": /nowhere.take: no such file'
+    settings.take = ""
+    bpy.ops.libocean.add_waves()
+    settings.waves[1].spectrum = "measured"
+    assert "needs a file" in settings.problem
+    settings.waves[1].file = "/nowhere.spec"
+    assert settings.problem.startswith("Spectrum file (2)")  # of the second wave system
+    assert "text:" not in settings.problem
+    bpy.ops.libocean.remove_waves()
+    assert settings.problem == ""
+
+
+def test_a_measured_sea_without_its_file_keeps_the_sea_that_was(ocean):
+    from libocean_addon import live
+
+    before = live.state_of(ocean)
+    ocean.libocean.waves[0].spectrum = "measured"
+    assert "needs a file" in ocean.libocean.problem
+    assert live.state_of(ocean) == before
+    assert live.warnings_of(ocean) == []
+    ocean.libocean.waves[0].spectrum = "jonswap"
+    assert ocean.libocean.problem == ""
+
+
+def test_a_file_in_which_resolutions_were_plain_numbers(ocean, tmp_path):
+    """As the add-on saved it before: a mesh of 1024 samples a side, numbers that no list has."""
+    path = str(tmp_path / "old.blend")
+    settings = ocean.libocean
+    settings.use_foam = False
+    settings.viewport_resolution, settings.render_resolution = 128, 256
+    settings.resolution = settings.mesh_resolution = 1024
+    settings.property_unset("mesh_resolution")
+    if bpy.app.version < (5, 0):  # later ones do not let us
+        settings["viewport_resolution"] = 100
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    settings = bpy.context.object.libocean
+    assert (settings.resolution, settings.resolution_list) == (1024, "1024")
+    assert (settings.viewport_resolution, settings.render_resolution) == (128, 256)
+    assert settings.viewport_resolution_list == "128"
+    assert len(bpy.context.object.data.vertices) == 1025**2
+    assert settings.problem == ""
+
+
+@pytest.mark.parametrize("name", ["resolution", "viewport_resolution", "render_resolution"])
+def test_a_resolution_is_a_number_and_a_list(ocean, name):
+    settings, listed = ocean.libocean, f"{name}_list"
+    settings.use_foam = False
+    choices = [item.identifier for item in settings.bl_rna.properties[listed].enum_items]
+    assert choices[-9:] == [str(32 << k) for k in range(9)]
+    assert ("0" in choices) == (name != "resolution")
+    setattr(settings, listed, "64")
+    assert getattr(settings, name) == 64
+    setattr(settings, name, 200)
+    assert getattr(settings, name) == 256
+    assert getattr(settings, listed) == "256"
+
+
 def test_wave_systems_come_and_go(ocean):
     assert bpy.ops.libocean.add_waves() == {"FINISHED"}
     assert len(ocean.libocean.waves) == 2
@@ -255,7 +321,7 @@ def test_the_read_out_is_that_of_the_library(ocean):
     shown = dict(live.state_of(ocean))
     with libocean.parse(text_of(ocean)) as sea:
         height = sea.state["significant_wave_height"]["resolved"]
-    assert shown["Significant wave height"] == f"{height:.2f} m"
+    assert shown["Wave height"] == f"{height:.2f} m"
     json.dumps(shown)
 
 

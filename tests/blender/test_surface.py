@@ -118,6 +118,53 @@ def test_tiles_of_a_grid_meet(scene, load):
     assert np.abs(a[:, -1] - b[:, 0]).max() <= 1e-5 * significant_wave_height(sea)
 
 
+@pytest.mark.parametrize("tilt", [0.0, 0.3])
+@pytest.mark.parametrize("is_patch", [True, False])
+def test_what_is_turned_shows_the_same_sea(scene, load, is_patch, tilt):
+    """Turned in the world it looks where it lies, and is moved as the world's sea moves."""
+    if is_patch:
+        ob, sea = patch(load)
+    else:
+        ob = plane(ROUND, 50)
+        bpy.ops.libocean.add_modifier()
+        sea = load(ob)
+    ob.location, ob.rotation_euler = (31.7, -12.2, 3.0), (tilt, 0.0, 0.6)
+    bpy.context.view_layer.update()
+    scene.frame_set(30)
+    turn = np.array(ob.matrix_world.to_3x3())
+    limit = 2e-5 * significant_wave_height(sea)
+    at_rest = rest(ob) @ turn.T + np.array(ob.location)
+    found = positions(ob) @ turn.T + np.array(ob.location)
+    want = at_points(sea, "displacement", at_rest, 29 / 24)
+    assert np.abs(found - at_rest - want).max() <= limit
+    for name, field in (("ocean_velocity", "velocity"), ("ocean_normal", "normal")):
+        want = at_points(sea, field, at_rest, 29 / 24)
+        assert np.abs(attribute(ob, name) @ turn.T - want).max() <= 2e-5
+
+
+def test_what_is_not_anchored_takes_its_sea_along(scene, load):
+    ob, sea = patch(load)
+    ob.libocean.follow_world = False
+    ob.location, ob.rotation_euler.z = (31.7, -12.2, 3.0), 0.6
+    bpy.context.view_layer.update()
+    scene.frame_set(30)
+    assert_patch(ob, sea, 29 / 24)
+
+
+def test_a_mesh_finer_or_coarser_than_its_maps(scene, load):
+    ob, sea = patch(load)
+    ob.libocean.mesh_resolution = 128
+    scene.frame_set(10)
+    assert len(ob.data.vertices) == 129**2
+    want = at_points(sea, "displacement", rest(ob), 9 / 24)
+    limit = 1e-5 * significant_wave_height(sea)
+    assert np.abs(positions(ob) - rest(ob) - want).max() <= limit
+    ob.libocean.mesh_resolution = 32
+    assert len(ob.data.vertices) == 33**2
+    want = at_points(sea, "displacement", rest(ob), 9 / 24)
+    assert np.abs(positions(ob) - rest(ob) - want).max() <= limit
+
+
 def test_copies_show_seas_of_their_own(scene, load):
     ob, sea = patch(load)
     twin = ob.copy()

@@ -17,6 +17,7 @@ from libocean_addon import (
     bake_state,
     compat,
     floating,
+    hints,
     live,
     material,
     operators,
@@ -30,11 +31,11 @@ from libocean_addon import (
 )
 
 GERMAN = translations.TABLE["de_DE"]
-PARTS = (properties, material, operators, records, bake, panels, floating)
+PARTS = (properties, material, operators, records, bake, hints, panels, floating)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
-PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) ")  # of presets and types of water
+PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers
 
 
 # What is to be translated -------------------------------------------------------
@@ -87,6 +88,10 @@ def sockets_of_the_water() -> set[tuple[str, str]]:
     return {("*", name) for name in [*names, "Surface", "Volume"]}
 
 
+def short_labels() -> set[tuple[str, str]]:
+    return {(translations.SEA, label) for label in panels.SHORT.values()}
+
+
 def states() -> set[tuple[str, str]]:
     bpy.ops.libocean.add(use_material=False)
     return {(translations.SEA, label) for label, _ in live.state_of(bpy.context.object)}
@@ -108,7 +113,7 @@ def test_every_text_is_translated(path):
 
 
 def test_every_state_and_socket_is_translated():
-    assert (states() | sockets_of_the_water()) - GERMAN.keys() == set()
+    assert (states() | short_labels() | sockets_of_the_water()) - GERMAN.keys() == set()
 
 
 @pytest.mark.only_reads
@@ -126,7 +131,7 @@ def test_nothing_is_said_untranslated(path):
 
 def test_no_translation_is_of_something_gone():
     written = {(context, text) for context, texts in translations.GERMAN.items() for text in texts}
-    used = states() | sockets_of_the_water()
+    used = states() | short_labels() | sockets_of_the_water()
     for cls in CLASSES:
         used |= labels_of(cls)
     for path in SOURCES:
@@ -163,7 +168,7 @@ def german():
 
 def test_panels_and_operators_have_german_names(german):
     look_up = bpy.app.translations.pgettext_iface
-    assert look_up(panels.WavesPanel.bl_label) == "Wellen"
+    assert look_up(panels.WavesPanel.bl_label) == "See"
     assert look_up(floating.FloatPanel.bl_label) == "Schwimmen (libocean)"
     assert look_up(operators.LoadSea.bl_label, "Operator") == "Seegang laden"
 
@@ -183,11 +188,14 @@ def test_the_panel_asks_for_the_seas_words():
         layout = unittest.mock.MagicMock()
         panels._draw_parameter(layout, group, entry)
         drawn = layout.column.return_value
-        label, context = entry["label"], translations.SEA
-        if sea_text.is_optional(entry):
+        label, context = panels.label_of(entry), translations.SEA
+        if not panels.is_used(group, entry):
+            assert not layout.mock_calls
+        elif sea_text.is_optional(entry):
             drawn.row.assert_called_once_with(heading=label, heading_ctxt=context)
         else:
-            drawn.prop.assert_called_once_with(group, entry["key"], text=label, text_ctxt=context)
+            key = "resolution_list" if entry["key"] == "resolution" else entry["key"]
+            drawn.prop.assert_called_once_with(group, key, text=label, text_ctxt=context)
 
 
 def test_an_operator_that_fails_says_so_in_german(german):

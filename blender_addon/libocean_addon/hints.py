@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What people should know of an object's sea before they wonder: how large it is, and what of its
+settings does something else than it seems to.
+"""
+
+from __future__ import annotations
+
+import math
+
+import bpy
+
+from . import live, meshes, node_group, open_sea
+from .compat import tr, tr_label
+
+_EVEN = 1e-4  # of scales that are meant to be one
+
+
+def of_size(ob) -> list[str]:
+    """Vertices and samples, in words."""
+    lines = []
+    if ob.type == "MESH":
+        lines.append(tr_label("Mesh: {:,} vertices", len(ob.data.vertices)))
+    sizes = live.map_sizes(ob)
+    if sizes is None:
+        return lines
+    megabytes = live.image_bytes(ob) / 1e6
+    text = tr_label("Maps: {} x {} samples, {:,.0f} MB", sizes[0], sizes[0], megabytes)
+    if sizes[0] != sizes[1]:
+        text = tr_label("Maps: {} and, rendered, {}, {:,.0f} MB", sizes[0], sizes[1], megabytes)
+    lines.append(text)
+    made_for = meshes.samples_of(ob)
+    if made_for is not None and made_for < min(sizes) and ob.libocean.kind == "PATCH":
+        lines.append(
+            tr_label("The mesh shows one in {} of their samples", (sizes[0] // made_for) ** 2)
+        )
+    return lines
+
+
+def _of_scale(ob) -> str:
+    scale = [abs(part) for part in ob.matrix_world.to_scale()]
+    if max(scale) - min(scale) > _EVEN * max(scale):
+        return tr_label("The object is scaled unevenly, and so are its waves: apply the scale")
+    if abs(scale[0] - 1.0) > _EVEN:
+        return tr_label("The object is scaled by {:.3g}, and so are its waves", scale[0])
+    return ""
+
+
+def _of_mask(ob, seen) -> str:
+    mask = ob.libocean.mask
+    if not mask or mask in ob.vertex_groups:
+        return ""
+    meshes_of = [data for data in (ob.data, seen.data) if hasattr(data, "attributes")]
+    if any(mask in data.attributes for data in meshes_of):
+        return ""
+    return tr_label("{} is no vertex group or attribute: the sea stands still", mask)
+
+
+def _of_limits(ob) -> str:
+    share = live.share_within_limits(ob)
+    if share is None or share > 0.995:  # which a whole number of percent does not show
+        return ""
+    return tr_label("The limits of the wavelength leave {:.0%} of the wave height", share)
+
+
+def spacing(ob, seen) -> float | None:
+    """Metres between the vertices of a mesh that is the user's own, about; None for others."""
+    if ob.libocean.kind != "MESH" or ob.type != "MESH" or not len(seen.data.polygons):
+        return None
+    width, depth, _ = sorted(ob.dimensions, reverse=True)
+    return math.sqrt(width * depth / len(seen.data.polygons))
+
+
+def is_too_coarse(ob, seen) -> bool:
+    """Whether waves pass between the vertices: two of them a wave are the least that show it."""
+    between, wave = spacing(ob, seen), live.peak_wavelength(ob)
+    return between is not None and wave is not None and between > wave / 2.0
+
+
+def of_object(ob, seen) -> list[str]:
+    """Warnings. seen: as evaluated."""
+    said = [_of_scale(ob), _of_mask(ob, seen), _of_limits(ob)]
+    if len(node_group.modifiers(ob)) > 1:
+        said.append(tr_label("Two ocean modifiers show the same sea, and their waves add up"))
+    if is_too_coarse(ob, seen):
+        text = tr_label(
+            "{:.0f} m between vertices are too far for waves of {:.0f} m",
+            spacing(ob, seen),
+            live.peak_wavelength(ob),
+        )
+        said.append(text)
+    return [text for text in said if text]
+
+
+def subdivisions(ob, seen) -> int:
+    """How often a coarse mesh is to be divided for the samples of its maps, or as many vertices as
+    a patch has by itself."""
+    sea = open_sea.sea_of(ob)
+    samples = live.map_resolution(ob) or meshes.AUTOMATIC
+    wanted = float(sea.values.values["patch_size"]) / samples
+    most = math.log(meshes.AUTOMATIC**2 / len(seen.data.polygons), 4.0)
+    return max(1, min(math.ceil(math.log2(spacing(ob, seen) / wanted)), math.floor(most), 11))
+
+
+class Subdivide(bpy.types.Operator):
+    """Divide the faces before the sea moves them, until they are as fine as its maps: by a
+    modifier that can be changed and removed"""
+
+    bl_idname = "libocean.subdivide"
+    bl_label = "Subdivide for Waves"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context) -> bool:
+        ob = context.object
+        if ob is not None and ob.type == "MESH" and node_group.modifiers(ob):
+            return True
+        cls.poll_message_set(tr("The active object is no mesh with an ocean"))
+        return False
+
+    def execute(self, context):
+        ob = context.object
+        seen = ob.evaluated_get(context.evaluated_depsgraph_get())
+        if spacing(ob, seen) is None or live.map_resolution(ob) is None:
+            self.report({"ERROR"}, tr("The active object is no mesh with an ocean"))
+            return {"CANCELLED"}
+        levels = subdivisions(ob, seen)
+        modifier = ob.modifiers.new("Subdivide for Waves", "SUBSURF")
+        modifier.subdivision_type = "SIMPLE"
+        modifier.levels = modifier.render_levels = levels
+        first = ob.modifiers.find(node_group.modifiers(ob)[0].name)
+        with context.temp_override(object=ob):
+            bpy.ops.object.modifier_move_to_index(modifier=modifier.name, index=first)
+        return {"FINISHED"}
+
+
+CLASSES = (Subdivide,)
+
+register, unregister = bpy.utils.register_classes_factory(CLASSES)

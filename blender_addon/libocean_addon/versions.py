@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of earlier versions of the add-on keep what they meant."""
+
+from __future__ import annotations
+
+from . import baked, changes, meshes, parameter_values, resolutions
+
+
+def upgrade(ob) -> None:
+    """What an object says is said as today; nothing happens to one that does already."""
+    if ob.library is not None:
+        return
+    settings = ob.libocean
+    with changes.quiet():
+        parameter_values.switch_on_given(settings)
+        # Numbers that no list has, which the library refused.
+        for name in ("viewport_resolution", "render_resolution"):
+            setattr(settings, name, resolutions.nearest(getattr(settings, name)))
+        # A patch had a vertex on each sample of its maps, up to 1024 a side.
+        side = meshes.samples_of(ob)
+        if settings.mesh_resolution == 0 and side is not None and side > meshes.AUTOMATIC:
+            settings.mesh_resolution = side
+    baked.upgrade(ob)
