@@ -35,6 +35,7 @@ def _parts() -> list:
         return [translations]
     from . import (
         bake,
+        first_view,
         floating,
         handlers,
         hints,
@@ -51,6 +52,7 @@ def _parts() -> list:
         properties,
         material,
         operators,
+        first_view,
         records,
         bake,
         hints,

@@ -101,6 +101,7 @@ GERMAN = {
     "Operator": {
         "Ocean": "Ozean",
         "Ocean (libocean)": "Ozean (libocean)",
+        "Ocean Scene": "Ozean mit Himmel",
         "Load Sea": "Seegang laden",
         "Save Sea": "Seegang speichern",
         "Sea Preset": "Seegangsvorgabe",
@@ -164,6 +165,9 @@ GERMAN = {
         # The sea of an object.
         "Active wave system": "Aktives Wellensystem",
         "Kind": "Art",
+        "Sun elevation": "Sonnenhöhe",
+        "Sun bearing": "Sonnenrichtung",
+        "Camera height": "Kamerahöhe",
         "Patch": "Kachel",
         "Horizon": "Horizont",
         "Distance": "Entfernung",

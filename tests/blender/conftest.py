@@ -140,8 +140,10 @@ def shot(scene):
 
 
 def pixels(path: Path) -> np.ndarray:
+    """[row, column, channel], the bottom row first."""
     image = bpy.data.images.load(str(path))
-    return np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
+    width, height = image.size
+    return np.array(image.pixels[:], np.float32).reshape(height, width, 4)
 
 
 def rendered(scene, path: Path) -> np.ndarray:

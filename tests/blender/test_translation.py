@@ -16,6 +16,7 @@ from libocean_addon import (
     bake,
     bake_state,
     compat,
+    first_view,
     floating,
     hints,
     live,
@@ -31,7 +32,7 @@ from libocean_addon import (
 )
 
 GERMAN = translations.TABLE["de_DE"]
-PARTS = (properties, material, operators, records, bake, hints, panels, floating)
+PARTS = (properties, material, operators, first_view, records, bake, hints, panels, floating)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
