@@ -62,7 +62,10 @@ def test_an_interrupted_bake_says_how_far_it_came(ocean, number):
     rest, errors = interrupt(process, number)
     printed = 4 + len(rest.splitlines())
     last = errors.splitlines()[-1]
-    assert last == f"ocean: interrupted: {printed // 2} of 5000 frames are done"
+    # A frame is counted, then printed: the signal may come between the two, and printing waits for
+    # no lock, so that a reader who stalls does not keep the signal from being answered.
+    done = [printed // 2, printed // 2 + 1]
+    assert last in [f"ocean: interrupted: {n} of 5000 frames are done" for n in done]
     files = check_whole_files(ocean)
     # Two files a frame, of two frames for each core, in hand or waiting for one before them.
     assert printed <= len(files) <= printed + 2 * (2 * len(os.sched_getaffinity(0)) + 1)
