@@ -43,6 +43,7 @@ std::string Catalogue::product_names() const {
 std::string Catalogue::backend_names() const {
     std::vector<std::string> words;
     for (const Backend& backend : backends) words.emplace_back(backend.name);
+    words.emplace_back(kAutoBackend);
     return listing(words, "or");
 }
 

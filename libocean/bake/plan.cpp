@@ -83,11 +83,40 @@ void refuse_foreign(const BakeOptions& options, const BakeFormat& format,
     }
 }
 
-const Backend& choose_backend(const Catalogue& catalogue, const std::string& name) {
+const Backend& backend_by_name(const Catalogue& catalogue, const std::string& name) {
     for (const Backend& backend : catalogue.backends) {
         if (backend.name == name) return backend;
     }
-    return find_backend(name);
+    if (name == "gl") find_backend(name);  // says why it is not there
+    refuse("unknown backend '" + name + "'; known: " + catalogue.backend_names());
+}
+
+/// Of the backends that are faster than cpu where they run, the first that does.
+void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& plan) {
+    plan.backend = Backend::cpu;
+    plan.backend_note = "backend cpu";
+    for (const Backend& backend : catalogue.backends) {
+        if (backend.fitness == nullptr) continue;
+        const BackendFitness fitness = backend.fitness(resolution);
+        const std::string name(backend.name);
+        if (fitness.runs && fitness.fast) {
+            plan.backend = backend;
+            plan.backend_note = "backend " + name + ": " + fitness.reason;
+            return;
+        }
+        plan.backend_note += ", not " + name + ": " + fitness.reason;
+    }
+}
+
+/// For the largest of the plan's maps. Throws Error no_gpu for one that does not run here.
+void settle_backend(const Catalogue& catalogue, const std::string& name, BakePlan& plan) {
+    const int resolution = std::max(plan.maps.finer, std::ranges::max(plan.maps.resolutions));
+    if (name == kAutoBackend) return choose_fast_backend(catalogue, resolution, plan);
+    plan.backend = backend_by_name(catalogue, name.empty() ? "cpu" : name);
+    if (plan.backend.fitness == nullptr) return;
+    const BackendFitness fitness = plan.backend.fitness(resolution);
+    if (!fitness.runs) throw Error(ErrorKind::no_gpu, "--backend " + name + ": " + fitness.reason);
+    plan.backend_note = "backend " + name + ": " + fitness.reason;
 }
 
 int find_resolution(const BakeOptions& options, const Grid& grid) {
@@ -180,7 +209,10 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.keep_going = options.keep_going;
     plan.threads = options.threads;
     plan.channels = catalogue.channels;
-    plan.backend = choose_backend(catalogue, options.backend.empty() ? "cpu" : options.backend);
+    // A wrong name is told before the sea is read.
+    if (!options.backend.empty() && options.backend != kAutoBackend) {
+        backend_by_name(catalogue, options.backend);
+    }
     if (!options.frames.empty()) plan.frames = parse_frames(options.frames);
 
     plan.sea = options.open_sea(options.source);
@@ -193,6 +225,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     settle_names(settled, plan);
     plan.maps = std::move(settled.maps);
     plan.settings = std::move(settled.settings);
+    settle_backend(catalogue, options.backend, plan);
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
     plan.sea_text = write_sea(plan.sea);

@@ -199,6 +199,7 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     io::make_folder(plan.pattern.folder());
     io::remove_abandoned_temporaries(plan.pattern.folder());
     host.begin(plan, share);
+    if (!plan.backend_note.empty()) host.note(plan.backend_note);
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
                           share.threads_each));
     Ocean ocean(plan.sea, {.threads = plan.threads});

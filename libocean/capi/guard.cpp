@@ -37,6 +37,7 @@ ocean_result code_of(ErrorKind kind) noexcept {
         case ErrorKind::not_found:
             return OCEAN_NOT_FOUND;
         case ErrorKind::unsupported:
+        case ErrorKind::no_gpu:
             return OCEAN_UNSUPPORTED;
         case ErrorKind::output:
             return OCEAN_OUTPUT;

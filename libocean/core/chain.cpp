@@ -68,6 +68,7 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
     }
     if (!same_lattice) {
         modes_ = std::make_shared<Modes>(lattice_->still_modes(pool));
+        modes_.own()->lattice_revision = revision(Stage::modes);
     } else if (modes_.own() == nullptr) {
         modes_ = std::make_shared<Modes>(*modes_.get());
     }

@@ -12,13 +12,39 @@ struct ModeState {
     real rate_im;
 };
 
+// The first half of the digits of x, so that products of halves are exact. [Dekker 1971] section 5
+// with splitter = 2^12 + 1, in double 2^27 + 1.
+formula real leading_half(real x) {
+    precise real wide = x * real(splitter);
+    precise real rest = wide - x;
+    precise real half_x = wide - rest;
+    return half_x;
+}
+
+// a * b - product, exactly, where product is a * b rounded. Not by fma(), which GLSL does not
+// promise to round once: unfused, the phase is lost within the hour.
+formula real product_error(real a, real b, real product) {
+    precise real a1 = leading_half(a);
+    precise real a2 = a - a1;
+    precise real b1 = leading_half(b);
+    precise real b2 = b - b1;
+    precise real e1 = a1 * b1 - product;
+    precise real e2 = e1 + a1 * b2;
+    precise real e3 = e2 + a2 * b1;
+    precise real error = e3 + a2 * b2;
+    return error;
+}
+
 // rate * tau modulo 1, as exact at tau = 1e6 s as at 1 s: the product of the high parts is kept
-// whole by an fma before its integer part is dropped.
+// whole until its integer part is dropped.
 formula real phase_turns(real rate_high, real rate_low, real tau_high, real tau_low) {
     precise real product = rate_high * tau_high;
-    precise real rest = fma(rate_high, tau_high, -product);
+    precise real whole = floor(product + real(0.5));
+    precise real fraction = product - whole;
+    precise real rest = product_error(rate_high, tau_high, product);
     precise real low = rest + (rate_high * tau_low + rate_low * tau_high);
-    return (product - floor(product + real(0.5))) + low;
+    precise real turns = fraction + low;
+    return turns;
 }
 
 // h(k,t) = h0(k) e^(-i w t) + conj(h0(-k)) e^(+i w t): energy of h0(k) travels along +k.
@@ -26,11 +52,11 @@ formula real phase_turns(real rate_high, real rate_low, real tau_high, real tau_
 // rate = w / (2 pi). The second result is its time derivative.
 formula ModeState mode_state(real a, real b, real c, real d, real turns, real rate) {
     SinCos phase = sin_cos_turns(turns);
-    real forward_re = a * phase.cosine + b * phase.sine;
-    real forward_im = b * phase.cosine - a * phase.sine;
-    real mirror_re = c * phase.cosine + d * phase.sine;
-    real mirror_im = c * phase.sine - d * phase.cosine;
-    ModeState state;
+    precise real forward_re = a * phase.cosine + b * phase.sine;
+    precise real forward_im = b * phase.cosine - a * phase.sine;
+    precise real mirror_re = c * phase.cosine + d * phase.sine;
+    precise real mirror_im = c * phase.sine - d * phase.cosine;
+    precise ModeState state;
     state.re = forward_re + mirror_re;
     state.im = forward_im + mirror_im;
     state.rate_re = rate * (forward_im - mirror_im);

@@ -11,12 +11,13 @@ struct SinCos {
 
 // Any finite number of turns. Reduced to |r| <= 1/8 turn, then the Taylor series of sine and
 // cosine to x^15 and x^16: truncation below 1e-16. Written out so that the bits do not depend on
-// a platform's sin and cos. Proved against the C library in noise_test.cpp.
+// a platform's sin and cos, and precise, so that they do not on a driver's compiler either. Proved
+// against the C library in noise_test.cpp.
 formula SinCos sin_cos_turns(real turns) {
-    real quarter = floor(real(4.0) * turns + real(0.5));
-    real x = (turns - real(0.25) * quarter) * real(6.283185307179586);
-    real q = x * x;
-    real s = real(-1.0 / 1307674368000.0);
+    precise real quarter = floor(real(4.0) * turns + real(0.5));
+    precise real x = (turns - real(0.25) * quarter) * real(6.283185307179586);
+    precise real q = x * x;
+    precise real s = real(-1.0 / 1307674368000.0);
     s = s * q + real(1.0 / 6227020800.0);
     s = s * q - real(1.0 / 39916800.0);
     s = s * q + real(1.0 / 362880.0);
@@ -24,7 +25,7 @@ formula SinCos sin_cos_turns(real turns) {
     s = s * q + real(1.0 / 120.0);
     s = s * q - real(1.0 / 6.0);
     s = x + x * q * s;
-    real c = real(1.0 / 20922789888000.0);
+    precise real c = real(1.0 / 20922789888000.0);
     c = c * q - real(1.0 / 87178291200.0);
     c = c * q + real(1.0 / 479001600.0);
     c = c * q - real(1.0 / 3628800.0);
@@ -33,7 +34,7 @@ formula SinCos sin_cos_turns(real turns) {
     c = c * q + real(1.0 / 24.0);
     c = c * q - real(0.5);
     c = c * q + real(1.0);
-    real which = quarter - real(4.0) * floor(real(0.25) * quarter);  // 0, 1, 2 or 3
+    precise real which = quarter - real(4.0) * floor(real(0.25) * quarter);  // 0, 1, 2 or 3
     SinCos result;
     if (which == real(0.0)) {
         result.sine = s;

@@ -90,8 +90,9 @@ LIBRARIES = {
     ),
     "gl": Library(
         below=("core", "seafile"),
-        foreign={"": ("EGL/", "GL/", "GLES3/")},
-        links=("OpenGL::EGL", "OpenGL::GL", "OpenGL::OpenGL"),
+        # What EGL and GLX are there is asked of the dynamic linker.
+        foreign={"": ("dlfcn.h", "epoxy/", "wave/")},
+        links=("${CMAKE_DL_LIBS}", "PkgConfig::epoxy"),
     ),
     "bridge": Library(
         below=("core", "seafile", "io/file"),

@@ -116,7 +116,6 @@ def test_formats_of_later_versions_say_so(ocean, extension):
 @pytest.mark.parametrize(
     ("arguments", "parts"),
     [
-        (["--backend", "gl"], ["gl", "later version"]),
         (["--backend", "gpu"], ["gpu", "radix2"]),
         (["--products", "heights"], ["heights", "height"]),
         (["--products", "height,height"], ["height", "twice"]),

@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define real float
 #define formula
+#define splitter 4097.0
 #include "wave/turns.glsl"
 #include "wave/noise.glsl"
 #include "wave/dispersion.glsl"

@@ -104,7 +104,7 @@ def test_headers_and_libraries_are_there(everything):
     assert installed == theirs - {Path("ocean/netcdf_spectra.hpp")}
     libraries = {path.stem.removeprefix("libocean_") for path in everything.rglob("*.a")}
     io = {"io_exr", "io_file", "io_image", "io_mesh", "io_povray"}
-    assert libraries == {"core", "seafile", "bake"} | io
+    assert libraries == {"core", "seafile", "bake", "gl"} | io
 
 
 def test_the_package_names_no_place(everything):
@@ -117,6 +117,13 @@ def test_the_package_names_no_place(everything):
 def test_a_cpp_program_shows_the_sea_of_the_build(everything, sea_and_height, tmp_path):
     sea, height = sea_and_height
     assert run(build("cpp", tmp_path, everything), sea) == height
+
+
+def test_a_cpp_program_shows_the_sea_by_a_gpu(everything, sea_and_height, tmp_path):
+    sea, _ = sea_and_height
+    by_gpu, by_cpu = map(float, run(build("gpu", tmp_path, everything), sea).split())
+    assert abs(by_gpu - by_cpu) < 1e-5
+    assert abs(by_cpu) > 1e-3
 
 
 def test_static_libraries_go_into_a_shared_one(everything, tmp_path):
@@ -151,7 +158,8 @@ def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
             "ocean::bake;ocean::core;ocean::io_exr;ocean::io_file;ocean::io_image;ocean::io_mesh;"
             "ocean::io_povray;ocean::seafile",
         ),
-        ("COMPONENTS c OPTIONAL_COMPONENTS gl", "ocean::c"),
+        ("COMPONENTS gl", "ocean::core;ocean::gl"),
+        ("COMPONENTS c OPTIONAL_COMPONENTS vdb", "ocean::c"),
     ],
 )
 def test_components_bring_what_they_need(everything, tmp_path, components, targets):
@@ -161,7 +169,7 @@ def test_components_bring_what_they_need(everything, tmp_path, components, targe
 
 @pytest.mark.parametrize(
     ("prefix", "missing", "installed"),
-    [("everything", "gl", "c, core, seafile, io, bake"), ("c_host", "core", "c")],
+    [("everything", "vdb", "c, core, gl, seafile, io, bake"), ("c_host", "core", "c")],
 )
 def test_a_missing_component_is_named(request, tmp_path, prefix, missing, installed):
     folder = request.getfixturevalue(prefix)

@@ -11,10 +11,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/wave.hpp"
 #include "ocean/cascade_map.hpp"
 #include "ocean/error.hpp"
 #include "test_seas.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

@@ -16,10 +16,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/wave.hpp"
 #include "modes/quadrant_sampler.hpp"
 #include "ocean/dispersion.hpp"
 #include "test_seas.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

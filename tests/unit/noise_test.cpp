@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-#include "base/wave.hpp"
 #include "modes/noise_row.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

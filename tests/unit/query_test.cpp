@@ -12,11 +12,11 @@
 #include <random>
 #include <thread>
 
-#include "base/wave.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "ocean/wave_sum.hpp"
 #include "test_seas.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

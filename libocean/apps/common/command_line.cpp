@@ -32,6 +32,7 @@ int exit_code(ErrorKind kind) {
     switch (kind) {
         case ErrorKind::output:
         case ErrorKind::out_of_memory:
+        case ErrorKind::no_gpu:
             return kFailed;
         case ErrorKind::interrupted:
             return kInterruptedExit;

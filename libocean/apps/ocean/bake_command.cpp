@@ -12,6 +12,10 @@
 #include "console_host.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
+#if OCEAN_HAS_GL
+#include "ocean/gl/context.hpp"
+#include "ocean/text.hpp"
+#endif
 #include "sea_argument.hpp"
 
 namespace ocean::app {
@@ -21,6 +25,7 @@ struct Typed {
     BakeOptions bake;
     SeaArgument sea;
     std::map<std::string, bool> flags;  // of formats
+    std::string egl_device;
     bool dry_run = false;
 };
 
@@ -34,19 +39,26 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
            "A baked file in place of SEA: the sea, and all options below that are not given"},
           {"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
         {"Output",
-         {{"-o,--output", &bake.output, "FILE", "out/sea.####.exr; " + catalogue.extensions("or"),
-           kRequired},
-          {"--frames", &bake.frames, "RANGES",
-           "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
-          {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames, such as 2/5"},
-          {"--skip-existing", &bake.skip_existing, "",
-           "Keep complete files of the same sea and options, which takes reading them"},
-          {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},
-          {"-n,--dry-run", &typed.dry_run, "",
-           "Print the files and how much room they need; write nothing"},
-          {"--resolution", &bake.resolution, "R",
-           "Samples along a side, a power of two; default: the sea's grid"},
-          {"--backend", &bake.backend, "NAME", catalogue.backend_names() + "; default cpu"}}},
+         {
+             {"-o,--output", &bake.output, "FILE",
+              "out/sea.####.exr; " + catalogue.extensions("or"), kRequired},
+             {"--frames", &bake.frames, "RANGES",
+              "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
+             {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames, such as 2/5"},
+             {"--skip-existing", &bake.skip_existing, "",
+              "Keep complete files of the same sea and options, which takes reading them"},
+             {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},
+             {"-n,--dry-run", &typed.dry_run, "",
+              "Print the files and how much room they need; write nothing"},
+             {"--resolution", &bake.resolution, "R",
+              "Samples along a side, a power of two; default: the sea's grid"},
+             {"--backend", &bake.backend, "NAME",
+              catalogue.backend_names() + "; default cpu. auto: gl on a GPU, else cpu"},
+#if OCEAN_HAS_GL
+             {"--egl-device", &typed.egl_device, "N",
+              "The GPU for gl, of those that EGL lists, from 0; default: the first"},
+#endif
+         }},
     };
 }
 
@@ -88,6 +100,11 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     options.open_sea = [&typed](const std::string& source) {
         return open_sea({source, typed.sea.assignments});
     };
+#if OCEAN_HAS_GL
+    if (!typed.egl_device.empty()) {
+        gl::use_egl_device(parse_whole_number(typed.egl_device, "--egl-device", 0, 63));
+    }
+#endif
     const BakePlan plan = make_bake_plan(options, catalogue);
     InputFiles inputs(typed.sea, plan.sea);
     inputs.add(options.from);

@@ -4,10 +4,10 @@
 // What a gauge reads: the label that is shown at its place, then all modes there; see gauge.hpp.
 #include <cmath>
 
-#include "base/wave.hpp"
 #include "ocean/gauge.hpp"
 #include "ocean/query.hpp"
 #include "query/inversion.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

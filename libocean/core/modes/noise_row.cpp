@@ -12,7 +12,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/wave.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 

@@ -12,7 +12,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/wave.hpp"
 #include "ocean/thread_pool.hpp"
 #include "ocean/wave_sum.hpp"
 #include "query/inversion.hpp"
@@ -20,6 +19,7 @@
 #include "query/query_points.hpp"
 #include "query/spline_map.hpp"
 #include "query/spline_strips.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "base/touch_pages.hpp"
-#include "base/wave.hpp"
 #include "ocean/thread_pool.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 namespace {

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <complex>
 
-#include "base/wave.hpp"
 #include "query/orbital_decay.hpp"
 #include "query/wave_sum_fixed.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/wave.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "base/wave.hpp"
 #include "ocean/channel.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean::channel_formula {
 namespace {

@@ -15,14 +15,15 @@
 namespace ocean {
 
 MapModes map_modes(const Modes& modes, double time, int resolution) {
-    return {modes.cascades,    modes.lattice.period, 1,         modes.tau(time),
-            modes.rate_unit(), modes.revision,       resolution};
+    return {modes.cascades,  modes.lattice.period,  1,
+            modes.tau(time), modes.rate_unit(),     resolution,
+            modes.revision,  modes.lattice_revision};
 }
 
 MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution) {
     const CascadeModes& own = modes.cascades[cascade];
-    return {{&own, 1},         own.lattice.period, own.divisor, modes.tau(time),
-            modes.rate_unit(), modes.revision,     resolution};
+    return {{&own, 1},         own.lattice.period, own.divisor,    modes.tau(time),
+            modes.rate_unit(), resolution,         modes.revision, modes.lattice_revision};
 }
 
 namespace {
@@ -72,7 +73,7 @@ const Backend& find_backend(std::string_view name) {
     }
     if (name == "gl") {
         throw Error(ErrorKind::unsupported,
-                    "backend gl comes with a later version of libocean; use cpu");
+                    "backend gl is not in this program: it was built without a GPU library");
     }
     throw Error(ErrorKind::invalid_value,
                 "unknown backend '" + std::string(name) + "'; known: " + known);

@@ -7,9 +7,9 @@
 #include <complex>
 #include <vector>
 
-#include "base/wave.hpp"
 #include "ocean/grid.hpp"
 #include "synthesis/synthesis.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean {
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ocean/foam_layer.hpp"
@@ -34,8 +35,9 @@ struct MapModes {
     int divisor = 1;             // patch_size / period
     double tau = 0.0;            // of Modes
     double rate_unit = 1.0;      // of Modes
-    std::uint64_t revision = 0;  // of Modes
     int resolution = 0;          // of the map; may be more or less than that of the modes
+    std::uint64_t revision = 0;  // of Modes
+    std::uint64_t lattice_revision = 0;
 
     double wavenumber_step() const { return kTwoPi / period; }
     /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
@@ -73,6 +75,13 @@ struct MapRequest {
 /// keep and change it for themselves alone.
 using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
 
+/// What a backend has to say of this machine.
+struct BackendFitness {
+    bool runs = true;
+    bool fast = false;   // more than cpu: what `auto` takes
+    std::string reason;  // what it runs on; or why it does not run, or is not fast
+};
+
 struct Backend {
     std::string_view name;
     /// The channels that it makes itself. Others are made, by their formulas, of the linear fields,
@@ -81,6 +90,8 @@ struct Backend {
     MapFunction (*start)() = nullptr;
     /// Memory of its own for maps of such fields of a sea, beside modes and outputs; null: little.
     std::uint64_t (*work_bytes)(const Grid& grid, LinearSet fields, int resolution) = nullptr;
+    /// For maps of that resolution; null: it runs everywhere.
+    BackendFitness (*fitness)(int resolution) = nullptr;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 
@@ -91,7 +102,7 @@ struct Backend {
 
 /// cpu, radix2, dft.
 std::span<const Backend> core_backends();
-/// One of those by name. Throws Error; "gl" is not in this version.
+/// One of those by name. Throws Error; "gl" is for those who link ocean::gl.
 const Backend& find_backend(std::string_view name);
 
 }  // namespace ocean

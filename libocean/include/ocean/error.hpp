@@ -18,6 +18,7 @@ enum class ErrorKind {
     output,         // the run's own writing failed: path, permission, full disk
     out_of_memory,  // more memory than there is, said before it is allocated
     interrupted,    // stopped by the user
+    no_gpu,         // none there, one that cannot do it, or one that was lost
 };
 
 /// Says what was wrong, the value, and what is allowed, in one sentence a user can act on.

@@ -54,6 +54,9 @@ struct Modes {
     /// Another number for every change that their owner makes, so that what was made of them can be
     /// kept; 0 where nobody counts.
     std::uint64_t revision = 0;
+    /// Another number when more than h0 has changed: what was made of rates and displacements alone
+    /// can be kept. 0 where nobody counts.
+    std::uint64_t lattice_revision = 0;
 
     /// Of the modes that a map of `resolution` samples holds.
     GradientCovariance gradient_covariance(int resolution) const;

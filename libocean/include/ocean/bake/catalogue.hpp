@@ -14,6 +14,9 @@
 
 namespace ocean {
 
+/// As `--backend`: what is fastest on this machine.
+inline constexpr std::string_view kAutoBackend = "auto";
+
 struct Catalogue {
     std::span<const BakeFormat* const> formats;
     std::span<const Product> products;
@@ -24,7 +27,7 @@ struct Catalogue {
     std::string extensions(std::string_view conjunction) const;
     /// "height, displacement, ...".
     std::string product_names() const;
-    /// "cpu, radix2 or dft".
+    /// "cpu, radix2, dft or auto".
     std::string backend_names() const;
 };
 

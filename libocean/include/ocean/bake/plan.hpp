@@ -50,6 +50,7 @@ struct BakePlan {
     std::string shard;             // as typed; "" = all
     bool product_in_name = false;  // of each file
     Backend backend;
+    std::string backend_note;  // why that one; "" where the user said so and nothing is to be told
     std::span<const ChannelInfo> channels;  // of the catalogue, beside the library's
     int resolution = 0;                     // of the finest map
     int threads = 0;

@@ -15,7 +15,6 @@ namespace ocean::wave {
 using uint = std::uint32_t;
 using std::cosh;
 using std::floor;
-using std::fma;
 using std::ldexp;
 using std::max;
 using std::min;
@@ -42,6 +41,7 @@ inline int findMSB(uint x) {
 #define formula inline
 namespace single_precision {
 using real = float;
+inline constexpr float splitter = 4097.0f;
 #include "wave/turns.glsl"
 
 #include "wave/noise.glsl"
@@ -53,6 +53,7 @@ using real = float;
 
 namespace double_precision {
 using real = double;
+inline constexpr double splitter = 134217729.0;
 #include "wave/turns.glsl"
 
 #include "wave/noise.glsl"

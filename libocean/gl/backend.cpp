@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+// The backend `gl`: maps from the GPU into the host's buffers; see ocean/gl/backend.hpp.
+#include "ocean/gl/backend.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "checks.hpp"
+#include "map_frame.hpp"
+#include "ocean/error.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/page_vector.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean::gl {
+
+namespace {
+
+constexpr ChannelSet kAll = [] {
+    ChannelSet all;
+    for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
+    return all;
+}();
+
+std::vector<Quantity> quantities_of(std::span<const MapOutput> outputs) {
+    std::vector<Quantity> quantities;
+    for (const MapOutput& output : outputs) {
+        for (const auto& [quantity, factor] : output.used()) {
+            if (quantity == Quantity{}) continue;
+            if (std::ranges::find(quantities, quantity) == quantities.end()) {
+                quantities.push_back(quantity);
+            }
+        }
+    }
+    return quantities;
+}
+
+/// What there is of one context: the frames of each resolution, and a texture for the foam's past.
+class GpuMaps {
+  public:
+    explicit GpuMaps(const ContextInfo& limits) : limits_(limits) {}
+
+    bool write(const MapRequest& request, ThreadPool& pool) {
+        const std::vector<Quantity> quantities = quantities_of(request.outputs);
+        if (quantities.empty()) return false;
+        const int resolution = request.modes.resolution;
+        auto found = maps_.find(resolution);
+        if (found == maps_.end()) {
+            found = maps_.emplace(resolution, OneResolution{{resolution, limits_}, {}}).first;
+        }
+        OneResolution& maps = found->second;
+        if (foam_use(channels_of(request.outputs)) == FoamUse::past) {
+            upload_past(request.foam, resolution, maps.past);
+        }
+        const bool uploaded = maps.frame.make(request, quantities, maps.past, pool);
+        read_back(maps.frame, request, pool);
+        return uploaded;
+    }
+
+  private:
+    struct OneResolution {
+        MapFrame frame;
+        Texture past;
+    };
+
+    static void upload_past(const FoamLayer& foam, int resolution, Texture& past) {
+        const bool is_new = !past;
+        if (is_new) past = make_texture(GL_R32F, resolution);
+        if (foam.map == nullptr && !is_new) return;
+        glBindTexture(GL_TEXTURE_2D, past.name());
+        // Nothing is 0 times whatever is there, but not times NaN.
+        const PageVector<float> nothing(foam.map == nullptr ? Lattice{resolution, 1.0}.size() : 0,
+                                        0.0f);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution, resolution, GL_RED, GL_FLOAT,
+                        foam.map != nullptr ? foam.map : nothing.data());
+        require_no_error("uploading the foam");
+    }
+
+    void read_back(const MapFrame& frame, const MapRequest& request, ThreadPool& pool) {
+        const auto samples = Lattice{request.modes.resolution, 1.0}.size();
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+        for (std::size_t m = 0; m < frame.plan().maps.size(); ++m) {
+            const MapTexture& map = frame.plan().maps[m];
+            texels_.resize(samples * static_cast<std::size_t>(map.components()));
+            glBindTexture(GL_TEXTURE_2D, frame.map(m).name());
+            glGetTexImage(GL_TEXTURE_2D, 0, map.pixel_format(), GL_FLOAT, texels_.data());
+            require_no_error("reading a frame back");
+            for (std::size_t c = 0; c < map.quantities.size(); ++c) {
+                write_quantity(map, c, request, pool);
+            }
+        }
+    }
+
+    void write_quantity(const MapTexture& map, std::size_t component, const MapRequest& request,
+                        ThreadPool& pool) const {
+        const auto width = static_cast<std::size_t>(request.modes.resolution);
+        const auto step = static_cast<std::size_t>(map.components());
+        for (const MapOutput& output : request.outputs) {
+            for (std::size_t c = 0; c < output.used().size(); ++c) {
+                if (output.component[c].quantity != map.quantities[component]) continue;
+                const float factor = output.component[c].factor;
+                const auto stride = static_cast<std::size_t>(output.components);
+                const std::size_t pitch = output.pitch(request.modes.resolution);
+                pool.for_each_item(request.modes.resolution, [&](int row, int) {
+                    const auto j = static_cast<std::size_t>(row);
+                    const float* from = texels_.data() + j * width * step + component;
+                    float* to = output.data + j * pitch + c;
+                    for (std::size_t i = 0; i < width; ++i)
+                        to[i * stride] = factor * from[i * step];
+                });
+            }
+        }
+    }
+
+    ContextInfo limits_;
+    std::map<int, OneResolution> maps_;
+    PageVector<float> texels_;
+};
+
+/// The function of the backend. A copy has all of its own: contexts are not shared.
+class GpuBackend {
+  public:
+    GpuBackend() = default;
+    GpuBackend(const GpuBackend&) {}
+    ~GpuBackend() {
+        if (!own_) return;
+        try {
+            const HeadlessContext::Current current(*own_);
+            maps_.reset();
+        } catch (const Error&) {
+            // Lost, and its objects with it.
+        }
+    }
+
+    bool operator()(const MapRequest& request, ThreadPool& pool) {
+        if (!maps_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
+        std::optional<HeadlessContext::Current> current;
+        if (own_) current.emplace(*own_);
+        if (!maps_) maps_ = std::make_unique<GpuMaps>(context_info());
+        return maps_->write(request, pool);
+    }
+
+  private:
+    std::unique_ptr<HeadlessContext> own_;
+    std::unique_ptr<GpuMaps> maps_;
+};
+
+/// Modes, packs, textures, and what is read back.
+std::uint64_t gpu_bytes(const Grid&, LinearSet fields, int resolution) {
+    const auto count = static_cast<std::uint64_t>(fields.size());
+    const std::uint64_t packs = 8 * ((count + 1) / 2);
+    const std::uint64_t textures = 16 * ((count + 3) / 4);
+    return Lattice{resolution, 1.0}.size() * (20 + packs + textures + 16);
+}
+
+BackendFitness gpu_fitness(int resolution) {
+    try {
+        const HeadlessContext context;
+        const HeadlessContext::Current current(context);
+        const MapFrame frame(resolution, context.info());
+        const std::string machine = context.info().text();
+        if (context.info().software) return {true, false, machine + ", is no GPU"};
+        return {true, true, machine};
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::no_gpu) throw;
+        return {false, false, error.what()};
+    }
+}
+
+}  // namespace
+
+const Backend kBackend = {"gl", kAll, [] { return MapFunction(GpuBackend()); }, gpu_bytes,
+                          gpu_fitness};
+
+}  // namespace ocean::gl

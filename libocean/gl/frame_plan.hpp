@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+// What a frame computes, and the lines of #define that make the two passes compute it: from the
+// tables of linear fields and channels, so that neither stands in a shader again.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <string>
+#include <vector>
+
+#include "ocean/map_output.hpp"
+
+namespace ocean::gl {
+
+/// The shape of the two passes for maps of a resolution, within the limits of a GPU.
+struct PassShape {
+    int resolution = 0;
+    int columns = 4;        // of a workgroup of pass two
+    int rows_padding = 31;  // a free place every 2^padding; 31: none
+    int columns_padding = 31;
+    bool split = false;  // real and imaginary parts exchanged one after the other
+
+    int threads() const { return resolution / 8; }  // of a line
+};
+/// Throws Error no_gpu if a workgroup cannot hold a line.
+PassShape pass_shape(int resolution, int shared_bytes, int workgroup_threads);
+
+/// The linear fields that share a complex transform. A field is always with the same other:
+/// whatever else is asked for, its bits are the same. Each rounds the other, so the two are of one
+/// kind; but gradient_xy is multiplied by ModesOnGpu::gradient_scale on its way, to be as large as
+/// the height.
+struct FieldPair {
+    Linear real;
+    Linear imaginary;
+};
+inline constexpr FieldPair kFieldPairs[] = {
+    {Linear::height, Linear::gradient_xy},
+    {Linear::displacement_x, Linear::displacement_y},
+    {Linear::slope_x, Linear::slope_y},
+    {Linear::gradient_xx, Linear::gradient_yy},
+    {Linear::displacement_x_rate, Linear::displacement_y_rate},
+    {Linear::height_rate, Linear::height_rate},
+};
+
+/// Up to four quantities in one texture.
+struct MapTexture {
+    std::vector<Quantity> quantities;
+
+    int components() const;       // of the texture: 1, 2 or 4
+    GLenum format() const;        // GL_R32F, GL_RG32F or GL_RGBA32F
+    GLenum pixel_format() const;  // GL_RED, GL_RG or GL_RGBA
+};
+
+struct FramePlan {
+    PassShape shape;
+    std::vector<FieldPair> packs;
+    std::vector<MapTexture> maps;
+    bool foam = false;  // a channel reads the past
+
+    std::string rows_defines() const;
+    std::string columns_defines() const;
+};
+
+/// For these quantities, without repetition. flat: choppiness 0.
+FramePlan make_frame_plan(const PassShape& shape, std::vector<Quantity> quantities, bool flat);
+
+}  // namespace ocean::gl

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+// Objects of OpenGL that are deleted with their owner, which needs their context to be current.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <utility>
+
+namespace ocean::gl {
+
+template <void (*kDelete)(GLuint)>
+class Object {
+  public:
+    Object() = default;
+    explicit Object(GLuint name) : name_(name) {}
+    ~Object() {
+        if (name_ != 0) kDelete(name_);
+    }
+    Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    Object& operator=(Object&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+
+    GLuint name() const { return name_; }
+    explicit operator bool() const { return name_ != 0; }
+
+  private:
+    GLuint name_ = 0;
+};
+
+inline void delete_buffer(GLuint name) {
+    glDeleteBuffers(1, &name);
+}
+inline void delete_texture(GLuint name) {
+    glDeleteTextures(1, &name);
+}
+inline void delete_program(GLuint name) {
+    glDeleteProgram(name);
+}
+inline void delete_shader(GLuint name) {
+    glDeleteShader(name);
+}
+
+using Buffer = Object<delete_buffer>;
+using Texture = Object<delete_texture>;
+using Program = Object<delete_program>;
+using Shader = Object<delete_shader>;
+
+}  // namespace ocean::gl

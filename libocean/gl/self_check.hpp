@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+// Whether a driver computes as the shaders need it.
+#pragma once
+
+namespace ocean::gl {
+
+/// Compares phase and noise of the current context's shaders with the library's own at some modes
+/// and times, up to 10^6 s. Throws Error no_gpu if they differ by more than rounding.
+void check_shader_arithmetic();
+
+}  // namespace ocean::gl

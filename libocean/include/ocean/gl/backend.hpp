@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+// The backend `gl`: maps by compute shaders of OpenGL 4.3.
+#pragma once
+
+#include "ocean/backend.hpp"
+
+namespace ocean::gl {
+
+/// In the context that is current when it is first called, and from then on; where there is none,
+/// in a headless one of its own. In a host's context it leaves other bindings behind: program,
+/// storage buffers 0 to 9, image units 0 to 6, texture of unit 0, buffers for packing pixels.
+/// Throws Error no_gpu where it cannot run. Its fitness is that of a headless context: fast is what
+/// no processor plays.
+extern const Backend kBackend;
+
+}  // namespace ocean::gl

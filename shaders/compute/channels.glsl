@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+// Channels of one texel by the formulas of wave/surface.glsl. Needs surface.glsl. Each function is
+// named after its row in the table of channels; the rows without a formula are multiples.
+
+layout(location = 0) uniform float choppiness;
+layout(location = 1) uniform vec2 whitecap_threshold_and_width;
+layout(location = 2) uniform vec2 foam_fade_and_least;
+
+// The linear fields, by their names in the library; those that nobody asked for are 0.
+struct Fields {
+    float height;
+    float displacement_x;
+    float displacement_y;
+    float slope_x;
+    float slope_y;
+    float gradient_xx;
+    float gradient_yy;
+    float gradient_xy;
+    float height_rate;
+    float displacement_x_rate;
+    float displacement_y_rate;
+};
+
+vec3 normal_of(Fields p) {
+    SurfaceNormal n = surface_normal(choppiness, p.gradient_xx, p.gradient_yy, p.gradient_xy,
+                                     p.slope_x, p.slope_y);
+    // Its z, near 1, has most of its digits in common with all others: not by inversesqrt, of which
+    // drivers promise little, but from what is small.
+    float up = 1.0 - (n.x * n.x + n.y * n.y) / (1.0 + abs(n.z));
+    return vec3(n.x, n.y, n.z < 0.0 ? -up : up);
+}
+
+float channel_nx(Fields p, float foam_left) {
+    return normal_of(p).x;
+}
+
+float channel_ny(Fields p, float foam_left) {
+    return normal_of(p).y;
+}
+
+float channel_nz(Fields p, float foam_left) {
+    return normal_of(p).z;
+}
+
+float channel_jacobian(Fields p, float foam_left) {
+    return surface_jacobian(choppiness, p.gradient_xx, p.gradient_yy, p.gradient_xy);
+}
+
+float channel_whitecap(Fields p, float foam_left) {
+    return surface_whitecap(channel_jacobian(p, foam_left), whitecap_threshold_and_width.x,
+                            whitecap_threshold_and_width.y);
+}
+
+float channel_foam(Fields p, float foam_left) {
+    float foam = max(channel_whitecap(p, foam_left), foam_fade_and_least.x * foam_left);
+    return foam < foam_fade_and_least.y ? 0.0 : foam;
+}

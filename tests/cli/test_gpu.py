@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean bake --backend gl`: the same frames, by whom they were computed, and what is said when
+there is no GPU."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy
+import OpenImageIO as oiio
+import pytest
+
+SHADERS = Path(__file__).resolve().parents[2] / "shaders"
+BAKE = ("bake", "sea.toml", "--products", "displacement,normal,foam", "--type", "float")
+
+
+def built_with_gl(ocean) -> bool:
+    return "libepoxy" in ocean.good("--version")
+
+
+@pytest.fixture(autouse=True)
+def gl(ocean):
+    if not built_with_gl(ocean):
+        pytest.skip("the command was built without libepoxy")
+
+
+def pixels(path: Path) -> numpy.ndarray:
+    return oiio.ImageBuf(str(path)).get_pixels(oiio.FLOAT)
+
+
+def with_environment(**variables) -> dict:
+    return {"env": {**os.environ, **variables}}
+
+
+def test_frames_are_those_of_the_cpu_and_say_who_made_them(ocean):
+    ocean.good(*BAKE, "-o", "gl/s.####.exr", "--frames", "1-3", "--backend", "gl")
+    ocean.good(*BAKE, "-o", "cpu/s.####.exr", "--frames", "1-3")
+    for frame in (1, 3):
+        for product, bound in (("displacement", 2e-6), ("normal", 2e-6), ("foam", 4 / 512)):
+            name = f"s.{product}.{frame:04}.exr"
+            made, expected = pixels(ocean.folder / "gl" / name), pixels(ocean.folder / "cpu" / name)
+            error = numpy.sqrt(numpy.mean((made - expected) ** 2))
+            spread = numpy.sqrt(numpy.mean((expected - expected.mean((0, 1))) ** 2))
+            assert error <= bound * (spread if product != "foam" else 1), (name, error, spread)
+    header = oiio.ImageInput.open(str(ocean.folder / "gl/s.normal.0001.exr")).spec()
+    assert header.getattribute("ocean:backend") == "gl"
+
+
+def test_equal_frames_have_equal_bytes_however_they_are_split(ocean):
+    ocean.good(*BAKE, "-o", "a/s.####.exr", "--frames", "1-4", "--backend", "gl")
+    for shard in ("1/2", "2/2"):
+        ocean.good(*BAKE, "-o", "b/s.####.exr", "--frames", "1-4", "--backend", "gl", "--shard",
+                   shard)  # fmt: skip
+    frames = {name: h for name, h in ocean.hashes("a").items() if name.endswith(".exr")}
+    assert len(frames) == 12
+    assert frames.items() <= ocean.hashes("b").items()
+
+
+def test_auto_takes_the_cpu_on_software_and_the_header_says_so(ocean):
+    done = ocean(*BAKE, "-o", "s.####.exr", "--backend", "auto", "-v")
+    assert done.returncode == 0, done.stderr
+    if "no GPU" not in done.stderr:
+        pytest.skip("there is a GPU")
+    assert "backend cpu, not gl: " in done.stderr
+    header = oiio.ImageInput.open(str(ocean.folder / "s.normal.0001.exr")).spec()
+    assert header.getattribute("ocean:backend") == "cpu"
+
+
+NO_VENDOR = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent.json"}
+
+
+def test_without_a_gpu_gl_fails_and_auto_does_not(ocean):
+    done = ocean(*BAKE, "-o", "s.exr", "--backend", "gl", **with_environment(**NO_VENDOR))
+    assert done.returncode == 1
+    assert done.stderr.startswith("ocean: --backend gl: no GPU can be used")
+    assert done.stderr.count("\n") == 1
+    assert not list(ocean.folder.glob("*.exr"))
+    done = ocean(*BAKE, "-o", "s.####.exr", "--backend", "auto", **with_environment(**NO_VENDOR))
+    assert done.returncode == 0, done.stderr
+
+
+def test_an_old_driver_is_refused_by_its_version(ocean):
+    old = with_environment(MESA_GL_VERSION_OVERRIDE="4.2", MESA_GLSL_VERSION_OVERRIDE="420")
+    done = ocean(*BAKE, "-o", "s.exr", "--backend", "gl", **old)
+    if done.returncode == 0:
+        pytest.skip("the driver is not Mesa's")
+    assert done.returncode == 1
+    assert "4.3" in done.stderr
+
+
+def test_a_file_of_the_gpu_is_made_again_by_it_or_not_at_all(ocean):
+    ocean.good(*BAKE, "-o", "s.####.exr", "--backend", "gl")
+    again = ("bake", "--from", "s.displacement.0001.exr", "-o", "again.exr")
+    ocean.good(*again)
+    assert (pixels(ocean.folder / "again.exr")
+            == pixels(ocean.folder / "s.displacement.0001.exr")).all()  # fmt: skip
+    (ocean.folder / "again.exr").unlink()
+    assert ocean(*again, **with_environment(**NO_VENDOR)).returncode == 1
+    assert not (ocean.folder / "again.exr").exists()
+
+
+def test_a_device_that_is_not_there_is_told(ocean):
+    message = ocean.bad(*BAKE, "-o", "s.exr", "--backend", "gl", "--egl-device", "63", code=1)
+    assert "EGL device 63: there are " in message
+    assert "--egl-device" in ocean.bad(*BAKE, "-o", "s.exr", "--egl-device", "first")
+
+
+def test_maps_beyond_the_limits_are_refused_with_them(ocean):
+    done = ocean(*BAKE, "-o", "s.exr", "--backend", "gl", "--resolution", "8192", "-n")
+    if done.returncode == 0:
+        pytest.skip("this GPU can do it")
+    assert done.returncode == 1
+    assert "maps of 8192 samples need 536870912 bytes in a storage block" in done.stderr
+
+
+def test_shaders_from_a_folder_take_the_place_of_those_inside(ocean):
+    shutil.copytree(SHADERS, ocean.folder / "shaders")
+    own = with_environment(OCEAN_SHADER_DIR=str(ocean.folder / "shaders"))
+    bake = ("bake", "sea.toml", "-o", "s.exr", "--products", "jacobian", "--backend", "gl")
+    channels = ocean.folder / "shaders/compute/channels.glsl"
+    text = channels.read_text()
+
+    channels.write_text(text.replace("return surface_jacobian(", "return 7.0 + surface_jacobian("))
+    done = ocean(*bake, **own)
+    assert done.returncode == 0, done.stderr
+    assert abs(pixels(ocean.folder / "s.exr").mean() - 8.0) < 0.1
+
+    channels.write_text(text.replace("return surface_jacobian(", "return surface_jacobean("))
+    done = ocean(*bake, **own)
+    assert done.returncode == 1
+    assert "does not compile the shader compute/columns.comp" in done.stderr
+    assert "surface_jacobean" in done.stderr and "compute/channels.glsl" in done.stderr
+
+    shutil.rmtree(ocean.folder / "shaders")
+    done = ocean(*bake, **own)
+    assert done.returncode != 0
+    assert "OCEAN_SHADER_DIR" in done.stderr
+
+
+def test_a_bake_goes_on_with_the_frames_of_the_same_backend_only(ocean):
+    ocean.good(*BAKE, "-o", "s.####.exr", "--backend", "gl")
+
+    def events(*options):
+        done = ocean(*BAKE, "-o", "s.####.exr", "--skip-existing", "--json", *options)
+        assert done.returncode == 0, done.stderr
+        return [json.loads(line)["event"] for line in done.stderr.splitlines()]
+
+    assert "skipped" in events("--backend", "gl")
+    assert "skipped" not in events()
+
+
+def test_the_shared_library_knows_no_gl():
+    library = os.environ.get("LIBOCEAN_LIBRARY")
+    if not library:
+        pytest.skip("LIBOCEAN_LIBRARY is not set")
+    needed = subprocess.run(["readelf", "-d", library], capture_output=True, text=True).stdout
+    assert "epoxy" not in needed and "libGL" not in needed

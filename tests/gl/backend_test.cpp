@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The backend `gl` in an Ocean: foam, hosts' buffers and contexts, what it leaves behind.
+#include <gtest/gtest.h>
+
+#include <epoxy/gl.h>
+
+#include <fstream>
+#include <thread>
+
+#include "ocean/error.hpp"
+#include "ocean/gl/backend.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/ocean.hpp"
+#include "unit/test_seas.hpp"
+
+namespace ocean {
+namespace {
+
+using test::relative_error;
+using test::wind_sea;
+
+Parameters foaming_sea() {
+    Parameters parameters = wind_sea(128, 200.0);
+    parameters.waves.front().wind_speed = 15.0;
+    parameters.surface.foam_coverage = FoamCoverage::threshold;
+    return parameters;
+}
+
+double largest_difference(std::span<const float> a, std::span<const float> b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        // Not std::max, which drops what is not a number.
+        const double difference = std::abs(static_cast<double>(a[i]) - b[i]);
+        if (!(difference <= largest)) largest = difference;
+    }
+    return largest;
+}
+
+TEST(GlBackend, FoamIsThatOfTheCpuOverTwoHundredTicks) {
+    Ocean cpu(foaming_sea());
+    Ocean gpu(foaming_sea(), {.backend = gl::kBackend});
+    for (const double time : {0.0, 2.51, 5.0, 10.0, 3.0}) {
+        const Surface expected = cpu.evaluate(time, {Channel::foam});
+        const Surface foam = gpu.evaluate(time, {Channel::foam});
+        EXPECT_GT(test::variance(expected.channel(Channel::foam)), 1e-3);
+        EXPECT_LE(largest_difference(foam.channel(Channel::foam), expected.channel(Channel::foam)),
+                  2.0 / 512.0)
+            << time;
+    }
+    EXPECT_GE(gpu.stage_runs().foam_ticks, 200);
+    EXPECT_EQ(gpu.stage_runs().foam_ticks, cpu.stage_runs().foam_ticks);
+}
+
+TEST(GlBackend, WritesIntoTheBuffersOfHostsAndLeavesWhatIsNotAsked) {
+    Ocean cpu(foaming_sea());
+    Ocean gpu(foaming_sea(), {.backend = gl::kBackend});
+    constexpr int kSize = 64;
+    constexpr std::size_t kPitch = 4 * (kSize + 1) + 3;
+    const auto make = [&](Ocean& ocean) {
+        std::vector<float> image(kPitch * (kSize + 1), -7.0f);
+        MapOutput output{image.data(), 4, {}, kPitch, true};
+        output.component[0] = {Channel::dx, 2.0f};
+        output.component[1] = {Channel::height, -0.5f};
+        output.component[3] = {Channel::jacobian, 1.0f};
+        ocean.evaluate_into(3.0, {&output, 1}, kSize);
+        return image;
+    };
+    const std::vector<float> expected = make(cpu);
+    const std::vector<float> image = make(gpu);
+    EXPECT_LE(largest_difference(image, expected), 2e-6);
+    EXPECT_EQ(image[2], -7.0f);
+    EXPECT_EQ(image[kPitch - 1], -7.0f);
+}
+
+TEST(GlBackend, LiveParametersUploadAmplitudesAndAreThoseOfTheCpu) {
+    Ocean cpu(wind_sea());
+    Ocean gpu(wind_sea(), {.backend = gl::kBackend});
+    for (const char* speed : {"10", "14", "6"}) {
+        cpu.set("wind_speed", speed);
+        gpu.set("wind_speed", speed);
+        const Surface expected = cpu.evaluate(5.0, {Channel::height});
+        const Surface heights = gpu.evaluate(5.0, {Channel::height});
+        EXPECT_LE(
+            relative_error(heights.channel(Channel::height), expected.channel(Channel::height)),
+            1e-6);
+    }
+    gpu.set("water.depth", "12");
+    cpu.set("water.depth", "12");
+    EXPECT_LE(relative_error(gpu.evaluate(5.0, {Channel::dx}).channel(Channel::dx),
+                             cpu.evaluate(5.0, {Channel::dx}).channel(Channel::dx)),
+              1e-6);
+}
+
+TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
+    Parameters parameters = wind_sea(64);
+    parameters.surface.choppiness = 0.0;
+    Ocean cpu(parameters);
+    Ocean gpu(parameters, {.backend = gl::kBackend});
+    const Surface expected = cpu.evaluate(5.0, test::kAllChannels);
+    const Surface surface = gpu.evaluate(5.0, test::kAllChannels);
+    for (const Channel channel : {Channel::dx, Channel::jacobian, Channel::whitecap}) {
+        EXPECT_EQ(largest_difference(surface.channel(channel), expected.channel(channel)), 0.0);
+    }
+    EXPECT_LE(relative_error(surface.channel(Channel::nx), expected.channel(Channel::nx)), 2e-6);
+
+    gpu.set("wind_speed", "0");
+    const Surface still = gpu.evaluate(5.0, {Channel::height});
+    for (const float height : still.channel(Channel::height)) ASSERT_EQ(height, 0.0f);
+}
+
+/// Of the current context, among the first names.
+int count_objects() {
+    int count = 0;
+    for (GLuint name = 1; name < 4096; ++name) {
+        count += glIsBuffer(name) + glIsTexture(name) + glIsProgram(name) + glIsShader(name);
+    }
+    return count;
+}
+
+double resident_megabytes() {
+    std::ifstream statm("/proc/self/statm");
+    double all = 0.0;
+    double resident = 0.0;
+    statm >> all >> resident;
+    return resident * 4096.0 / 1e6;
+}
+
+TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
+    const gl::HeadlessContext host({.debug = true});
+    const gl::HeadlessContext::Current current(host);
+    const int before = count_objects();
+    {
+        Ocean ocean(foaming_sea(), {.backend = gl::kBackend, .foam_start = FoamStart::empty});
+        std::vector<float> image(4 * 64 * 64);
+        MapOutput output{image.data(), 4, {}};
+        output.component = {{{Channel::dx}, {Channel::height}, {Channel::nx}, {Channel::foam}}};
+        const auto frame = [&](int number) {
+            if (number % 100 == 50) ocean.set("wind_speed", number % 200 == 50 ? "14" : "15");
+            ocean.evaluate_into(number / 60.0, {&output, 1}, 64);
+        };
+        for (int i = 0; i < 200; ++i) frame(i);
+        const int objects = count_objects();
+        const double memory = resident_megabytes();
+        for (int i = 200; i < 1200; ++i) frame(i);
+        EXPECT_EQ(count_objects(), objects);
+        EXPECT_LT(resident_megabytes() - memory, 2.0);
+    }
+    EXPECT_EQ(count_objects(), before);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    for (const std::string& message : host.messages()) ADD_FAILURE() << message;
+}
+
+TEST(GlBackend, CopiesHaveContextsOfTheirOwnAndRunInParallel) {
+    Ocean first(foaming_sea(), {.backend = gl::kBackend});
+    const Surface expected = first.evaluate(1.0, {Channel::height});
+    Ocean second(first, {.threads = 1, .backend = gl::kBackend});
+    std::vector<std::jthread> threads;
+    std::array<Surface, 2> surfaces;
+    threads.emplace_back([&] { surfaces[0] = first.evaluate(1.0, {Channel::height}); });
+    threads.emplace_back([&] { surfaces[1] = second.evaluate(1.0, {Channel::height}); });
+    threads.clear();
+    for (const Surface& surface : surfaces) {
+        EXPECT_EQ(
+            largest_difference(surface.channel(Channel::height), expected.channel(Channel::height)),
+            0.0);
+    }
+    EXPECT_FALSE(gl::has_current_context());
+}
+
+TEST(GlBackend, SaysWhatItRunsOnAndWhatIsTooMuch) {
+    const BackendFitness fitness = gl::kBackend.fitness(512);
+    EXPECT_TRUE(fitness.runs) << fitness.reason;
+    const gl::HeadlessContext context;
+    EXPECT_EQ(fitness.fast, !context.info().software);
+    EXPECT_NE(fitness.reason.find(context.info().renderer), std::string::npos);
+    if (context.info().storage_block_bytes < 8LL * 8192 * 8192) {
+        const BackendFitness large = gl::kBackend.fitness(8192);
+        EXPECT_FALSE(large.runs);
+        EXPECT_NE(large.reason.find("536870912 bytes"), std::string::npos) << large.reason;
+    }
+    EXPECT_THROW(gl::HeadlessContext({.device = 63}), Error);
+}
+
+}  // namespace
+}  // namespace ocean

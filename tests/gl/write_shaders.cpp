@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Writes the text of every shader that the backend may give to a driver, a file each, for
+// validators. usage: write_shaders FOLDER
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "compute_program.hpp"
+#include "frame_plan.hpp"
+
+using namespace ocean;
+using namespace ocean::gl;
+
+namespace {
+
+std::vector<Quantity> everything() {
+    std::vector<Quantity> all;
+    for (const Linear field : kLinears) all.emplace_back(field);
+    for (int c = 0; c < kChannelCount; ++c) all.emplace_back(static_cast<Channel>(c));
+    return all;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    const std::filesystem::path folder(argv[1]);
+    std::filesystem::create_directories(folder);
+    const auto write = [&](const std::string& name, std::string_view path,
+                           const std::string& defines) {
+        std::ofstream file(folder / (name + ".comp"));
+        file << program_text(load_shader(path), defines);
+        if (!file.flush()) std::exit(1);
+    };
+    using enum Channel;
+    const std::pair<const char*, std::vector<Quantity>> kAsked[] = {
+        {"tick", {foam}},
+        {"frame", {dx, dy, height, jacobian, nx, ny, nz, whitecap}},
+        {"slopes", {slope_x, slope_y, dx_x}},
+        {"all", everything()},
+    };
+    write("self_check", "compute/self_check.comp", "");
+    for (int resolution = 32; resolution <= 8192; resolution *= 2) {
+        // Of little shared memory and of much.
+        for (const int shared : {32768, 49152}) {
+            const PassShape shape = pass_shape(resolution, shared, 1024);
+            for (const auto& [name, quantities] : kAsked) {
+                const FramePlan plan = make_frame_plan(shape, quantities, false);
+                const std::string end = "_" + std::string(name) + "_" + std::to_string(resolution) +
+                                        "_" + std::to_string(shared);
+                write("rows" + end, "compute/rows.comp", plan.rows_defines());
+                write("columns" + end, "compute/columns.comp", plan.columns_defines());
+            }
+        }
+    }
+}
