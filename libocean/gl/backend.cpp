@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // The backend `gl`: maps from the GPU into the host's buffers; see ocean/gl/backend.hpp.
 #include "ocean/gl/backend.hpp"
 
 #include <algorithm>
 #include <map>
-#include <memory>
-#include <optional>
 
 #include "checks.hpp"
+#include "gpu_function.hpp"
 #include "map_frame.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
+#include "write_quantity.hpp"
 
 namespace ocean::gl {
 
@@ -89,28 +90,8 @@ class GpuMaps {
             glGetTexImage(GL_TEXTURE_2D, 0, map.pixel_format(), GL_FLOAT, texels_.data());
             require_no_error("reading a frame back");
             for (std::size_t c = 0; c < map.quantities.size(); ++c) {
-                write_quantity(map, c, request, pool);
-            }
-        }
-    }
-
-    void write_quantity(const MapTexture& map, std::size_t component, const MapRequest& request,
-                        ThreadPool& pool) const {
-        const auto width = static_cast<std::size_t>(request.modes.resolution);
-        const auto step = static_cast<std::size_t>(map.components());
-        for (const MapOutput& output : request.outputs) {
-            for (std::size_t c = 0; c < output.used().size(); ++c) {
-                if (output.component[c].quantity != map.quantities[component]) continue;
-                const float factor = output.component[c].factor;
-                const auto stride = static_cast<std::size_t>(output.components);
-                const std::size_t pitch = output.pitch(request.modes.resolution);
-                pool.for_each_item(request.modes.resolution, [&](int row, int) {
-                    const auto j = static_cast<std::size_t>(row);
-                    const float* from = texels_.data() + j * width * step + component;
-                    float* to = output.data + j * pitch + c;
-                    for (std::size_t i = 0; i < width; ++i)
-                        to[i * stride] = factor * from[i * step];
-                });
+                write_quantity(request, map.quantities[c], texels_.data() + c, map.components(),
+                               pool);
             }
         }
     }
@@ -118,34 +99,6 @@ class GpuMaps {
     ContextInfo limits_;
     std::map<int, OneResolution> maps_;
     PageVector<float> texels_;
-};
-
-/// The function of the backend. A copy has all of its own: contexts are not shared.
-class GpuBackend {
-  public:
-    GpuBackend() = default;
-    GpuBackend(const GpuBackend&) {}
-    ~GpuBackend() {
-        if (!own_) return;
-        try {
-            const HeadlessContext::Current current(*own_);
-            maps_.reset();
-        } catch (const Error&) {
-            // Lost, and its objects with it.
-        }
-    }
-
-    bool operator()(const MapRequest& request, ThreadPool& pool) {
-        if (!maps_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
-        std::optional<HeadlessContext::Current> current;
-        if (own_) current.emplace(*own_);
-        if (!maps_) maps_ = std::make_unique<GpuMaps>(context_info());
-        return maps_->write(request, pool);
-    }
-
-  private:
-    std::unique_ptr<HeadlessContext> own_;
-    std::unique_ptr<GpuMaps> maps_;
 };
 
 /// Modes, packs, textures, and what is read back.
@@ -172,7 +125,7 @@ BackendFitness gpu_fitness(int resolution) {
 
 }  // namespace
 
-const Backend kBackend = {"gl", kAll, [] { return MapFunction(GpuBackend()); }, gpu_bytes,
+const Backend kBackend = {"gl", kAll, [] { return MapFunction(GpuFunction<GpuMaps>()); }, gpu_bytes,
                           gpu_fitness};
 
 }  // namespace ocean::gl

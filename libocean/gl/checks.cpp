@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Errors of OpenGL as errors of ours.
 #include "checks.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // From a shader's text to a program; see compute_program.hpp.
 #include "compute_program.hpp"
 
@@ -58,6 +59,10 @@ void ComputeProgram::use() {
         compile(text_);
     }
     glUseProgram(program_.name());
+}
+
+void ComputeProgram::set(const char* name, int x) {
+    glUniform1i(glGetUniformLocation(program_.name(), name), x);
 }
 
 void ComputeProgram::set(const char* name, float x) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // A compute shader with what is defined outside of it.
 #pragma once
 
@@ -22,6 +23,7 @@ class ComputeProgram {
     /// that fails it throws once, and the program of before goes on with the next call.
     void use();
     /// A uniform of the current program; one that the driver found to be of no use is left out.
+    void set(const char* name, int x);
     void set(const char* name, float x);
     void set(const char* name, float x, float y);
 

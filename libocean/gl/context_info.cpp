@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // What the current context can do.
 #include <dlfcn.h>
 #include <epoxy/egl.h>

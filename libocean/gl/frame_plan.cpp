@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // From tables to #defines; see frame_plan.hpp.
 #include "frame_plan.hpp"
 
@@ -30,18 +31,6 @@ std::string define(std::string_view name, std::string_view value) {
 }
 std::string define(std::string_view name, long long value) {
     return define(name, std::to_string(value));
-}
-
-/// "times_i(h) * (-1.0 * kx * u)".
-std::string coefficient(Linear field) {
-    const LinearShape shape = linear_shape(field);
-    std::string factor = shape.sign < 0 ? "-1.0" : "1.0";
-    for (int i = 0; i < shape.x_power; ++i) factor += " * kx";
-    for (int i = 0; i < shape.y_power; ++i) factor += " * ky";
-    if (shape.displacement) factor += " * u";
-    if (field == Linear::gradient_xy) factor += " * gradient_scale";
-    const std::string of = shape.rate ? "h_rate" : "h";
-    return (shape.odd ? "times_i(" + of + ")" : of) + " * (" + factor + ")";
 }
 
 std::string coefficients(const FieldPair& pack) {
@@ -88,6 +77,17 @@ std::string shared_defines(const FramePlan& plan) {
 }
 
 }  // namespace
+
+std::string coefficient(Linear field) {
+    const LinearShape shape = linear_shape(field);
+    std::string factor = shape.sign < 0 ? "-1.0" : "1.0";
+    for (int i = 0; i < shape.x_power; ++i) factor += " * kx";
+    for (int i = 0; i < shape.y_power; ++i) factor += " * ky";
+    if (shape.displacement) factor += " * u";
+    if (field == Linear::gradient_xy) factor += " * gradient_scale";
+    const std::string of = shape.rate ? "h_rate" : "h";
+    return (shape.odd ? "times_i(" + of + ")" : of) + " * (" + factor + ")";
+}
 
 PassShape pass_shape(int resolution, int shared_bytes, int workgroup_threads) {
     PassShape shape;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // What a frame computes, and the lines of #define that make the two passes compute it: from the
 // tables of linear fields and channels, so that neither stands in a shader again.
 #pragma once
@@ -61,6 +62,9 @@ struct FramePlan {
     std::string rows_defines() const;
     std::string columns_defines() const;
 };
+
+/// "times_i(h) * (-1.0 * kx * u)": a field's coefficient for the shaders, by the table of fields.
+std::string coefficient(Linear field);
 
 /// For these quantities, without repetition. flat: choppiness 0.
 FramePlan make_frame_plan(const PassShape& shape, std::vector<Quantity> quantities, bool flat);

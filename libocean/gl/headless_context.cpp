@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Contexts through EGL; see ocean/gl/context.hpp.
 #include <dlfcn.h>
 #include <epoxy/egl.h>

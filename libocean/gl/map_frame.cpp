@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // The two dispatches of a frame; see map_frame.hpp.
 #include "map_frame.hpp"
 
@@ -15,7 +16,6 @@ namespace ocean::gl {
 
 namespace {
 
-constexpr GLuint kRootsBinding = 3;
 constexpr GLuint kFirstPackBinding = 4;
 constexpr std::size_t kMostPacks = 6;
 
@@ -28,6 +28,8 @@ Split split(double value) {
     const auto high = static_cast<float>(value);
     return {high, static_cast<float>(value - static_cast<double>(high))};
 }
+
+}  // namespace
 
 void require_limits(int resolution, const ContextInfo& limits) {
     const auto require = [&](const char* what, long long has, long long needed) {
@@ -45,7 +47,23 @@ void require_limits(int resolution, const ContextInfo& limits) {
     require("texels along a texture's side", limits.texture_size, resolution);
 }
 
-}  // namespace
+Buffer make_roots(int resolution) {
+    std::vector<std::array<float, 2>> roots(static_cast<std::size_t>(resolution));
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        const double angle = kTwoPi * static_cast<double>(k) / resolution;
+        roots[k] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+    }
+    Buffer buffer;
+    resize_storage(buffer, roots.size() * sizeof roots[0], roots.data());
+    return buffer;
+}
+
+void set_time(ComputeProgram& program, const MapModes& modes) {
+    const Split tau = split(modes.tau);
+    program.set("tau", tau.high, tau.low);
+    program.set("rate_factor", static_cast<float>(kTwoPi * modes.rate_unit));
+    program.set("wavenumber_step", static_cast<float>(modes.wavenumber_step()));
+}
 
 Texture make_texture(GLenum format, int resolution) {
     GLuint name = 0;
@@ -61,12 +79,7 @@ Texture make_texture(GLenum format, int resolution) {
 MapFrame::MapFrame(int resolution, const ContextInfo& limits) {
     require_limits(resolution, limits);
     shape_ = pass_shape(resolution, limits.shared_bytes, limits.workgroup_threads);
-    std::vector<std::array<float, 2>> roots(static_cast<std::size_t>(resolution));
-    for (std::size_t k = 0; k < roots.size(); ++k) {
-        const double angle = kTwoPi * static_cast<double>(k) / resolution;
-        roots[k] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-    }
-    resize_storage(roots_, roots.size() * sizeof roots[0], roots.data());
+    roots_ = make_roots(resolution);
 }
 
 bool MapFrame::make(const MapRequest& request, std::vector<Quantity> quantities,
@@ -125,10 +138,7 @@ void MapFrame::run_rows(const MapRequest& request) {
     ComputeProgram& rows = program_->rows;
     modes_.bind();
     rows.use();
-    const Split tau = split(request.modes.tau);
-    rows.set("tau", tau.high, tau.low);
-    rows.set("rate_factor", static_cast<float>(kTwoPi * request.modes.rate_unit));
-    rows.set("wavenumber_step", static_cast<float>(request.modes.wavenumber_step()));
+    set_time(rows, request.modes);
     rows.set("gradient_scale", modes_.gradient_scale());
     glDispatchCompute(static_cast<GLuint>(shape_.resolution), 1, 1);
 }

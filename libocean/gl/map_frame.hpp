@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Maps of one resolution on the GPU: modes in, textures out, in two dispatches.
 #pragma once
 
@@ -55,6 +56,14 @@ class MapFrame {
     Programs* program_ = nullptr;
 };
 
+inline constexpr GLuint kRootsBinding = 3;
+
+/// Throws Error no_gpu for a resolution that is beyond the limits, which it names.
+void require_limits(int resolution, const ContextInfo& limits);
+/// e^(2 pi i k / N) for k = 0 .. N - 1.
+Buffer make_roots(int resolution);
+/// The uniforms of shaders/compute/modes.glsl for the current program.
+void set_time(ComputeProgram& program, const MapModes& modes);
 /// A texture of N x N texels without mipmaps, for texelFetch and imageStore.
 Texture make_texture(GLenum format, int resolution);
 

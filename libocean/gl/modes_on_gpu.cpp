@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // From the modes of each cascade to those of the map, one lattice of N x N; see modes_on_gpu.hpp.
 #include "modes_on_gpu.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Objects of OpenGL that are deleted with their owner, which needs their context to be current.
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Phase and noise of the GPU against those of the processor; see self_check.hpp.
 #include "self_check.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Whether a driver computes as the shaders need it.
 #pragma once
 

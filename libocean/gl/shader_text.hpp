@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // The shaders' texts: those of shaders/, which are inside the library, or of the folder that
 // OCEAN_SHADER_DIR names, which can be edited while they run.
 #pragma once

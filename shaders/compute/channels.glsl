@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Channels of one texel by the formulas of wave/surface.glsl. Needs surface.glsl. Each function is
 // named after its row in the table of channels; the rows without a formula are multiples.
 

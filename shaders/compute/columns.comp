@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Pass two of a frame: the transform along y, then the maps. A workgroup has COLUMNS columns side by
 // side. Defined outside: N, COLUMNS, PACKS, FIELD_name for each linear field, MAPS, FORMAT_m and
 // TEXEL_m for each map, and FOAM where a channel reads the foam's past.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // The inverse transform of a line of N complex numbers by N / 8 threads of one workgroup, each
 // with 8 of them in its registers: element e of thread t is number t + e N / 8, before and after.
 // Steps of radix 8 (Stockham, so in order without a permutation), the last of radix 8, 4 or 2, and

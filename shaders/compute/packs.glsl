@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // What lies between the two passes: PACKS grids of N x N complex numbers. The sums of a pack are
 // two real fields, one in the real part, the other in the imaginary. Both fields vanish on the
 // lattice's Nyquist lines, else they would leak into each other. Columns lie side by side in blocks

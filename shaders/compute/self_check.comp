@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // One mode's phase and noise a thread, for the library to compare with its own: whether this driver
 // computes as the shaders need it.
 #include "wave/turns.glsl"

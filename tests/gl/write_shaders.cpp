@@ -41,6 +41,18 @@ int main(int argc, char** argv) {
         {"slopes", {slope_x, slope_y, dx_x}},
         {"all", everything()},
     };
+    for (const int resolution : {32, 4096}) {
+        const std::string n = std::to_string(resolution);
+        const std::string size = "#define N " + n + "\n";
+        write("butterfly_" + n, "compute/thesis/butterfly.comp", size + "#define STAGES 5\n");
+        for (const Linear field : kLinears) {
+            write("spectrum_" + std::to_string(static_cast<int>(field)) + "_" + n,
+                  "compute/thesis/spectrum.comp",
+                  size + "#define COEFFICIENT " + coefficient(field) + "\n");
+        }
+    }
+    write("stage", "compute/thesis/stage.comp", "");
+    write("permutation", "compute/thesis/permutation.comp", "");
     write("self_check", "compute/self_check.comp", "");
     for (int resolution = 32; resolution <= 8192; resolution *= 2) {
         // Of little shared memory and of much.

@@ -18,6 +18,7 @@ const Catalogue& ocean_catalogue() {
         const std::span<const Backend> core = core_backends();
         std::vector<Backend> all(core.begin(), core.end());
         all.push_back(gl::kBackend);
+        all.push_back(gl::kThesisBackend);
         return all;
     }();
     static const Catalogue catalogue = [] {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-// The backend `gl`: maps by compute shaders of OpenGL 4.3.
+//
+// The backends `gl` and `thesis`: maps by compute shaders of OpenGL 4.3.
 #pragma once
 
 #include "ocean/backend.hpp"
@@ -13,5 +14,9 @@ namespace ocean::gl {
 /// Throws Error no_gpu where it cannot run. Its fitness is that of a headless context: fast is what
 /// no processor plays.
 extern const Backend kBackend;
+
+/// The same maps by the scheme of [Fluegge 2017], a dispatch for each stage of each field's
+/// transform: a reference to read and to compare with, and 10 times slower.
+extern const Backend kThesisBackend;
 
 }  // namespace ocean::gl

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
 // Contexts of OpenGL without a window, and what a context can do.
 #pragma once
 

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From texels that were read back to the buffers of a host.
+#pragma once
+
+#include "ocean/backend.hpp"
+
+namespace ocean::gl {
+
+/// Into every component of the outputs that asks for the quantity, times its factor. `texels`: of
+/// the whole map, row by row, `step` floats apart.
+void write_quantity(const MapRequest& request, Quantity quantity, const float* texels, int step,
+                    ThreadPool& pool);
+
+}  // namespace ocean::gl
