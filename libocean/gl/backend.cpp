@@ -53,10 +53,11 @@ class GpuMaps {
             found = maps_.emplace(resolution, OneResolution{{resolution, limits_}, {}}).first;
         }
         OneResolution& maps = found->second;
-        if (foam_use(channels_of(request.outputs)) == FoamUse::past) {
-            upload_past(request.foam, resolution, maps.past);
-        }
-        const bool uploaded = maps.frame.make(request, quantities, maps.past, pool);
+        const bool has_past =
+            request.foam.map != nullptr && foam_use(channels_of(request.outputs)) == FoamUse::past;
+        if (has_past) upload_past(request.foam, resolution, maps.past);
+        const bool uploaded =
+            maps.frame.make(request, quantities, has_past ? &maps.past : nullptr, pool);
         read_back(maps.frame, request, pool);
         return uploaded;
     }
@@ -68,15 +69,9 @@ class GpuMaps {
     };
 
     static void upload_past(const FoamLayer& foam, int resolution, Texture& past) {
-        const bool is_new = !past;
-        if (is_new) past = make_texture(GL_R32F, resolution);
-        if (foam.map == nullptr && !is_new) return;
+        if (!past) past = make_texture(GL_R32F, resolution);
         glBindTexture(GL_TEXTURE_2D, past.name());
-        // Nothing is 0 times whatever is there, but not times NaN.
-        const PageVector<float> nothing(foam.map == nullptr ? Lattice{resolution, 1.0}.size() : 0,
-                                        0.0f);
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution, resolution, GL_RED, GL_FLOAT,
-                        foam.map != nullptr ? foam.map : nothing.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution, resolution, GL_RED, GL_FLOAT, foam.map);
         require_no_error("uploading the foam");
     }
 

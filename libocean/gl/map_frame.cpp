@@ -5,6 +5,7 @@
 #include "map_frame.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -65,25 +66,30 @@ void set_time(ComputeProgram& program, const MapModes& modes) {
     program.set("wavenumber_step", static_cast<float>(modes.wavenumber_step()));
 }
 
-Texture make_texture(GLenum format, int resolution) {
+Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps, Filter filter) {
     GLuint name = 0;
     glGenTextures(1, &name);
     Texture texture(name);
+    const bool levels = mipmaps == Mipmaps::yes;
+    const bool linear = levels || filter == Filter::linear;
+    const auto size = static_cast<unsigned>(resolution);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexStorage2D(GL_TEXTURE_2D, 1, format, resolution, resolution);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexStorage2D(GL_TEXTURE_2D, levels ? std::bit_width(size) : 1, format, resolution,
+                   resolution);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    levels ? GL_LINEAR_MIPMAP_LINEAR : (linear ? GL_LINEAR : GL_NEAREST));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
     return texture;
 }
 
-MapFrame::MapFrame(int resolution, const ContextInfo& limits) {
+MapFrame::MapFrame(int resolution, const ContextInfo& limits, Mipmaps mipmaps) : mipmaps_(mipmaps) {
     require_limits(resolution, limits);
     shape_ = pass_shape(resolution, limits.shared_bytes, limits.workgroup_threads);
     roots_ = make_roots(resolution);
 }
 
 bool MapFrame::make(const MapRequest& request, std::vector<Quantity> quantities,
-                    const Texture& past, ThreadPool& pool) {
+                    const Texture* past, ThreadPool& pool) {
     program_ = &programs_for(std::move(quantities), request.settings.choppiness == 0.0);
     hold_packs(program_->plan.packs.size());
     hold_maps(program_->plan);
@@ -100,6 +106,13 @@ bool MapFrame::make(const MapRequest& request, std::vector<Quantity> quantities,
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     require_no_error("making a frame");
     return uploaded;
+}
+
+void MapFrame::exchange_map(std::size_t number, GLenum format, Texture& texture) {
+    if (maps_.size() <= number) maps_.resize(number + 1);
+    if (formats_.size() <= number) formats_.resize(number + 1, GL_NONE);
+    std::swap(maps_[number], texture);
+    formats_[number] = maps_[number] ? format : GL_NONE;
 }
 
 MapFrame::Programs& MapFrame::programs_for(std::vector<Quantity> quantities, bool flat) {
@@ -129,7 +142,7 @@ void MapFrame::hold_maps(const FramePlan& plan) {
     for (std::size_t m = 0; m < plan.maps.size(); ++m) {
         const GLenum format = plan.maps[m].format();
         if (formats_[m] == format) continue;
-        maps_[m] = make_texture(format, shape_.resolution);
+        maps_[m] = make_texture(format, shape_.resolution, mipmaps_);
         formats_[m] = format;
     }
 }
@@ -143,7 +156,7 @@ void MapFrame::run_rows(const MapRequest& request) {
     glDispatchCompute(static_cast<GLuint>(shape_.resolution), 1, 1);
 }
 
-void MapFrame::run_columns(const MapRequest& request, const Texture& past) {
+void MapFrame::run_columns(const MapRequest& request, const Texture* past) {
     const FramePlan& plan = program_->plan;
     ComputeProgram& columns = program_->columns;
     columns.use();
@@ -157,10 +170,15 @@ void MapFrame::run_columns(const MapRequest& request, const Texture& past) {
     columns.set("whitecap_threshold_and_width", static_cast<float>(settings.foam_threshold),
                 static_cast<float>(settings.foam_width));
     if (plan.foam) {
-        columns.set("foam_fade_and_least", request.foam.map != nullptr ? request.foam.fade : 0.0f,
+        columns.set("foam_fade_and_least", past != nullptr ? request.foam.fade : 0.0f,
                     request.foam.least);
+        if (past == nullptr && !no_past_) {
+            no_past_ = make_texture(GL_R32F, 1);
+            const float nothing = 0.0f;
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RED, GL_FLOAT, &nothing);
+        }
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, past.name());
+        glBindTexture(GL_TEXTURE_2D, (past != nullptr ? *past : no_past_).name());
     }
     glDispatchCompute(static_cast<GLuint>(shape_.resolution / shape_.columns), 1, 1);
 }

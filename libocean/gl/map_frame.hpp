@@ -18,16 +18,21 @@
 
 namespace ocean::gl {
 
+enum class Mipmaps { no, yes };
+enum class Filter { nearest, linear };
+
 class MapFrame {
   public:
     /// Throws Error no_gpu for a resolution that is beyond the limits.
-    MapFrame(int resolution, const ContextInfo& limits);
+    MapFrame(int resolution, const ContextInfo& limits, Mipmaps mipmaps = Mipmaps::no);
 
-    /// Makes the textures of these quantities. The foam's past is taken from `past`, a texture of
-    /// one float, where `layer` has one; fade and least are the layer's. Returns whether it had to
-    /// upload modes.
-    bool make(const MapRequest& request, std::vector<Quantity> quantities, const Texture& past,
+    /// Makes the textures of these quantities; of mipmaps the first level alone. The foam's past is
+    /// a texture of one float, or null; its fade and least are the request's. Returns whether it
+    /// had to upload modes.
+    bool make(const MapRequest& request, std::vector<Quantity> quantities, const Texture* past,
               ThreadPool& pool);
+    /// Gives a map another texture, of that format, and takes the one that it had, or none.
+    void exchange_map(std::size_t number, GLenum format, Texture& texture);
 
     /// Of the last make.
     const FramePlan& plan() const { return program_->plan; }
@@ -44,14 +49,16 @@ class MapFrame {
     void hold_packs(std::size_t count);
     void hold_maps(const FramePlan& plan);
     void run_rows(const MapRequest& request);
-    void run_columns(const MapRequest& request, const Texture& past);
+    void run_columns(const MapRequest& request, const Texture* past);
 
     PassShape shape_;
+    Mipmaps mipmaps_ = Mipmaps::no;
     ModesOnGpu modes_;
     Buffer roots_;
     std::vector<Buffer> packs_;
     std::vector<Texture> maps_;
     std::vector<GLenum> formats_;  // of maps_
+    Texture no_past_;              // of foam that begins
     std::map<std::string, Programs> programs_;
     Programs* program_ = nullptr;
 };
@@ -64,7 +71,8 @@ void require_limits(int resolution, const ContextInfo& limits);
 Buffer make_roots(int resolution);
 /// The uniforms of shaders/compute/modes.glsl for the current program.
 void set_time(ComputeProgram& program, const MapModes& modes);
-/// A texture of N x N texels without mipmaps, for texelFetch and imageStore.
-Texture make_texture(GLenum format, int resolution);
+/// A texture of N x N texels that repeats. With mipmaps it is filtered through all of them.
+Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps = Mipmaps::no,
+                     Filter filter = Filter::nearest);
 
 }  // namespace ocean::gl

@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
                   size + "#define COEFFICIENT " + coefficient(field) + "\n");
         }
     }
+    write("moments", "compute/moments.comp", "");
     write("stage", "compute/thesis/stage.comp", "");
     write("permutation", "compute/thesis/permutation.comp", "");
     write("self_check", "compute/self_check.comp", "");

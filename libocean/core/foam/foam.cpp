@@ -12,16 +12,6 @@
 
 namespace ocean {
 
-namespace {
-
-constexpr float kLeastFoam = 1.0f / 512.0f;
-
-float fade(double seconds, double lifetime) {
-    return lifetime > 0.0 ? static_cast<float>(std::exp(-seconds / lifetime)) : 0.0f;
-}
-
-}  // namespace
-
 FoamClock foam_clock(const SurfaceSettings& settings, double loop_period) {
     if (loop_period <= 0.0) return {settings.foam_step, 0.0, 0};
     const double ticks = std::max(1.0, std::round(loop_period / settings.foam_step));
@@ -77,69 +67,21 @@ std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
 }
 
 FoamState::FoamState(FoamClock clock, std::size_t samples, FoamStart start)
-    : clock_(clock), samples_(samples), start_(start) {}
+    : samples_(samples), follower_(clock, start) {}
 
 FoamLayer FoamState::layer(double time, const FoamSource& source) {
-    const FoamClock::Moment moment = clock_.moment(time);
-    const Tick& last = reach(moment.tick, source);
-    return {last.foam.data(), fade(moment.since, source.lifetime(time)), 0.0f};
-}
-
-void FoamState::forget_from(double time) {
-    std::erase_if(kept_, [&](const Tick& kept) { return clock_.time_of(kept.number) >= time; });
-}
-
-const FoamState::Tick& FoamState::reach(std::int64_t tick, const FoamSource& source) {
-    const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                    [tick](const Tick& kept) { return kept.number == tick; });
-    if (found != kept_.end()) return *found;
-
-    const std::int64_t ahead = kept_.empty() ? 0 : clock_.ticks_between(kept_.back().number, tick);
-    if (ahead == 1 && settling_ == 0) {
-        step(kept_, tick, source);
-        return kept_.back();
-    }
-    const std::int64_t preroll = preroll_ticks(clock_, tick, source.lifetime);
-    if (ahead > 0 && ahead <= preroll) {
-        for (std::int64_t i = ahead - 1; i >= 0; --i) {
-            step(kept_, clock_.before(tick, i), source);
-        }
-    } else {
-        kept_ = begin(tick, start_ == FoamStart::settled ? preroll : 0, source);
-    }
-    const bool settled = start_ == FoamStart::settled || kept_.back().age >= preroll;
-    settling_ = settled ? 0 : preroll - kept_.back().age;
-    return kept_.back();
-}
-
-std::vector<FoamState::Tick> FoamState::begin(std::int64_t tick, std::int64_t preroll,
-                                              const FoamSource& source) {
-    std::vector<Tick> kept;
-    for (std::int64_t i = preroll; i >= 0; --i) {
-        if (source.progress) source.progress(preroll - i, preroll + 1);
-        // Until the last ticks one map is enough.
-        const bool passing = i >= static_cast<std::int64_t>(kKept);
-        step(kept, clock_.before(tick, i), source, passing ? 1 : kKept);
-    }
-    return kept;
-}
-
-void FoamState::step(std::vector<Tick>& kept, std::int64_t tick, const FoamSource& source,
-                     std::size_t keep) {
-    const double time = clock_.time_of(tick);
-    FoamLayer before{nullptr, 0.0f, kLeastFoam};
-    if (!kept.empty()) {
-        before.map = kept.back().foam.data();
-        before.fade = fade(clock_.step, source.lifetime(time));
-    }
-    Tick next{tick, kept.empty() ? 0 : kept.back().age + 1, std::move(spare_)};
-    next.foam.resize(samples_);
-    source.tick(time, before, next.foam);
-    kept.push_back(std::move(next));
-    if (kept.size() > keep) {
-        spare_ = std::move(kept.front().foam);
-        kept.erase(kept.begin());
-    }
+    const auto in_memory = [](const Follower::Layer& layer) {
+        return FoamLayer{layer.map != nullptr ? layer.map->data() : nullptr, layer.fade,
+                         layer.least};
+    };
+    const Follower::Source follower_source{
+        source.lifetime,
+        [&](double t, const Follower::Layer& before, PageVector<float>& foam) {
+            foam.resize(samples_);
+            source.tick(t, in_memory(before), foam);
+        },
+        source.progress};
+    return in_memory(follower_.layer(time, follower_source));
 }
 
 }  // namespace ocean
