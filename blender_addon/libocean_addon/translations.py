@@ -242,6 +242,9 @@ GERMAN = {
         "The active object has an ocean: add wave systems to it": (
             "Das aktive Objekt hat einen Ozean: fügen Sie ihm Wellensysteme hinzu"
         ),
+        "The mesh has the vertices already that its maps ask for": (
+            "Das Mesh hat schon die Punkte, die seine Karten verlangen"
+        ),
         "The active object is no mesh with an ocean": ("Das aktive Objekt ist kein Mesh mit Ozean"),
         "The active object is no mesh, curve or text": (
             "Das aktive Objekt ist weder Mesh noch Kurve noch Text"
