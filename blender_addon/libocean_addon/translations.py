@@ -116,6 +116,7 @@ GERMAN = {
         "Bake Floating": "Schwimmen backen",
         "Free Floating": "Schwimmen freigeben",
         "Subdivide for Waves": "Für Wellen unterteilen",
+        "Make Asset Library": "Asset-Bibliothek anlegen",
         "Preset": "Vorgabe",
         "Load": "Laden",
         "Save": "Speichern",
@@ -230,6 +231,17 @@ GERMAN = {
         "Width": "Breite",
         "Tilt": "Neigung",
         "Ocean": "Ozean",
+        # The asset library.
+        "Seas and skies for the Asset Browser": "Seen und Himmel für den Asset-Browser",
+        "Now: {}": "Jetzt: {}",
+        "{} assets are in {}": "{} Assets sind in {}",
+        "{} is no file of asset catalogues that is known": (
+            "{} ist keine bekannte Datei von Asset-Katalogen"
+        ),
+        "{} was not made here, or has been changed: choose another folder": (
+            "{} wurde nicht hier angelegt oder ist geändert: wählen Sie einen anderen Ordner"
+        ),
+        "Blender could not write the seas: {}": "Blender konnte die Seen nicht schreiben: {}",
         # Why something cannot be done.
         "None of the selected objects floats": "Keines der gewählten Objekte schwimmt",
         "None of the selected objects has baked floating": (
