@@ -8,6 +8,7 @@ The add-on is this folder, installed or not; its library may lie in one of the m
 """
 
 import importlib.util
+import os
 import sys
 import traceback
 from pathlib import Path
@@ -33,11 +34,14 @@ def main() -> None:
     addon = load("libocean_addon")
     addon.register()
     importlib.import_module("libocean_addon.assets").write(Path(path))
-    addon.unregister()
 
 
 try:
     main()
-except Exception as failure:  # its last line goes to the user
+    status = 0
+except Exception:  # its last line goes to the user
     traceback.print_exc()
-    sys.exit(f"{type(failure).__name__}: {failure}")
+    status = 1
+sys.stdout.flush()
+sys.stderr.flush()
+os._exit(status)  # the Python module bpy of 4.2 crashes when it is left
