@@ -34,6 +34,7 @@ def _parts() -> list:
     if native.libocean is None:
         return [translations]
     from . import (
+        asset_library,
         bake,
         first_view,
         floating,
@@ -57,6 +58,7 @@ def _parts() -> list:
         bake,
         hints,
         panels,
+        asset_library,
         handlers,
         floating,
         manual,

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import atexit
 from collections.abc import Callable
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -142,6 +143,32 @@ def refract_in_eevee(material) -> None:
 
 RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()
 """Option of a property that may begin with "//"."""
+
+
+# Assets -----------------------------------------------------------------------
+
+
+def add_asset_library(name: str, folder: Path) -> None:
+    """To those of the preferences, unless the folder is one already."""
+    preferences = bpy.context.preferences
+    libraries = preferences.filepaths.asset_libraries
+    known = {Path(bpy.path.abspath(library.path)).resolve() for library in libraries}
+    if folder.resolve() in known:
+        return
+    if hasattr(libraries, "new"):  # 4.0
+        library = libraries.new(name=name, directory=str(folder))
+    else:
+        bpy.ops.preferences.asset_library_add(directory=str(folder))
+        library = libraries[-1]
+        library.name = name
+    if hasattr(library, "import_method"):  # 3.5
+        library.import_method = "APPEND"
+    preferences.is_dirty = True  # else Blender would not save them when it is left
+
+
+def asset_menu():
+    """Of the Asset Browser, for what makes assets."""
+    return getattr(bpy.types, "ASSETBROWSER_MT_catalog", None) or bpy.types.ASSETBROWSER_MT_edit
 
 
 # Languages --------------------------------------------------------------------

@@ -10,16 +10,19 @@ import bpy
 
 from . import compat, material, operators
 
-STRENGTH = 0.11
+_SKIES = bpy.types.ShaderNodeTexSky.bl_rna.properties["sky_type"].enum_items.keys()
+MODEL = "MULTIPLE_SCATTERING" if "MULTIPLE_SCATTERING" in _SKIES else "NISHITA"  # from 5.0 on
+
+STRENGTH = {"NISHITA": 0.11, "MULTIPLE_SCATTERING": 0.10}[MODEL]
 """Of the sky and the sun, which are in the sky texture's own units: a clear noon is then neither
-black nor white in Filmic and AgX at exposure 0."""
+black nor white in Filmic and AgX at exposure 0, and the sun at 30 degrees the same in both."""
 
 DUST = 0.6
 
 # Irradiance of a surface that faces the sun, by the sun's elevation in degrees: what the disc of
-# the sky texture lends in Cycles at intensity 1 and this dust [measured, Blender 3.4]. Eevee does
-# not see that disc: a lamp takes its place in both.
-_SUN = (
+# the sky texture lends in Cycles at intensity 1 and this dust [measured, Blender 3.4 and 5.0].
+# Eevee does not see that disc: a lamp takes its place in both.
+_SUN_NISHITA = (
     (2.0, (39.8, 14.0, 0.2)),
     (5.0, (79.8, 41.8, 9.0)),
     (10.0, (112.1, 74.1, 32.2)),
@@ -29,6 +32,17 @@ _SUN = (
     (60.0, (151.3, 125.4, 99.8)),
     (90.0, (153.0, 127.8, 103.9)),
 )
+_SUN_MULTIPLE_SCATTERING = (
+    (2.0, (39.1, 12.6, 0.2)),
+    (5.0, (76.6, 39.5, 9.3)),
+    (10.0, (111.4, 74.8, 34.1)),
+    (20.0, (139.4, 108.9, 69.6)),
+    (32.0, (152.3, 125.9, 91.2)),
+    (45.0, (158.7, 134.7, 103.3)),
+    (60.0, (162.3, 139.8, 110.7)),
+    (90.0, (164.7, 143.0, 115.4)),
+)
+_SUN = {"NISHITA": _SUN_NISHITA, "MULTIPLE_SCATTERING": _SUN_MULTIPLE_SCATTERING}[MODEL]
 _SUN_DIAMETER = math.radians(0.533)
 
 
@@ -51,8 +65,7 @@ def make_sky(elevation: float, azimuth: float):
     compat.use_nodes(world)
     nodes = world.node_tree.nodes
     texture = nodes.new("ShaderNodeTexSky")
-    kinds = texture.bl_rna.properties["sky_type"].enum_items.keys()
-    texture.sky_type = next(k for k in ("MULTIPLE_SCATTERING", "NISHITA") if k in kinds)
+    texture.sky_type = MODEL
     texture.sun_disc = False
     texture.sun_elevation = math.radians(elevation)
     texture.sun_rotation = math.radians(90.0 - azimuth)  # Blender's is clockwise from +y

@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, live, node_group, open_sea, versions
+from . import changes, compat, live, meshes, node_group, open_sea, versions
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -41,6 +41,9 @@ def _depsgraph_updated(scene, depsgraph) -> None:
         oceans = live.ocean_objects()
         _own_images(oceans)
         live.show_all(oceans, scene, depsgraph)
+        for ob in oceans:
+            if meshes.is_stand_in(ob):  # out of the asset library
+                live.follow_mesh(ob)
 
 
 @persistent

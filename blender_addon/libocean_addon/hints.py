@@ -94,12 +94,12 @@ def of_object(ob, seen) -> list[str]:
 
 def subdivisions(ob, seen) -> int:
     """How often a coarse mesh is to be divided for the samples of its maps, or as many vertices as
-    a patch has by itself."""
+    a patch has by itself; 0 for one that has them."""
     sea = open_sea.sea_of(ob)
     samples = live.map_resolution(ob) or meshes.AUTOMATIC
     wanted = float(sea.values.values["patch_size"]) / samples
     most = math.log(meshes.AUTOMATIC**2 / len(seen.data.polygons), 4.0)
-    return max(1, min(math.ceil(math.log2(spacing(ob, seen) / wanted)), math.floor(most), 11))
+    return max(0, min(math.ceil(math.log2(spacing(ob, seen) / wanted)), math.floor(most), 11))
 
 
 class Subdivide(bpy.types.Operator):
@@ -125,6 +125,9 @@ class Subdivide(bpy.types.Operator):
             self.report({"ERROR"}, tr("The active object is no mesh with an ocean"))
             return {"CANCELLED"}
         levels = subdivisions(ob, seen)
+        if levels == 0:
+            self.report({"ERROR"}, tr("The mesh has the vertices already that its maps ask for"))
+            return {"CANCELLED"}
         modifier = ob.modifiers.new("Subdivide for Waves", "SUBSURF")
         modifier.subdivision_type = "SIMPLE"
         modifier.levels = modifier.render_levels = levels

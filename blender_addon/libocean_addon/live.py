@@ -40,7 +40,13 @@ def ocean_objects() -> list[bpy.types.Object]:
         return []
     users = bpy.data.user_map(subset=groups, value_types={"OBJECT"})
     found = {ob for objects in users.values() for ob in objects if node_group.modifiers(ob)}
+    found = {ob for ob in found if not _is_dormant(ob)}
     return sorted(found, key=lambda ob: (ob.library is None, ob.name_full))
+
+
+def _is_dormant(ob) -> bool:
+    """In an asset library that is open, where nobody looks at it."""
+    return meshes.is_stand_in(ob) and not ob.users_scene
 
 
 @dataclasses.dataclass(frozen=True)
@@ -108,6 +114,15 @@ def _target(ob, modifier, name: str, shape, blank, render: bool, shared: bool):
         image = images.make(ob, label.lower(), shape, blank)
     node_group.assign(modifier, dict.fromkeys(names, image))
     return image
+
+
+_SMALLEST = 32  # samples a side of a map
+
+
+def prepare(ob, modifier) -> None:
+    """Gives a sea that nobody shows yet its images: brought in twice without any, the second one
+    goes on showing the frame at which it came."""
+    _targets(ob, modifier, _SMALLEST, render=False, shared=True)
 
 
 def show(ob, depsgraph, moment: Moment) -> None:
@@ -260,9 +275,11 @@ def parameters_changed(ob) -> None:
 
 
 def follow_mesh(ob) -> None:
-    """Makes a mesh that is ours fit the sea."""
+    """Makes a mesh that is ours fit the sea. Linked ones are as their files have them, but for
+    those that have no mesh in there."""
     sea = sea_of(ob)
-    ours = ob.libocean.kind != "MESH" and ob.library is None and ob.data.library is None
+    is_local = ob.library is None and ob.data.library is None
+    ours = ob.libocean.kind != "MESH" and (is_local or meshes.is_stand_in(ob))
     if not ours or ob.libocean.use_bake or sea.sea is None or ob.mode != "OBJECT":
         return
     settings, period = ob.libocean, float(sea.values.values["patch_size"])

@@ -13,8 +13,10 @@ MANUAL = Path(__file__).with_name("README.md").as_uri()
 # The first that fits; Blender asks in lower case.
 _SECTIONS = (
     ("bpy.ops.libocean.add_material*", "#material"),
+    ("bpy.ops.libocean.make_asset_library*", "#asset-library"),
     ("bpy.ops.libocean.*bake*", "#bake"),
     ("bpy.ops.libocean.*", "#from-scripts"),
+    ("bpy.types.oceanpreferences*", "#asset-library"),
     ("bpy.types.oceanbake*", "#bake"),
     ("bpy.types.oceansettings*", "#use"),
     ("bpy.types.oceanwaves*", "#use"),

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import math
 
+import bmesh
+import bpy
 import numpy as np
 
 from . import compat, ring_nodes
@@ -78,10 +80,25 @@ def _follow(ob, made_of: str, make) -> None:
     """make: takes the mesh. Of objects that share one and then differ each gets its own."""
     if ob.data.get(_MADE_OF) == made_of:
         return
-    if ob.data.users > 1:
-        ob.data = ob.data.copy()
-    make(ob.data)
+    if ob.data.library is not None:
+        _fill_linked(ob.data, make)
+    else:
+        if ob.data.users > 1:
+            ob.data = ob.data.copy()
+        make(ob.data)
     ob.data[_MADE_OF] = made_of
+
+
+def _fill_linked(mesh, make) -> None:
+    """Of another file, which goes on having its own: in memory alone. Blender lets nobody set the
+    places of its vertices, but takes all of a BMesh."""
+    local = bpy.data.meshes.new(mesh.name)
+    make(local)
+    all_of_it = bmesh.new()
+    all_of_it.from_mesh(local)
+    all_of_it.to_mesh(mesh)
+    all_of_it.free()
+    bpy.data.meshes.remove(local)
 
 
 def follow_patch(ob, size: float, samples: int) -> None:
@@ -96,6 +113,19 @@ def follow_patch(ob, size: float, samples: int) -> None:
             fill(mesh, _patch_vertices(size, samples), _patch_faces(samples))
 
     _follow(ob, f"patch {size!r} {samples}", make)
+
+
+STAND_IN = "stand-in"
+
+
+def fill_stand_in(mesh, size: float) -> None:
+    """One face, for the mesh that will be made where the object is shown."""
+    fill(mesh, _patch_vertices(size, 1), _patch_faces(1))
+    mesh[_MADE_OF] = STAND_IN
+
+
+def is_stand_in(ob) -> bool:
+    return ob.type == "MESH" and ob.data.get(_MADE_OF) == STAND_IN
 
 
 # The rings of a horizon -------------------------------------------------------

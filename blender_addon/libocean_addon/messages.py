@@ -34,6 +34,11 @@ def in_words(text: str, systems: int = 1) -> str:
     return _PATH.sub(lambda found: _label(found, systems), _LINE.sub("", text))
 
 
+def of_file(failure: OSError) -> str:
+    """What the system says of a file, without the number of it."""
+    return f"{failure.filename}: {failure.strerror}" if failure.filename else str(failure)
+
+
 def of_field(failure: Exception, changed: dict[str, str]) -> str:
     """What the library says of values that were set: of a file it says no more than its name."""
     text = str(failure)

@@ -185,8 +185,11 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
                 text = sea.text
             with open(bpy.path.abspath(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
-        except (libocean.Error, OSError) as failure:
+        except libocean.Error as failure:
             self.report({"ERROR"}, messages.in_words(str(failure)))
+            return {"CANCELLED"}
+        except OSError as failure:
+            self.report({"ERROR"}, messages.of_file(failure))
             return {"CANCELLED"}
         return {"FINISHED"}
 

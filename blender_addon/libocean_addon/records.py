@@ -97,8 +97,11 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
                 bpy.ops.libocean.pick_record("INVOKE_DEFAULT", filepath=self.filepath)
                 return {"CANCELLED"}  # nothing was done yet
             self._measure(context, path)
-        except (libocean.Error, OSError) as failure:
+        except libocean.Error as failure:
             self.report({"ERROR"}, messages.in_words(str(failure)))
+            return {"CANCELLED"}
+        except OSError as failure:
+            self.report({"ERROR"}, messages.of_file(failure))
             return {"CANCELLED"}
         return {"FINISHED"}
 

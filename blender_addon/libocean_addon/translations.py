@@ -116,6 +116,7 @@ GERMAN = {
         "Bake Floating": "Schwimmen backen",
         "Free Floating": "Schwimmen freigeben",
         "Subdivide for Waves": "Für Wellen unterteilen",
+        "Make Asset Library": "Asset-Bibliothek anlegen",
         "Preset": "Vorgabe",
         "Load": "Laden",
         "Save": "Speichern",
@@ -230,6 +231,17 @@ GERMAN = {
         "Width": "Breite",
         "Tilt": "Neigung",
         "Ocean": "Ozean",
+        # The asset library.
+        "Seas and skies for the Asset Browser": "Seen und Himmel für den Asset-Browser",
+        "Now: {}": "Jetzt: {}",
+        "{} assets are in {}": "{} Assets sind in {}",
+        "{} is no file of asset catalogues that is known": (
+            "{} ist keine bekannte Datei von Asset-Katalogen"
+        ),
+        "{} was not made here, or has been changed: choose another folder": (
+            "{} wurde nicht hier angelegt oder ist geändert: wählen Sie einen anderen Ordner"
+        ),
+        "Blender could not write the seas: {}": "Blender konnte die Seen nicht schreiben: {}",
         # Why something cannot be done.
         "None of the selected objects floats": "Keines der gewählten Objekte schwimmt",
         "None of the selected objects has baked floating": (
@@ -241,6 +253,9 @@ GERMAN = {
         "The active object has no ocean modifier": "Das aktive Objekt hat keinen Ozean-Modifikator",
         "The active object has an ocean: add wave systems to it": (
             "Das aktive Objekt hat einen Ozean: fügen Sie ihm Wellensysteme hinzu"
+        ),
+        "The mesh has the vertices already that its maps ask for": (
+            "Das Mesh hat schon die Punkte, die seine Karten verlangen"
         ),
         "The active object is no mesh with an ocean": ("Das aktive Objekt ist kein Mesh mit Ozean"),
         "The active object is no mesh, curve or text": (

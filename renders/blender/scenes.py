@@ -17,11 +17,14 @@ from mathutils import Vector
 HERE = Path(__file__).parent
 
 
+PACKAGES = ("bl_ext.user_default.libocean", "libocean_addon")
+
+
 def enable_addon() -> None:
     import addon_utils  # of Blender, found once bpy is there
 
     there = {module.__name__ for module in addon_utils.modules()}
-    for module in ("bl_ext.user_default.libocean", "libocean_addon"):
+    for module in PACKAGES:
         if module in there and addon_utils.enable(module) is not None:
             return
     sys.exit("the libocean add-on is not installed: see blender_addon/README.md")
@@ -223,4 +226,5 @@ def main() -> None:
     bpy.ops.render.render(write_still=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import pixels
-from libocean_addon import first_view
+from libocean_addon import compat, first_view
 
 
 def rendered(tmp_path, samples=8):
@@ -84,3 +84,34 @@ def test_the_suns_light_grows_and_whitens():
     assert (np.diff(lights, axis=0) >= 0.0).all()
     shares = lights[1:, 2] / lights[1:, 0]
     assert (np.diff(shares) > -1e-9).all()
+
+
+@pytest.mark.parametrize("elevation", [5.0, 30.0, 60.0])
+def test_the_lamp_lights_as_the_skys_own_disc_does(scene, tmp_path, elevation):
+    """A white plane that faces the sun, with the one and with the other."""
+    scene.world = first_view.make_sky(elevation, 0.0)
+    sun = first_view.make_sun(elevation, 0.0)
+    bpy.ops.mesh.primitive_plane_add(rotation=sun.rotation_euler)
+    white = bpy.data.materials.new("White")
+    compat.use_nodes(white)
+    white.node_tree.nodes.clear()
+    shader = white.node_tree.nodes.new("ShaderNodeBsdfDiffuse")
+    shader.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    output = white.node_tree.nodes.new("ShaderNodeOutputMaterial")
+    white.node_tree.links.new(shader.outputs[0], output.inputs["Surface"])
+    bpy.context.object.data.materials.append(white)
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    camera.data.type, camera.data.ortho_scale = "ORTHO", 1.0
+    camera.rotation_euler = sun.rotation_euler
+    camera.matrix_world = sun.rotation_euler.to_matrix().to_4x4()
+    camera.location = 3.0 * camera.matrix_world.to_3x3().col[2]
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    texture = next(n for n in scene.world.node_tree.nodes if n.type == "TEX_SKY")
+    sky = rendered(tmp_path, samples=64).mean(axis=(0, 1))
+    scene.collection.objects.link(sun)
+    lamp = rendered(tmp_path, samples=64).mean(axis=(0, 1)) - sky
+    scene.collection.objects.unlink(sun)
+    texture.sun_disc = True
+    disc = rendered(tmp_path, samples=64).mean(axis=(0, 1)) - sky
+    assert lamp == pytest.approx(disc, rel=0.03, abs=0.02)

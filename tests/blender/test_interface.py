@@ -199,6 +199,13 @@ def test_a_wind_saved_without_a_switch_is_given(ocean, tmp_path):
     )
 
 
+def test_a_file_that_cannot_be_used_is_named_without_a_number(ocean, tmp_path):
+    missing = tmp_path / "none" / "sea.toml"
+    for operator in (bpy.ops.libocean.save_sea, bpy.ops.libocean.pick_record):
+        with pytest.raises(RuntimeError, match=f"Error: {missing}: No such file or directory"):
+            operator(filepath=str(missing))
+
+
 def test_save_and_load(ocean, tmp_path):
     path = str(tmp_path / "saved.toml")
     ocean.libocean.waves[0].wind_speed = 21.0

@@ -284,6 +284,9 @@ def test_a_plane_of_four_vertices_offers_to_subdivide(scene):
     assert positions(ob)[:, 2].std() > 0.2
     assert "between vertices" not in said()
     assert "libocean.subdivide" not in drawn_by(panels.OceanPanel)
+    with pytest.raises(RuntimeError, match="has the vertices already"):
+        bpy.ops.libocean.subdivide()
+    assert len(evaluated_mesh(ob).vertices) == vertices
 
 
 def test_a_mesh_that_is_fine_enough_is_left_alone():

@@ -13,6 +13,7 @@ import libocean_addon
 import pytest
 from conftest import plane
 from libocean_addon import (
+    asset_library,
     bake,
     bake_state,
     compat,
@@ -32,7 +33,18 @@ from libocean_addon import (
 )
 
 GERMAN = translations.TABLE["de_DE"]
-PARTS = (properties, material, operators, first_view, records, bake, hints, panels, floating)
+PARTS = (
+    properties,
+    material,
+    operators,
+    first_view,
+    records,
+    bake,
+    hints,
+    panels,
+    asset_library,
+    floating,
+)
 CLASSES = [cls for part in PARTS for cls in part.CLASSES]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
@@ -122,7 +134,7 @@ def test_every_state_and_socket_is_translated():
 def test_nothing_is_said_untranslated(path):
     """What is reported, or drawn, is no bare text: only what a variable holds, or tr."""
     for name, call in calls(path):
-        if name in ("report", "poll_message_set", "status_text_set", "BakeError"):
+        if name in ("report", "poll_message_set", "status_text_set", "BakeError", "LibraryError"):
             said = [node for node in call.args if isinstance(node, (ast.Constant, ast.JoinedStr))]
             assert all(node.value is None for node in said), ast.unparse(call)
         for keyword in call.keywords:

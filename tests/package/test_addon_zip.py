@@ -19,6 +19,16 @@ def script(name: str, *arguments) -> subprocess.CompletedProcess:
     )
 
 
+def thumbnails() -> dict[str, bytes]:
+    folder = ROOT / "blender_addon" / "libocean_addon" / "thumbnails"
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def thumbnails_in(archive: zipfile.ZipFile, folder: str) -> dict[str, bytes]:
+    names = [name for name in archive.namelist() if name.startswith(folder)]
+    return {name.removeprefix(folder): archive.read(name) for name in names}
+
+
 def test_the_addon_for_this_linux_needs_no_other_compiler(tmp_path):
     """The wheel says which glibc the library really needs."""
     done = script("build-addon", "--linux", "--output", tmp_path)
@@ -30,9 +40,11 @@ def test_the_addon_for_this_linux_needs_no_other_compiler(tmp_path):
     with zipfile.ZipFile(tmp_path / names[0]) as extension:
         wheels = [name for name in extension.namelist() if "wheels/libocean" in name]
         assert len(wheels) == 1
+        assert thumbnails_in(extension, "thumbnails/") == thumbnails()
         assert wheels[0].endswith(f"-py3-none-manylinux_2_{max(28, needed)}_x86_64.whl")
         assert 'platforms = ["linux-x64"]' in extension.read("blender_manifest.toml").decode()
     with zipfile.ZipFile(tmp_path / names[1]) as legacy:
+        assert thumbnails_in(legacy, "libocean_addon/thumbnails/") == thumbnails()
         (bundled,) = (name for name in legacy.namelist() if name.endswith("libocean.so"))
         assert legacy.read(bundled) == library.read_bytes()
 
