@@ -23,6 +23,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri xvfb xauth)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
+    gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)
+    gpu_packages=(cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libepoxy-dev libegl1
+        libgl1)
     bpy_packages=(
         "${build_packages[@]}" blender libegl1 xvfb xauth python3-numpy python3-pytest python3-venv
         ca-certificates libgl1 libgomp1 libice6 libsm6 libx11-6 libxext6 libxfixes3 libxi6 libxkbcommon0

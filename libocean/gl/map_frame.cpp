@@ -99,9 +99,12 @@ bool MapFrame::make(const MapRequest& request, std::vector<Quantity> quantities,
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kFirstPackBinding + static_cast<GLuint>(p),
                          packs_[p].name());
     }
+    if (mark_) mark_();
     run_rows(request);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (mark_) mark_();
     run_columns(request, past);
+    if (mark_) mark_();
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     require_no_error("making a frame");

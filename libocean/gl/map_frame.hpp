@@ -4,9 +4,10 @@
 // Maps of one resolution on the GPU: modes in, textures out, in two dispatches.
 #pragma once
 
+#include <functional>
 #include <map>
-#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compute_program.hpp"
@@ -34,6 +35,10 @@ class MapFrame {
     /// Gives a map another texture, of that format, and takes the one that it had, or none.
     void exchange_map(std::size_t number, GLenum format, Texture& texture);
 
+    /// Called before each dispatch and after the last one; for who wants to know how long they
+    /// take.
+    void watch(std::function<void()> mark) { mark_ = std::move(mark); }
+
     /// Of the last make.
     const FramePlan& plan() const { return program_->plan; }
     const Texture& map(std::size_t number) const { return maps_[number]; }
@@ -59,6 +64,7 @@ class MapFrame {
     std::vector<Texture> maps_;
     std::vector<GLenum> formats_;  // of maps_
     Texture no_past_;              // of foam that begins
+    std::function<void()> mark_;
     std::map<std::string, Programs> programs_;
     Programs* program_ = nullptr;
 };

@@ -63,6 +63,16 @@ void resize_storage(Buffer& buffer, std::size_t bytes, const void* data) {
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
 }
 
+PageVector<std::complex<float>> map_amplitudes(const MapModes& modes, ThreadPool& pool) {
+    using Amplitude = std::complex<float>;
+    auto amplitudes = zeros<Amplitude>(modes, pool);
+    for_each_mode(modes, pool, [&](std::size_t to, const CascadeModes& cascade, std::size_t from) {
+        const Amplitude h0 = cascade.h0[from];
+        if (h0 != Amplitude(0.0f)) amplitudes[to] = h0;
+    });
+    return amplitudes;
+}
+
 bool ModesOnGpu::load(const MapModes& modes, ThreadPool& pool) {
     if (modes.revision != 0 && revision_ == modes.revision) return false;
     const bool same_lattice =
@@ -103,11 +113,7 @@ void ModesOnGpu::load_amplitudes(const MapModes& modes, ThreadPool& pool) {
         resize_storage(amplitudes_, h0.size() * sizeof(Amplitude), h0.data());
         return;
     }
-    auto amplitudes = zeros<Amplitude>(modes, pool);
-    for_each_mode(modes, pool, [&](std::size_t to, const CascadeModes& cascade, std::size_t from) {
-        const Amplitude h0 = cascade.h0[from];
-        if (h0 != Amplitude(0.0f)) amplitudes[to] = h0;
-    });
+    const auto amplitudes = map_amplitudes(modes, pool);
     resize_storage(amplitudes_, amplitudes.size() * sizeof(Amplitude), amplitudes.data());
 }
 

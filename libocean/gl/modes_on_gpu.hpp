@@ -41,6 +41,9 @@ class ModesOnGpu {
     float gradient_scale_ = 1.0f;
 };
 
+/// h0 of all modes of a map, in FFT order: zero where there are none.
+PageVector<std::complex<float>> map_amplitudes(const MapModes& modes, ThreadPool& pool);
+
 /// A new buffer of so many bytes, or `buffer` with that size; bound as a storage buffer.
 void resize_storage(Buffer& buffer, std::size_t bytes, const void* data);
 

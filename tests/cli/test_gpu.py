@@ -152,6 +152,53 @@ def test_a_bake_goes_on_with_the_frames_of_the_same_backend_only(ocean):
     assert "skipped" not in events()
 
 
+def test_stages_lead_from_the_amplitudes_to_the_heights(ocean):
+    """h0 to h(k, t) to the map: what numpy makes of one stage is the next."""
+
+    def stage(name, *options):
+        ocean.good("bake", "sea.toml", "-o", f"{name}.exr", "--stage", name, *options)
+        return pixels(ocean.folder / f"{name}.exr")[::-1]  # from the bottom up
+
+    h0, spectrum, butterfly = stage("h0"), stage("spectrum"), stage("butterfly")
+    assert h0.shape == (64, 64, 4) and spectrum.shape == (64, 64, 2)
+    assert butterfly.shape == (64, 6, 4)
+    amplitudes = h0[..., 0] + 1j * h0[..., 1]
+    mirrored = numpy.conj(numpy.roll(amplitudes[::-1, ::-1], (1, 1), (0, 1)))
+    assert (mirrored == h0[..., 2] + 1j * h0[..., 3]).all()
+    # At t = 0 no mode has turned.
+    heights = spectrum[..., 0] + 1j * spectrum[..., 1]
+    assert numpy.allclose(heights, amplitudes + mirrored, rtol=0, atol=1e-7)
+
+    ocean.good("bake", "sea.toml", "-o", "map.exr", "--products", "height", "--type", "float")
+    expected = pixels(ocean.folder / "map.exr")[::-1, :, 0]
+    transformed = numpy.fft.ifft2(numpy.fft.ifftshift(heights), norm="forward").real
+    assert numpy.abs(transformed - expected).max() < 2e-6 * expected.std() * 10
+
+    sign = 1.0 - 2.0 * (numpy.add.outer(numpy.arange(64), numpy.arange(64)) % 2)
+    last = stage("vertical-6")
+    assert numpy.abs(sign * last[..., 0] - expected).max() < 1e-5 * expected.std()
+    assert numpy.abs(last[..., 1]).max() < 1e-5 * expected.std()
+    rows = stage("horizontal-6")
+    alternating = sign[:1]
+    along_x = numpy.fft.ifft(numpy.fft.ifftshift(heights, axes=1), axis=1, norm="forward")
+    assert numpy.abs(alternating * (rows[..., 0] + 1j * rows[..., 1]) - along_x).max() < 1e-5
+
+
+def test_stages_of_several_frames_have_names_and_what_is_not_ours_stays(ocean):
+    out = ocean.good("bake", "sea.toml", "-o", "s.exr", "--stage", "spectrum", "--frames", "1-2")
+    assert out.split() == ["s.0001.exr", "s.0002.exr"]
+    first, second = (pixels(ocean.folder / name) for name in out.split())
+    assert (first != second).any()
+    ocean.good("bake", "sea.toml", "-o", "s.exr", "--stage", "spectrum", "--frames", "1-2")
+    ocean.write("mine.exr", "my own")
+    assert "it stays" in ocean.bad("bake", "sea.toml", "-o", "mine.exr", "--stage", "h0")
+    assert (ocean.folder / "mine.exr").read_text() == "my own"
+    message = ocean.bad("bake", "sea.toml", "-o", "s.exr", "--stage", "horizontal-7")
+    assert "horizontal-1 .. horizontal-6" in message
+    assert "--stage" in ocean.bad("bake", "sea.toml", "-o", "t.exr", "--stage", "h0", "--products",
+                                  "height")  # fmt: skip
+
+
 def test_the_shared_library_knows_no_gl():
     library = os.environ.get("LIBOCEAN_LIBRARY")
     if not library:

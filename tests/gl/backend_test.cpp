@@ -169,6 +169,13 @@ TEST(GlBackend, CopiesHaveContextsOfTheirOwnAndRunInParallel) {
     EXPECT_FALSE(gl::has_current_context());
 }
 
+TEST(GlBackend, RunsOnTheDriverThatTheTestIsFor) {
+    const char* wanted = std::getenv("OCEAN_GL_TEST_RENDERER");
+    const gl::HeadlessContext context;
+    EXPECT_NE(context.info().renderer.find(wanted == nullptr ? "" : wanted), std::string::npos)
+        << context.info().text();
+}
+
 TEST(GlBackend, SaysWhatItRunsOnAndWhatIsTooMuch) {
     const BackendFitness fitness = gl::kBackend.fitness(512);
     EXPECT_TRUE(fitness.runs) << fitness.reason;

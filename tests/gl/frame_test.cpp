@@ -117,6 +117,11 @@ INSTANTIATE_TEST_SUITE_P(Gate, GlFrames,
                          testing::Combine(testing::Values(64, 256, 512), testing::Values(1, 4),
                                           testing::Values(12.0, 1e6)));
 
+/// Minutes on a processor: `scripts/test --full`.
+INSTANTIATE_TEST_SUITE_P(DISABLED_Long, GlFrames,
+                         testing::Combine(testing::Values(1024, 2048, 4096), testing::Values(1, 4),
+                                          testing::Values(1e6)));
+
 TEST(GlFrames, HighWavesOfAWidePatchLeaveTheirGradientsExact) {
     Parameters parameters = wind_sea(256, 4000.0);
     parameters.waves.front().wind_speed = 25.0;

@@ -3,6 +3,7 @@
 //
 // `ocean bake`: frames of a sea into files for other programs. What its options mean is settled by
 // make_bake_plan; those of a format come from the format.
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <span>
@@ -13,8 +14,10 @@
 #include "input_files.hpp"
 #include "ocean/bake/catalogue.hpp"
 #if OCEAN_HAS_GL
+#include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
+#include "stage_images.hpp"
 #endif
 #include "sea_argument.hpp"
 
@@ -25,7 +28,7 @@ struct Typed {
     BakeOptions bake;
     SeaArgument sea;
     std::map<std::string, bool> flags;  // of formats
-    std::string egl_device;
+    std::string egl_device, stage;
     bool dry_run = false;
 };
 
@@ -57,6 +60,9 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
 #if OCEAN_HAS_GL
              {"--egl-device", &typed.egl_device, "N",
               "The GPU for gl, of those that EGL lists, from 0; default: the first"},
+             {"--stage", &typed.stage, "STAGE",
+              "In place of products, what lies before a map, as EXR: h0, spectrum, butterfly, "
+              "horizontal-1 .. and vertical-1 .., by the backend thesis"},
 #endif
          }},
     };
@@ -105,10 +111,25 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
         gl::use_egl_device(parse_whole_number(typed.egl_device, "--egl-device", 0, 63));
     }
 #endif
+#if OCEAN_HAS_GL
+    if (!typed.stage.empty()) {
+        const bool of_format = std::ranges::any_of(
+            options.of_format, [](const auto& option) { return !option.second.empty(); });
+        if (of_format || !options.backend.empty() || options.skip_existing || typed.dry_run) {
+            throw Error(ErrorKind::invalid_value,
+                        "--stage goes with SEA, -o, --frames, --resolution and --egl-device alone");
+        }
+        options.backend = "thesis";
+        options.of_format["products"] = "height";
+    }
+#endif
     const BakePlan plan = make_bake_plan(options, catalogue);
     InputFiles inputs(typed.sea, plan.sea);
     inputs.add(options.from);
     for (const std::string& path : output_paths(plan)) inputs.spare(path);
+#if OCEAN_HAS_GL
+    if (!typed.stage.empty()) return bake_stage(plan, typed.stage, context);
+#endif
     if (typed.dry_run) return show_forecast(forecast_bake(plan), {}, context.console);
     ConsoleHost host(context);
     run_bake(plan, host);
