@@ -12,23 +12,6 @@ from conftest import Folder, floats_of, ocean, parse_seconds, povray, read_png, 
 import libocean
 
 
-def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
-    sea = sea_text(resolution=512, period=400.0, wind=10.0)
-    exact = Folder(tmp_path / "df3", sea, "--near-only")
-    text = Folder(tmp_path / "mesh2", sea, "--format", "mesh2")
-    scene = 'Ocean_Load("sea_0001")\nobject { Ocean_Mesh() }'
-    seconds = {"df3": [], "mesh2": []}
-    for _ in range(3):
-        seconds["df3"].append(parse_seconds(exact.run(scene)))
-        seconds["mesh2"].append(parse_seconds(text.run(scene)))
-    ratio = min(seconds["df3"]) / min(seconds["mesh2"])
-    size = (exact.path / "sea_0001.df3").stat().st_size
-    share = size / (text.path / "sea_0001.inc").stat().st_size
-    print(f"\n{seconds}, ratio {ratio:.2f}; {size} bytes, {share:.3f} of the text")
-    assert ratio <= 2.5
-    assert share <= 0.25
-
-
 def test_the_frames_are_those_of_a_bake(tmp_path):
     sea = sea_text(resolution=64, period=60.0)
     for form, extension, options in (

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy
 import pytest
-from conftest import PERIOD, Folder, N, floats_of, parse_seconds, read_png, sea_text, surface
+from conftest import PERIOD, Folder, N, floats_of, read_png, sea_text, surface
 
 PEAK_MEMORY = Path(__file__).resolve().parents[1] / "peak_memory.py"
 
@@ -219,19 +219,6 @@ object {{ Ocean_View(Eye, Target, View_Angle, 0.1) pigment {{ rgb 0 }} }}""",
     assert not numpy.any(bare & clear)
     if pitch == 0:
         assert bare.mean() > 0.3, "there is no sky to tell the sea from"
-
-
-def test_the_view_parses_as_fast_as_a_period_of_its_sea(tmp_path):
-    """At 512 samples; before its rows lay where pixels are it took 5.7 times as long."""
-    folder = Folder(tmp_path, sea_text(resolution=512, period=690.0, wind=12.3))
-    seconds = {"Ocean_Mesh()": [], "Ocean_View(<0, 8, 0>, <10, 7, 0>, 60, 1)": []}
-    for _ in range(3):
-        for form, times in seconds.items():
-            scene = f'Ocean_Load("sea_0001")\nobject {{ {form} }}'
-            times.append(parse_seconds(folder.run(scene, width=480, height=270)))
-    mesh, view = map(min, seconds.values())
-    print(f"\nview {view:.2f} s, mesh {mesh:.2f} s: {view / mesh:.2f}")
-    assert view <= 5.7 / 4 * mesh
 
 
 def test_an_eye_under_water_is_told_so(choppy):
