@@ -20,12 +20,6 @@ namespace ocean::gl {
 
 namespace {
 
-constexpr ChannelSet kAll = [] {
-    ChannelSet all;
-    for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
-    return all;
-}();
-
 std::vector<Quantity> quantities_of(std::span<const MapOutput> outputs) {
     std::vector<Quantity> quantities;
     for (const MapOutput& output : outputs) {
@@ -120,7 +114,7 @@ BackendFitness gpu_fitness(int resolution) {
 
 }  // namespace
 
-const Backend kBackend = {"gl", kAll, [] { return MapFunction(GpuFunction<GpuMaps>()); }, gpu_bytes,
-                          gpu_fitness};
+const Backend kBackend = {"gl", kEveryChannel, [] { return MapFunction(GpuFunction<GpuMaps>()); },
+                          gpu_bytes, gpu_fitness};
 
 }  // namespace ocean::gl

@@ -48,6 +48,11 @@ std::string program_text(const ShaderText& text, std::string_view defines) {
     return std::string(kHead) + std::string(defines) + text.text;
 }
 
+void dispatch_texels(int resolution) {
+    const auto tiles = static_cast<GLuint>(resolution) / 16;
+    glDispatchCompute(tiles, tiles, 1);
+}
+
 ComputeProgram::ComputeProgram(std::string_view path, std::string defines)
     : path_(path), defines_(std::move(defines)), text_(load_shader(path)) {
     compile(text_);

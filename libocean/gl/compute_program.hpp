@@ -36,6 +36,9 @@ class ComputeProgram {
     Program program_;
 };
 
+/// Runs the current program for each of N x N texels, in workgroups of 16 x 16.
+void dispatch_texels(int resolution);
+
 /// The whole text that the driver compiles.
 std::string program_text(const ShaderText& text, std::string_view defines);
 

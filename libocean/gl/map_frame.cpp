@@ -119,16 +119,15 @@ void MapFrame::exchange_map(std::size_t number, GLenum format, Texture& texture)
 }
 
 MapFrame::Programs& MapFrame::programs_for(std::vector<Quantity> quantities, bool flat) {
-    FramePlan plan = make_frame_plan(shape_, std::move(quantities), flat);
-    std::string rows = plan.rows_defines();
-    std::string columns = plan.columns_defines();
-    const std::string key = rows + columns;
+    std::pair<std::vector<int>, bool> key{{}, flat};
+    for (const Quantity quantity : quantities) key.first.push_back(quantity.id);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
+    FramePlan plan = make_frame_plan(shape_, std::move(quantities), flat);
+    ComputeProgram rows("compute/rows.comp", plan.rows_defines());
+    ComputeProgram columns("compute/columns.comp", plan.columns_defines());
     return programs_
-        .emplace(key, Programs{std::move(plan),
-                               {"compute/rows.comp", std::move(rows)},
-                               {"compute/columns.comp", std::move(columns)}})
+        .emplace(std::move(key), Programs{std::move(plan), std::move(rows), std::move(columns)})
         .first->second;
 }
 

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,7 +64,8 @@ class MapFrame {
     std::vector<GLenum> formats_;  // of maps_
     Texture no_past_;              // of foam that begins
     std::function<void()> mark_;
-    std::map<std::string, Programs> programs_;
+    /// By the quantities' ids and whether the choppiness is 0.
+    std::map<std::pair<std::vector<int>, bool>, Programs> programs_;
     Programs* program_ = nullptr;
 };
 

@@ -16,11 +16,6 @@ namespace ocean::gl {
 
 namespace {
 
-std::size_t mode_at(int n, int m, int resolution) {
-    const auto index = [&](int k) { return static_cast<std::size_t>(k < 0 ? k + resolution : k); };
-    return index(m) * static_cast<std::size_t>(resolution) + index(n);
-}
-
 /// Calls set(to, cascade, from) for each mode of each cascade that the map holds. The bands share
 /// no mode, but each cascade's arrays cover all of its lattice: `set` sees also the empty ones.
 template <typename Set>
@@ -32,8 +27,8 @@ void for_each_mode(const MapModes& modes, ThreadPool& pool, const Set& set) {
         pool.for_each_range(2 * half - 1, [&](int first, int last) {
             for (int m = first - half + 1; m < last - half + 1; ++m) {
                 for (int n = -half + 1; n < half; ++n) {
-                    set(mode_at(n * stride, m * stride, modes.resolution), cascade,
-                        mode_at(n, m, own));
+                    set(mode_index(n * stride, m * stride, modes.resolution), cascade,
+                        mode_index(n, m, own));
                 }
             }
         });
@@ -128,7 +123,7 @@ float ModesOnGpu::find_gradient_scale(const MapModes& modes, ThreadPool& pool) c
             for (int row = first; row < last; ++row) {
                 double sum = 0.0;
                 for (int n = -half + 1; n < half; ++n) {
-                    sum += std::norm(cascade.h0[mode_at(n, row - half + 1, own)]);
+                    sum += std::norm(cascade.h0[mode_index(n, row - half + 1, own)]);
                 }
                 rows[static_cast<std::size_t>(row)] = 2.0 * sum;
             }

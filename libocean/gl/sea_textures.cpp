@@ -17,8 +17,6 @@ namespace ocean::gl {
 
 namespace {
 
-constexpr GLuint kTile = 16;
-
 const std::vector<Quantity>& cascade_quantities() {
     using enum Linear;
     static const std::vector<Quantity> quantities = {displacement_x, displacement_y, height,
@@ -40,8 +38,7 @@ class CascadeFrame {
         moments.use();
         glBindImageTexture(0, frame_.map(1).name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
         glBindImageTexture(1, moments_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-        const auto tiles = static_cast<GLuint>(resolution_) / kTile;
-        glDispatchCompute(tiles, tiles, 1);
+        dispatch_texels(resolution_);
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                         GL_FRAMEBUFFER_BARRIER_BIT);
         for (const GLuint texture : {frame_.map(0).name(), frame_.map(1).name(), moments_.name()}) {

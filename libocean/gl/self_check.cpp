@@ -10,6 +10,7 @@
 
 #include "checks.hpp"
 #include "compute_program.hpp"
+#include "modes_on_gpu.hpp"
 #include "ocean/error.hpp"
 #include "ocean/text.hpp"
 #include "wave/wave.hpp"
@@ -41,12 +42,8 @@ Numbers run(const Numbers& given) {
     ComputeProgram program("compute/self_check.comp", "");
     std::array<Buffer, 2> buffers;
     for (GLuint i = 0; i < buffers.size(); ++i) {
-        GLuint name = 0;
-        glGenBuffers(1, &name);
-        buffers[i] = Buffer(name);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, name);
-        glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof given, i == 0 ? &given : nullptr,
-                     GL_STATIC_DRAW);
+        resize_storage(buffers[i], sizeof given, i == 0 ? &given : nullptr);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, i, buffers[i].name());
     }
     program.use();
     glDispatchCompute(kModes / 64, 1, 1);

@@ -14,8 +14,6 @@ namespace ocean::gl {
 
 namespace {
 
-constexpr GLuint kTile = 16;  // texels along a workgroup's sides
-
 std::string define(const char* name, int value) {
     return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
@@ -37,7 +35,7 @@ Texture make_butterflies(int resolution, int octaves) {
     program.use();
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kRootsBinding, roots.name());
     bind_image(0, texture, GL_WRITE_ONLY, GL_RGBA32F);
-    glDispatchCompute(static_cast<GLuint>(octaves), static_cast<GLuint>(resolution) / kTile, 1);
+    glDispatchCompute(static_cast<GLuint>(octaves), static_cast<GLuint>(resolution) / 16, 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     return texture;
 }
@@ -71,8 +69,7 @@ ComputeProgram& ThesisFrame::spectrum_program(Linear field) {
 }
 
 void ThesisFrame::run_tiles() const {
-    const auto tiles = static_cast<GLuint>(resolution_) / kTile;
-    glDispatchCompute(tiles, tiles, 1);
+    dispatch_texels(resolution_);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 

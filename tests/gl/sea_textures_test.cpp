@@ -14,6 +14,7 @@
 namespace ocean {
 namespace {
 
+using test::foaming_sea;
 using test::relative_error;
 using test::wind_sea;
 
@@ -105,13 +106,6 @@ TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
     const Surface map = sea.evaluate(3.0, {Channel::slope_x, Channel::slope_y});
     EXPECT_NEAR(last.texels[0], test::variance(map.channel(Channel::slope_x)), 1e-5);
     EXPECT_NEAR(last.texels[1], test::variance(map.channel(Channel::slope_y)), 1e-5);
-}
-
-Parameters foaming_sea() {
-    Parameters parameters = wind_sea(128, 200.0);
-    parameters.waves.front().wind_speed = 15.0;
-    parameters.surface.foam_coverage = FoamCoverage::threshold;
-    return parameters;
 }
 
 /// The foam that a renderer shows at its texels.

@@ -30,6 +30,14 @@ inline Parameters wind_sea(int resolution = 128, double patch_size = 400.0) {
     return parameters;
 }
 
+/// A stronger one, whose crests foam by a threshold.
+inline Parameters foaming_sea() {
+    Parameters parameters = wind_sea(128, 200.0);
+    parameters.waves.front().wind_speed = 15.0;
+    parameters.surface.foam_coverage = FoamCoverage::threshold;
+    return parameters;
+}
+
 inline double mean(std::span<const float> values) {
     double sum = 0.0;
     for (const float value : values) sum += value;

@@ -110,8 +110,6 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     if (!typed.egl_device.empty()) {
         gl::use_egl_device(parse_whole_number(typed.egl_device, "--egl-device", 0, 63));
     }
-#endif
-#if OCEAN_HAS_GL
     if (!typed.stage.empty()) {
         const bool of_format = std::ranges::any_of(
             options.of_format, [](const auto& option) { return !option.second.empty(); });

@@ -28,12 +28,6 @@ MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int
 
 namespace {
 
-constexpr ChannelSet kAll = [] {
-    ChannelSet all;
-    for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
-    return all;
-}();
-
 /// A reference makes planes of all that the channels may be made of, and keeps nothing.
 template <auto kSynthesize>
 MapFunction start_reference() {
@@ -55,9 +49,9 @@ std::uint64_t reference_bytes(const Grid&, LinearSet fields, int resolution) {
 }  // namespace
 
 constexpr Backend Backend::cpu = {"cpu", kCpuChannels, start_cpu, kernel_bytes};
-constexpr Backend Backend::radix2 = {"radix2", kAll, start_reference<synthesize_radix2>,
+constexpr Backend Backend::radix2 = {"radix2", kEveryChannel, start_reference<synthesize_radix2>,
                                      reference_bytes<float>};
-constexpr Backend Backend::dft = {"dft", kAll, start_reference<synthesize_dft>,
+constexpr Backend Backend::dft = {"dft", kEveryChannel, start_reference<synthesize_dft>,
                                   reference_bytes<double>};
 
 std::span<const Backend> core_backends() {

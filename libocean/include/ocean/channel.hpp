@@ -104,6 +104,13 @@ class SetOf {
 using ChannelSet = SetOf<Channel>;
 using LinearSet = SetOf<Linear>;
 
+/// Those of the table.
+inline constexpr ChannelSet kEveryChannel = [] {
+    ChannelSet all;
+    for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
+    return all;
+}();
+
 /// One sample, as a channel's formula sees it: what the row leaves out is not a number.
 template <typename Real>
 struct SurfacePoint {
