@@ -111,7 +111,7 @@ TEST(Datawell, BrokenFilesAreRefusedWithTheirLine) {
         {"\r\n0.150", "\r\n\"0.150", 14, "a quote is not closed"},
     };
     for (const auto& [from, to, line, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read(with(from, to)); });
+        const Refusal refusal = refusal_of([text = with(from, to)] { read(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "b.spt:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;

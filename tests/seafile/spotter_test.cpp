@@ -165,7 +165,8 @@ TEST(SpotterCsv, BrokenFilesAreRefusedWithTheirLine) {
         {",2.5 ", ",\"2.5 ", 2, "a quote is not closed"},
     };
     for (const auto& [from, to, line, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read_csv(replaced(kCsvFile, from, to)); });
+        const Refusal refusal =
+            refusal_of([text = replaced(kCsvFile, from, to)] { read_csv(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "s.csv:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;
@@ -287,7 +288,8 @@ TEST(SpotterJson, BrokenFilesAreRefusedWithTheirLine) {
         {"]]},", "]]},\n}", 2, "'}' is not what JSON has here"},
     };
     for (const auto& [from, to, line, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read_json(replaced(kJsonFile, from, to)); });
+        const Refusal refusal =
+            refusal_of([text = replaced(kJsonFile, from, to)] { read_json(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "s.json:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;

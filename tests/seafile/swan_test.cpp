@@ -290,7 +290,7 @@ TEST(Swan, BrokenFilesAreRefusedWithTheLine) {
         {"NODATA\n20161011", "NODATA\nNODATA\n20161011", ":30: 'NODATA' where a time"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read(with(from, to)); });
+        const Refusal refusal = refusal_of([text = with(from, to)] { read(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("s.spec" + words)) << words << "\n" << refusal.message;
     }
@@ -314,7 +314,7 @@ TEST(Swan, BrokenQuantitiesAreRefusedWithTheLine) {
     const std::string file = over_frequency(good, "1 30 20\n2 30 20\n");
     EXPECT_EQ(read(file).size(), 1u);
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read(replaced(file, from, to)); });
+        const Refusal refusal = refusal_of([text = replaced(file, from, to)] { read(text); });
         EXPECT_TRUE(refusal.says("s.spec" + words)) << words << "\n" << refusal.message;
     }
 }

@@ -149,7 +149,7 @@ TEST(Triaxys, BrokenFilesAreRefusedWithTheirLine) {
         {"ROWS", "LINES", 14, "'9' where a line of the header, KEY = value, should be"},
     };
     for (const auto& [from, to, line, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read(replaced(kFile, from, to)); });
+        const Refusal refusal = refusal_of([text = replaced(kFile, from, to)] { read(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "b.DIRSPEC:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;
@@ -159,7 +159,8 @@ TEST(Triaxys, BrokenFilesAreRefusedWithTheirLine) {
           {"2.5000000E+00", "-1", "b.DIRSPEC:12: a density of -1; allowed: 0 .. 1e6 m^2/Hz"},
           {"2.5000000E+00", "", "b.DIRSPEC:12: the line ends where a density should be"},
           {"2.5000000E+00", "1 2", "b.DIRSPEC:12: '2' after the density"}}) {
-        const Refusal refusal = refusal_of([&] { read(replaced(kOverFrequency, from, to)); });
+        const Refusal refusal =
+            refusal_of([text = replaced(kOverFrequency, from, to)] { read(text); });
         EXPECT_TRUE(refusal.says(words)) << refusal.message;
     }
 }

@@ -212,7 +212,7 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {"20220912 073059\n", "", ":11: ''A' where a time"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = refusal_of([&] { read(with(from, to)); });
+        const Refusal refusal = refusal_of([text = with(from, to)] { read(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("p.spec" + words)) << words << "\n" << refusal.message;
     }

@@ -169,7 +169,7 @@ TEST(ModeLattice, WhereThereIsNoWaveThereIsNothingWhateverWasInMemory) {
     const Parameters parameters = test::wind_sea(kSize, 200.0);
     const auto spectrum = make_directional_spectrum(parameters);
     for (int attempt = 0; attempt < 3; ++attempt) {
-        for (int i = 0; i < 8; ++i) {  // in the memory that the modes will have
+        for (std::size_t i = 0; i < 8; ++i) {  // in the memory that the modes will have
             PageVector<float>((1 + i % 2) * kSize * kSize, 77.0f);
         }
         const Modes modes = make_modes(spectrum, parameters, pool);

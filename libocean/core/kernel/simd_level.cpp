@@ -37,9 +37,10 @@ struct Kernel {
 };
 
 #if defined(OCEAN_X86_KERNELS)
-constexpr unsigned kAvxStates = 0x06;     // of XMM and YMM registers
-constexpr unsigned kAvx512States = 0xE6;  // and of masks and ZMM
-constexpr unsigned kAvx512 = bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
+[[maybe_unused]] constexpr unsigned kAvxStates = 0x06;     // of XMM and YMM registers
+[[maybe_unused]] constexpr unsigned kAvx512States = 0xE6;  // and of masks and ZMM
+[[maybe_unused]] constexpr unsigned kAvx512 =
+    bit_AVX512F | bit_AVX512BW | bit_AVX512DQ | bit_AVX512VL;
 #endif
 
 /// The best first. A build may leave out any but the last: OCEAN_KERNELS in CMake.
