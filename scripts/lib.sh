@@ -14,7 +14,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     build_packages=(
         cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libcli11-dev libopenexr-dev
         libpng-dev zlib1g-dev libcairo2-dev libnetcdf-dev libssl-dev nlohmann-json3-dev libepoxy-dev
-        fonts-dejavu-core)
+        libglm-dev fonts-dejavu-core)
     demo_packages=("${build_packages[@]}" povray povray-includes)
     lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
     test_packages=(

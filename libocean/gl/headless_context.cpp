@@ -113,7 +113,7 @@ struct HeadlessContext::Parts {
     }
 
     /// What went wrong, or nothing.
-    std::string open(EGLDisplay on, bool debug) {
+    std::string open(EGLDisplay on, const HeadlessOptions& options) {
         if (on == EGL_NO_DISPLAY || eglInitialize(on, nullptr, nullptr) == 0) {
             return egl_error_name();
         }
@@ -127,16 +127,17 @@ struct HeadlessContext::Parts {
         const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                              4,
                                              EGL_CONTEXT_MINOR_VERSION,
-                                             3,
+                                             options.compute ? 3 : 1,
                                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                              EGL_CONTEXT_OPENGL_DEBUG,
-                                             debug ? EGL_TRUE : EGL_FALSE,
+                                             options.debug ? EGL_TRUE : EGL_FALSE,
                                              EGL_NONE};
         context = eglCreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR,
                                    EGL_NO_CONTEXT, context_attributes);
         if (context == EGL_NO_CONTEXT) {
-            return std::string("has no OpenGL 4.3 core (") + egl_error_name() + ")";
+            return std::string("has no OpenGL ") + (options.compute ? "4.3" : "4.1") + " core (" +
+                   egl_error_name() + ")";
         }
         if (!has_word(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
             const EGLint size[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
@@ -160,7 +161,7 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options) {
     std::string tried;
     const auto open = [&](const std::string& what, EGLDisplay display) {
         auto parts = std::make_unique<Parts>();
-        const std::string failure = parts->open(display, options.debug);
+        const std::string failure = parts->open(display, options);
         if (!failure.empty()) {
             tried += (tried.empty() ? "" : "; ") + what + ": " + failure;
             return false;
@@ -203,7 +204,7 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options) {
         glDebugMessageCallback(keep_message, &parts_->messages);
     }
     parts_->info = context_info();
-    check_shader_arithmetic();
+    if (options.compute) check_shader_arithmetic();
 }
 
 HeadlessContext::~HeadlessContext() = default;

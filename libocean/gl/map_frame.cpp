@@ -66,22 +66,6 @@ void set_time(ComputeProgram& program, const MapModes& modes) {
     program.set("wavenumber_step", static_cast<float>(modes.wavenumber_step()));
 }
 
-Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps, Filter filter) {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    Texture texture(name);
-    const bool levels = mipmaps == Mipmaps::yes;
-    const bool linear = levels || filter == Filter::linear;
-    const auto size = static_cast<unsigned>(resolution);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexStorage2D(GL_TEXTURE_2D, levels ? std::bit_width(size) : 1, format, resolution,
-                   resolution);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                    levels ? GL_LINEAR_MIPMAP_LINEAR : (linear ? GL_LINEAR : GL_NEAREST));
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, linear ? GL_LINEAR : GL_NEAREST);
-    return texture;
-}
-
 MapFrame::MapFrame(int resolution, const ContextInfo& limits, Mipmaps mipmaps) : mipmaps_(mipmaps) {
     require_limits(resolution, limits);
     shape_ = pass_shape(resolution, limits.shared_bytes, limits.workgroup_threads);

@@ -12,14 +12,12 @@
 #include "compute_program.hpp"
 #include "frame_plan.hpp"
 #include "modes_on_gpu.hpp"
-#include "objects.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/gl/objects.hpp"
+#include "ocean/gl/textures.hpp"
 
 namespace ocean::gl {
-
-enum class Mipmaps { no, yes };
-enum class Filter { nearest, linear };
 
 class MapFrame {
   public:
@@ -77,8 +75,5 @@ void require_limits(int resolution, const ContextInfo& limits);
 Buffer make_roots(int resolution);
 /// The uniforms of shaders/compute/modes.glsl for the current program.
 void set_time(ComputeProgram& program, const MapModes& modes);
-/// A texture of N x N texels that repeats. With mipmaps it is filtered through all of them.
-Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps = Mipmaps::no,
-                     Filter filter = Filter::nearest);
 
 }  // namespace ocean::gl

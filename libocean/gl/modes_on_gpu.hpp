@@ -7,8 +7,8 @@
 #include <complex>
 #include <cstdint>
 
-#include "objects.hpp"
 #include "ocean/backend.hpp"
+#include "ocean/gl/objects.hpp"
 #include "ocean/page_vector.hpp"
 
 namespace ocean {

@@ -5,11 +5,9 @@
 // OCEAN_SHADER_DIR names, which can be edited while they run.
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
+
+#include "ocean/gl/shader_program.hpp"
 
 namespace ocean::gl {
 
@@ -20,16 +18,6 @@ struct EmbeddedShader {
 };
 extern const EmbeddedShader kEmbeddedShaders[];
 extern const int kEmbeddedShaderCount;
-
-/// A file with all that it includes.
-struct ShaderText {
-    std::string text;                // without #version; lines are numbered by file
-    std::vector<std::string> files;  // in the order of their numbers
-    /// Of the files on disk; empty for those inside the library.
-    std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> on_disk;
-
-    bool changed_on_disk() const;
-};
 
 /// Throws Error bad_file for a file that is not there, includes itself or too many.
 ShaderText load_shader(std::string_view path);

@@ -10,9 +10,9 @@
 
 #include "compute_program.hpp"
 #include "modes_on_gpu.hpp"
-#include "objects.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/gl/objects.hpp"
 
 namespace ocean::gl {
 

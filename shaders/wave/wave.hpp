@@ -13,11 +13,15 @@
 namespace ocean::wave {
 
 using uint = std::uint32_t;
+using std::abs;
 using std::cosh;
+using std::erfc;
+using std::exp;
 using std::floor;
 using std::ldexp;
 using std::max;
 using std::min;
+using std::pow;
 using std::sqrt;
 using std::tanh;
 
@@ -46,9 +50,12 @@ inline constexpr float splitter = 4097.0f;
 
 #include "wave/noise.glsl"
 
+#include "wave/copies.glsl"
 #include "wave/dispersion.glsl"
 #include "wave/phase.glsl"
+#include "wave/reflectance.glsl"
 #include "wave/surface.glsl"
+#include "wave/visible_slope.glsl"
 }  // namespace single_precision
 
 namespace double_precision {
@@ -58,9 +65,12 @@ inline constexpr double splitter = 134217729.0;
 
 #include "wave/noise.glsl"
 
+#include "wave/copies.glsl"
 #include "wave/dispersion.glsl"
 #include "wave/phase.glsl"
+#include "wave/reflectance.glsl"
 #include "wave/surface.glsl"
+#include "wave/visible_slope.glsl"
 }  // namespace double_precision
 #undef precise
 #undef formula

@@ -83,6 +83,8 @@ LIBRARIES = {
         foreign={
             "exr": ("Imf",),
             "file": (*SYSTEM, "io.h", "process.h"),
+            "mesh": ("wave/",),
+            "png": ("png.h",),
             "povray": ("png.h",),
             "vdb": ("openvdb/",),
         },
@@ -93,6 +95,11 @@ LIBRARIES = {
         # What EGL and GLX are there is asked of the dynamic linker.
         foreign={"": ("dlfcn.h", "epoxy/", "wave/")},
         links=("${CMAKE_DL_LIBS}", "PkgConfig::epoxy"),
+    ),
+    "preview": Library(
+        below=("core", "seafile", "gl"),
+        foreign={"": ("epoxy/", "glm/", "wave/")},
+        links=("PkgConfig::epoxy", "glm::glm"),
     ),
     "bridge": Library(
         below=("core", "seafile", "io/file"),
@@ -115,14 +122,20 @@ LIBRARIES = {
         links=("OpenSSL::Crypto", "nlohmann_json::nlohmann_json"),
     ),
     "apps": Library(
-        below=("core", "seafile", "io", "netcdf", "gl", "bridge", "bake"),
+        below=("core", "seafile", "io", "netcdf", "gl", "preview", "bridge", "bake"),
         foreign={
             "common/command_line.cpp": ("CLI/",),  # and no other file
             "common/console.cpp": ("unistd.h",),
             "ocean/plot": ("cairo.h",),
-            "preview": ("GLFW/", "imgui"),
+            "ocean-preview": ("GLFW/", "epoxy/", "imgui", "backends/"),
         },
-        links=("CLI11::CLI11", "PkgConfig::cairo", "glfw", "imgui"),
+        links=(
+            "CLI11::CLI11",
+            "PkgConfig::cairo",
+            "PkgConfig::epoxy",
+            "PkgConfig::imgui",
+            "glfw",
+        ),
         shared=("common",),
     ),
 }
@@ -131,7 +144,7 @@ LIBRARIES = {
 def owner_of_header(name: str) -> str | None:
     if name in HEADER_OWNER:
         return HEADER_OWNER[name]
-    folder = re.match(r"ocean/(io|bake|gl|bridge)/", name)
+    folder = re.match(r"ocean/(io|bake|gl|bridge|preview)/", name)
     if folder is not None:
         return folder[1]
     return "core" if name.startswith("ocean/") else None

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Every shader passes glslangValidator and, compiled by it, spirv-val.
+"""Every shader passes glslangValidator and, compiled by it, spirv-val; those that draw, in the
+OpenGL 4.1 that SPIR-V does not know, glslangValidator alone.
 
 usage: check_shaders.py WRITE_SHADERS GLSLANG SPIRV_VAL
 """
@@ -14,7 +15,10 @@ from pathlib import Path
 
 def problems(shader: Path, glslang: str, spirv_val: str) -> str:
     binary = shader.with_suffix(".spv")
-    for command in ([glslang, "-G", "-o", binary, shader], [spirv_val, binary]):
+    commands = [[glslang, shader]]
+    if shader.suffix == ".comp":
+        commands = [[glslang, "-G", "-o", binary, shader], [spirv_val, binary]]
+    for command in commands:
         run = subprocess.run(command, capture_output=True, text=True)
         if run.returncode != 0:
             return f"{shader.name}: {run.stdout}{run.stderr}"
@@ -24,12 +28,14 @@ def problems(shader: Path, glslang: str, spirv_val: str) -> str:
 def main(write_shaders: str, glslang: str, spirv_val: str) -> int:
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([write_shaders, folder], check=True)
-        shaders = sorted(Path(folder).glob("*.comp"))
-        assert len(shaders) > 100
+        shaders = sorted(Path(folder).iterdir())
+        kinds = {shader.suffix: shader for shader in shaders}
+        assert len(shaders) > 100 and set(kinds) == {".comp", ".vert", ".frag"}
         # What cannot pass does not pass.
-        wrong = Path(folder) / "wrong.comp"
-        wrong.write_text(shaders[0].read_text().replace("void main()", "int main()"))
-        assert problems(wrong, glslang, spirv_val)
+        for kind, shader in kinds.items():
+            wrong = Path(folder) / f"wrong{kind}"
+            wrong.write_text(shader.read_text().replace("void main()", "int main()"))
+            assert problems(wrong, glslang, spirv_val)
         with ThreadPoolExecutor(2) as pool:
             found = list(pool.map(lambda shader: problems(shader, glslang, spirv_val), shaders))
     print("".join(found) or f"{len(shaders)} shaders are valid")

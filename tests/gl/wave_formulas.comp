@@ -11,7 +11,11 @@
 #include "wave/noise.glsl"
 #include "wave/dispersion.glsl"
 #include "wave/phase.glsl"
+#include "wave/copies.glsl"
+#include "wave/erfc.glsl"
+#include "wave/reflectance.glsl"
 #include "wave/surface.glsl"
+#include "wave/visible_slope.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) buffer Result { vec4 result[]; };
@@ -26,6 +30,10 @@ void main() {
     SurfaceNormal normal = surface_normal(1.0, 0.1, 0.2, 0.05, state.re, state.im);
     float area = surface_jacobian(1.0, 0.1, 0.2, 0.05);
     area += surface_whitecap(area, 0.75, 0.2);
+    area += visible_lean(0.1, area) + visible_area(0.1, area);
+    area += water_reflectance(0.5, 1.333) + rough_water_reflectance(0.5, 0.1);
+    GridPoint grid = copy_grid(area, 0.5);
+    area += copy_corner(fract(grid.x), fract(grid.y), 1).weight + copy_offset(1, -2).y;
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
                       area * horizontal_displacement(k, 100.0), state.rate_re + state.rate_im);
 }

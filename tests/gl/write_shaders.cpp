@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "compute_program.hpp"
 #include "frame_plan.hpp"
+#include "shader_text.hpp"
+#include "water_defines.hpp"
 
 using namespace ocean;
 using namespace ocean::gl;
@@ -30,8 +31,10 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder);
     const auto write = [&](const std::string& name, std::string_view path,
                            const std::string& defines) {
-        std::ofstream file(folder / (name + ".comp"));
-        file << program_text(load_shader(path), defines);
+        const std::filesystem::path kind = std::filesystem::path(path).extension();
+        std::ofstream file(folder / (name + kind.string()));
+        file << program_text(load_shader(path), defines,
+                             kind == ".comp" ? GL_COMPUTE_SHADER : GL_VERTEX_SHADER);
         if (!file.flush()) std::exit(1);
     };
     using enum Channel;
@@ -49,6 +52,17 @@ int main(int argc, char** argv) {
             write("spectrum_" + std::to_string(static_cast<int>(field)) + "_" + n,
                   "compute/thesis/spectrum.comp",
                   size + "#define COEFFICIENT " + coefficient(field) + "\n");
+        }
+    }
+    for (const char* path : {"sky.vert", "sky.frag", "cover.frag"}) {
+        write(std::string("preview_") + path[0], std::string("preview/") + path, "");
+    }
+    for (const int taps : {0, 2}) {
+        for (std::size_t cascades = 1; cascades <= 5; ++cascades) {
+            const std::string name = "water_" + std::to_string(cascades) + std::to_string(taps);
+            for (const char* path : {"preview/water.vert", "preview/water.frag"}) {
+                write(name, path, preview::water_defines(cascades, taps));
+            }
         }
     }
     write("moments", "compute/moments.comp", "");

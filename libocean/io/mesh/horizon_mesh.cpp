@@ -4,7 +4,7 @@
 // The sea as one eye sees it, to the horizon of a round Earth. Rows lie at geometrically growing
 // distances, columns at equal angles, so a quad looks about equally large wherever it is. Each
 // vertex shows the waves that its neighbourhood can hold; the shorter ones only turn its normal,
-// as visible_slope.cpp says.
+// as shaders/wave/visible_slope.glsl says.
 #include "ocean/io/horizon_mesh.hpp"
 
 #include <algorithm>

@@ -42,14 +42,15 @@ struct HeadlessOptions {
     std::optional<int> device = {};
     /// What the driver has to say is kept for messages().
     bool debug = false;
+    /// OpenGL 4.3 core, with phase and noise of the shaders checked; else 4.1 is enough, to draw.
+    bool compute = true;
 };
 
 /// For all contexts that are made without a device of their own, as `--egl-device` wants it.
 void use_egl_device(int device);
 
 /// A context through EGL that needs no display: of a device, else without a surface, else with a
-/// pbuffer of one pixel. OpenGL 4.3 core or later, with phase and noise of the shaders checked
-/// once. Current on one thread at a time; the destructor may be called on any.
+/// pbuffer of one pixel. Current on one thread at a time; the destructor may be called on any.
 class HeadlessContext {
   public:
     /// Throws Error no_gpu, which says what was tried. Leaves nothing current.

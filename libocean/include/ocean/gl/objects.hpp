@@ -44,9 +44,45 @@ inline void delete_shader(GLuint name) {
     glDeleteShader(name);
 }
 
+inline void delete_vertex_array(GLuint name) {
+    glDeleteVertexArrays(1, &name);
+}
+inline void delete_framebuffer(GLuint name) {
+    glDeleteFramebuffers(1, &name);
+}
+inline void delete_renderbuffer(GLuint name) {
+    glDeleteRenderbuffers(1, &name);
+}
+inline void delete_sampler(GLuint name) {
+    glDeleteSamplers(1, &name);
+}
+
 using Buffer = Object<delete_buffer>;
 using Texture = Object<delete_texture>;
 using Program = Object<delete_program>;
 using Shader = Object<delete_shader>;
+using VertexArray = Object<delete_vertex_array>;
+using Sampler = Object<delete_sampler>;
+using Framebuffer = Object<delete_framebuffer>;
+using Renderbuffer = Object<delete_renderbuffer>;
+
+template <typename Made, auto kGenerate>
+Made generate() {
+    GLuint name = 0;
+    (*kGenerate)(1, &name);
+    return Made(name);
+}
+inline Buffer make_buffer() {
+    return generate<Buffer, &glGenBuffers>();
+}
+inline VertexArray make_vertex_array() {
+    return generate<VertexArray, &glGenVertexArrays>();
+}
+inline Framebuffer make_framebuffer() {
+    return generate<Framebuffer, &glGenFramebuffers>();
+}
+inline Renderbuffer make_renderbuffer() {
+    return generate<Renderbuffer, &glGenRenderbuffers>();
+}
 
 }  // namespace ocean::gl

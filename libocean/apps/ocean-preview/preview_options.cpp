@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "preview_options.hpp"
+
+#include <algorithm>
+
+#include "ocean/error.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/text.hpp"
+#include "ocean/water_types.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr double kFarthest = 1e9;  // m
+
+/// "1,2.5,3" for an option.
+template <std::size_t kCount>
+std::array<double, kCount> numbers(const std::string& text, const std::string& option,
+                                   std::array<std::array<double, 2>, kCount> ranges) {
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() != kCount) {
+        throw Error(ErrorKind::invalid_value, option + ": '" + text + "' is not " +
+                                                  std::to_string(kCount) +
+                                                  " numbers with commas between them");
+    }
+    std::array<double, kCount> values{};
+    for (std::size_t i = 0; i < kCount; ++i) {
+        values[i] = parse_number(parts[i], option, ranges[i][0], ranges[i][1]);
+    }
+    return values;
+}
+
+std::array<double, 3> place(const std::string& text, const std::string& option) {
+    return numbers<3>(text, option,
+                      {{{-kFarthest, kFarthest}, {-kFarthest, kFarthest}, {-1000.0, 1e6}}});
+}
+
+double within(double value, const std::string& option, double lowest, double highest) {
+    if (value >= lowest && value <= highest) return value;
+    throw Error(ErrorKind::invalid_value, option + " is " + shortest_text(value) +
+                                              "; allowed: " + shortest_text(lowest) + " .. " +
+                                              shortest_text(highest));
+}
+
+std::array<int, 2> picture_size(const std::string& text) {
+    const std::vector<std::string> parts = split(text, 'x');
+    if (parts.size() != 2) {
+        throw Error(ErrorKind::invalid_value,
+                    "--size: '" + text + "' is not a width and a height, such as 1280x720");
+    }
+    return {parse_whole_number(parts[0], "--size", 16, 16384),
+            parse_whole_number(parts[1], "--size", 16, 16384)};
+}
+
+int power_of_two(int value, const std::string& option) {
+    if (value >= 32 && value <= 4096 && (value & (value - 1)) == 0) return value;
+    throw Error(ErrorKind::invalid_value,
+                option + " is " + std::to_string(value) + "; allowed: 32, 64, 128 .. 4096");
+}
+
+std::vector<std::string> water_names() {
+    std::vector<std::string> names;
+    for (const WaterType& type : water_types()) names.emplace_back(type.name);
+    return names;
+}
+
+void place_camera(const PreviewWords& words, preview::Camera& camera) {
+    if (!words.eye.empty()) camera.eye = place(words.eye, "--eye");
+    if (!words.look_at.empty()) {
+        if (words.heading || words.pitch) {
+            throw Error(ErrorKind::invalid_value,
+                        "--look-at and --heading or --pitch both turn it");
+        }
+        camera.look_at(place(words.look_at, "--look-at"));
+    }
+    if (words.heading) camera.heading = within(*words.heading, "--heading", -3600.0, 3600.0);
+    if (words.pitch) camera.pitch = within(*words.pitch, "--pitch", -90.0, 90.0);
+    if (words.angle) camera.field_of_view = within(*words.angle, "--angle", 1.0, 150.0);
+}
+
+}  // namespace
+
+std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
+    return {
+        sea_options(words.sea),
+        {"When",
+         {{"--time", &words.time, "T", "Seconds; default: the start of the sea"},
+          {"--frame",
+           &words.frame,
+           "N",
+           "A frame of the sea instead of a time",
+           kOptional,
+           {},
+           "--time"}}},
+        {"Camera",
+         {{"--eye", &words.eye, "X,Y,Z",
+           "Where it is, metres; Z above still water (default 0,0,8)"},
+          {"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"},
+          {"--heading", &words.heading, "DEG",
+           "Counter-clockwise from +x, the way that it looks (default 0)"},
+          {"--pitch", &words.pitch, "DEG", "Above the horizontal (default -4)"},
+          {"--angle", &words.angle, "DEG", "Horizontal field of view (default 60)"}}},
+        {"Light",
+         {{"--sun", &words.sun, "ALTITUDE,BEARING",
+           "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
+          {"--exposure", &words.exposure, "E", "Times the light (default 1)"},
+          {"--haze", &words.haze, "M",
+           "Metres after which 1/e of the light is left (default 60000)"},
+          {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
+           kOptional, OneOf{water_names()}}}},
+        {"Picture",
+         {{"--offscreen", &words.offscreen, "FILE.png", "Write one picture; needs no display"},
+          {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
+          {"--view", &words.view, "VIEW", "What is shown", kOptional, OneOf{preview::view_names()}},
+          {"--wireframe", &words.wireframe, "", "The mesh alone"},
+          {"--probe", &words.probes, "X,Y",
+           "Print the height that is drawn at a place of the world, metres, and that of the "
+           "maps there; may be given more than once"}}},
+        {"Computing",
+         {{"--backend", &words.backend, "NAME",
+           "What computes the sea: gl, cpu, or auto: gl on a real GPU of OpenGL 4.3 (default)",
+           kOptional, OneOf{{"auto", "cpu", "gl"}}},
+          {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
+          {"--foam-map", &words.foam_map, "N", "Samples of the map of foam"},
+          {"--cells", &words.cells, "N", "Of a level of the mesh, 16 .. 512 in steps of 8"},
+          {"--egl-device", &words.egl_device, "N", "Of the devices that EGL lists, from 0"}}},
+    };
+}
+
+PreviewOptions preview_options(const PreviewWords& words) {
+    PreviewOptions options;
+    place_camera(words, options.camera);
+    preview::Look& look = options.look;
+    if (!words.sun.empty()) {
+        const auto sun = numbers<2>(words.sun, "--sun", {{{-18.0, 90.0}, {-3600.0, 3600.0}}});
+        look.sun_altitude = sun[0];
+        look.sun_bearing = sun[1];
+    }
+    if (words.exposure) look.exposure = within(*words.exposure, "--exposure", 0.0, 1000.0);
+    if (words.haze) look.haze_distance = within(*words.haze, "--haze", 10.0, 1e9);
+    if (!words.water.empty()) look.water_type = words.water;
+    options.view = preview::view_of(words.view);
+    options.size = picture_size(words.size);
+    options.computer = words.backend == "gl"    ? Computer::gpu
+                       : words.backend == "cpu" ? Computer::processor
+                                                : Computer::best;
+    if (words.map) options.map = power_of_two(*words.map, "--map");
+    if (words.foam_map) options.foam_map = power_of_two(*words.foam_map, "--foam-map");
+    if (words.cells) {
+        if (*words.cells % 8 != 0 || *words.cells < 16 || *words.cells > 512) {
+            throw Error(ErrorKind::invalid_value, "--cells is " + std::to_string(*words.cells) +
+                                                      "; allowed: 16, 24, 32 .. 512");
+        }
+        options.cells = *words.cells;
+    }
+    if (words.egl_device) gl::use_egl_device(*words.egl_device);
+    options.time = words.time;
+    options.frame = words.frame;
+    options.offscreen = words.offscreen;
+    options.wireframe = words.wireframe;
+    for (const std::string& probe : words.probes) {
+        options.probes.push_back(
+            numbers<2>(probe, "--probe", {{{-kFarthest, kFarthest}, {-kFarthest, kFarthest}}}));
+    }
+    return options;
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The command line of `ocean-preview` as values.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "ocean/preview/picture.hpp"
+#include "ocean/preview/sea_maps.hpp"
+#include "sea_argument.hpp"
+
+namespace ocean::app {
+
+/// As it was typed.
+struct PreviewWords {
+    SeaArgument sea;
+    std::string eye, look_at, sun, size = "1280x720", view = "shaded", backend = "auto";
+    std::optional<double> heading, pitch, angle, exposure, haze, time;
+    std::optional<int> frame, egl_device, map, foam_map, cells;
+    std::string water, offscreen;
+    std::vector<std::string> probes;
+    bool wireframe = false;
+};
+
+/// What computes the maps.
+enum class Computer { best, processor, gpu };
+
+struct PreviewOptions {
+    preview::Camera camera;
+    preview::Look look;
+    preview::View view = preview::View::shaded;
+    std::array<int, 2> size = {1280, 720};
+    Computer computer = Computer::best;
+    std::optional<int> map;
+    std::optional<int> foam_map;
+    std::optional<int> cells;
+    std::optional<double> time;
+    std::optional<int> frame;
+    std::string offscreen;
+    std::vector<std::array<double, 2>> probes;
+    bool wireframe = false;
+};
+
+std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
+/// Throws Error invalid_value.
+PreviewOptions preview_options(const PreviewWords& words);
+
+}  // namespace ocean::app

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Square maps as textures.
+#pragma once
+
+#include "ocean/gl/objects.hpp"
+
+namespace ocean::gl {
+
+enum class Mipmaps { no, yes };
+enum class Filter { nearest, linear };
+
+/// A texture of N x N texels that repeats, of a float format with as many components as it needs.
+/// With mipmaps it is filtered through all of them. Leaves it bound to GL_TEXTURE_2D.
+Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps = Mipmaps::no,
+                     Filter filter = Filter::nearest);
+
+}  // namespace ocean::gl

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a picture of the sea is of: from where, in which light, and which of its fields.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ocean::preview {
+
+struct Camera {
+    std::array<double, 3> eye = {0.0, 0.0, 8.0};  // m; z above still water
+    double heading = 0.0;         // degrees counter-clockwise from +x, the way that it looks
+    double pitch = -4.0;          // degrees above the horizontal, -90 .. 90
+    double field_of_view = 60.0;  // degrees, horizontal
+
+    /// Turned towards a point.
+    void look_at(const std::array<double, 3>& point);
+};
+
+/// The light and the water: nothing of the waves.
+struct Look {
+    double sun_altitude = 35.0;  // degrees
+    double sun_bearing = 70.0;   // degrees counter-clockwise from +x, where it stands
+    double exposure = 1.0;
+    double haze_distance = 60e3;  // m, after which 1/e of the light is left
+    std::string water_type = "jerlov_ii";
+    double foam_amount = 1.0;
+    double least_mix_distance = 1.0;  // periods; 0: the sea repeats to the horizon
+};
+
+enum class View {
+    shaded,
+    height,
+    displacement_x,
+    displacement_y,
+    normal,
+    slope,
+    jacobian,
+    whitecap,
+    foam,
+    numbers,  // for probes, see shaders/preview/water.frag
+};
+/// The names of all that can be shown: "shaded", "displacement_x" ...
+std::vector<std::string> view_names();
+/// Throws Error invalid_value, and names the nearest.
+View view_of(std::string_view name);
+
+}  // namespace ocean::preview

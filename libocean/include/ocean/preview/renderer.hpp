@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Draws a sea to its horizon into the current framebuffer, whoever made that. It knows no windows.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "ocean/preview/picture.hpp"
+#include "ocean/preview/sea_maps.hpp"
+
+namespace ocean::preview {
+
+struct RendererOptions {
+    /// Of a level of the mesh, from the eye to its edge; a multiple of 8, 16 .. 512. A cell is seen
+    /// under an angle of 1 to 2 over as many.
+    int cells = 96;
+    /// Samples along the longer side of a pixel's footprint; 0: by the driver's anisotropic filter
+    /// on a GPU that has one, else 2.
+    int taps = 0;
+};
+
+struct DrawOptions {
+    int width = 0;  // pixels
+    int height = 0;
+    View view = View::shaded;
+    /// Of the values that a view shows, least and most; both 0: by the sea's height.
+    std::array<double, 2> range = {0.0, 0.0};
+    bool wireframe = false;
+};
+
+/// Needs the context that was current when it was made to be current in every call, the destructor
+/// too. OpenGL 4.1 core.
+class Renderer {
+  public:
+    /// Throws Error no_gpu.
+    explicit Renderer(const RendererOptions& options = {});
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Clears depth and colour. Throws Error.
+    void draw(const ShownSea& sea, const Camera& camera, const Look& look,
+              const DrawOptions& options);
+    /// The same from straight above, orthographic: the square of `metres` a side whose middle is
+    /// (x, y), with the mesh that this camera has. For probes.
+    void draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,
+                         double metres, const DrawOptions& options);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace ocean::preview

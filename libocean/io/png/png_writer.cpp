@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include <png.h>
+
+#include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/io/png.hpp"
+
+namespace ocean::io {
+
+void write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(width);
+    png.height = static_cast<png_uint_32>(height);
+    png.format = PNG_FORMAT_RGB;
+    OutputFile file(path);
+    // A negative stride: the rows from the last one in memory up.
+    const bool written =
+        png_image_write_to_stdio(&png, file.stream(), 0, rgb.data(), -3 * width, nullptr) != 0;
+    // A full disk is told better by the stream itself.
+    if (!written && std::ferror(file.stream()) == 0) {
+        throw Error(ErrorKind::output, path + ": " + png.message);
+    }
+    file.commit();
+}
+
+}  // namespace ocean::io

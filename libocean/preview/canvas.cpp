@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/preview/canvas.hpp"
+
+#include "ocean/error.hpp"
+
+namespace ocean::preview {
+namespace {
+
+gl::Renderbuffer renderbuffer(GLenum format, int width, int height) {
+    gl::Renderbuffer made = gl::make_renderbuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, made.name());
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    return made;
+}
+
+}  // namespace
+
+Canvas::Canvas(int width, int height, GLenum format)
+    : width_(width),
+      height_(height),
+      colour_(renderbuffer(format, width, height)),
+      depth_(renderbuffer(GL_DEPTH_COMPONENT32F, width, height)),
+      framebuffer_(gl::make_framebuffer()) {
+    bind();
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              colour_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw Error(ErrorKind::no_gpu, "the driver has no picture of " + std::to_string(width) +
+                                           "x" + std::to_string(height) + " pixels");
+    }
+}
+
+void Canvas::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+}
+
+std::vector<std::uint8_t> Canvas::rgb() const {
+    std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(width_) *
+                                     static_cast<std::size_t>(height_));
+    bind();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    return pixels;
+}
+
+std::vector<float> Canvas::rgba() const {
+    std::vector<float> pixels(4 * static_cast<std::size_t>(width_) *
+                              static_cast<std::size_t>(height_));
+    bind();
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
+    return pixels;
+}
+
+}  // namespace ocean::preview

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The uniform block of shaders/preview/frame.glsl, which says what each is.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "ocean/cascades.hpp"
+
+namespace ocean::preview {
+
+struct FrameBlock {
+    glm::mat4 clip_from_world{1.0f};
+    glm::mat4 world_from_clip{1.0f};
+    glm::vec4 eye{};
+    glm::vec4 sun{};
+    glm::vec4 sun_colour{};
+    glm::vec4 sky_low{};
+    glm::vec4 sky_middle{};
+    glm::vec4 sky_high{};
+    glm::vec4 sky_shadow{};
+    glm::vec4 sky_light{};
+    glm::vec4 water{};
+    glm::vec4 waves{};
+    glm::vec4 foam{};
+    glm::vec4 patch_place{};
+    glm::vec4 grid_place{};
+    glm::ivec4 grid_cell{};
+    glm::vec4 look{};
+    glm::ivec4 view{};
+    glm::vec4 range{};
+    std::array<glm::vec4, 5> cascade{};
+};
+static_assert(sizeof(FrameBlock) == (8 + 16 + 1 + 5) * 16, "std140 has no other padding");
+
+}  // namespace ocean::preview

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/preview/picture.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "ocean/error.hpp"
+#include "ocean/nearest_name.hpp"
+
+namespace ocean::preview {
+namespace {
+
+constexpr std::pair<std::string_view, View> kViews[] = {
+    {"shaded", View::shaded},
+    {"height", View::height},
+    {"displacement_x", View::displacement_x},
+    {"displacement_y", View::displacement_y},
+    {"normal", View::normal},
+    {"slope", View::slope},
+    {"jacobian", View::jacobian},
+    {"whitecap", View::whitecap},
+    {"foam", View::foam},
+};
+
+}  // namespace
+
+void Camera::look_at(const std::array<double, 3>& point) {
+    const double x = point[0] - eye[0], y = point[1] - eye[1], z = point[2] - eye[2];
+    constexpr double kDegrees = 57.29577951308232;
+    if (x != 0.0 || y != 0.0) heading = kDegrees * std::atan2(y, x);
+    if (x != 0.0 || y != 0.0 || z != 0.0) pitch = kDegrees * std::atan2(z, std::hypot(x, y));
+}
+
+std::vector<std::string> view_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, view] : kViews) names.emplace_back(name);
+    return names;
+}
+
+View view_of(std::string_view name) {
+    for (const auto& [known, view] : kViews) {
+        if (known == name) return view;
+    }
+    throw Error(ErrorKind::invalid_value, "there is no view '" + std::string(name) + "'");
+}
+
+}  // namespace ocean::preview

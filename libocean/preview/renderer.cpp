@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/preview/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <string>
+
+#include "clipmap.hpp"
+#include "frame_block.hpp"
+#include "ocean/error.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/gl/shader_program.hpp"
+#include "ocean/water_types.hpp"
+#include "sky.hpp"
+#include "water_defines.hpp"
+#include "wave/wave.hpp"
+
+namespace ocean::preview {
+namespace {
+
+constexpr double kEarthRadius = 6371000.0;  // m, mean
+constexpr GLuint kFrameBinding = 0;
+
+double fraction(double x) {
+    return x - std::floor(x);
+}
+
+const WaterType& water_type(const std::string& name) {
+    for (const WaterType& type : water_types()) {
+        if (type.name == name) return type;
+    }
+    throw Error(ErrorKind::invalid_value, "there is no type of water '" + name + "'");
+}
+
+glm::vec4 with(const glm::vec3& rgb, double w) {
+    return {rgb, static_cast<float>(w)};
+}
+
+/// llvmpipe 22.3 does not come back from compiling its own filter of long footprints.
+int filter_taps(const RendererOptions& options) {
+    if (options.taps > 0) return options.taps;
+    const bool fits =
+        epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") || epoxy_gl_version() >= 46;
+    return fits && !gl::context_info().software ? 0 : 2;
+}
+
+/// What has another value for each frame's view.
+struct Projection {
+    glm::mat4 clip_from_world;  // of places relative to the eye
+    double pixel_angle;         // between the middle pixels
+    bool flat = false;          // no perspective, and with it its own depth
+};
+
+Projection perspective(const Camera& camera, int width, int height) {
+    const double degrees = 0.017453292519943295;
+    const double half = std::tan(0.5 * degrees * camera.field_of_view);
+    const double aspect = static_cast<double>(width) / height;
+    const double h = degrees * camera.heading, p = degrees * camera.pitch;
+    const glm::dvec3 ahead(std::cos(p) * std::cos(h), std::cos(p) * std::sin(h), std::sin(p));
+    const glm::dvec3 up(-std::sin(p) * std::cos(h), -std::sin(p) * std::sin(h), std::cos(p));
+    const glm::dmat4 view = glm::lookAt(glm::dvec3(0.0), ahead, up);
+    // Its depth is not used: water.vert makes a logarithmic one.
+    const glm::dmat4 lens = glm::frustum(-half, half, -half / aspect, half / aspect, 1.0, 2.0);
+    return {glm::mat4(lens * view), 2.0 * half / width};
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+    explicit Parts(const RendererOptions& options)
+        : clipmap(options.cells), taps(filter_taps(options)) {
+        sky = gl::ShaderProgram(
+            {{GL_VERTEX_SHADER, "preview/sky.vert"}, {GL_FRAGMENT_SHADER, "preview/sky.frag"}}, "");
+        no_vertices = gl::make_vertex_array();
+        sampler = gl::generate<gl::Sampler, &glGenSamplers>();
+        glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        if (taps == 0) {
+            glSamplerParameterf(sampler.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 16.0f);
+        }
+        frame = gl::make_buffer();
+        glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_DYNAMIC_DRAW);
+    }
+
+    Clipmap clipmap;
+    int taps;  // 0: the driver's filter fits the footprints
+    gl::ShaderProgram sky;
+    std::map<std::size_t, gl::ShaderProgram> waters;  // by the number of cascades
+    gl::VertexArray no_vertices;
+    gl::Sampler sampler;
+    gl::Buffer frame;
+
+    gl::ShaderProgram& water(std::size_t cascades) {
+        const auto known = waters.find(cascades);
+        if (known != waters.end()) return known->second;
+        return waters
+            .emplace(cascades, gl::ShaderProgram({{GL_VERTEX_SHADER, "preview/water.vert"},
+                                                  {GL_FRAGMENT_SHADER, "preview/water.frag"}},
+                                                 water_defines(cascades, taps)))
+            .first->second;
+    }
+
+    FrameBlock block(const ShownSea& sea, const Camera& camera, const Look& look,
+                     const DrawOptions& options, const Projection& projection) {
+        const Sky colours = make_sky(look.sun_altitude, look.sun_bearing);
+        const WaterType& type = water_type(look.water_type);
+        const Rgb albedo = type.water_leaving_albedo();
+        FrameBlock b;
+        b.clip_from_world = projection.clip_from_world;
+        b.world_from_clip = glm::inverse(projection.clip_from_world);
+        b.eye = with(glm::vec3(0.0f, 0.0f, static_cast<float>(camera.eye[2])), kEarthRadius);
+        b.sun = with(colours.sun_direction, colours.sun_shown);
+        b.sun_colour = with(colours.sun_colour, 0.0);
+        b.sky_low = with(colours.low, std::sqrt(2.0 * std::max(camera.eye[2], 0.0) / kEarthRadius));
+        b.sky_middle = with(colours.middle, 0.0);
+        b.sky_high = with(colours.high, 0.0);
+        b.sky_shadow = with(colours.shadow, colours.dusk);
+        b.sky_light = with(colours.light, colours.dusk);
+        b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
+        b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height, sea.unresolved_slope, 0.0);
+        b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
+        const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
+        b.patch_place = glm::vec4(fraction(u), fraction(v), 1.0 / sea.period,
+                                  look.least_mix_distance > 0.0 ? 1.0 : 0.0);
+        const auto grid = wave::double_precision::copy_grid(u, v);
+        b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y),
+                                 1.0 / std::max(sea.cover_resolution, 1), 0.0);
+        b.grid_cell = glm::ivec4(static_cast<int>(std::floor(grid.x)),
+                                 static_cast<int>(std::floor(grid.y)), 0, 0);
+        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle, sea.time);
+        b.view = glm::ivec4(static_cast<int>(options.view));
+        b.range = glm::vec4(options.range[0], options.range[1], 0.0, 0.0);
+        if (options.range[0] == 0.0 && options.range[1] == 0.0) {
+            const bool jacobian = options.view == View::jacobian;
+            const double most = options.view == View::slope
+                                    ? 4.0 * std::sqrt(0.5 * sea.mean_square_slope)
+                                    : std::max(sea.significant_wave_height, 1e-3);
+            b.range = jacobian ? glm::vec4(0.0, 2.0, 0.0, 0.0) : glm::vec4(-most, most, 0.0, 0.0);
+        }
+        for (std::size_t c = 0; c < sea.cascades.size(); ++c) {
+            const gl::CascadeTextures& cascade = sea.cascades[c];
+            b.cascade[c] = glm::vec4(fraction(camera.eye[0] / cascade.period),
+                                     fraction(camera.eye[1] / cascade.period), 1.0 / cascade.period,
+                                     cascade.period / cascade.resolution);
+        }
+        return b;
+    }
+
+    void bind_maps(gl::ShaderProgram& program, const ShownSea& sea) {
+        GLint unit = 0;
+        const auto bind = [&](const std::string& name, unsigned texture, GLuint filter) {
+            program.set(name.c_str(), unit);
+            glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+            glBindTexture(GL_TEXTURE_2D, texture);
+            glBindSampler(static_cast<GLuint>(unit), filter);
+            ++unit;
+        };
+        for (std::size_t c = 0; c < sea.cascades.size(); ++c) {
+            const std::string number = "[" + std::to_string(c) + "]";
+            bind("displacement_map" + number, sea.cascades[c].displacement, sampler.name());
+            bind("gradient_map" + number, sea.cascades[c].gradients, sampler.name());
+            bind("moment_map" + number, sea.cascades[c].moments, sampler.name());
+            bind("shape_map" + number, sea.cascades[c].displacement, 0);
+        }
+        bind("cover_map", sea.cover, sampler.name());
+        glActiveTexture(GL_TEXTURE0);
+    }
+
+    void bind_frame(const gl::ShaderProgram& program) {
+        const GLuint index = glGetUniformBlockIndex(program.name(), "Frame");
+        if (index != GL_INVALID_INDEX) glUniformBlockBinding(program.name(), index, kFrameBinding);
+    }
+
+    void draw(const ShownSea& sea, const Camera& camera, const Look& look,
+              const DrawOptions& options, const Projection& projection, bool background) {
+        const FrameBlock values = block(sea, camera, look, options, projection);
+        glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
+        glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(FrameBlock), &values);
+        glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame.name());
+        glViewport(0, 0, options.width, options.height);
+        glDisable(GL_BLEND);
+        glDisable(GL_CULL_FACE);
+        glDepthMask(GL_TRUE);
+        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+        if (background) {
+            glDisable(GL_DEPTH_TEST);
+            sky.use();
+            bind_frame(sky);
+            glBindVertexArray(no_vertices.name());
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+        }
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        gl::ShaderProgram& program = water(sea.cascades.size());
+        program.use();
+        bind_frame(program);
+        bind_maps(program, sea);
+        glPolygonMode(GL_FRONT_AND_BACK, options.wireframe ? GL_LINE : GL_FILL);
+
+        const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
+        const auto horizon = [](double h) {
+            return std::sqrt(2.0 * kEarthRadius * std::max(h, 0.0));
+        };
+        const Reach reach{.sideways = 1.5 * sea.choppiness * sea.significant_wave_height,
+                          .up = crest,
+                          .farthest = 1.05 * (horizon(camera.eye[2]) + horizon(crest)),
+                          .earth_radius = kEarthRadius};
+        double texel = sea.period;
+        for (const gl::CascadeTextures& cascade : sea.cascades) {
+            texel = std::min(texel, cascade.period / cascade.resolution);
+        }
+        program.set("depth", projection.flat
+                                 ? 0.0f
+                                 : static_cast<float>(1.0 / std::log2(1.0 + 2.0 * reach.farthest)));
+        clipmap.draw(program, {camera.eye[0], camera.eye[1], camera.eye[2]},
+                     std::exp2(std::floor(std::log2(texel))),
+                     Frustum(projection.clip_from_world, camera.eye[2]), reach);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        for (GLuint unit = 0; unit < 4 * sea.cascades.size() + 1; ++unit) glBindSampler(unit, 0);
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+            throw Error(ErrorKind::no_gpu,
+                        "OpenGL error " + std::to_string(error) + " while drawing the sea");
+        }
+    }
+};
+
+Renderer::Renderer(const RendererOptions& options) : parts_(std::make_unique<Parts>(options)) {}
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,
+                    const DrawOptions& options) {
+    parts_->draw(sea, camera, look, options, perspective(camera, options.width, options.height),
+                 options.view != View::numbers);
+}
+
+void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,
+                               double metres, const DrawOptions& options) {
+    const double half = 0.5 * metres;
+    const double east = x - camera.eye[0], north = y - camera.eye[1];
+    const double drop = (east * east + north * north) / (2.0 * kEarthRadius);
+    const double waves = 2.0 * sea.significant_wave_height + 1.0;
+    const double still = -camera.eye[2];
+    const glm::dmat4 lens = glm::ortho(east - half, east + half, north - half, north + half,
+                                       -(still + waves), -(still - drop - waves));
+    parts_->draw(sea, camera, Look{}, options, {glm::mat4(lens), 1.0, true}, false);
+}
+
+}  // namespace ocean::preview

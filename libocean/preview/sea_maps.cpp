@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/preview/sea_maps.hpp"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "ocean/cascades.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/gl/shader_program.hpp"
+#include "ocean/gl/textures.hpp"
+#include "ocean/ocean.hpp"
+
+namespace ocean::preview {
+namespace {
+
+using gl::CascadeTextures;
+using gl::Texture;
+
+/// RGBA images of one cascade, which the sea's own backend fills.
+class UploadedCascade {
+  public:
+    UploadedCascade(std::size_t cascade, int resolution)
+        : cascade_(cascade),
+          resolution_(resolution),
+          displacement_(texture()),
+          gradients_(texture()),
+          moments_(texture()),
+          displacement_image_(texels()),
+          gradients_image_(texels()),
+          moments_image_(texels()) {}
+
+    CascadeTextures make(Ocean& sea, double time, double period) {
+        using enum Linear;
+        MapOutput outputs[2] = {{displacement_image_.data(), 4, {}},
+                                {gradients_image_.data(), 4, {}}};
+        outputs[0].component = {{{displacement_x}, {displacement_y}, {height}, {gradient_xy}}};
+        outputs[1].component = {{{slope_x}, {slope_y}, {gradient_xx}, {gradient_yy}}};
+        sea.evaluate_cascade_into(cascade_, time, outputs, resolution_);
+        for (std::size_t i = 0; i < gradients_image_.size(); i += 4) {
+            const float* g = &gradients_image_[i];
+            float* m = &moments_image_[i];
+            m[0] = g[0] * g[0];
+            m[1] = g[1] * g[1];
+            m[2] = g[0] * g[1];
+            m[3] = (g[2] + g[3]) * (g[2] + g[3]);
+        }
+        upload(displacement_, displacement_image_);
+        upload(gradients_, gradients_image_);
+        upload(moments_, moments_image_);
+        return {period, resolution_, displacement_.name(), gradients_.name(), moments_.name()};
+    }
+
+    int resolution() const { return resolution_; }
+
+  private:
+    std::size_t texels() const {
+        return 4 * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
+    }
+    Texture texture() const { return gl::make_texture(GL_RGBA32F, resolution_, gl::Mipmaps::yes); }
+    void upload(const Texture& texture, const std::vector<float>& image) const {
+        glBindTexture(GL_TEXTURE_2D, texture.name());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution_, resolution_, GL_RGBA, GL_FLOAT,
+                        image.data());
+        glGenerateMipmap(GL_TEXTURE_2D);
+    }
+
+    std::size_t cascade_;
+    int resolution_;
+    Texture displacement_, gradients_, moments_;
+    std::vector<float> displacement_image_, gradients_image_, moments_image_;
+};
+
+/// Mean of the squared slopes of a cascade's map: the last level of its moments.
+double mean_square_slope(const CascadeTextures& cascade) {
+    float last[4] = {};
+    glBindTexture(GL_TEXTURE_2D, cascade.moments);
+    const int level = static_cast<int>(std::lround(std::log2(cascade.resolution)));
+    glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_FLOAT, last);
+    return static_cast<double>(last[0]) + static_cast<double>(last[1]);
+}
+
+}  // namespace
+
+class SeaMaps::Source {
+  public:
+    explicit Source(const SeaMapsOptions& options) : options_(options) {
+        if (options.compute) {
+            computed_.emplace(
+                gl::SeaTextureOptions{.cascade_resolution = options.cascade_resolution,
+                                      .foam_resolution = options.foam_resolution,
+                                      .foam_start = options.foam_start});
+            cover_program_ = gl::ShaderProgram({{GL_VERTEX_SHADER, "preview/sky.vert"},
+                                                {GL_FRAGMENT_SHADER, "preview/cover.frag"}},
+                                               "");
+            no_vertices_ = gl::make_vertex_array();
+            framebuffer_ = gl::make_framebuffer();
+        }
+    }
+
+    ShownSea show(Ocean& sea, double time) {
+        if (computed_) {
+            compute(sea, time);
+        } else {
+            upload(sea, time);
+        }
+        describe(sea, time);
+        return shown_;
+    }
+
+  private:
+    void compute(Ocean& sea, double time) {
+        computed_->show(sea, time);
+        shown_.cascades = computed_->cascades();
+        const gl::FoamTexture& foam = computed_->foam();
+        shown_.foam_threshold = static_cast<double>(foam.threshold);
+        shown_.foam_width = static_cast<double>(foam.width);
+        hold_cover(foam.resolution);
+
+        GLint viewport[4] = {};
+        GLint framebuffer = 0;
+        glGetIntegerv(GL_VIEWPORT, viewport);
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+        glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                               cover_.name(), 0);
+        glViewport(0, 0, foam.resolution, foam.resolution);
+        glDisable(GL_DEPTH_TEST);
+        cover_program_.use();
+        cover_program_.set("foam_map", 0);
+        cover_program_.set("fade", foam.fade);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, foam.texture);
+        glBindVertexArray(no_vertices_.name());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindVertexArray(0);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+        glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+        glBindTexture(GL_TEXTURE_2D, cover_.name());
+        glGenerateMipmap(GL_TEXTURE_2D);
+    }
+
+    void upload(Ocean& sea, double time) {
+        glActiveTexture(GL_TEXTURE0);
+        const Modes& modes = sea.modes(time);
+        const std::uint64_t revision = modes.revision;
+        std::vector<Lattice> lattices;
+        for (const CascadeModes& cascade : modes.cascades) lattices.push_back(cascade.lattice);
+        const int foam_resolution = options_.foam_resolution > 0
+                                        ? options_.foam_resolution
+                                        : default_map_resolution(sea.parameters().grid);
+        const SurfaceSettings settings = sea.sea().at(time).surface;
+        if (revision != threshold_revision_ || !(settings == given_)) {
+            const SurfaceSettings found = with_threshold(settings, modes, foam_resolution);
+            shown_.foam_threshold = found.foam_threshold;
+            shown_.foam_width = found.foam_width;
+            threshold_revision_ = revision;
+            given_ = settings;
+        }
+        while (cascades_.size() > lattices.size()) cascades_.pop_back();
+        textures_.resize(lattices.size());
+        for (std::size_t c = 0; c < lattices.size(); ++c) {
+            const int resolution = options_.cascade_resolution > 0 ? options_.cascade_resolution
+                                                                   : lattices[c].resolution;
+            if (c == cascades_.size()) cascades_.emplace_back(c, resolution);
+            if (cascades_[c].resolution() != resolution)
+                cascades_[c] = UploadedCascade(c, resolution);
+            textures_[c] = cascades_[c].make(sea, time, lattices[c].period);
+        }
+        shown_.cascades = textures_;
+
+        cover_image_.resize(static_cast<std::size_t>(foam_resolution) *
+                            static_cast<std::size_t>(foam_resolution));
+        MapOutput foam{cover_image_.data(), 1, {}};
+        foam.component[0] = {Channel::foam};
+        sea.evaluate_into(time, {&foam, 1}, foam_resolution);
+        for (float& texel : cover_image_) texel = texel * texel * texel;
+        hold_cover(foam_resolution);
+        glBindTexture(GL_TEXTURE_2D, cover_.name());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, foam_resolution, foam_resolution, GL_RED, GL_FLOAT,
+                        cover_image_.data());
+        glGenerateMipmap(GL_TEXTURE_2D);
+    }
+
+    void hold_cover(int resolution) {
+        if (cover_ && resolution == shown_.cover_resolution) return;
+        cover_ = gl::make_texture(GL_R16F, resolution, gl::Mipmaps::yes);
+        shown_.cover_resolution = resolution;
+    }
+
+    void describe(Ocean& sea, double time) {
+        shown_.cover = cover_.name();
+        shown_.time = time;
+        shown_.period = sea.parameters().grid.patch_size;
+        shown_.choppiness = sea.sea().at(time).surface.choppiness;
+        const std::uint64_t revision = sea.modes(time).revision;
+        if (revision == described_) return;
+        const SeaState state = sea.state();
+        shown_.significant_wave_height = state.significant_wave_height.asked;
+        shown_.mean_square_slope = state.mean_square_slope.asked;
+        double resolved = 0.0;
+        for (const CascadeTextures& cascade : shown_.cascades)
+            resolved += mean_square_slope(cascade);
+        shown_.unresolved_slope = std::max(0.0, shown_.mean_square_slope - resolved);
+        described_ = revision;
+    }
+
+    SeaMapsOptions options_;
+    ShownSea shown_;
+    std::uint64_t described_ = 0;  // revision of the modes
+    Texture cover_;
+
+    // Computed by shaders.
+    std::optional<gl::SeaTextures> computed_;
+    gl::ShaderProgram cover_program_;
+    gl::VertexArray no_vertices_;
+    gl::Framebuffer framebuffer_;
+
+    // Computed by the sea.
+    std::vector<UploadedCascade> cascades_;
+    std::vector<CascadeTextures> textures_;
+    std::vector<float> cover_image_;
+    std::uint64_t threshold_revision_ = 0;
+    SurfaceSettings given_;
+};
+
+SeaMaps::SeaMaps(const SeaMapsOptions& options) : source_(std::make_unique<Source>(options)) {}
+SeaMaps::~SeaMaps() = default;
+
+ShownSea SeaMaps::show(Ocean& sea, double time) {
+    return source_->show(sea, time);
+}
+
+}  // namespace ocean::preview

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sky.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ocean::preview {
+namespace {
+
+double radians(double degrees) {
+    return degrees * 0.017453292519943295;
+}
+
+/// Thickness of the air on the way to the sun [Kasten and Young 1989] eq. 3.
+double air_mass(double altitude) {
+    const double h = std::max(0.0, altitude);
+    return 1.0 / (std::sin(radians(h)) + 0.50572 * std::pow(h + 6.07995, -1.6364));
+}
+
+/// Light of the sky and a sun so many degrees below the horizon over that of one on it: lux of
+/// [Seidelmann 1992] p. 491, log10 of cubic polynomials of the altitude in right angles.
+double twilight(double altitude) {
+    struct Piece {
+        double above;
+        std::array<double, 4> of;
+    };
+    static constexpr std::array<Piece, 4> kPieces{{
+        {-0.8, {2.88, 22.26, -207.64, 1034.30}},
+        {-5.0, {2.88, 21.81, -258.11, -858.36}},
+        {-12.0, {2.70, 12.17, -431.69, -1899.83}},
+        {-1e9, {13.84, 262.72, 1447.42, 2797.93}},
+    }};
+    if (altitude >= 0.0) return 1.0;
+    const Piece& piece =
+        *std::ranges::find_if(kPieces, [&](const Piece& p) { return altitude > p.above; });
+    const double h = std::max(altitude, -18.0) / 90.0;
+    const auto& [a, b, c, d] = piece.of;
+    return std::pow(10.0, a + h * (b + h * (c + h * d)) - 2.88);
+}
+
+}  // namespace
+
+Sky make_sky(double sun_altitude, double sun_bearing) {
+    const double up = radians(sun_altitude);
+    const double around = radians(sun_bearing);
+    const auto day = static_cast<float>(std::clamp(sun_altitude / 25.0, 0.0, 1.0));
+    const auto dim = static_cast<float>(twilight(sun_altitude));
+    const double air = air_mass(sun_altitude);
+    const auto between = [&](glm::vec3 dusk, glm::vec3 noon) {
+        return dim * glm::mix(dusk, noon, day);
+    };
+    Sky sky{};
+    sky.sun_direction =
+        glm::vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
+    sky.sun_colour =
+        glm::vec3(std::exp(-0.09 * air), std::exp(-0.14 * air), std::exp(-0.27 * air)) * 2.2f * dim;
+    sky.sun_shown = static_cast<float>(std::clamp((sun_altitude + 0.83) / 0.53, 0.0, 1.0));
+    sky.low = between({0.80f, 0.52f, 0.34f}, {0.64f, 0.73f, 0.80f});
+    sky.middle = between({0.42f, 0.40f, 0.46f}, {0.36f, 0.53f, 0.74f});
+    sky.high = between({0.10f, 0.15f, 0.30f}, {0.10f, 0.23f, 0.52f});
+    sky.shadow = dim * glm::vec3(0.20f, 0.22f, 0.30f);
+    sky.dusk = static_cast<float>(std::clamp(1.0 - sun_altitude / 6.0, 0.0, 1.0));
+    sky.light = (sky.low + sky.middle + sky.high) / 3.0f;
+    return sky;
+}
+
+}  // namespace ocean::preview

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What shaders/preview/water.vert and water.frag are compiled with.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "ocean/preview/picture.hpp"
+
+namespace ocean::preview {
+
+inline std::string define(const std::string& name, int value) {
+    return "#define " + name + " " + std::to_string(value) + "\n";
+}
+
+/// taps: of a footprint; 0: the driver's filter.
+inline std::string water_defines(std::size_t cascades, int taps) {
+    const std::pair<const char*, View> views[] = {
+        {"SHADED", View::shaded},
+        {"HEIGHT", View::height},
+        {"DISPLACEMENT_X", View::displacement_x},
+        {"DISPLACEMENT_Y", View::displacement_y},
+        {"NORMAL", View::normal},
+        {"SLOPE", View::slope},
+        {"JACOBIAN", View::jacobian},
+        {"WHITECAP", View::whitecap},
+        {"FOAM", View::foam},
+        {"NUMBERS", View::numbers},
+    };
+    std::string text = define("CASCADES", static_cast<int>(cascades)) + define("TAPS", taps);
+    for (const auto& [name, view] : views) {
+        text += define(std::string("VIEW_") + name, static_cast<int>(view));
+    }
+    return text;
+}
+
+}  // namespace ocean::preview

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/frame.glsl"
+#include "preview/sky.glsl"
+#include "preview/tone.glsl"
+
+in vec2 place;
+layout(location = 0) out vec4 colour;
+
+void main() {
+    vec4 far = world_from_clip * vec4(place, 0.5, 1.0);
+    vec3 direction = normalize(far.xyz / far.w);
+    colour = vec4(screen_colour(sky(direction) + sun_disc(direction)), 1.0);
+}

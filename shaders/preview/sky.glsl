@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sky, as Ocean_Sky of povray_macros/ocean.inc: one function for the background and for what
+// water mirrors.
+
+float toward_sun(vec3 direction) { return max(0.0, dot(direction, sun.xyz)); }
+
+// Without the sun's disc. direction: a unit vector.
+vec3 sky(vec3 direction) {
+    float up = max(direction.z, 0.0) + min(direction.z + sky_low.w, 0.0);
+    vec3 lower = 0.5 * (sky_low.rgb + sky_middle.rgb);
+    vec3 colour = mix(sky_low.rgb, lower, clamp(up / 0.0667, 0.0, 1.0));
+    vec3 upper = 0.75 * sky_middle.rgb + 0.25 * sky_high.rgb;
+    colour = mix(colour, upper, clamp((up - 0.0667) / 0.2, 0.0, 1.0));
+    colour = mix(colour, sky_high.rgb, clamp((up - 0.2667) / 0.3444, 0.0, 1.0));
+    colour = mix(colour, 0.7 * sky_high.rgb, clamp((up - 0.6111) / 0.3889, 0.0, 1.0));
+    colour *= mix(1.0, 0.35, clamp(-up / 0.0111, 0.0, 1.0));  // below the horizon: other waves
+    float away = 0.5 - 0.5 * dot(direction, sun.xyz);
+    colour = mix(colour, sky_shadow.rgb, 0.85 * sky_shadow.a * away);
+    float near = toward_sun(direction);
+    float glow = 0.3 * pow(near, 16.0) + 0.7 * sun.w * pow(near, 700.0);
+    return mix(colour, 1.6 * sun_colour.rgb, clamp(glow, 0.0, 1.0));
+}
+
+// What the eye sees of the sun itself, softened by a pixel.
+vec3 sun_disc(vec3 direction) {
+    float beside = acos(clamp(dot(direction, sun.xyz), -1.0, 1.0));
+    float radius = 0.00465;
+    float inside = 1.0 - smoothstep(radius - look.z, radius + look.z, beside);
+    return 60.0 * sun.w * inside * sun_colour.rgb;
+}

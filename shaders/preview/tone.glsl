@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From light to what a screen takes: as it is up to 0.6, the rest rolled off towards 1, so that
+// there are waves in the sun's glitter too; then sRGB.
+
+vec3 screen_colour(vec3 light) {
+    vec3 x = max(look.x * light, vec3(0.0));
+    vec3 above = max(x - 0.6, 0.0);
+    vec3 rolled = min(x, 0.6) + 0.4 * above / (above + 0.4);
+    return mix(12.92 * rolled, 1.055 * pow(max(rolled, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055,
+               step(0.0031308, rolled));
+}

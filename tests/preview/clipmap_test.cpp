@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "clipmap.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ocean::preview {
+namespace {
+
+TEST(Frustum, KeepsWhatTheEyeSees) {
+    // East, level, 90 degrees wide and high, 10 m over the water.
+    const glm::mat4 view =
+        glm::lookAt(glm::vec3(0.0f), glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 0.0f, 1.0f));
+    const Frustum frustum(glm::frustum(-1.0f, 1.0f, -1.0f, 1.0f, 1.0f, 2.0f) * view, 10.0);
+    const auto sees = [&](double x, double y) {
+        return frustum.touches({x - 1.0, y - 1.0, -1.0}, {x + 1.0, y + 1.0, 1.0});
+    };
+    EXPECT_TRUE(sees(100.0, 0.0));
+    EXPECT_TRUE(sees(100.0, 99.0));
+    EXPECT_FALSE(sees(100.0, 103.0));
+    EXPECT_FALSE(sees(100.0, -103.0));
+    EXPECT_FALSE(sees(-100.0, 0.0));
+    EXPECT_TRUE(sees(10.0, 0.0));
+    EXPECT_FALSE(sees(7.0, 0.0));  // under the lower edge
+}
+
+}  // namespace
+}  // namespace ocean::preview

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the renderer draws is the sea: its heights, its slopes and what they leave to the light,
+// from every place and at every distance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "ocean/cascades.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/preview/canvas.hpp"
+#include "ocean/preview/probe.hpp"
+#include "ocean/preview/renderer.hpp"
+#include "unit/test_seas.hpp"
+
+namespace ocean::preview {
+namespace {
+
+constexpr double kPeriod = 400.0;
+
+Parameters two_cascades() {
+    Parameters parameters = test::wind_sea(128, kPeriod);
+    parameters.grid.cascades = 2;
+    return parameters;
+}
+
+/// A context with a sea in it. Whatever the driver has to say is a failure.
+class PreviewTest : public ::testing::Test {
+  protected:
+    void TearDown() override {
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
+    }
+
+    std::vector<std::uint8_t> picture(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+                                      int width = 160, int height = 90) {
+        const Canvas canvas(width, height, GL_RGBA8);
+        renderer.draw(sea, camera, Look{}, {.width = width, .height = height});
+        return canvas.rgb();
+    }
+    /// The numbers of each pixel: see shaders/preview/water.frag.
+    std::vector<float> numbers(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+                               int side, const Look& look = {}) {
+        const Canvas canvas(side, side, GL_RGBA32F);
+        renderer.draw(sea, camera, look, {.width = side, .height = side, .view = View::numbers});
+        return canvas.rgba();
+    }
+
+  private:
+    const gl::HeadlessContext context_{{.debug = true}};
+    const gl::HeadlessContext::Current current_{context_};
+};
+
+int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    int largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+/// Straight down on a square of twice its height a side.
+Camera above(double x, double y, double height) {
+    return {.eye = {x, y, height}, .heading = 0.0, .pitch = -90.0, .field_of_view = 90.0};
+}
+
+TEST_F(PreviewTest, TheDrawnHeightIsTheQuerys) {
+    Ocean sea(two_cascades());
+    const SeaState state = sea.state();
+    const double time = 31.7;
+    const auto every_mode = static_cast<int>(complete_map_resolution(sea.parameters().grid));
+    struct Case {
+        bool compute;
+        int cascade_resolution;
+    };
+    for (const auto& [compute, resolution] : {Case{false, 128}, {true, 128}, {false, 512}}) {
+        SeaMaps maps({.compute = compute, .cascade_resolution = resolution});
+        Renderer renderer({.cells = 64});
+        const ShownSea shown = maps.show(sea, time);
+        const Camera camera{.eye = {123.4, -56.7, 6.0}};
+        const double rms_slope = std::sqrt(state.mean_square_slope.resolved);
+        double half_texel_slope = 0.0;  // of each cascade, added up
+        for (std::size_t c = 0; c < shown.cascades.size(); ++c) {
+            half_texel_slope += 0.5 * shown.cascades[c].period / shown.cascades[c].resolution *
+                                rms_slope * std::sqrt(state.cascades[c].slope);
+        }
+        const double texel = shown.cascades.back().period / shown.cascades.back().resolution;
+        const double least = 1e-3 * shown.significant_wave_height;
+
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        double farthest = 0.0;
+        double squares = 0.0;
+        int near = 0;
+        for (int i = 0; i < 200; ++i) {
+            const double distance = 0.5 * std::pow(kPeriod * 0.97 / 0.5, unit(random));
+            const double angle = kTwoPi * unit(random);
+            const WorldPoint place{camera.eye[0] + distance * std::cos(angle),
+                                   camera.eye[1] + distance * std::sin(angle)};
+            QuerySample expected;
+            sea.query(time, {&place, 1}, {&expected, 1}, {.foam = false, .resolution = every_mode});
+            const auto found = probe(renderer, shown, camera, {place.x, place.y});
+            ASSERT_TRUE(found) << distance;
+            const double slope = std::sqrt(1.0 / (expected.normal[2] * expected.normal[2]) - 1.0);
+            const double steep = std::max(1.0, slope / rms_slope);
+            // A cell of the mesh is seen under 1/32 to 1/64: within it labels are interpolated, and
+            // waves that it cannot hold are left to the light.
+            const double cell = std::max(texel, distance / 32.0);
+            const double bound = least + steep * (half_texel_slope + 0.5 * cell * rms_slope);
+            EXPECT_NEAR(found->map_height, expected.height, bound) << distance;
+            EXPECT_NEAR(found->mesh_height, expected.height, bound) << distance;
+            farthest = std::max(farthest, distance);
+            if (distance < 5.0) {
+                const double difference = found->map_height - expected.height;
+                squares += difference * difference;
+                ++near;
+            }
+        }
+        EXPECT_GT(farthest, 0.8 * kPeriod);
+        EXPECT_GT(near, 40);
+        // Finer maps are the query's surface.
+        if (resolution == 512) {
+            EXPECT_LT(std::sqrt(squares / near), 2.0 * least);
+        }
+    }
+}
+
+TEST_F(PreviewTest, ShownAndHandedOnSlopesAreTheSeas) {
+    Parameters parameters = two_cascades();
+    parameters.surface.choppiness = 0.0;
+    Ocean sea(parameters);
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 32});
+    const ShownSea shown = maps.show(sea, 12.0);
+    for (const double height : {10.0, 100.0, 1000.0, 3000.0, 10000.0}) {
+        // Pictures beside each other, a whole number in the period, as far as they are smaller.
+        const int beside = std::max(1, static_cast<int>(kPeriod / (2.0 * height)));
+        double sum = 0.0;
+        std::size_t pixels = 0;
+        double shown_sum = 0.0;
+        for (int j = 0; j < beside; ++j) {
+            for (int i = 0; i < beside; ++i) {
+                const double step = kPeriod / beside;
+                const auto values =
+                    numbers(renderer, shown, above((i + 0.5) * step, (j + 0.5) * step, height), 48);
+                for (std::size_t p = 0; p < values.size(); p += 4) {
+                    sum += values[p + 2] + values[p + 3];
+                    shown_sum += values[p + 2];
+                    ++pixels;
+                }
+            }
+        }
+        const double found = sum / static_cast<double>(pixels);
+        EXPECT_NEAR(found / shown.mean_square_slope, 1.0, 0.02) << height;
+        if (height <= 10.0) {
+            const double handed_on = shown.unresolved_slope * static_cast<double>(pixels);
+            EXPECT_GT(shown_sum, 0.6 * (sum - handed_on));
+        }
+        if (height >= 3000.0) {
+            EXPECT_LT(shown_sum, 0.05 * sum);
+        }
+    }
+}
+
+TEST_F(PreviewTest, ThePictureHasNoHole) {
+    Ocean sea(two_cascades());
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 32});
+    const ShownSea shown = maps.show(sea, 5.0);
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> place(-1000.0, 1000.0);
+    for (const double height : {6.0, 40.0, 700.0, 20000.0}) {
+        for (int i = 0; i < 6; ++i) {
+            const Camera camera = above(place(random), place(random), height);
+            const auto values = numbers(renderer, shown, camera, 101);
+            int holes = 0;
+            for (std::size_t p = 3; p < values.size(); p += 4) holes += values[p] <= 0.0f ? 1 : 0;
+            EXPECT_EQ(holes, 0) << height << " m over " << camera.eye[0] << ", " << camera.eye[1];
+        }
+    }
+}
+
+TEST_F(PreviewTest, WaterStandsStillWhileTheEyeMoves) {
+    Ocean sea(two_cascades());
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 64});
+    const ShownSea shown = maps.show(sea, 5.0);
+    const double bound = 1e-3 * shown.significant_wave_height;
+    const auto height_from = [&](double x, double y) {
+        return probe(renderer, shown, {.eye = {x, y, 4.0}}, {10.0, 20.0})->mesh_height;
+    };
+    // Within the finest level nothing is morphed: 3/4 of 64 cells of .39 m or more.
+    const double first = height_from(10.0, 20.0);
+    for (const auto& [x, y] : {std::pair{13.37, 20.0}, {4.1, 27.9}, {21.0, 11.0}, {10.1, 31.7}}) {
+        EXPECT_NEAR(height_from(x, y), first, bound) << x << ", " << y;
+    }
+    // Away from it, through several levels: it changes, but never at once.
+    double before = first;
+    double change = 0.0;
+    double largest = 0.0;
+    for (double distance = 1.0; distance < 300.0; distance *= 1.01) {
+        const double now = height_from(10.0 + distance, 20.0);
+        largest = std::max(largest, std::abs(now - before));
+        change = std::max(change, std::abs(now - first));
+        before = now;
+    }
+    EXPECT_GT(change, 10.0 * bound);
+    EXPECT_LT(largest, 10.0 * bound);
+}
+
+TEST_F(PreviewTest, WholePeriodsAndLoopsLaterThePictureIsTheSame) {
+    Parameters parameters = two_cascades();
+    parameters.time.loop_period = 20.0;
+    Ocean sea(parameters);
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 32});
+    Camera camera{.eye = {17.3, -40.2, 12.0}, .heading = 70.0, .pitch = -25.0};
+    const auto here = picture(renderer, maps.show(sea, 3.0), camera);
+    camera.eye[0] += 2500.0 * kPeriod;
+    camera.eye[1] -= 2500.0 * kPeriod;
+    EXPECT_LE(largest_difference(picture(renderer, maps.show(sea, 3.0), camera), here), 1);
+    EXPECT_LE(largest_difference(picture(renderer, maps.show(sea, 1000003.0), camera), here), 1);
+    EXPECT_GT(largest_difference(picture(renderer, maps.show(sea, 4.0), camera), here), 20);
+}
+
+/// Of heights at one period beside each other, where both are more than two periods from the eye.
+double correlation_at_a_period(const std::vector<float>& values, int side, int pixels_a_period) {
+    double product = 0.0;
+    double square = 0.0;
+    const double middle = 0.5 * (side - 1);
+    for (int j = 0; j < side; ++j) {
+        for (int i = 0; i + pixels_a_period < side; ++i) {
+            const auto far = [&](int x) {
+                return std::hypot(x - middle, j - middle) > 2.0 * pixels_a_period;
+            };
+            if (!far(i) || !far(i + pixels_a_period)) continue;
+            const auto at = [&](int x) {
+                return static_cast<double>(values[4 * static_cast<std::size_t>(j * side + x) + 1]);
+            };
+            product += at(i) * at(i + pixels_a_period);
+            square += 0.5 * (at(i) * at(i) + at(i + pixels_a_period) * at(i + pixels_a_period));
+        }
+    }
+    return product / square;
+}
+
+TEST_F(PreviewTest, TheFarSeaDoesNotRepeat) {
+    Parameters parameters = two_cascades();
+    parameters.surface.choppiness = 0.0;
+    Ocean sea(parameters);
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 64});
+    const ShownSea shown = maps.show(sea, 5.0);
+    constexpr int kPixels = 40;  // a period
+    constexpr int kSide = 8 * kPixels;
+    const Camera camera = above(50.0, 60.0, 4.0 * kPeriod);
+    const auto mixed = numbers(renderer, shown, camera, kSide);
+    EXPECT_LT(std::abs(correlation_at_a_period(mixed, kSide, kPixels)), 0.1);
+    const auto repeated = numbers(renderer, shown, camera, kSide, {.least_mix_distance = 0.0});
+    EXPECT_GT(correlation_at_a_period(repeated, kSide, kPixels), 0.9);
+    // The mixture has the variance of the sea.
+    double mixed_square = 0.0;
+    double repeated_square = 0.0;
+    for (std::size_t p = 1; p < mixed.size(); p += 4) {
+        mixed_square += mixed[p] * mixed[p];
+        repeated_square += repeated[p] * repeated[p];
+    }
+    EXPECT_NEAR(mixed_square / repeated_square, 1.0, 0.15);
+}
+
+TEST_F(PreviewTest, ComputedByEitherThePictureIsTheSame) {
+    Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
+    Renderer renderer({.cells = 32});
+    const Camera camera{.eye = {0.0, 0.0, 5.0}, .heading = 40.0, .pitch = -8.0};
+    std::vector<std::uint8_t> pictures[2];
+    for (const bool compute : {false, true}) {
+        SeaMaps maps({.compute = compute, .foam_resolution = 256});
+        pictures[compute ? 1 : 0] = picture(renderer, maps.show(sea, 8.0), camera);
+    }
+    EXPECT_LE(largest_difference(pictures[0], pictures[1]), 2);
+}
+
+}  // namespace
+}  // namespace ocean::preview
