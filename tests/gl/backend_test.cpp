@@ -7,6 +7,8 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -14,6 +16,7 @@
 #include "ocean/gl/backend.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/ocean.hpp"
+#include "temporary_folder.hpp"
 #include "unit/test_seas.hpp"
 
 namespace ocean {
@@ -46,6 +49,21 @@ TEST(GlBackend, FoamIsThatOfTheCpuOverTwoHundredTicks) {
     }
     EXPECT_GE(gpu.stage_runs().foam_ticks, 200);
     EXPECT_EQ(gpu.stage_runs().foam_ticks, cpu.stage_runs().foam_ticks);
+}
+
+TEST(GlBackend, FoamIsTheSameWhicheverFrameWasMadeBefore) {
+    Parameters sea = foaming_sea();
+    sea.grid.resolution = 64;
+    sea.grid.patch_size = 100.0;
+    sea.surface.foam_lifetime = 0.2;
+    Ocean alone(sea, {.backend = gl::kBackend});
+    Ocean later(sea, {.backend = gl::kBackend});
+    for (const double time : {0.0, 2.0, 3.0}) later.evaluate(time, {Channel::foam});
+    const Surface expected = alone.evaluate(3.22, {Channel::foam});
+    const Surface foam = later.evaluate(3.22, {Channel::foam});
+    EXPECT_GT(later.stage_runs().foam_ticks, 2 * alone.stage_runs().foam_ticks);
+    EXPECT_EQ(largest_difference(foam.channel(Channel::foam), expected.channel(Channel::foam)),
+              0.0);
 }
 
 TEST(GlBackend, WritesIntoTheBuffersOfHostsAndLeavesWhatIsNotAsked) {
@@ -99,6 +117,18 @@ TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
         EXPECT_EQ(largest_difference(surface.channel(channel), expected.channel(channel)), 0.0);
     }
     EXPECT_LE(relative_error(surface.channel(Channel::nx), expected.channel(Channel::nx)), 2e-6);
+
+    // Flat maps are of another programme, and so is what is choppy again.
+    for (const char* choppiness : {"0", "1.2", "0"}) {
+        cpu.set("choppiness", choppiness);
+        gpu.set("choppiness", choppiness);
+        const Surface wanted = cpu.evaluate(5.0, {Channel::dx, Channel::jacobian});
+        const Surface made = gpu.evaluate(5.0, {Channel::dx, Channel::jacobian});
+        for (const Channel channel : {Channel::dx, Channel::jacobian}) {
+            EXPECT_LE(largest_difference(made.channel(channel), wanted.channel(channel)), 5e-6)
+                << channel_info(channel).name << " at choppiness " << choppiness;
+        }
+    }
 
     gpu.set("wind_speed", "0");
     const Surface still = gpu.evaluate(5.0, {Channel::height});
@@ -171,6 +201,37 @@ TEST(GlBackend, RunsOnTheDriverThatTheTestIsFor) {
     const gl::HeadlessContext context;
     EXPECT_NE(context.info().renderer.find(wanted == nullptr ? "" : wanted), std::string::npos)
         << context.info().text();
+}
+
+/// A driver that computes wrongly is played by a shader that does.
+TEST(GlBackend, ADriverThatComputesWronglyIsRefused) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path shaders = folder.file("shaders");
+    std::filesystem::copy(std::filesystem::path(OCEAN_SOURCE_DIR) / "shaders", shaders,
+                          std::filesystem::copy_options::recursive);
+    const auto spoil = [&](const char* file, const std::string& right, const std::string& wrong) {
+        const std::filesystem::path path = shaders / file;
+        std::string spoilt = test::read_bytes(path);
+        const std::size_t at = spoilt.find(right);
+        ASSERT_NE(at, std::string::npos) << right;
+        std::ofstream(path) << spoilt.replace(at, right.size(), wrong);
+    };
+    const auto refusal = [&]() -> std::string {
+        ::setenv("OCEAN_SHADER_DIR", shaders.c_str(), 1);
+        const BackendFitness fitness = gl::kBackend.fitness(64);
+        ::unsetenv("OCEAN_SHADER_DIR");
+        return fitness.runs ? "" : fitness.reason;
+    };
+    EXPECT_EQ(refusal(), "");
+    const std::string rest = "precise real rest = product_error(rate_high, tau_high, product);";
+    spoil("wave/phase.glsl", rest, "precise real rest = 0.0;");
+    EXPECT_NE(
+        refusal().find("this GPU's driver does not compute as the shaders need it: its phases"),
+        std::string::npos);
+    spoil("wave/phase.glsl", "precise real rest = 0.0;", rest);
+    EXPECT_EQ(refusal(), "");
+    spoil("wave/noise.glsl", "round < 10", "round < 9");
+    EXPECT_NE(refusal().find("its noise by"), std::string::npos);
 }
 
 TEST(GlBackend, SaysWhatItRunsOnAndWhatIsTooMuch) {
