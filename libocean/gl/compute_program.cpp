@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "checks.hpp"
 #include "ocean/error.hpp"
 
 namespace ocean::gl {
@@ -87,6 +88,7 @@ void ComputeProgram::compile(const ShaderText& text) {
     GLint good = 0;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &good);
     if (good == 0) {
+        require_no_error("compiling a shader");
         const auto log = log_of<&glGetShaderiv, &glGetShaderInfoLog>(shader.name());
         throw Error(ErrorKind::no_gpu, "the driver does not compile the shader " + path_ + ": " +
                                            with_names(log, text.files));
@@ -96,6 +98,7 @@ void ComputeProgram::compile(const ShaderText& text) {
     glLinkProgram(program.name());
     glGetProgramiv(program.name(), GL_LINK_STATUS, &good);
     if (good == 0) {
+        require_no_error("linking a shader");
         const auto log = log_of<&glGetProgramiv, &glGetProgramInfoLog>(program.name());
         throw Error(ErrorKind::no_gpu, "the driver does not link the shader " + path_ + ": " + log);
     }

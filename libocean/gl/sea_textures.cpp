@@ -158,6 +158,7 @@ void SeaTextures::show(Ocean& sea, double time) {
     require_time(time);
     parts_->make_foam(sea, time);
     parts_->make_cascades(sea, time);
+    require_not_reset(parts_->limits, "making the sea's textures");
 }
 
 void SeaTextures::foam_changed(double from) {

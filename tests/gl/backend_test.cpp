@@ -179,6 +179,117 @@ TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
     for (const std::string& message : host.messages()) ADD_FAILURE() << message;
 }
 
+/// A GPU that is reset is played by the functions that a driver tells it with.
+class PretendedReset {
+  public:
+    enum class Told { by_an_error, when_asked };
+
+    explicit PretendedReset(Told told) {
+        if (told == Told::by_an_error) epoxy_glGetError = [] { return GLenum{GL_CONTEXT_LOST}; };
+        if (told == Told::when_asked) {
+            epoxy_glGetGraphicsResetStatus = [] { return GLenum{GL_GUILTY_CONTEXT_RESET}; };
+        }
+    }
+    ~PretendedReset() {
+        epoxy_glGetError = error_;
+        epoxy_glGetGraphicsResetStatus = status_;
+    }
+    PretendedReset(const PretendedReset&) = delete;
+    PretendedReset& operator=(const PretendedReset&) = delete;
+
+  private:
+    PFNGLGETERRORPROC error_ = epoxy_glGetError;
+    PFNGLGETGRAPHICSRESETSTATUSPROC status_ = epoxy_glGetGraphicsResetStatus;
+};
+constexpr PretendedReset::Told kTold[] = {PretendedReset::Told::by_an_error,
+                                          PretendedReset::Told::when_asked};
+
+void expect_reset(Ocean& ocean) {
+    try {
+        ocean.evaluate(1.0, {Channel::height, Channel::foam});
+        ADD_FAILURE() << "a frame of a lost context";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::no_gpu);
+        const std::string text = error.what();
+        EXPECT_TRUE(text.starts_with("the GPU was reset or taken away while ")) << text;
+        EXPECT_TRUE(text.ends_with("; what was finished is whole")) << text;
+    }
+}
+
+TEST(GlBackend, AResetIsToldAndTheNextFrameIsMadeInANewContext) {
+    Parameters sea = foaming_sea();
+    sea.surface.foam_lifetime = 0.5;
+    Ocean ocean(sea, {.backend = gl::kBackend});
+    Ocean never_lost(sea, {.backend = gl::kBackend});
+    double time = 1.0;
+    for (const PretendedReset::Told told : kTold) {
+        {
+            const PretendedReset reset(told);
+            expect_reset(ocean);
+            expect_reset(ocean);
+        }
+        const Surface expected = never_lost.evaluate(time, {Channel::height, Channel::foam});
+        const Surface again = ocean.evaluate(time, {Channel::height, Channel::foam});
+        for (const Channel channel : {Channel::height, Channel::foam}) {
+            EXPECT_EQ(largest_difference(again.channel(channel), expected.channel(channel)), 0.0);
+        }
+        time += 2.0;
+        EXPECT_FALSE(gl::has_current_context());
+    }
+}
+
+TEST(GlBackend, WhatWasLostWithAHostsContextIsNotTouchedInTheNext) {
+    for (const PretendedReset::Told told : kTold) {
+        auto first = std::make_unique<gl::HeadlessContext>();
+        auto current = std::make_unique<gl::HeadlessContext::Current>(*first);
+        const int before = count_objects();
+        Ocean ocean(foaming_sea(), {.backend = gl::kBackend});
+        const Surface expected = ocean.evaluate(1.0, {Channel::height});
+        EXPECT_GT(count_objects(), before);
+        {
+            const PretendedReset reset(told);
+            expect_reset(ocean);
+        }
+        EXPECT_EQ(count_objects(), before);
+        current.reset();
+        first.reset();
+
+        const gl::HeadlessContext second;
+        const gl::HeadlessContext::Current now(second);
+        std::array<GLuint, 32> own{};
+        glGenBuffers(32, own.data());
+        for (const GLuint name : own) glBindBuffer(GL_ARRAY_BUFFER, name);
+        const int of_the_host = count_objects();
+        const Surface again = ocean.evaluate(1.0, {Channel::height});
+        EXPECT_EQ(
+            largest_difference(again.channel(Channel::height), expected.channel(Channel::height)),
+            0.0);
+        EXPECT_GT(count_objects(), of_the_host);
+        {
+            const PretendedReset reset(told);
+            expect_reset(ocean);
+        }
+        EXPECT_EQ(count_objects(), of_the_host);
+    }
+}
+
+/// A lost context compiles nothing, which is no fault of the shader.
+TEST(GlBackend, AResetWhileShadersAreCompiledIsToldAsOne) {
+    const gl::HeadlessContext host;
+    const gl::HeadlessContext::Current current(host);
+    Ocean ocean(foaming_sea(), {.backend = gl::kBackend});
+    const auto create = epoxy_glCreateShader;
+    epoxy_glCreateShader = [](GLenum) { return GLuint{0}; };
+    {
+        const PretendedReset reset(PretendedReset::Told::by_an_error);
+        expect_reset(ocean);
+    }
+    epoxy_glCreateShader = create;
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    EXPECT_EQ(ocean.evaluate(1.0, {Channel::height}).resolution(), 128);
+}
+
 TEST(GlBackend, CopiesHaveContextsOfTheirOwnAndRunInParallel) {
     Ocean first(foaming_sea(), {.backend = gl::kBackend});
     const Surface expected = first.evaluate(1.0, {Channel::height});
