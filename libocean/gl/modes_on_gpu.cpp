@@ -69,12 +69,11 @@ PageVector<std::complex<float>> map_amplitudes(const MapModes& modes, ThreadPool
 }
 
 bool ModesOnGpu::load(const MapModes& modes, ThreadPool& pool) {
-    if (modes.revision != 0 && revision_ == modes.revision) return false;
-    const bool same_lattice =
-        modes.lattice_revision != 0 && lattice_revision_ == modes.lattice_revision;
-    revision_ = 0;
+    if (revision_ == modes.revision) return false;
+    const bool same_lattice = lattice_revision_ == modes.lattice_revision;
+    revision_ = {};
     if (!same_lattice) {
-        lattice_revision_ = 0;
+        lattice_revision_ = {};
         load_lattice(modes, pool);
         lattice_revision_ = modes.lattice_revision;
     }

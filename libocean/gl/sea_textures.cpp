@@ -77,7 +77,7 @@ struct SeaTextures::Parts {
     FoamTexture foam;
     SurfaceSettings given;
     SurfaceSettings shown;
-    std::uint64_t shown_revision = 0;
+    Revision shown_revision;
     int shown_for = 0;
 
     void make_cascades(Ocean& sea, double time) {

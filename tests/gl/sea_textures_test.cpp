@@ -77,6 +77,19 @@ TEST_F(SeaTextures, CascadesAreThoseOfTheCpu) {
     }
 }
 
+TEST_F(SeaTextures, OfAnotherSeaAreThatSeas) {
+    gl::SeaTextures textures;
+    for (const double wind : {6.0, 14.0}) {
+        Parameters parameters = wind_sea(64, 100.0);
+        parameters.waves.front().wind_speed = wind;
+        Ocean sea(parameters);
+        textures.show(sea, 3.0);
+        const Surface map = sea.evaluate(3.0, {Channel::height});
+        const Image image = read(textures.cascades()[0].displacement, 0);
+        EXPECT_LE(relative_error(image.component(2), map.channel(Channel::height)), 1e-6) << wind;
+    }
+}
+
 TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
     Ocean sea(wind_sea(64, 100.0));
     gl::SeaTextures textures;

@@ -228,7 +228,7 @@ TEST(CascadeMap, PacksAgainOnlyWhereTheModesAreOthers) {
     same(2.0, Backend::dft);
     // Modes that nobody counts are never taken for others.
     Modes scaled = sea.modes();
-    scaled.revision = 0;
+    scaled.revision = {};
     kept.planes(scaled, 2.0, {Linear::height}, pool);
     kept.planes(scaled, 2.0, {Linear::height}, pool);
     EXPECT_EQ(packings, 4);
