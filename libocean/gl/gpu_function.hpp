@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A backend's function that runs on a GPU: in the context that is current at its first call, else
-// in a headless one of its own.
+// What runs on a GPU: in the context that is current at its first call, else in a headless one of
+// its own.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "checks.hpp"
 #include "ocean/backend.hpp"
@@ -15,18 +17,21 @@
 
 namespace ocean::gl {
 
-/// Maps is made of a ContextInfo and has `bool write(request, pool)`. A copy has all of its own:
-/// contexts are not shared. After Error no_gpu nothing is left, and the next call begins anew.
-template <typename Maps>
-class GpuFunction {
+/// Objects that live in a context: the host's, or one that they have for themselves. Parts is made
+/// of a ContextInfo. A copy has all of its own: contexts are not shared.
+template <typename Parts>
+class GpuParts {
   public:
-    GpuFunction() = default;
-    GpuFunction(const GpuFunction&) {}
-    ~GpuFunction() { forget(); }
+    GpuParts() = default;
+    GpuParts(const GpuParts&) {}
+    ~GpuParts() { forget(); }
 
-    bool operator()(const MapRequest& request, ThreadPool& pool) {
+    /// What work(Parts&) returns; meanwhile the context is current. After Error no_gpu nothing is
+    /// left, and the next call begins anew.
+    template <typename Work>
+    std::invoke_result_t<Work, Parts&> use(const Work& work) {
         try {
-            return write(request, pool);
+            return do_work(work);
         } catch (const Error& error) {
             // A lost context may be followed by another, in which its objects' names are of others:
             // they are given up while it is still current.
@@ -36,34 +41,47 @@ class GpuFunction {
     }
 
   private:
-    bool write(const MapRequest& request, ThreadPool& pool) {
-        if (!maps_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
+    template <typename Work>
+    std::invoke_result_t<Work, Parts&> do_work(const Work& work) {
+        if (!parts_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
         std::optional<HeadlessContext::Current> current;
         if (own_) current.emplace(*own_);
-        if (!maps_) {
+        if (!parts_) {
             context_ = context_info();
-            maps_ = std::make_unique<Maps>(context_);
+            parts_ = std::make_unique<Parts>(context_);
         }
-        const bool uploaded = maps_->write(request, pool);
+        auto result = work(*parts_);
         require_not_reset(context_, "making a frame");
-        return uploaded;
+        return result;
     }
 
     void forget() {
         try {
             std::optional<HeadlessContext::Current> current;
             if (own_) current.emplace(*own_);
-            maps_.reset();
+            parts_.reset();
         } catch (const Error&) {
             // Lost, and its objects with it: there is nothing to delete them in.
-            static_cast<void>(maps_.release());
+            static_cast<void>(parts_.release());
         }
         own_.reset();
     }
 
     std::unique_ptr<HeadlessContext> own_;
     ContextInfo context_;
-    std::unique_ptr<Maps> maps_;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// A backend's function; Maps has `bool write(request, pool)`.
+template <typename Maps>
+class GpuFunction {
+  public:
+    bool operator()(const MapRequest& request, ThreadPool& pool) {
+        return parts_.use([&](Maps& maps) { return maps.write(request, pool); });
+    }
+
+  private:
+    GpuParts<Maps> parts_;
 };
 
 }  // namespace ocean::gl

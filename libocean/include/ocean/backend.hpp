@@ -92,6 +92,8 @@ struct Backend {
     std::uint64_t (*work_bytes)(const Grid& grid, LinearSet fields, int resolution) = nullptr;
     /// For maps of that resolution; null: it runs everywhere.
     BackendFitness (*fitness)(int resolution) = nullptr;
+    /// Somewhere it is faster than cpu: `auto` asks for its fitness.
+    bool may_be_fast = false;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 
