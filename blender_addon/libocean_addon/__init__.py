@@ -30,7 +30,8 @@ class MissingLibrary(bpy.types.AddonPreferences):
         self.layout.label(text=text, icon="ERROR", translate=False)
 
 
-def _parts() -> list:
+def parts() -> list:
+    """The modules that have something to register, in that order."""
     if native.libocean is None:
         return [translations]
     from . import (
@@ -68,12 +69,12 @@ def _parts() -> list:
 def register() -> None:
     if native.libocean is None:
         bpy.utils.register_class(MissingLibrary)
-    for part in _parts():
+    for part in parts():
         part.register()
 
 
 def unregister() -> None:
-    for part in reversed(_parts()):
+    for part in reversed(parts()):
         part.unregister()
     if native.libocean is None:
         bpy.utils.unregister_class(MissingLibrary)

@@ -91,12 +91,13 @@ const Backend& backend_by_name(const Catalogue& catalogue, const std::string& na
     refuse("unknown backend '" + name + "'; known: " + catalogue.backend_names());
 }
 
-/// Of the backends that are faster than cpu where they run, the first that does.
+/// Of the backends that may be faster than cpu, the first that is. Each is asked once: that may
+/// take a context of a GPU.
 void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& plan) {
     plan.backend = Backend::cpu;
     plan.backend_note = "backend cpu";
     for (const Backend& backend : catalogue.backends) {
-        if (backend.fitness == nullptr) continue;
+        if (!backend.may_be_fast) continue;
         const BackendFitness fitness = backend.fitness(resolution);
         const std::string name(backend.name);
         if (fitness.runs && fitness.fast) {

@@ -14,7 +14,7 @@
 namespace ocean {
 
 void Chain::stand_for(Parameters parameters, Lasts lasts) {
-    const bool first_time = last_revision_ == 0;
+    const bool first_time = !revisions_.front();
     const auto first = first_time ? Stage::spectrum : first_dirty_stage(parameters_, parameters);
     if (first) dirty(*first);
     parameters_ = std::move(parameters);
@@ -22,9 +22,9 @@ void Chain::stand_for(Parameters parameters, Lasts lasts) {
 }
 
 void Chain::dirty(Stage first) {
-    ++last_revision_;
+    const Revision changed = Revision::begin();
     for (auto stage = static_cast<std::size_t>(first); stage < kStages; ++stage) {
-        revisions_[stage] = last_revision_;
+        revisions_[stage] = changed;
     }
 }
 
@@ -73,7 +73,7 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
         modes_ = std::make_shared<Modes>(*modes_.get());
     }
     Modes& modes = *modes_.own();
-    modes.revision = 0;  // while they are neither the old ones nor the new
+    modes.revision = {};  // while they are neither the old ones nor the new
     lattice_->set_waves(spectrum, strongest_wind(parameters_).value_or(0.0), pool, modes);
     modes.revision = revision(Stage::modes);
 }

@@ -4,13 +4,12 @@
 // The chain of one time: parameters -> spectrum -> modes -> settings of the shown surface, each
 // made when it is asked for and kept while nothing dirties it.
 //
-// Every stage has a revision, another number whenever its parameters change; what was made for
+// Every stage has a revision, another one whenever its parameters change; what was made for
 // another revision is made again. Modes that a change has made wrong stay: their arrays are filled
 // again, unless a copy of the chain has them too.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <memory>
 
@@ -47,7 +46,7 @@ class Chain {
   private:
     static constexpr std::size_t kStages = static_cast<std::size_t>(Stage::clock) + 1;
 
-    std::uint64_t revision(Stage stage) const {
+    const Revision& revision(Stage stage) const {
         return revisions_[static_cast<std::size_t>(stage)];
     }
     void dirty(Stage first);
@@ -55,14 +54,13 @@ class Chain {
 
     template <typename T>
     struct Made {
-        std::uint64_t revision = 0;  // of no stage
+        Revision revision;
         T value{};
     };
 
     Parameters parameters_;
     Lasts lasts_ = Lasts::until_a_change;
-    std::array<std::uint64_t, kStages> revisions_{};
-    std::uint64_t last_revision_ = 0;
+    std::array<Revision, kStages> revisions_;
     Made<std::shared_ptr<const DirectionalSpectrum>> spectrum_;
     std::shared_ptr<const ModeLattice> lattice_;
     SharedValue<Modes> modes_;  // with their own revision

@@ -114,7 +114,8 @@ BackendFitness gpu_fitness(int resolution) {
 
 }  // namespace
 
-const Backend kBackend = {"gl", kEveryChannel, [] { return MapFunction(GpuFunction<GpuMaps>()); },
-                          gpu_bytes, gpu_fitness};
+const Backend kBackend = {
+    "gl",      kEveryChannel, [] { return MapFunction(GpuFunction<GpuMaps>()); },
+    gpu_bytes, gpu_fitness,   true};
 
 }  // namespace ocean::gl

@@ -9,9 +9,19 @@
 #include <string>
 
 #include "ocean/error.hpp"
+#include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::gl {
+
+namespace {
+
+[[noreturn]] void report_reset(const char* doing) {
+    throw Error(ErrorKind::no_gpu, std::string("the GPU was reset or taken away while ") + doing +
+                                       "; what was finished is whole");
+}
+
+}  // namespace
 
 void require_no_error(const char* doing) {
     const GLenum error = glGetError();
@@ -23,11 +33,12 @@ void require_no_error(const char* doing) {
         throw Error(ErrorKind::out_of_memory,
                     std::string("the GPU has no memory left for ") + doing);
     }
-    if (error == GL_CONTEXT_LOST) {
-        throw Error(ErrorKind::no_gpu, std::string("the GPU was reset or taken away while ") +
-                                           doing + "; what was finished is whole");
-    }
+    if (error == GL_CONTEXT_LOST) report_reset(doing);
     throw Error(ErrorKind::no_gpu, format_text("OpenGL error 0x%04X while %s", error, doing));
+}
+
+void require_not_reset(const ContextInfo& context, const char* doing) {
+    if (context.tells_resets && glGetGraphicsResetStatus() != GL_NO_ERROR) report_reset(doing);
 }
 
 }  // namespace ocean::gl

@@ -1,47 +1,87 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A backend's function that runs on a GPU: in the context that is current at its first call, else
-// in a headless one of its own.
+// What runs on a GPU: in the context that is current at its first call, else in a headless one of
+// its own.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
+#include "checks.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 
 namespace ocean::gl {
 
-/// Maps is made of a ContextInfo and has `bool write(request, pool)`. A copy has all of its own:
-/// contexts are not shared.
-template <typename Maps>
-class GpuFunction {
+/// Objects that live in a context: the host's, or one that they have for themselves. Parts is made
+/// of a ContextInfo. A copy has all of its own: contexts are not shared.
+template <typename Parts>
+class GpuParts {
   public:
-    GpuFunction() = default;
-    GpuFunction(const GpuFunction&) {}
-    ~GpuFunction() {
-        if (!own_) return;
+    GpuParts() = default;
+    GpuParts(const GpuParts&) {}
+    ~GpuParts() { forget(); }
+
+    /// What work(Parts&) returns; meanwhile the context is current. After Error no_gpu nothing is
+    /// left, and the next call begins anew.
+    template <typename Work>
+    std::invoke_result_t<Work, Parts&> use(const Work& work) {
         try {
-            const HeadlessContext::Current current(*own_);
-            maps_.reset();
-        } catch (const Error&) {
-            // Lost, and its objects with it.
+            return do_work(work);
+        } catch (const Error& error) {
+            // A lost context may be followed by another, in which its objects' names are of others:
+            // they are given up while it is still current.
+            if (error.kind() == ErrorKind::no_gpu) forget();
+            throw;
         }
     }
 
-    bool operator()(const MapRequest& request, ThreadPool& pool) {
-        if (!maps_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
+  private:
+    template <typename Work>
+    std::invoke_result_t<Work, Parts&> do_work(const Work& work) {
+        if (!parts_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
         std::optional<HeadlessContext::Current> current;
         if (own_) current.emplace(*own_);
-        if (!maps_) maps_ = std::make_unique<Maps>(context_info());
-        return maps_->write(request, pool);
+        if (!parts_) {
+            context_ = context_info();
+            parts_ = std::make_unique<Parts>(context_);
+        }
+        auto result = work(*parts_);
+        require_not_reset(context_, "making a frame");
+        return result;
+    }
+
+    void forget() {
+        try {
+            std::optional<HeadlessContext::Current> current;
+            if (own_) current.emplace(*own_);
+            parts_.reset();
+        } catch (const Error&) {
+            // Lost, and its objects with it: there is nothing to delete them in.
+            static_cast<void>(parts_.release());
+        }
+        own_.reset();
+    }
+
+    std::unique_ptr<HeadlessContext> own_;
+    ContextInfo context_;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// A backend's function; Maps has `bool write(request, pool)`.
+template <typename Maps>
+class GpuFunction {
+  public:
+    bool operator()(const MapRequest& request, ThreadPool& pool) {
+        return parts_.use([&](Maps& maps) { return maps.write(request, pool); });
     }
 
   private:
-    std::unique_ptr<HeadlessContext> own_;
-    std::unique_ptr<Maps> maps_;
+    GpuParts<Maps> parts_;
 };
 
 }  // namespace ocean::gl

@@ -124,17 +124,23 @@ struct HeadlessContext::Parts {
         EGLConfig config = nullptr;
         EGLint configs = 0;
         eglChooseConfig(display, wanted, &config, 1, &configs);
-        const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                             4,
-                                             EGL_CONTEXT_MINOR_VERSION,
-                                             options.compute ? 3 : 1,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_CONTEXT_OPENGL_DEBUG,
-                                             options.debug ? EGL_TRUE : EGL_FALSE,
-                                             EGL_NONE};
-        context = eglCreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR,
-                                   EGL_NO_CONTEXT, context_attributes);
+        // A driver need not tell that it was reset unless it was asked to; some cannot.
+        for (const EGLint reset : {EGL_LOSE_CONTEXT_ON_RESET, EGL_NO_RESET_NOTIFICATION}) {
+            const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                                 4,
+                                                 EGL_CONTEXT_MINOR_VERSION,
+                                                 options.compute ? 3 : 1,
+                                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                                 EGL_CONTEXT_OPENGL_DEBUG,
+                                                 options.debug ? EGL_TRUE : EGL_FALSE,
+                                                 EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                                 reset,
+                                                 EGL_NONE};
+            context = eglCreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR,
+                                       EGL_NO_CONTEXT, context_attributes);
+            if (context != EGL_NO_CONTEXT) break;
+        }
         if (context == EGL_NO_CONTEXT) {
             return std::string("has no OpenGL ") + (options.compute ? "4.3" : "4.1") + " core (" +
                    egl_error_name() + ")";

@@ -69,12 +69,11 @@ PageVector<std::complex<float>> map_amplitudes(const MapModes& modes, ThreadPool
 }
 
 bool ModesOnGpu::load(const MapModes& modes, ThreadPool& pool) {
-    if (modes.revision != 0 && revision_ == modes.revision) return false;
-    const bool same_lattice =
-        modes.lattice_revision != 0 && lattice_revision_ == modes.lattice_revision;
-    revision_ = 0;
+    if (revision_ == modes.revision) return false;
+    const bool same_lattice = lattice_revision_ == modes.lattice_revision;
+    revision_ = {};
     if (!same_lattice) {
-        lattice_revision_ = 0;
+        lattice_revision_ = {};
         load_lattice(modes, pool);
         lattice_revision_ = modes.lattice_revision;
     }
@@ -90,8 +89,7 @@ void ModesOnGpu::load_lattice(const MapModes& modes, ThreadPool& pool) {
     auto rates = zeros<Rate>(modes, pool);
     auto displacements = zeros<float>(modes, pool);
     for_each_mode(modes, pool, [&](std::size_t to, const CascadeModes& cascade, std::size_t from) {
-        // Where bands meet, the modes of one have the place: those that have waves, of which
-        // neither rates nor displacements tell. All cascades agree on both to rounding.
+        // Of a mode that several cascades cover, all have the same two numbers, to the bit.
         rates[to] = {cascade.rate_high[from], cascade.rate_low[from]};
         displacements[to] = cascade.displacement[from];
     });

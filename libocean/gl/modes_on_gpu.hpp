@@ -5,7 +5,6 @@
 #pragma once
 
 #include <complex>
-#include <cstdint>
 
 #include "ocean/backend.hpp"
 #include "ocean/gl/objects.hpp"
@@ -36,8 +35,8 @@ class ModesOnGpu {
     Buffer amplitudes_;
     Buffer rates_;
     Buffer displacements_;
-    std::uint64_t revision_ = 0;  // of what is loaded; 0: of nothing that is known
-    std::uint64_t lattice_revision_ = 0;
+    Revision revision_;  // of what is loaded
+    Revision lattice_revision_;
     float gradient_scale_ = 1.0f;
 };
 

@@ -77,7 +77,7 @@ struct SeaTextures::Parts {
     FoamTexture foam;
     SurfaceSettings given;
     SurfaceSettings shown;
-    std::uint64_t shown_revision = 0;
+    Revision shown_revision;
     int shown_for = 0;
 
     void make_cascades(Ocean& sea, double time) {
@@ -158,6 +158,7 @@ void SeaTextures::show(Ocean& sea, double time) {
     require_time(time);
     parts_->make_foam(sea, time);
     parts_->make_cascades(sea, time);
+    require_not_reset(parts_->limits, "making the sea's textures");
 }
 
 void SeaTextures::foam_changed(double from) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "checks.hpp"
 #include "ocean/error.hpp"
 #include "shader_text.hpp"
 
@@ -51,6 +52,7 @@ Shader compile_stage(const ShaderStage& stage, const ShaderText& text, std::stri
     GLint good = 0;
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &good);
     if (good == 0) {
+        require_no_error("compiling a shader");
         const auto log = log_of<&glGetShaderiv, &glGetShaderInfoLog>(shader.name());
         throw Error(ErrorKind::no_gpu, "the driver does not compile the shader " + stage.path +
                                            ": " + with_names(log, text.files));
@@ -113,6 +115,7 @@ void ShaderProgram::compile(const std::vector<ShaderText>& texts) {
     GLint good = 0;
     glGetProgramiv(program.name(), GL_LINK_STATUS, &good);
     if (good == 0) {
+        require_no_error("linking a shader");
         const auto log = log_of<&glGetProgramiv, &glGetProgramInfoLog>(program.name());
         throw Error(ErrorKind::no_gpu,
                     "the driver does not link the shader " + stages_.back().path + ": " + log);

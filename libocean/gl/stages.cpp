@@ -6,10 +6,10 @@
 
 #include <bit>
 #include <complex>
-#include <memory>
-#include <optional>
+#include <map>
 
 #include "checks.hpp"
+#include "gpu_function.hpp"
 #include "modes_on_gpu.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
@@ -55,7 +55,28 @@ StageImage read_texture(const Texture& texture, int width, int height, GLenum fo
     return image;
 }
 
+class StageFrames {
+  public:
+    explicit StageFrames(const ContextInfo& limits) : limits_(limits) {}
+
+    ThesisFrame& of(int resolution) {
+        const auto found = frames_.find(resolution);
+        if (found != frames_.end()) return found->second;
+        return frames_.emplace(resolution, ThesisFrame(resolution, limits_)).first->second;
+    }
+
+  private:
+    ContextInfo limits_;
+    std::map<int, ThesisFrame> frames_;
+};
+
 }  // namespace
+
+struct StageMaker::Parts : GpuParts<StageFrames> {};
+
+StageMaker::StageMaker() : parts_(std::make_unique<Parts>()) {}
+
+StageMaker::~StageMaker() = default;
 
 std::vector<std::string> stage_names(int resolution) {
     std::vector<std::string> names = {"h0", "spectrum", "butterfly"};
@@ -65,7 +86,7 @@ std::vector<std::string> stage_names(int resolution) {
     return names;
 }
 
-StageImage make_stage(const MapModes& modes, std::string_view stage, ThreadPool& pool) {
+StageImage StageMaker::make(const MapModes& modes, std::string_view stage, ThreadPool& pool) {
     const int resolution = modes.resolution;
     const int octaves = octaves_of(resolution);
     const std::vector<std::string> names = stage_names(resolution);
@@ -79,21 +100,19 @@ StageImage make_stage(const MapModes& modes, std::string_view stage, ThreadPool&
     }
     if (stage == "h0") return amplitudes_image(modes, pool);
 
-    std::unique_ptr<HeadlessContext> own;
-    if (!has_current_context()) own = std::make_unique<HeadlessContext>();
-    std::optional<HeadlessContext::Current> current;
-    if (own) current.emplace(*own);
-    ThesisFrame frame(resolution, context_info());
-    if (stage == "butterfly") {
-        return read_texture(frame.butterflies(), octaves, resolution, GL_RGBA,
-                            {"R", "G", "B", "A"});
-    }
-    const MapRequest request{modes, {}, {}, {}};
-    frame.load(request, pool);
-    // "spectrum" is name 1: no stage is done; horizontal-1 is name 3.
-    const auto name = static_cast<int>(found - names.begin());
-    frame.transform_stages(Linear::height, request, std::max(0, name - 2));
-    return read_texture(frame.complex(), resolution, resolution, GL_RG, {"R", "G"});
+    return parts_->use([&](StageFrames& frames) {
+        ThesisFrame& frame = frames.of(resolution);
+        if (stage == "butterfly") {
+            return read_texture(frame.butterflies(), octaves, resolution, GL_RGBA,
+                                {"R", "G", "B", "A"});
+        }
+        const MapRequest request{modes, {}, {}, {}};
+        frame.load(request, pool);
+        // "spectrum" is name 1: no stage is done; horizontal-1 is name 3.
+        const auto name = static_cast<int>(found - names.begin());
+        frame.transform_stages(Linear::height, request, std::max(0, name - 2));
+        return read_texture(frame.complex(), resolution, resolution, GL_RG, {"R", "G"});
+    });
 }
 
 }  // namespace ocean::gl

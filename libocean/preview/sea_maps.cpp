@@ -144,14 +144,14 @@ class SeaMaps::Source {
     void upload(Ocean& sea, double time) {
         glActiveTexture(GL_TEXTURE0);
         const Modes& modes = sea.modes(time);
-        const std::uint64_t revision = modes.revision;
+        const Revision revision = modes.revision;
         std::vector<Lattice> lattices;
         for (const CascadeModes& cascade : modes.cascades) lattices.push_back(cascade.lattice);
         const int foam_resolution = options_.foam_resolution > 0
                                         ? options_.foam_resolution
                                         : default_map_resolution(sea.parameters().grid);
         const SurfaceSettings settings = sea.sea().at(time).surface;
-        if (revision != threshold_revision_ || !(settings == given_)) {
+        if (!(revision == threshold_revision_) || !(settings == given_)) {
             const SurfaceSettings found = with_threshold(settings, modes, foam_resolution);
             shown_.foam_threshold = found.foam_threshold;
             shown_.foam_width = found.foam_width;
@@ -194,7 +194,7 @@ class SeaMaps::Source {
         shown_.time = time;
         shown_.period = sea.parameters().grid.patch_size;
         shown_.choppiness = sea.sea().at(time).surface.choppiness;
-        const std::uint64_t revision = sea.modes(time).revision;
+        const Revision revision = sea.modes(time).revision;
         if (revision == described_) return;
         const SeaState state = sea.state();
         shown_.significant_wave_height = state.significant_wave_height.asked;
@@ -208,7 +208,7 @@ class SeaMaps::Source {
 
     SeaMapsOptions options_;
     ShownSea shown_;
-    std::uint64_t described_ = 0;  // revision of the modes
+    Revision described_;  // of the modes
     Texture cover_;
 
     // Computed by shaders.
@@ -221,7 +221,7 @@ class SeaMaps::Source {
     std::vector<UploadedCascade> cascades_;
     std::vector<CascadeTextures> textures_;
     std::vector<float> cover_image_;
-    std::uint64_t threshold_revision_ = 0;
+    Revision threshold_revision_;
     SurfaceSettings given_;
 };
 

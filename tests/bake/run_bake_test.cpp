@@ -194,5 +194,41 @@ TEST(RunBake, AForecastNamesTheFilesAndTheirRoom) {
     EXPECT_EQ(forecast_bake(plan_of(options)).bytes, 0u);
 }
 
+int times_asked = 0;
+BackendFitness small_maps_only(int resolution) {
+    ++times_asked;
+    if (resolution <= 64) return {true, true, "a toy"};
+    return {false, false, "maps of " + std::to_string(resolution) + " samples are too large"};
+}
+BackendFitness never_asked(int) {
+    ADD_FAILURE() << "it is never fast";
+    return {};
+}
+
+TEST(BakePlan, AutoTakesTheFastBackendWithinItsLimitsAndAsksForThemOnce) {
+    const TemporaryFolder folder;
+    Backend fast = Backend::cpu;
+    fast.name = "toy";
+    fast.fitness = small_maps_only;
+    fast.may_be_fast = true;
+    Backend slow = Backend::radix2;
+    slow.name = "slow";
+    slow.fitness = never_asked;
+    const Backend backends[] = {Backend::cpu, fast, slow};
+    Catalogue catalogue = standard_catalogue();
+    catalogue.backends = backends;
+    BakeOptions options = small_bake(folder, "sea.exr");
+    options.backend = "auto";
+    EXPECT_EQ(make_bake_plan(options, catalogue).backend.name, "toy");
+    EXPECT_EQ(times_asked, 1);
+    options.resolution = "128";
+    const BakePlan large = make_bake_plan(options, catalogue);
+    EXPECT_EQ(large.backend.name, "cpu");
+    EXPECT_EQ(large.backend_note, "backend cpu, not toy: maps of 128 samples are too large");
+    EXPECT_EQ(times_asked, 2);
+    options.backend = "toy";
+    EXPECT_THROW(make_bake_plan(options, catalogue), Error);
+}
+
 }  // namespace
 }  // namespace ocean

@@ -13,39 +13,20 @@ import libocean_addon
 import pytest
 from conftest import plane
 from libocean_addon import (
-    asset_library,
-    bake,
     bake_state,
     compat,
-    first_view,
     floating,
-    hints,
     live,
-    material,
     operators,
     panels,
     parameter_values,
-    properties,
-    records,
     sea_text,
     translations,
     water_shader,
 )
 
 GERMAN = translations.TABLE["de_DE"]
-PARTS = (
-    properties,
-    material,
-    operators,
-    first_view,
-    records,
-    bake,
-    hints,
-    panels,
-    asset_library,
-    floating,
-)
-CLASSES = [cls for part in PARTS for cls in part.CLASSES]
+CLASSES = [cls for part in libocean_addon.parts() for cls in getattr(part, "CLASSES", ())]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
 SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
 PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers

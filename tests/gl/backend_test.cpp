@@ -7,6 +7,8 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -14,6 +16,7 @@
 #include "ocean/gl/backend.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/ocean.hpp"
+#include "temporary_folder.hpp"
 #include "unit/test_seas.hpp"
 
 namespace ocean {
@@ -46,6 +49,21 @@ TEST(GlBackend, FoamIsThatOfTheCpuOverTwoHundredTicks) {
     }
     EXPECT_GE(gpu.stage_runs().foam_ticks, 200);
     EXPECT_EQ(gpu.stage_runs().foam_ticks, cpu.stage_runs().foam_ticks);
+}
+
+TEST(GlBackend, FoamIsTheSameWhicheverFrameWasMadeBefore) {
+    Parameters sea = foaming_sea();
+    sea.grid.resolution = 64;
+    sea.grid.patch_size = 100.0;
+    sea.surface.foam_lifetime = 0.2;
+    Ocean alone(sea, {.backend = gl::kBackend});
+    Ocean later(sea, {.backend = gl::kBackend});
+    for (const double time : {0.0, 2.0, 3.0}) later.evaluate(time, {Channel::foam});
+    const Surface expected = alone.evaluate(3.22, {Channel::foam});
+    const Surface foam = later.evaluate(3.22, {Channel::foam});
+    EXPECT_GT(later.stage_runs().foam_ticks, 2 * alone.stage_runs().foam_ticks);
+    EXPECT_EQ(largest_difference(foam.channel(Channel::foam), expected.channel(Channel::foam)),
+              0.0);
 }
 
 TEST(GlBackend, WritesIntoTheBuffersOfHostsAndLeavesWhatIsNotAsked) {
@@ -100,6 +118,18 @@ TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
     }
     EXPECT_LE(relative_error(surface.channel(Channel::nx), expected.channel(Channel::nx)), 2e-6);
 
+    // Flat maps are of another programme, and so is what is choppy again.
+    for (const char* choppiness : {"0", "1.2", "0"}) {
+        cpu.set("choppiness", choppiness);
+        gpu.set("choppiness", choppiness);
+        const Surface wanted = cpu.evaluate(5.0, {Channel::dx, Channel::jacobian});
+        const Surface made = gpu.evaluate(5.0, {Channel::dx, Channel::jacobian});
+        for (const Channel channel : {Channel::dx, Channel::jacobian}) {
+            EXPECT_LE(largest_difference(made.channel(channel), wanted.channel(channel)), 5e-6)
+                << channel_info(channel).name << " at choppiness " << choppiness;
+        }
+    }
+
     gpu.set("wind_speed", "0");
     const Surface still = gpu.evaluate(5.0, {Channel::height});
     for (const float height : still.channel(Channel::height)) ASSERT_EQ(height, 0.0f);
@@ -149,6 +179,117 @@ TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
     for (const std::string& message : host.messages()) ADD_FAILURE() << message;
 }
 
+/// A GPU that is reset is played by the functions that a driver tells it with.
+class PretendedReset {
+  public:
+    enum class Told { by_an_error, when_asked };
+
+    explicit PretendedReset(Told told) {
+        if (told == Told::by_an_error) epoxy_glGetError = [] { return GLenum{GL_CONTEXT_LOST}; };
+        if (told == Told::when_asked) {
+            epoxy_glGetGraphicsResetStatus = [] { return GLenum{GL_GUILTY_CONTEXT_RESET}; };
+        }
+    }
+    ~PretendedReset() {
+        epoxy_glGetError = error_;
+        epoxy_glGetGraphicsResetStatus = status_;
+    }
+    PretendedReset(const PretendedReset&) = delete;
+    PretendedReset& operator=(const PretendedReset&) = delete;
+
+  private:
+    PFNGLGETERRORPROC error_ = epoxy_glGetError;
+    PFNGLGETGRAPHICSRESETSTATUSPROC status_ = epoxy_glGetGraphicsResetStatus;
+};
+constexpr PretendedReset::Told kTold[] = {PretendedReset::Told::by_an_error,
+                                          PretendedReset::Told::when_asked};
+
+void expect_reset(Ocean& ocean) {
+    try {
+        ocean.evaluate(1.0, {Channel::height, Channel::foam});
+        ADD_FAILURE() << "a frame of a lost context";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::no_gpu);
+        const std::string text = error.what();
+        EXPECT_TRUE(text.starts_with("the GPU was reset or taken away while ")) << text;
+        EXPECT_TRUE(text.ends_with("; what was finished is whole")) << text;
+    }
+}
+
+TEST(GlBackend, AResetIsToldAndTheNextFrameIsMadeInANewContext) {
+    Parameters sea = foaming_sea();
+    sea.surface.foam_lifetime = 0.5;
+    Ocean ocean(sea, {.backend = gl::kBackend});
+    Ocean never_lost(sea, {.backend = gl::kBackend});
+    double time = 1.0;
+    for (const PretendedReset::Told told : kTold) {
+        {
+            const PretendedReset reset(told);
+            expect_reset(ocean);
+            expect_reset(ocean);
+        }
+        const Surface expected = never_lost.evaluate(time, {Channel::height, Channel::foam});
+        const Surface again = ocean.evaluate(time, {Channel::height, Channel::foam});
+        for (const Channel channel : {Channel::height, Channel::foam}) {
+            EXPECT_EQ(largest_difference(again.channel(channel), expected.channel(channel)), 0.0);
+        }
+        time += 2.0;
+        EXPECT_FALSE(gl::has_current_context());
+    }
+}
+
+TEST(GlBackend, WhatWasLostWithAHostsContextIsNotTouchedInTheNext) {
+    for (const PretendedReset::Told told : kTold) {
+        auto first = std::make_unique<gl::HeadlessContext>();
+        auto current = std::make_unique<gl::HeadlessContext::Current>(*first);
+        const int before = count_objects();
+        Ocean ocean(foaming_sea(), {.backend = gl::kBackend});
+        const Surface expected = ocean.evaluate(1.0, {Channel::height});
+        EXPECT_GT(count_objects(), before);
+        {
+            const PretendedReset reset(told);
+            expect_reset(ocean);
+        }
+        EXPECT_EQ(count_objects(), before);
+        current.reset();
+        first.reset();
+
+        const gl::HeadlessContext second;
+        const gl::HeadlessContext::Current now(second);
+        std::array<GLuint, 32> own{};
+        glGenBuffers(32, own.data());
+        for (const GLuint name : own) glBindBuffer(GL_ARRAY_BUFFER, name);
+        const int of_the_host = count_objects();
+        const Surface again = ocean.evaluate(1.0, {Channel::height});
+        EXPECT_EQ(
+            largest_difference(again.channel(Channel::height), expected.channel(Channel::height)),
+            0.0);
+        EXPECT_GT(count_objects(), of_the_host);
+        {
+            const PretendedReset reset(told);
+            expect_reset(ocean);
+        }
+        EXPECT_EQ(count_objects(), of_the_host);
+    }
+}
+
+/// A lost context compiles nothing, which is no fault of the shader.
+TEST(GlBackend, AResetWhileShadersAreCompiledIsToldAsOne) {
+    const gl::HeadlessContext host;
+    const gl::HeadlessContext::Current current(host);
+    Ocean ocean(foaming_sea(), {.backend = gl::kBackend});
+    const auto create = epoxy_glCreateShader;
+    epoxy_glCreateShader = [](GLenum) { return GLuint{0}; };
+    {
+        const PretendedReset reset(PretendedReset::Told::by_an_error);
+        expect_reset(ocean);
+    }
+    epoxy_glCreateShader = create;
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    EXPECT_EQ(ocean.evaluate(1.0, {Channel::height}).resolution(), 128);
+}
+
 TEST(GlBackend, CopiesHaveContextsOfTheirOwnAndRunInParallel) {
     Ocean first(foaming_sea(), {.backend = gl::kBackend});
     const Surface expected = first.evaluate(1.0, {Channel::height});
@@ -171,6 +312,37 @@ TEST(GlBackend, RunsOnTheDriverThatTheTestIsFor) {
     const gl::HeadlessContext context;
     EXPECT_NE(context.info().renderer.find(wanted == nullptr ? "" : wanted), std::string::npos)
         << context.info().text();
+}
+
+/// A driver that computes wrongly is played by a shader that does.
+TEST(GlBackend, ADriverThatComputesWronglyIsRefused) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path shaders = folder.file("shaders");
+    std::filesystem::copy(std::filesystem::path(OCEAN_SOURCE_DIR) / "shaders", shaders,
+                          std::filesystem::copy_options::recursive);
+    const auto spoil = [&](const char* file, const std::string& right, const std::string& wrong) {
+        const std::filesystem::path path = shaders / file;
+        std::string spoilt = test::read_bytes(path);
+        const std::size_t at = spoilt.find(right);
+        ASSERT_NE(at, std::string::npos) << right;
+        std::ofstream(path) << spoilt.replace(at, right.size(), wrong);
+    };
+    const auto refusal = [&]() -> std::string {
+        ::setenv("OCEAN_SHADER_DIR", shaders.c_str(), 1);
+        const BackendFitness fitness = gl::kBackend.fitness(64);
+        ::unsetenv("OCEAN_SHADER_DIR");
+        return fitness.runs ? "" : fitness.reason;
+    };
+    EXPECT_EQ(refusal(), "");
+    const std::string rest = "precise real rest = product_error(rate_high, tau_high, product);";
+    spoil("wave/phase.glsl", rest, "precise real rest = 0.0;");
+    EXPECT_NE(
+        refusal().find("this GPU's driver does not compute as the shaders need it: its phases"),
+        std::string::npos);
+    spoil("wave/phase.glsl", "precise real rest = 0.0;", rest);
+    EXPECT_EQ(refusal(), "");
+    spoil("wave/noise.glsl", "round < 10", "round < 9");
+    EXPECT_NE(refusal().find("its noise by"), std::string::npos);
 }
 
 TEST(GlBackend, SaysWhatItRunsOnAndWhatIsTooMuch) {

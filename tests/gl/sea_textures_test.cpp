@@ -77,6 +77,19 @@ TEST_F(SeaTextures, CascadesAreThoseOfTheCpu) {
     }
 }
 
+TEST_F(SeaTextures, OfAnotherSeaAreThatSeas) {
+    gl::SeaTextures textures;
+    for (const double wind : {6.0, 14.0}) {
+        Parameters parameters = wind_sea(64, 100.0);
+        parameters.waves.front().wind_speed = wind;
+        Ocean sea(parameters);
+        textures.show(sea, 3.0);
+        const Surface map = sea.evaluate(3.0, {Channel::height});
+        const Image image = read(textures.cascades()[0].displacement, 0);
+        EXPECT_LE(relative_error(image.component(2), map.channel(Channel::height)), 1e-6) << wind;
+    }
+}
+
 TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
     Ocean sea(wind_sea(64, 100.0));
     gl::SeaTextures textures;
@@ -87,19 +100,33 @@ TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
     const Image moments = read(cascade.moments, 3);
     ASSERT_EQ(coarse.size, 8);
     for (const std::size_t block : {0, 5}) {
-        double mean = 0.0;
-        double square = 0.0;
+        std::array<double, 2> mean{};
+        std::array<double, 4> square{};
         for (std::size_t j = 0; j < 8; ++j) {
             for (std::size_t i = 0; i < 8; ++i) {
-                const double slope = fine.texels[4 * ((8 * block + j) * 64 + 8 * block + i)];
-                mean += slope / 64.0;
-                square += slope * slope / 64.0;
+                const float* const texel = &fine.texels[4 * ((8 * block + j) * 64 + 8 * block + i)];
+                const double x = texel[0];
+                const double y = texel[1];
+                const double squeezed = static_cast<double>(texel[2]) + texel[3];
+                mean[0] += x / 64.0;
+                mean[1] += y / 64.0;
+                square[0] += x * x / 64.0;
+                square[1] += y * y / 64.0;
+                square[2] += x * y / 64.0;
+                square[3] += squeezed * squeezed / 64.0;
             }
         }
         const std::size_t at = 4 * (8 * block + block);
-        EXPECT_NEAR(coarse.texels[at], mean, 1e-6);
-        EXPECT_NEAR(moments.texels[at], square, 1e-6);
-        EXPECT_GT(square - mean * mean, 1e-4);
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_NEAR(coarse.texels[at + i], mean[i], 1e-6);
+            EXPECT_GT(square[i] - mean[i] * mean[i], 1e-4);
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_NEAR(moments.texels[at + i], square[i], 1e-6) << i;
+        }
+        // No two of them are alike.
+        EXPECT_GT(std::abs(square[3] - square[0] - square[1]), 1e-4);
+        EXPECT_GT(std::abs(square[2]), 1e-5);
     }
     const Image last = read(cascade.moments, 6);
     ASSERT_EQ(last.size, 1);

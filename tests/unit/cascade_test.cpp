@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "ocean/cascade_map.hpp"
+#include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
@@ -48,6 +49,35 @@ TEST(Cascades, OneToFiveHoldTheSameEnergyOnTheSameWavenumbers) {
             if (c == 1) single = m0;
             EXPECT_NEAR(m0 / single, 1.0, 2e-3) << c << " cascades of " << patch << " m";
         }
+    }
+}
+
+/// A map of all cascades has one rate for each of its modes, whichever cascade has the waves. Loops
+/// that leave a shared mode's turns between two whole numbers: one last bit more is one turn more.
+TEST(Cascades, AgreeToTheBitOnTheModesThatTheyShare) {
+    Parameters parameters = cascade_sea(64, 500.0, {1, 3, 7});
+    const double omega = Dispersion(parameters.water).at(3 * kTwoPi / 500.0).angular_frequency;
+    const double tie = 7.5 * kTwoPi / omega;
+    for (const double loop : {0.0, std::nextafter(tie, 0.0), tie, std::nextafter(tie, 1e9)}) {
+        parameters.time.loop_period = loop;
+        ThreadPool pool(2);
+        const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
+        const CascadeModes& first = modes.cascades.front();
+        int shared = 0;
+        for (const CascadeModes& cascade : modes.cascades) {
+            const int half = half_of(64, cascade.divisor, 64);
+            for (int m = -half + 1; m < half; ++m) {
+                for (int n = -half + 1; n < half; ++n) {
+                    const std::size_t own = mode_index(n, m, 64);
+                    const std::size_t at = mode_index(n * cascade.divisor, m * cascade.divisor, 64);
+                    ASSERT_EQ(cascade.rate_high[own], first.rate_high[at]) << loop;
+                    ASSERT_EQ(cascade.rate_low[own], first.rate_low[at]) << loop;
+                    ASSERT_EQ(cascade.displacement[own], first.displacement[at]) << loop;
+                    ++shared;
+                }
+            }
+        }
+        EXPECT_EQ(shared, 63 * 63 + 21 * 21 + 9 * 9);
     }
 }
 
@@ -228,7 +258,7 @@ TEST(CascadeMap, PacksAgainOnlyWhereTheModesAreOthers) {
     same(2.0, Backend::dft);
     // Modes that nobody counts are never taken for others.
     Modes scaled = sea.modes();
-    scaled.revision = 0;
+    scaled.revision = {};
     kept.planes(scaled, 2.0, {Linear::height}, pool);
     kept.planes(scaled, 2.0, {Linear::height}, pool);
     EXPECT_EQ(packings, 4);

@@ -14,6 +14,7 @@
 
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/wave_sum.hpp"
 #include "test_seas.hpp"
 #include "wave/wave.hpp"
@@ -273,10 +274,10 @@ TEST(Query, OfOnePointMakesAFewColumnsToTheSameBits) {
 
 TEST(Query, MovesToOtherTimesAndModesToTheBitsOfANewOne) {
     TestSea sea(test::wind_sea(64, 200.0));
-    sea.modes.revision = 1;
+    sea.modes.revision = Revision::begin();
     TestSea other(test::wind_sea(64, 300.0));
     TestSea larger(test::wind_sea(128, 200.0));
-    larger.modes.revision = 2;
+    larger.modes.revision = Revision::begin();
     const auto points = random_points(200, 0.0, 200.0);
     SurfaceQuery query = sea.query({.refine = 2}, 0.0);
     const auto expect_move_to = [&](TestSea& to, double time) {
@@ -295,11 +296,49 @@ TEST(Query, MovesToOtherTimesAndModesToTheBitsOfANewOne) {
                                   return p;
                               }()),
                               stormy.parameters, stormy.pool);
-    stormy.modes.revision = 3;
+    stormy.modes.revision = Revision::begin();
     expect_move_to(stormy, 5.0);
     expect_move_to(other, 5.0);
     expect_move_to(larger, 7.0);
     expect_move_to(sea, 1e6);
+}
+
+/// Of two seas each has counted as many changes.
+TEST(Query, MovesToTheModesOfAnotherOcean) {
+    Parameters parameters = test::wind_sea(64, 200.0);
+    Ocean calm(parameters);
+    parameters.waves.front().wind_speed = 20.0;
+    Ocean stormy(parameters);
+    EXPECT_FALSE(calm.modes().revision == stormy.modes().revision);
+    const TestSea in_calm(parameters, calm.modes());
+    TestSea in_storm(parameters, stormy.modes());
+    SurfaceQuery query = TestSea(in_calm.parameters, in_calm.modes).query();
+    query.move_to(stormy.modes(), parameters.surface, parameters.water, kTime, in_storm.pool);
+    OrbitalMotion water = TestSea(in_calm.parameters, in_calm.modes).water(-2.0);
+    water.move_to(stormy.modes(), parameters.water, kTime, -2.0, in_storm.pool);
+    const auto points = random_points(50, 0.0, 200.0);
+    const auto moved = in_storm.samples(query, points);
+    const auto made = in_storm.samples(in_storm.query(), points);
+    const OrbitalMotion expected = in_storm.water(-2.0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        expect_same(moved[i], made[i]);
+        EXPECT_EQ(water.sample(points[i]), expected.sample(points[i]));
+    }
+}
+
+/// A copy of a sea begins where that is, and each changes for itself.
+TEST(Query, CopiesOfASeaHaveItsRevisionUntilOneChanges) {
+    Ocean first(test::wind_sea(32, 200.0));
+    const Revision before = first.modes().revision;
+    Ocean second(first, {});
+    EXPECT_TRUE(second.modes().revision == before);
+    first.set("wind_speed", "12");
+    second.set("wind_speed", "18");
+    EXPECT_FALSE(first.modes().revision == before);
+    EXPECT_FALSE(second.modes().revision == before);
+    EXPECT_FALSE(first.modes().revision == second.modes().revision);
+    EXPECT_TRUE(first.modes().lattice_revision == second.modes().lattice_revision);
+    EXPECT_FALSE(Revision() == Revision());
 }
 
 TEST(Query, AnswersSeveralThreadsAtOnce) {

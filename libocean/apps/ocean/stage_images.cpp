@@ -57,11 +57,12 @@ void require_own(const std::string& path) {
 void bake_stage(const BakePlan& plan, const std::string& stage, const Context& context) {
     Ocean ocean(plan.sea, {.threads = plan.threads});
     io::make_folder(plan.pattern.folder());
+    gl::StageMaker stages;
     std::vector<std::vector<float>> planes;
     for (const int frame : plan.frames) {
         const double time = plan.sea.time_of(frame);
         const MapModes modes = map_modes(ocean.modes(time), time, plan.resolution);
-        io::Image image = image_of(gl::make_stage(modes, stage, ocean.pool()), planes);
+        io::Image image = image_of(stages.make(modes, stage, ocean.pool()), planes);
         image.strings = {{"ocean:frame", std::to_string(frame)},
                          {"ocean:sea", plan.sea_text},
                          {"ocean:stage", stage},

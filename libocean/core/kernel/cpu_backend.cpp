@@ -23,7 +23,7 @@ class CpuMap {
     CpuMap(const CpuMap& other) : packed_(other.packed_), revision_(other.revision_) {}
 
     bool write(const MapRequest& request, ThreadPool& pool) {
-        const bool packs = revision_ == 0 || revision_ != request.modes.revision;
+        const bool packs = revision_ != request.modes.revision;
         if (packs) pack(request.modes, pool);
         if (!kernel_) kernel_.emplace(packed_.share());
         kernel_->run({request.modes.tau, request.settings, request.outputs, request.foam}, pool);
@@ -32,7 +32,7 @@ class CpuMap {
 
   private:
     void pack(const MapModes& modes, ThreadPool& pool) {
-        revision_ = 0;
+        revision_ = {};
         PackedModes* const own = packed_.own();
         if (own == nullptr || !own->refill(modes, pool)) {
             packed_ = std::make_shared<PackedModes>(modes, pool, simd_level());
@@ -42,7 +42,7 @@ class CpuMap {
     }
 
     SharedValue<PackedModes> packed_;
-    std::uint64_t revision_ = 0;  // of the modes that are packed; 0: none that are known
+    Revision revision_;  // of the modes that are packed
     std::optional<MapKernel> kernel_;
 };
 

@@ -173,11 +173,15 @@ void ModeLattice::clear_row(int m, CascadeModes& modes) {
 
 void ModeLattice::set_rates(const Cascade& cascade, int m, CascadeModes& modes) const {
     const int size = cascade.lattice.resolution;
-    const double step = cascade.lattice.wavenumber_step();
+    // By its numbers on the lattice of the patch a mode has the same k in all cascades that cover
+    // it, to the bit: else the last bit might decide how many turns fit into a loop.
+    const double step = kTwoPi / parameters_.grid.patch_size;
+    const double y = static_cast<double>(cascade.band.divisor) * m;
     const double loop = parameters_.time.loop_period;
     const Dispersion dispersion(parameters_.water);
     for (int n = m == 0 ? 1 : 0; n < size / 2; ++n) {
-        const double k = step * std::sqrt(static_cast<double>(n) * n + static_cast<double>(m) * m);
+        const double x = static_cast<double>(cascade.band.divisor) * n;
+        const double k = step * std::sqrt(x * x + y * y);
         const DispersionPoint wave = dispersion.at(k);
         const double omega = wave.angular_frequency;
         const double rate = loop > 0.0 ? turns_per_loop(omega, loop) : omega / kTwoPi;

@@ -111,8 +111,8 @@ struct OrbitalMotion::State {
     double period = 0.0;
     Water water;
     bool below_bottom = false;
-    std::uint64_t revision = 0;  // of the modes
-    double z = 0.0;              // of the map
+    Revision revision;  // of the modes
+    double z = 0.0;     // of the map
     std::unique_ptr<MotionStrips> map;
     std::optional<WaveSum> exact;
     WaterLevel level;
@@ -124,9 +124,9 @@ struct OrbitalMotion::State {
         }
         require_time(time);
         const double level_z = std::min(asked_z, 0.0);
-        const bool same_modes = revision != 0 && revision == modes.revision && water == now;
+        const bool same_modes = revision == modes.revision && water == now;
         const bool same_depth = same_modes && z == level_z;
-        revision = 0;  // while it is neither the old ones nor the new
+        revision = {};  // while it is neither the old ones nor the new
         period = modes.lattice.period;
         water = now;
         z = level_z;

@@ -199,7 +199,7 @@ struct SurfaceQuery::State {
     mutable FoldIndex folds;
     mutable std::mutex preparing;
     QueryBounds bounds;
-    std::uint64_t revision;  // of the modes
+    Revision revision;  // of the modes
     double choppiness = 0.0;
     double time = 0.0;
     std::optional<WaveSum> exact;
@@ -207,12 +207,12 @@ struct SurfaceQuery::State {
 };
 
 bool SurfaceQuery::State::use(const Modes& modes, ThreadPool& pool) {
-    if (revision != 0 && revision == modes.revision) return true;
+    if (revision == modes.revision) return true;
     if (position.lattice().period != modes.lattice.period ||
         shown != shown_resolution(modes.lattice.resolution, options)) {
         return false;
     }
-    revision = 0;  // while they are neither the old ones nor the new
+    revision = {};  // while they are neither the old ones nor the new
     if (!strips.repack(modes, spline_factor(modes, shown, fine), pool)) return false;
     bounds = query_bounds(modes, shown, fine, options.exact, pool);
     revision = modes.revision;

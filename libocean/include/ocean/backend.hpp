@@ -31,13 +31,13 @@ inline int half_of(int modes, int stride, int map_resolution) {
 /// period.
 struct MapModes {
     std::span<const CascadeModes> cascades;
-    double period = 0.0;         // of the map, m
-    int divisor = 1;             // patch_size / period
-    double tau = 0.0;            // of Modes
-    double rate_unit = 1.0;      // of Modes
-    int resolution = 0;          // of the map; may be more or less than that of the modes
-    std::uint64_t revision = 0;  // of Modes
-    std::uint64_t lattice_revision = 0;
+    double period = 0.0;     // of the map, m
+    int divisor = 1;         // patch_size / period
+    double tau = 0.0;        // of Modes
+    double rate_unit = 1.0;  // of Modes
+    int resolution = 0;      // of the map; may be more or less than that of the modes
+    Revision revision;       // of Modes
+    Revision lattice_revision;
 
     double wavenumber_step() const { return kTwoPi / period; }
     /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
@@ -70,7 +70,7 @@ struct MapRequest {
 };
 
 /// Writes the outputs, without their seams. It may keep what it makes of the modes for requests
-/// with the same revision of them (0 is never the same), and its arrays. Returns whether it had to
+/// with the same revision of them, and its arrays. Returns whether it had to
 /// make anything of the modes. One call at a time; copies of it run in parallel, share what they
 /// keep and change it for themselves alone.
 using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
@@ -92,6 +92,8 @@ struct Backend {
     std::uint64_t (*work_bytes)(const Grid& grid, LinearSet fields, int resolution) = nullptr;
     /// For maps of that resolution; null: it runs everywhere.
     BackendFitness (*fitness)(int resolution) = nullptr;
+    /// Somewhere it is faster than cpu: `auto` asks for its fitness.
+    bool may_be_fast = false;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 

@@ -13,6 +13,7 @@
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/page_vector.hpp"
+#include "ocean/revision.hpp"
 
 namespace ocean {
 
@@ -51,12 +52,12 @@ struct Modes {
     double loop_period = 0.0;  // s, 0 = never
     double wind_speed = 0.0;   // m/s, U10: how much whitecap there is
     std::vector<CascadeModes> cascades;
-    /// Another number for every change that their owner makes, so that what was made of them can be
-    /// kept; 0 where nobody counts.
-    std::uint64_t revision = 0;
-    /// Another number when more than h0 has changed: what was made of rates and displacements alone
-    /// can be kept. 0 where nobody counts.
-    std::uint64_t lattice_revision = 0;
+    /// Another one for every change that their owner makes, so that what was made of them can be
+    /// kept; of nothing where nobody counts.
+    Revision revision;
+    /// Another one when more than h0 has changed: what was made of rates and displacements alone
+    /// can be kept. Of nothing where nobody counts.
+    Revision lattice_revision;
 
     /// Of the modes that a map of `resolution` samples holds.
     GradientCovariance gradient_covariance(int resolution) const;

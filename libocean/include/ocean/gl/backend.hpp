@@ -11,8 +11,9 @@ namespace ocean::gl {
 /// In the context that is current when it is first called, and from then on; where there is none,
 /// in a headless one of its own. In a host's context it leaves other bindings behind: program,
 /// storage buffers 0 to 9, image units 0 to 6, texture of unit 0, buffers for packing pixels.
-/// Throws Error no_gpu where it cannot run. Its fitness is that of a headless context: fast is what
-/// no processor plays.
+/// Throws Error no_gpu where it cannot run or the context was lost: then it has given up all that
+/// it had, and the next call takes the context that is current then, or a new one. Its fitness is
+/// that of a headless context: fast is what no processor plays.
 extern const Backend kBackend;
 
 /// The same maps by the scheme of [Fluegge 2017], a dispatch for each stage of each field's

@@ -26,6 +26,7 @@ struct ContextInfo {
     int workgroup_threads = 0;
     int image_units = 0;
     int texture_size = 0;
+    bool tells_resets = false;  // whether it was lost can be asked
 
     /// "NVIDIA H100 (NVIDIA Corporation), OpenGL 4.6".
     std::string text() const;

@@ -65,7 +65,8 @@ class SeaTextures {
 
     /// Makes all textures those of a time. The sea is asked for its modes alone, at the ticks of
     /// the foam's clock too; of a sea that was changed or performed foam begins again, or goes on,
-    /// as foam_changed() was told. Throws Error.
+    /// as foam_changed() was told. Throws Error; no_gpu if the context was lost too, after which
+    /// only the destructor may be called.
     void show(Ocean& sea, double time);
     /// What was followed of the foam is not that of this sea any more, from that time on.
     void foam_changed(double from);

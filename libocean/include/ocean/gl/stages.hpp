@@ -4,6 +4,7 @@
 // What lies between the modes and a map, as pictures: the stages of the backend `thesis`.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,14 +27,29 @@ struct StageImage {
     std::vector<float> texels;  // interleaved, the bottom row first
 };
 
-/// One stage of the height's transform, over the map's wavenumbers with k = 0 in the middle, kx to
-/// the right and ky up:
+/// One stage of the height's transform after another, over the map's wavenumbers with k = 0 in the
+/// middle, kx to the right and ky up:
 ///   h0            re and im of h0(k), then of conj h0(-k) [m]
 ///   spectrum      re and im of h(k, t) [m]
 ///   butterfly     log2 N wide: of each stage and output the root (re, im) and both inputs
 ///   horizontal-K  after K stages along x, vertical-K: and all along x before K along y
-/// In the current context, else in one of its own. Throws Error invalid_value for another name,
-/// which lists these, and no_gpu.
-StageImage make_stage(const MapModes& modes, std::string_view stage, ThreadPool& pool);
+/// In the context that is current at the first that needs one, else in one of its own; both, and
+/// what was compiled in it, are kept. One call at a time. The destructor needs the host's context
+/// to be current, where it is the host's.
+class StageMaker {
+  public:
+    StageMaker();
+    ~StageMaker();
+    StageMaker(const StageMaker&) = delete;
+    StageMaker& operator=(const StageMaker&) = delete;
+
+    /// Throws Error invalid_value for another name than those of stage_names(), which it lists, and
+    /// no_gpu.
+    StageImage make(const MapModes& modes, std::string_view stage, ThreadPool& pool);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace ocean::gl
