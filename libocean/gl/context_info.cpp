@@ -42,10 +42,17 @@ std::string ContextInfo::text() const {
 
 bool has_current_context() {
     if (epoxy_has_egl() && eglGetCurrentContext() != EGL_NO_CONTEXT) return true;
-    // Whoever has a context of GLX has its library.
-    using GetContext = void* (*)();
-    const auto get = reinterpret_cast<GetContext>(dlsym(RTLD_DEFAULT, "glXGetCurrentContext"));
-    return get != nullptr && get() != nullptr;
+    // Whoever has a context of GLX has its library, but perhaps for himself alone, as GLFW has.
+    for (const char* name : {"libGLX.so.0", "libGL.so.1"}) {
+        void* library = dlopen(name, RTLD_LAZY | RTLD_NOLOAD);
+        if (library == nullptr) continue;
+        using GetContext = void* (*)();
+        const auto get = reinterpret_cast<GetContext>(dlsym(library, "glXGetCurrentContext"));
+        const bool current = get != nullptr && get() != nullptr;
+        dlclose(library);
+        if (current) return true;
+    }
+    return false;
 }
 
 ContextInfo context_info() {

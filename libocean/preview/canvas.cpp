@@ -36,6 +36,14 @@ void Canvas::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
 }
 
+void Canvas::copy_to_window(int width, int height) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+}
+
 std::vector<std::uint8_t> Canvas::rgb() const {
     std::vector<std::uint8_t> pixels(3 * static_cast<std::size_t>(width_) *
                                      static_cast<std::size_t>(height_));

@@ -32,6 +32,21 @@ void Camera::look_at(const std::array<double, 3>& point) {
     if (x != 0.0 || y != 0.0 || z != 0.0) pitch = kDegrees * std::atan2(z, std::hypot(x, y));
 }
 
+std::optional<std::array<double, 2>> Camera::meet_level(double from_left, double from_top,
+                                                        double aspect, double level) const {
+    constexpr double kRadians = 0.017453292519943295;
+    const double half = std::tan(0.5 * kRadians * field_of_view);
+    const double right = half * (2.0 * from_left - 1.0);
+    const double up = half / aspect * (1.0 - 2.0 * from_top);
+    const double h = kRadians * heading, p = kRadians * pitch;
+    const double ahead = std::cos(p) - up * std::sin(p);
+    const double rise = std::sin(p) + up * std::cos(p);
+    const double distance = (level - eye[2]) / rise;
+    if (rise == 0.0 || !(distance > 0.0)) return std::nullopt;
+    return std::array{eye[0] + distance * (ahead * std::cos(h) + right * std::sin(h)),
+                      eye[1] + distance * (ahead * std::sin(h) - right * std::cos(h))};
+}
+
 std::vector<std::string> view_names() {
     std::vector<std::string> names;
     for (const auto& [name, view] : kViews) names.emplace_back(name);

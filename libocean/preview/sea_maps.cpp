@@ -109,6 +109,17 @@ class SeaMaps::Source {
         return shown_;
     }
 
+    // Foam of the sea's own backend is followed by the sea, which knows its changes.
+    void foam_changed(double from) {
+        if (computed_) computed_->foam_changed(from);
+    }
+    void foam_changed() {
+        if (computed_) computed_->foam_changed();
+    }
+    std::int64_t foam_settling_ticks(const Ocean& sea) const {
+        return computed_ ? computed_->foam_settling_ticks() : sea.foam_settling_ticks();
+    }
+
   private:
     void compute(Ocean& sea, double time) {
         computed_->show(sea, time);
@@ -196,9 +207,13 @@ class SeaMaps::Source {
         shown_.choppiness = sea.sea().at(time).surface.choppiness;
         const Revision revision = sea.modes(time).revision;
         if (revision == described_) return;
-        const SeaState state = sea.state();
-        shown_.significant_wave_height = state.significant_wave_height.asked;
-        shown_.mean_square_slope = state.mean_square_slope.asked;
+        const Parameters& parameters = sea.parameters();
+        const SurfaceSettings& surface = parameters.surface;
+        const SpectralMoments asked = sea.spectrum(time).moments(
+            parameters.water, surface.shortest_wavelength, surface.longest_wavelength);
+        shown_.significant_wave_height = asked.significant_wave_height();
+        shown_.peak_period = asked.peak_omega > 0.0 ? kTwoPi / asked.peak_omega : 0.0;
+        shown_.mean_square_slope = asked.mean_square_slope;
         double resolved = 0.0;
         for (const CascadeTextures& cascade : shown_.cascades)
             resolved += mean_square_slope(cascade);
@@ -230,6 +245,18 @@ SeaMaps::~SeaMaps() = default;
 
 ShownSea SeaMaps::show(Ocean& sea, double time) {
     return source_->show(sea, time);
+}
+
+void SeaMaps::foam_changed(double from) {
+    source_->foam_changed(from);
+}
+
+void SeaMaps::foam_changed() {
+    source_->foam_changed();
+}
+
+std::int64_t SeaMaps::foam_settling_ticks(const Ocean& sea) const {
+    return source_->foam_settling_ticks(sea);
 }
 
 }  // namespace ocean::preview

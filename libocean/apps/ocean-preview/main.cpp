@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // `ocean-preview`: from a sea file to its picture.
-#include <algorithm>
 #include <memory>
 
 #include "command_line.hpp"
 #include "console.hpp"
-#include "ocean/cascades.hpp"
-#include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
@@ -18,6 +15,8 @@
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 #include "preview_options.hpp"
+#include "window.hpp"
+#include "workload.hpp"
 
 namespace ocean::app {
 namespace {
@@ -31,45 +30,26 @@ struct Device {
 Device open_device(Computer computer) {
     if (computer == Computer::gpu) return {std::make_unique<gl::HeadlessContext>(), true};
     auto drawing = std::make_unique<gl::HeadlessContext>(gl::HeadlessOptions{.compute = false});
-    const gl::ContextInfo& info = drawing->info();
-    const bool fit = !info.software && (info.major > 4 || (info.major == 4 && info.minor >= 3));
-    if (computer == Computer::processor || !fit) return {std::move(drawing), false};
+    if (computer == Computer::processor || !computes_well(drawing->info())) {
+        return {std::move(drawing), false};
+    }
     drawing.reset();
     return {std::make_unique<gl::HeadlessContext>(), true};
 }
 
-/// Samples of the largest maps, and cells of the mesh, that a processor that plays a GPU draws in
-/// time.
-constexpr int kSoftwareMap = 256;
-constexpr int kSoftwareFoamMap = 512;
-constexpr int kSoftwareCells = 64;
-
 void draw_offscreen(const PreviewOptions& options, const Sea& opened, const Context& context) {
     const Device device = open_device(options.computer);
     const gl::HeadlessContext::Current current(*device.context);
-    const bool software = device.context->info().software;
     context.console.note("drawn by " + device.context->info().text() + "; computed by " +
                          (device.computes ? "the same" : "the processor"));
     Ocean sea(opened, {.threads = context.options.threads});
     const double time = options.frame  ? opened.time_of(*options.frame)
                         : options.time ? *options.time
                                        : opened.parameters.time.start;
-    const Grid& grid = opened.parameters.grid;
-    preview::SeaMapsOptions map_options{.compute = device.computes,
-                                        .cascade_resolution = options.map.value_or(0),
-                                        .foam_resolution = options.foam_map.value_or(0),
-                                        .foam_start = FoamStart::settled};
-    preview::RendererOptions render_options;
-    if (software) {
-        if (!options.map) map_options.cascade_resolution = std::min(grid.resolution, kSoftwareMap);
-        if (!options.foam_map) {
-            map_options.foam_resolution = std::min(default_map_resolution(grid), kSoftwareFoamMap);
-        }
-        render_options.cells = kSoftwareCells;
-    }
-    if (options.cells) render_options.cells = *options.cells;
-    preview::SeaMaps maps(map_options);
-    preview::Renderer renderer(render_options);
+    Workload work = workload_for(options, opened, device.context->info(), device.computes);
+    work.maps.foam_start = FoamStart::settled;
+    preview::SeaMaps maps(work.maps);
+    preview::Renderer renderer(work.renderer);
     const preview::ShownSea shown = maps.show(sea, time);
     for (const auto& place : options.probes) {
         const auto found = preview::probe(renderer, shown, options.camera, place);
@@ -97,6 +77,9 @@ void draw_offscreen(const PreviewOptions& options, const Sea& opened, const Cont
 
 constexpr char kFooter[] =
     R"(SEA is a sea file, a baked EXR file or preset:NAME.
+Keys: W A S D Q E move, Shift is fast, dragging turns, the wheel zooms; Space
+pauses, V changes the view, C the camera, F shows the mesh, P probes, Tab hides
+the panel, F12 saves the picture, Escape ends.
 --probe prints x,y, the height of the mesh there and that of the maps (m), the
 square of the slope that is shown and the mean square slope that the light gets
 as roughness; nothing behind x,y where nothing is drawn.
@@ -108,15 +91,17 @@ Command preview_command() {
     std::vector<OptionGroup> groups = preview_option_groups(*words);
     groups.push_back(run_options(""));
     return {.name = "ocean-preview",
-            .summary = "The sea to its horizon, as a picture.",
+            .summary = "The sea to its horizon, in a window or as a picture.",
             .options = std::move(groups),
             .footer = kFooter,
             .run = [words](const Context& context) {
                 const PreviewOptions options = preview_options(*words);
+                const Sea sea = open_sea(words->sea);
                 if (options.offscreen.empty() && options.probes.empty()) {
-                    throw Error(ErrorKind::invalid_value, "--offscreen or --probe is required");
+                    run_window(options, sea, words->sea.source, context);
+                } else {
+                    draw_offscreen(options, sea, context);
                 }
-                draw_offscreen(options, open_sea(words->sea), context);
             }};
 }
 

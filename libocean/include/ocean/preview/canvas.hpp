@@ -19,6 +19,8 @@ class Canvas {
     Canvas(int width, int height, GLenum format);
 
     void bind() const;
+    /// Into the window's own framebuffer, which has that size; leaves it bound.
+    void copy_to_window(int width, int height) const;
     std::vector<std::uint8_t> rgb() const;
     std::vector<float> rgba() const;
 

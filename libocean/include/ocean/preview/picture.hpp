@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,10 @@ struct Camera {
 
     /// Turned towards a point.
     void look_at(const std::array<double, 3>& point);
+    /// Where the line of sight through a place of the picture (0 .. 1 from its left and from its
+    /// top; aspect = width/height) meets a level, metres over still water; nothing if it does not.
+    std::optional<std::array<double, 2>> meet_level(double from_left, double from_top,
+                                                    double aspect, double level) const;
 };
 
 /// The light and the water: nothing of the waves.

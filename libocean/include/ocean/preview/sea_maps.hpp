@@ -4,6 +4,7 @@
 // A sea at a time as the renderer takes it, computed by the GPU or by the sea's own backend.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,6 +24,7 @@ struct ShownSea {
     double foam_threshold = 0.0;  // of the whitecaps
     double foam_width = 1.0;
     double significant_wave_height = 0.0;  // m, asked
+    double peak_period = 0.0;              // s, asked; 0: flat
     double mean_square_slope = 0.0;        // asked
     double unresolved_slope = 0.0;         // what of it no map has
 };
@@ -48,6 +50,11 @@ class SeaMaps {
 
     /// Throws Error.
     ShownSea show(Ocean& sea, double time);
+    /// The foam from that time on, or all of it, is not that of the sea any more.
+    void foam_changed(double from);
+    void foam_changed();
+    /// Ticks of the foam's clock until foam that began empty is what it always is.
+    std::int64_t foam_settling_ticks(const Ocean& sea) const;
 
     class Source;
 

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sea that runs: its clock, and changes of it while it runs.
+#pragma once
+
+#include <string>
+
+#include "ocean/ocean.hpp"
+#include "ocean/preview/sea_maps.hpp"
+
+namespace ocean::app {
+
+/// Seconds of the sea over those of the wall.
+class SeaClock {
+  public:
+    explicit SeaClock(double start) : time_(start) {}
+
+    double time() const { return time_; }
+    /// Goes on by so many seconds of the wall; a pause is no time.
+    void advance(double wall_seconds) {
+        if (!paused) time_ += speed * wall_seconds;
+    }
+    void go_to(double time) { time_ = time; }
+
+    bool paused = false;
+    double speed = 1.0;
+
+  private:
+    double time_;
+};
+
+class LiveSea {
+  public:
+    /// maps: as SeaMaps takes them; the context must be current.
+    LiveSea(Sea sea, int threads, const preview::SeaMapsOptions& maps);
+
+    preview::ShownSea show() { return maps_.show(ocean_, clock.time()); }
+    /// A live parameter glides to it from now on, as in a take, where that can be; the others, and
+    /// all of a sea that has a loop or of a time that was performed already, become another sea.
+    /// Throws Error, and changes nothing.
+    void set(const std::string& name, const std::string& value);
+    /// Another sea, shown at once, its clock at its start.
+    void open(Sea sea);
+
+    /// With everything that was performed.
+    const Sea& sea() const { return ocean_.sea(); }
+    /// Of the sea at its time, gliding: what is shown.
+    const Parameters& now();
+    Ocean& ocean() { return ocean_; }
+    /// Seconds until foam that began empty is what it always is.
+    double foam_settling() const {
+        return static_cast<double>(maps_.foam_settling_ticks(ocean_)) *
+               ocean_.parameters().surface.foam_step;
+    }
+
+    SeaClock clock;
+
+  private:
+    Ocean ocean_;
+    preview::SeaMaps maps_;
+    Parameters now_;
+    double now_time_ = 0.0;
+    bool now_known_ = false;
+};
+
+}  // namespace ocean::app

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/seafile.hpp"
+#include "ocean/text.hpp"
+#include "ocean/water_types.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr float kWidth = 360.0f;
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+bool found_by(const std::string& search, const ParameterInfo& info, const std::string& path) {
+    if (search.empty()) return true;
+    const std::string wanted = lower(search);
+    return lower(info.label).find(wanted) != std::string::npos ||
+           path.find(wanted) != std::string::npos;
+}
+
+/// Whether the word that the parameter counts for is the sea's: "jonswap, tma".
+bool is_used(const ParameterInfo& info, const Parameters& parameters, std::size_t wave) {
+    if (info.used_by.empty()) return true;
+    const std::vector<std::string> words = split(info.used_by, ", ");
+    for (const ParameterInfo& other : parameter_table()) {
+        if (other.section != info.section || other.choices().empty()) continue;
+        const std::string value = to_text(value_of(parameters, {&other, wave}));
+        if (std::ranges::find(words, value) != words.end()) return true;
+    }
+    return false;
+}
+
+class Rows {
+  public:
+    Rows(LiveSea& sea, PanelState& state) : sea_(sea), state_(state) {}
+
+    void section(const char* name, std::string_view section, std::size_t wave) {
+        bool any = false;
+        for (const ParameterInfo& info : parameter_table()) {
+            any =
+                any || (info.section == section && found_by(state_.search, info, info.path(wave)));
+        }
+        if (!any) return;
+        const ImGuiTreeNodeFlags open =
+            state_.search.empty() && section != "waves" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
+        if (!ImGui::CollapsingHeader(name, open)) return;
+        ImGui::PushID(name);
+        for (const ParameterInfo& info : parameter_table()) {
+            if (info.section == section && found_by(state_.search, info, info.path(wave))) {
+                row(info, wave);
+            }
+        }
+        ImGui::PopID();
+    }
+
+  private:
+    void row(const ParameterInfo& info, std::size_t wave) {
+        const std::string path = info.path(wave);
+        const Parameters& now = sea_.now();
+        const ParameterValue value = value_of(now, {&info, wave});
+        const bool used = is_used(info, now, wave);
+        ImGui::PushID(path.c_str());
+        if (!used) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45f);
+        ImGui::SetNextItemWidth(150.0f);
+        const std::string label(info.label);
+        if (!info.choices().empty()) {
+            words(info, path, label, to_text(value));
+        } else if (std::holds_alternative<double>(value)) {
+            number(info, path, label, std::get<double>(value));
+        } else if (std::holds_alternative<std::int64_t>(value)) {
+            whole_number(info, path, label, std::get<std::int64_t>(value));
+        } else {
+            text(path, label, to_text(value));
+        }
+        if (!used) ImGui::PopStyleVar();
+        ImGui::PopID();
+    }
+
+    void tooltip(const ParameterInfo& info, const std::string& path) {
+        if (!ImGui::IsItemHovered()) return;
+        std::string words = path + "\n" + std::string(info.help) + "\n" + allowed_values(info);
+        if (!info.used_by.empty()) words += "\nCounts with: " + std::string(info.used_by);
+        words +=
+            info.change == ParameterClass::live ? "\nGlides; is recorded" : "\nMakes another sea";
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(380.0f);
+        ImGui::TextUnformatted(words.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+
+    void menu(const ParameterInfo& info, const std::string& path) {
+        tooltip(info, path);
+        if (!ImGui::BeginPopupContextItem("menu")) return;
+        if (ImGui::MenuItem("Reset to default")) {
+            static const Parameters defaults;
+            set(path, to_text(value_of(defaults, {&info, 0})));
+        }
+        if (ImGui::MenuItem("Copy name")) ImGui::SetClipboardText(path.c_str());
+        ImGui::EndPopup();
+    }
+
+    void number(const ParameterInfo& info, const std::string& path, const std::string& label,
+                double value) {
+        // What a person drags follows the mouse; else the sea's value, which may glide.
+        float shown = static_cast<float>(dragged_ == path ? drag_value_ : value);
+        const auto lowest = static_cast<float>(std::max(info.min, info.soft_min));
+        const auto highest = static_cast<float>(std::min(info.max, info.soft_max));
+        const bool wide = lowest > 0.0f && highest / lowest > 100.0f;
+        const std::string format =
+            "%.3g" + (info.unit.empty() ? std::string() : " " + std::string(info.unit));
+        const bool changed =
+            ImGui::SliderFloat(label.c_str(), &shown, lowest, highest, format.c_str(),
+                               wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+        const bool active = ImGui::IsItemActive();
+        const bool done = ImGui::IsItemDeactivatedAfterEdit();
+        menu(info, path);
+        if (changed) {
+            dragged_ = path;
+            drag_value_ = static_cast<double>(shown);
+        }
+        const bool live = info.change == ParameterClass::live;
+        if (dragged_ == path && ((live && changed) || (!live && done) || (live && done))) {
+            set(path, shortest_text(static_cast<float>(drag_value_)));
+        }
+        if (dragged_ == path && !active) dragged_.clear();
+    }
+
+    void whole_number(const ParameterInfo& info, const std::string& path, const std::string& label,
+                      std::int64_t value) {
+        const bool power = allowed_values(info).find("power of two") != std::string::npos;
+        if (power) {
+            if (ImGui::BeginCombo(label.c_str(), std::to_string(value).c_str())) {
+                for (std::int64_t n = 32; n <= 4096; n *= 2) {
+                    if (ImGui::Selectable(std::to_string(n).c_str(), n == value)) {
+                        set(path, std::to_string(n));
+                    }
+                }
+                ImGui::EndCombo();
+            }
+        } else {
+            auto shown = static_cast<int>(std::min<std::int64_t>(value, 2147483647));
+            if (ImGui::InputInt(label.c_str(), &shown, 1, 10,
+                                ImGuiInputTextFlags_EnterReturnsTrue)) {
+                set(path, std::to_string(shown));
+            }
+        }
+        menu(info, path);
+    }
+
+    void words(const ParameterInfo& info, const std::string& path, const std::string& label,
+               const std::string& value) {
+        if (ImGui::BeginCombo(label.c_str(), value.c_str())) {
+            for (const std::string_view word : info.choices()) {
+                if (ImGui::Selectable(std::string(word).c_str(), word == value)) {
+                    set(path, std::string(word));
+                }
+            }
+            ImGui::EndCombo();
+        }
+        menu(info, path);
+    }
+
+    void text(const std::string& path, const std::string& label, const std::string& value) {
+        char shown[256] = {};
+        std::strncpy(shown, value.c_str(), sizeof shown - 1);
+        if (ImGui::InputText(label.c_str(), shown, sizeof shown,
+                             ImGuiInputTextFlags_EnterReturnsTrue)) {
+            set(path, shown);
+        }
+    }
+
+    void set(const std::string& path, const std::string& value) {
+        state_.touched = true;
+        try {
+            sea_.set(path, value);
+            state_.message.clear();
+        } catch (const Error& error) {
+            state_.message = error.what();
+        }
+    }
+
+    LiveSea& sea_;
+    PanelState& state_;
+    static inline std::string dragged_;  // there is one mouse
+    static inline double drag_value_ = 0.0;
+};
+
+void slider(PanelState& state, const char* label, double& value, float lowest, float highest,
+            const char* format, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
+    auto shown = static_cast<float>(value);
+    if (ImGui::SliderFloat(label, &shown, lowest, highest, format, flags)) {
+        value = static_cast<double>(shown);
+        state.touched = true;
+    }
+}
+
+void transport(LiveSea& sea, PanelState& state) {
+    if (ImGui::Button(sea.clock.paused ? "Play (Space)" : "Pause (Space)")) {
+        sea.clock.paused = !sea.clock.paused;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("To start")) {
+        sea.clock.go_to(sea.sea().parameters.time.start);
+        state.touched = true;
+    }
+    ImGui::PushItemWidth(150.0f);
+    double time = sea.clock.time();
+    if (ImGui::DragScalar("Time", ImGuiDataType_Double, &time, 0.05f, nullptr, nullptr, "%.2f s")) {
+        sea.clock.go_to(std::clamp(time, -1e9, 1e9));
+        state.touched = true;
+    }
+    slider(state, "Speed", sea.clock.speed, 0.05f, 20.0f, "%.2f x", ImGuiSliderFlags_Logarithmic);
+    ImGui::PopItemWidth();
+}
+
+void picture(PanelState& state) {
+    ImGui::PushItemWidth(150.0f);
+    const std::vector<std::string> views = preview::view_names();
+    const auto current = static_cast<std::size_t>(state.view);
+    if (ImGui::BeginCombo("View", views[current].c_str())) {
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            if (ImGui::Selectable(views[i].c_str(), i == current)) {
+                state.view = preview::view_of(views[i]);
+                state.touched = true;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    preview::Look& look = state.look;
+    if (ImGui::BeginCombo("Water", look.water_type.c_str())) {
+        for (const WaterType& type : water_types()) {
+            const std::string name(type.name);
+            if (ImGui::Selectable(name.c_str(), name == look.water_type)) {
+                look.water_type = name;
+                state.touched = true;
+            }
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(type.help).c_str());
+        }
+        ImGui::EndCombo();
+    }
+    slider(state, "Sun's altitude", look.sun_altitude, -12.0f, 90.0f, "%.1f deg");
+    slider(state, "Sun's bearing", look.sun_bearing, -180.0f, 180.0f, "%.0f deg");
+    slider(state, "Exposure", look.exposure, 0.05f, 20.0f, "%.2f", ImGuiSliderFlags_Logarithmic);
+    slider(state, "Haze", look.haze_distance, 500.0f, 200000.0f, "%.0f m",
+           ImGuiSliderFlags_Logarithmic);
+    slider(state, "Foam shown", look.foam_amount, 0.0f, 4.0f, "%.2f");
+    ImGui::PopItemWidth();
+    if (ImGui::Checkbox("Wireframe (F)", &state.wireframe)) state.touched = true;
+    ImGui::SameLine();
+    if (ImGui::Checkbox("Probe (P)", &state.probing)) state.touched = true;
+}
+
+void camera_rows(CameraControl& camera, PanelState& state) {
+    static constexpr const char* kModes[] = {"fly", "walk", "orbit", "float"};
+    ImGui::PushItemWidth(150.0f);
+    int mode = static_cast<int>(camera.mode);
+    if (ImGui::Combo("Camera (C)", &mode, kModes, 4)) {
+        camera.mode = static_cast<CameraMode>(mode);
+        state.touched = true;
+    }
+    slider(state, "Field of view", camera.camera().field_of_view, 5.0f, 120.0f, "%.0f deg");
+    slider(state, "Height of the eye", camera.camera().eye[2], 0.3f, 5000.0f, "%.1f m",
+           ImGuiSliderFlags_Logarithmic);
+    ImGui::PopItemWidth();
+    if (ImGui::Button("Back to where it began")) state.reset_camera = true;
+    ImGui::TextDisabled("W A S D, Q E: move   Shift: fast\ndrag: turn   wheel: zoom");
+}
+
+void choose_preset(LiveSea& sea, PanelState& state) {
+    ImGui::SetNextItemWidth(150.0f);
+    if (!ImGui::BeginCombo("Preset", "choose ...")) return;
+    for (const Preset& preset : presets()) {
+        if (ImGui::Selectable(preset.name.c_str())) {
+            state.touched = true;
+            try {
+                sea.open(parse_sea(preset.toml, preset.name, ""));
+                state.message = preset.name + ": " + preset.description;
+            } catch (const Error& error) {
+                state.message = error.what();
+            }
+        }
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", preset.description.c_str());
+    }
+    ImGui::EndCombo();
+}
+
+void numbers(const LiveSea& sea, const preview::ShownSea& shown, const PanelState& state) {
+    ImGui::Text("Hs %.2f m   Tp %.1f s   mss %.4f", shown.significant_wave_height,
+                shown.peak_period, shown.mean_square_slope);
+    const double settling = sea.foam_settling();
+    if (settling > 0.0) ImGui::Text("foam settling: %.1f s", settling);
+    ImGui::Text("sea %.1f ms   draw %.1f ms   panel %.1f ms", state.times.sea, state.times.draw,
+                state.times.panel);
+    ImGui::TextDisabled("%s", state.computed_by.c_str());
+    if (!state.under_mouse.empty()) ImGui::TextUnformatted(state.under_mouse.c_str());
+}
+
+}  // namespace
+
+void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
+                PanelState& state) {
+    if (!state.shown) return;
+    ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({kWidth, std::max(200.0f, ImGui::GetIO().DisplaySize.y - 16.0f)},
+                             ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Sea (Tab hides)")) {
+        transport(sea, state);
+        numbers(sea, shown, state);
+        if (!state.message.empty()) {
+            ImGui::PushTextWrapPos(0.0f);
+            ImGui::TextColored({1.0f, 0.8f, 0.4f, 1.0f}, "%s", state.message.c_str());
+            ImGui::PopTextWrapPos();
+        }
+        if (ImGui::Button("Save sea")) state.save_sea = true;
+        ImGui::SameLine();
+        if (ImGui::Button("Save picture (F12)")) state.save_picture = true;
+        if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) picture(state);
+        if (ImGui::CollapsingHeader("Camera")) camera_rows(camera, state);
+        ImGui::Separator();
+        char search[64] = {};
+        std::strncpy(search, state.search.c_str(), sizeof search - 1);
+        ImGui::SetNextItemWidth(150.0f);
+        if (ImGui::InputText("Search (/)", search, sizeof search)) state.search = search;
+        choose_preset(sea, state);
+        Rows rows(sea, state);
+        const std::size_t systems = sea.sea().parameters.waves.size();
+        for (std::size_t wave = 0; wave < systems; ++wave) {
+            rows.section(("Waves " + std::to_string(wave)).c_str(), "waves", wave);
+        }
+        rows.section("Surface and foam", "surface", 0);
+        rows.section("Water body", "water", 0);
+        rows.section("Grid", "grid", 0);
+        rows.section("Clock", "time", 0);
+        rows.section("Chance", "random", 0);
+    }
+    ImGui::End();
+}
+
+}  // namespace ocean::app
