@@ -36,9 +36,9 @@ class LiveSea {
     LiveSea(Sea sea, int threads, const preview::SeaMapsOptions& maps);
 
     preview::ShownSea show() { return maps_.show(ocean_, clock.time()); }
-    /// A live parameter glides to it from now on, as in a take, where that can be; the others, and
-    /// all of a sea that has a loop or of a time that was performed already, become another sea.
-    /// Throws Error, and changes nothing.
+    /// A live parameter glides to it from now on, as in a take; the others, and all of a sea that
+    /// has a loop, make another sea. Throws Error, and changes nothing, of a live parameter at a
+    /// time before the last that was performed too.
     void set(const std::string& name, const std::string& value);
     /// Another sea, shown at once, its clock at its start.
     void open(Sea sea);
@@ -54,11 +54,15 @@ class LiveSea {
                ocean_.parameters().surface.foam_step;
     }
 
+    /// The last time that something was performed at; the start where nothing was.
+    double performed_until() const { return performed_until_; }
+
     SeaClock clock;
 
   private:
     Ocean ocean_;
     preview::SeaMaps maps_;
+    double performed_until_;
     Parameters now_;
     double now_time_ = 0.0;
     bool now_known_ = false;

@@ -222,6 +222,12 @@ void transport(LiveSea& sea, PanelState& state) {
         sea.clock.go_to(sea.sea().parameters.time.start);
         state.touched = true;
     }
+    ImGui::SameLine();
+    if (ImGui::Button("To end")) {
+        sea.clock.go_to(sea.performed_until());
+        state.touched = true;
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("To the last change that was performed");
     ImGui::PushItemWidth(150.0f);
     double time = sea.clock.time();
     if (ImGui::DragScalar("Time", ImGuiDataType_Double, &time, 0.05f, nullptr, nullptr, "%.2f s")) {
@@ -307,17 +313,38 @@ void numbers(const LiveSea& sea, const preview::ShownSea& shown, const PanelStat
     ImGui::Text("Hs %.2f m   Tp %.1f s   mss %.4f", shown.significant_wave_height,
                 shown.peak_period, shown.mean_square_slope);
     const double settling = sea.foam_settling();
-    if (settling > 0.0) ImGui::Text("foam settling: %.1f s", settling);
+    // A line that comes and goes would move what is under the mouse.
+    if (settling > 0.0) {
+        ImGui::Text("foam settling: %.1f s", settling);
+    } else {
+        ImGui::TextUnformatted("foam settled");
+    }
     ImGui::Text("sea %.1f ms   draw %.1f ms   panel %.1f ms", state.times.sea, state.times.draw,
                 state.times.panel);
     ImGui::TextDisabled("%s", state.computed_by.c_str());
-    if (!state.under_mouse.empty()) ImGui::TextUnformatted(state.under_mouse.c_str());
+}
+
+/// What was written or refused, at the foot of the window; and what the mouse points at.
+void speak(const PanelState& state) {
+    if (!state.under_mouse.empty()) ImGui::SetTooltip("%s", state.under_mouse.c_str());
+    if (state.message.empty()) return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x - 8.0f, size.y - 8.0f}, ImGuiCond_Always, {1.0f, 1.0f});
+    ImGui::SetNextWindowBgAlpha(0.7f);
+    ImGui::Begin("message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(std::max(200.0f, 0.6f * size.x));
+    ImGui::TextUnformatted(state.message.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::End();
 }
 
 }  // namespace
 
 void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
                 PanelState& state) {
+    speak(state);
     if (!state.shown) return;
     ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({kWidth, std::max(200.0f, ImGui::GetIO().DisplaySize.y - 16.0f)},
@@ -325,11 +352,6 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
     if (ImGui::Begin("Sea (Tab hides)")) {
         transport(sea, state);
         numbers(sea, shown, state);
-        if (!state.message.empty()) {
-            ImGui::PushTextWrapPos(0.0f);
-            ImGui::TextColored({1.0f, 0.8f, 0.4f, 1.0f}, "%s", state.message.c_str());
-            ImGui::PopTextWrapPos();
-        }
         if (ImGui::Button("Save sea")) state.save_sea = true;
         ImGui::SameLine();
         if (ImGui::Button("Save picture (F12)")) state.save_picture = true;

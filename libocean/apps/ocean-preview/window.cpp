@@ -123,10 +123,18 @@ class Gui {
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    static void begin() {
+    /// Keys that were pressed since the last frame count, even if they are up again.
+    static void begin(GLFWwindow* window, const std::vector<int>& pressed) {
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
+        ImGuiIO& io = ImGui::GetIO();
+        for (const int key : pressed) {
+            if (key >= 0) io.KeysDown[key] = true;
+        }
         ImGui::NewFrame();
+        for (const int key : pressed) {
+            if (key >= 0) io.KeysDown[key] = glfwGetKey(window, key) == GLFW_PRESS;
+        }
     }
     static void end() {
         ImGui::Render();
@@ -182,9 +190,9 @@ class Preview {
             before = Clock::now();
             sea_.clock.advance(seconds);
             if (step(seconds)) frames_to_draw_ = 3;
-            events_.keys.clear();
             if (frames_to_draw_ > 0 || !sea_.clock.paused) draw();
             if (frames_to_draw_ > 0) --frames_to_draw_;
+            events_.keys.clear();
         }
     }
 
@@ -215,12 +223,13 @@ class Preview {
         const ImGuiIO& io = ImGui::GetIO();
         CameraInput input;
         bool acted = false;
+        const auto on = [&](int key, auto&& act) {
+            if (!pressed(key)) return;
+            act();
+            acted = true;
+        };
+        on(GLFW_KEY_F12, [&] { save_picture(); });
         if (!io.WantTextInput) {
-            const auto on = [&](int key, auto&& act) {
-                if (!pressed(key)) return;
-                act();
-                acted = true;
-            };
             on(GLFW_KEY_ESCAPE, [&] { glfwSetWindowShouldClose(window_, GLFW_TRUE); });
             on(GLFW_KEY_SPACE, [&] { sea_.clock.paused = !sea_.clock.paused; });
             on(GLFW_KEY_TAB, [&] { state_.shown = !state_.shown; });
@@ -234,7 +243,6 @@ class Preview {
             on(GLFW_KEY_C, [&] {
                 camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
             });
-            on(GLFW_KEY_F12, [&] { save_picture(); });
             input.ahead = axis(GLFW_KEY_W, GLFW_KEY_S);
             input.right = axis(GLFW_KEY_D, GLFW_KEY_A);
             input.up = axis(GLFW_KEY_E, GLFW_KEY_Q);
@@ -291,7 +299,7 @@ class Preview {
 
         start = Clock::now();
         look_under_mouse();
-        Gui::begin();
+        Gui::begin(window_, events_.keys);
         state_.touched = state_.save_sea = state_.save_picture = state_.reset_camera = false;
         draw_panel(sea_, shown, camera_, state_);
         Gui::end();
