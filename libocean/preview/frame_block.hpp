@@ -7,7 +7,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "ocean/cascades.hpp"
+#include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
 
@@ -25,14 +25,18 @@ struct FrameBlock {
     glm::vec4 water{};
     glm::vec4 waves{};
     glm::vec4 foam{};
-    glm::vec4 patch_place{};
+    glm::vec4 period{};
     glm::vec4 grid_place{};
     glm::ivec4 grid_cell{};
     glm::vec4 look{};
     glm::ivec4 view{};
     glm::vec4 range{};
-    std::array<glm::vec4, 5> cascade{};
+    std::array<glm::vec4, kMostCascades> cascade{};
+    std::array<glm::vec4, kMostCascades> part{};
+    std::array<glm::vec4, 2> cover{};
+    glm::vec4 cover_share{};
 };
-static_assert(sizeof(FrameBlock) == (8 + 16 + 1 + 5) * 16, "std140 has no other padding");
+static_assert(sizeof(FrameBlock) == (8 + 17 + 2 * kMostCascades + 3) * 16,
+              "std140 has no other padding");
 
 }  // namespace ocean::preview

@@ -19,7 +19,7 @@ std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera
                            const std::array<double, 2>& place) {
     const Canvas canvas(kSide, kSide, GL_RGBA32F);
     double texel = sea.period;
-    for (const gl::CascadeTextures& cascade : sea.cascades) {
+    for (const ShownCascade& cascade : sea.cascades) {
         texel = std::min(texel, cascade.period / cascade.resolution);
     }
     DrawOptions options;

@@ -81,6 +81,7 @@ struct Renderer::Parts {
         if (taps == 0) {
             glSamplerParameterf(sampler.name(), GL_TEXTURE_MAX_ANISOTROPY_EXT, 16.0f);
         }
+        glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &texture_units);
         frame = gl::make_buffer();
         glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
         glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_DYNAMIC_DRAW);
@@ -89,19 +90,20 @@ struct Renderer::Parts {
     Clipmap clipmap;
     int taps;  // 0: the driver's filter fits the footprints
     gl::ShaderProgram sky;
-    std::map<std::size_t, gl::ShaderProgram> waters;  // by the number of cascades
+    /// By the numbers of cascades and covers.
+    std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram> waters;
     gl::VertexArray no_vertices;
     gl::Sampler sampler;
     gl::Buffer frame;
+    GLint texture_units = 16;
 
-    gl::ShaderProgram& water(std::size_t cascades) {
-        const auto known = waters.find(cascades);
+    gl::ShaderProgram& water(std::size_t cascades, std::size_t covers) {
+        const auto known = waters.find({cascades, covers});
         if (known != waters.end()) return known->second;
-        return waters
-            .emplace(cascades, gl::ShaderProgram({{GL_VERTEX_SHADER, "preview/water.vert"},
-                                                  {GL_FRAGMENT_SHADER, "preview/water.frag"}},
-                                                 water_defines(cascades, taps)))
-            .first->second;
+        gl::ShaderProgram program(
+            {{GL_VERTEX_SHADER, "preview/water.vert"}, {GL_FRAGMENT_SHADER, "preview/water.frag"}},
+            water_defines(cascades, covers, taps));
+        return waters.emplace(std::pair(cascades, covers), std::move(program)).first->second;
     }
 
     FrameBlock block(const ShownSea& sea, const Camera& camera, const Look& look,
@@ -119,19 +121,17 @@ struct Renderer::Parts {
         b.sky_middle = with(colours.middle, 0.0);
         b.sky_high = with(colours.high, 0.0);
         b.sky_shadow = with(colours.shadow, colours.dusk);
-        b.sky_light = with(colours.light, colours.dusk);
+        b.sky_light = with(colours.light, 0.0);
         b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
         b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height, sea.unresolved_slope, 0.0);
         b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
-        b.patch_place = glm::vec4(fraction(u), fraction(v), 1.0 / sea.period,
-                                  look.least_mix_distance > 0.0 ? 1.0 : 0.0);
+        b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
         const auto grid = wave::double_precision::copy_grid(u, v);
-        b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y),
-                                 1.0 / std::max(sea.cover_resolution, 1), 0.0);
+        b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y), 0.0, 0.0);
         b.grid_cell = glm::ivec4(static_cast<int>(std::floor(grid.x)),
                                  static_cast<int>(std::floor(grid.y)), 0, 0);
-        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle, sea.time);
+        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle, 0.0);
         b.view = glm::ivec4(static_cast<int>(options.view));
         b.range = glm::vec4(options.range[0], options.range[1], 0.0, 0.0);
         if (options.range[0] == 0.0 && options.range[1] == 0.0) {
@@ -142,10 +142,18 @@ struct Renderer::Parts {
             b.range = jacobian ? glm::vec4(0.0, 2.0, 0.0, 0.0) : glm::vec4(-most, most, 0.0, 0.0);
         }
         for (std::size_t c = 0; c < sea.cascades.size(); ++c) {
-            const gl::CascadeTextures& cascade = sea.cascades[c];
+            const ShownCascade& cascade = sea.cascades[c];
+            b.part[c] = glm::vec4(cascade.weight, cascade.sea_period / cascade.period, 0.0, 0.0);
             b.cascade[c] = glm::vec4(fraction(camera.eye[0] / cascade.period),
                                      fraction(camera.eye[1] / cascade.period), 1.0 / cascade.period,
                                      cascade.period / cascade.resolution);
+        }
+        for (std::size_t v = 0; v < sea.covers.size(); ++v) {
+            const ShownCover& cover = sea.covers[v];
+            b.cover[v] = glm::vec4(fraction(camera.eye[0] / cover.period),
+                                   fraction(camera.eye[1] / cover.period), 1.0 / cover.period,
+                                   1.0 / cover.resolution);
+            b.cover_share[static_cast<int>(v)] = static_cast<float>(cover.share);
         }
         return b;
     }
@@ -166,7 +174,9 @@ struct Renderer::Parts {
             bind("moment_map" + number, sea.cascades[c].moments, sampler.name());
             bind("shape_map" + number, sea.cascades[c].displacement, 0);
         }
-        bind("cover_map", sea.cover, sampler.name());
+        for (std::size_t v = 0; v < sea.covers.size(); ++v) {
+            bind("cover_map[" + std::to_string(v) + "]", sea.covers[v].texture, sampler.name());
+        }
         glActiveTexture(GL_TEXTURE0);
     }
 
@@ -196,7 +206,7 @@ struct Renderer::Parts {
         }
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
-        gl::ShaderProgram& program = water(sea.cascades.size());
+        gl::ShaderProgram& program = water(sea.cascades.size(), sea.covers.size());
         program.use();
         bind_frame(program);
         bind_maps(program, sea);
@@ -211,7 +221,7 @@ struct Renderer::Parts {
                           .farthest = 1.05 * (horizon(camera.eye[2]) + horizon(crest)),
                           .earth_radius = kEarthRadius};
         double texel = sea.period;
-        for (const gl::CascadeTextures& cascade : sea.cascades) {
+        for (const ShownCascade& cascade : sea.cascades) {
             texel = std::min(texel, cascade.period / cascade.resolution);
         }
         program.set("depth", projection.flat
@@ -221,7 +231,8 @@ struct Renderer::Parts {
                      std::exp2(std::floor(std::log2(texel))),
                      Frustum(projection.clip_from_world, camera.eye[2]), reach);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        for (GLuint unit = 0; unit < 4 * sea.cascades.size() + 1; ++unit) glBindSampler(unit, 0);
+        for (GLuint unit = 0; unit < 4 * sea.cascades.size() + sea.covers.size(); ++unit)
+            glBindSampler(unit, 0);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
             throw Error(ErrorKind::no_gpu,
                         "OpenGL error " + std::to_string(error) + " while drawing the sea");
@@ -231,6 +242,12 @@ struct Renderer::Parts {
 
 Renderer::Renderer(const RendererOptions& options) : parts_(std::make_unique<Parts>(options)) {}
 Renderer::~Renderer() = default;
+
+std::size_t Renderer::most_cascades() const {
+    // Three maps of each cascade, and two covers.
+    return std::min(kMostCascades,
+                    static_cast<std::size_t>(std::max(parts_->texture_units - 2, 3)) / 3);
+}
 
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,
                     const DrawOptions& options) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/preview/sea_maps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ocean/cascades.hpp"
@@ -123,7 +125,7 @@ class SeaMaps::Source {
   private:
     void compute(Ocean& sea, double time) {
         computed_->show(sea, time);
-        shown_.cascades = computed_->cascades();
+        show_cascades(computed_->cascades(), sea.parameters().grid.patch_size);
         const gl::FoamTexture& foam = computed_->foam();
         shown_.foam_threshold = static_cast<double>(foam.threshold);
         shown_.foam_width = static_cast<double>(foam.width);
@@ -179,7 +181,7 @@ class SeaMaps::Source {
                 cascades_[c] = UploadedCascade(c, resolution);
             textures_[c] = cascades_[c].make(sea, time, lattices[c].period);
         }
-        shown_.cascades = textures_;
+        show_cascades(textures_, sea.parameters().grid.patch_size);
 
         cover_image_.resize(static_cast<std::size_t>(foam_resolution) *
                             static_cast<std::size_t>(foam_resolution));
@@ -194,16 +196,23 @@ class SeaMaps::Source {
         glGenerateMipmap(GL_TEXTURE_2D);
     }
 
+    void show_cascades(std::span<const CascadeTextures> cascades, double sea_period) {
+        shown_.cascades.clear();
+        for (const CascadeTextures& cascade : cascades) {
+            shown_.cascades.push_back({cascade, 1.0, sea_period});
+        }
+    }
+
     void hold_cover(int resolution) {
-        if (cover_ && resolution == shown_.cover_resolution) return;
+        if (cover_ && resolution == cover_resolution_) return;
         cover_ = gl::make_texture(GL_R16F, resolution, gl::Mipmaps::yes);
-        shown_.cover_resolution = resolution;
+        cover_resolution_ = resolution;
     }
 
     void describe(Ocean& sea, double time) {
-        shown_.cover = cover_.name();
         shown_.time = time;
         shown_.period = sea.parameters().grid.patch_size;
+        shown_.covers = {{cover_.name(), cover_resolution_, shown_.period}};
         shown_.choppiness = sea.sea().at(time).surface.choppiness;
         const Revision revision = sea.modes(time).revision;
         if (revision == described_) return;
@@ -225,6 +234,7 @@ class SeaMaps::Source {
     ShownSea shown_;
     Revision described_;  // of the modes
     Texture cover_;
+    int cover_resolution_ = 0;
 
     // Computed by shaders.
     std::optional<gl::SeaTextures> computed_;
@@ -239,6 +249,31 @@ class SeaMaps::Source {
     Revision threshold_revision_;
     SurfaceSettings given_;
 };
+
+ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share) {
+    const double angle = 0.25 * kTwoPi * std::clamp(share, 0.0, 1.0);
+    const double a = std::cos(angle), b = std::sin(angle);
+    const auto mean_square = [&](double x, double y) {
+        return std::sqrt(a * a * x * x + b * b * y * y);
+    };
+    ShownSea both = to;
+    for (ShownCascade& cascade : both.cascades) cascade.weight *= b;
+    for (ShownCover& cover : both.covers) cover.share *= b * b;
+    for (ShownCascade cascade : from.cascades) {
+        cascade.weight *= a;
+        both.cascades.push_back(cascade);
+    }
+    for (ShownCover cover : from.covers) {
+        cover.share *= a * a;
+        both.covers.push_back(cover);
+    }
+    both.choppiness = mean_square(from.choppiness, to.choppiness);
+    both.significant_wave_height =
+        mean_square(from.significant_wave_height, to.significant_wave_height);
+    both.mean_square_slope = a * a * from.mean_square_slope + b * b * to.mean_square_slope;
+    both.unresolved_slope = a * a * from.unresolved_slope + b * b * to.unresolved_slope;
+    return both;
+}
 
 SeaMaps::SeaMaps(const SeaMapsOptions& options) : source_(std::make_unique<Source>(options)) {}
 SeaMaps::~SeaMaps() = default;

@@ -17,7 +17,7 @@ inline std::string define(const std::string& name, int value) {
 }
 
 /// taps: of a footprint; 0: the driver's filter.
-inline std::string water_defines(std::size_t cascades, int taps) {
+inline std::string water_defines(std::size_t cascades, std::size_t covers, int taps) {
     const std::pair<const char*, View> views[] = {
         {"SHADED", View::shaded},
         {"HEIGHT", View::height},
@@ -30,7 +30,8 @@ inline std::string water_defines(std::size_t cascades, int taps) {
         {"FOAM", View::foam},
         {"NUMBERS", View::numbers},
     };
-    std::string text = define("CASCADES", static_cast<int>(cascades)) + define("TAPS", taps);
+    std::string text = define("CASCADES", static_cast<int>(cascades)) +
+                       define("COVERS", static_cast<int>(covers)) + define("TAPS", taps);
     for (const auto& [name, view] : views) {
         text += define(std::string("VIEW_") + name, static_cast<int>(view));
     }

@@ -11,7 +11,7 @@ uniform sampler2D shape_map[CASCADES];         // Dx, Dy, height, dDx/dy, for ve
 uniform sampler2D displacement_map[CASCADES];  // the same for fragments, filtered as they are seen
 uniform sampler2D gradient_map[CASCADES];      // slope x, slope y, dDx/dx, dDy/dy
 uniform sampler2D moment_map[CASCADES];        // squares of the slopes, their product, squeezing
-uniform sampler2D cover_map;                   // of foam, of the whole patch
+uniform sampler2D cover_map[COVERS];           // of foam, of a sea's whole period
 
 // Copies of the sea that are shown at a label: where each is taken from, relative to the label, in
 // periods, and how much of it. Nearer than a period there is the sea alone.
@@ -26,19 +26,19 @@ Copies copies_at(vec2 label) {
     copies.count = 1;
     copies.offset[0] = vec2(0.0);
     copies.weight[0] = 1.0;
-    vec2 place = label * patch_place.z;
-    float share = patch_place.w * smoothstep(1.0, 2.0, length(place));
+    vec2 place = label * period.x;
+    float share = period.y * smoothstep(1.0, 2.0, length(place));
     if (share <= 0.0) return copies;
 
     GridPoint skewed = copy_grid(place.x, place.y);
     vec2 at = grid_place.xy + vec2(skewed.x, skewed.y);
     vec2 cell = floor(at);
-    vec2 part = at - cell;
+    vec2 inside = at - cell;
     copies.count = 4;
     copies.weight[0] = 1.0 - share;
     float squares = copies.weight[0] * copies.weight[0];
     for (int i = 0; i < 3; ++i) {
-        CopyCorner corner = copy_corner(part.x, part.y, i);
+        CopyCorner corner = copy_corner(inside.x, inside.y, i);
         ivec2 square = grid_cell.xy + ivec2(cell) + ivec2(corner.x, corner.y);
         GridPoint moved = copy_offset(square.x, square.y);
         copies.offset[i + 1] = vec2(moved.x, moved.y);
@@ -53,7 +53,7 @@ Copies copies_at(vec2 label) {
 // Place in the map of a cascade. A sample lies in the middle of its texel. A copy that is moved by
 // a part of the sea's period is moved by so many periods of the cascade.
 vec2 map_place(int c, vec2 label, vec2 offset) {
-    vec2 moved = fract(offset / (patch_place.z / cascade[c].z));
+    vec2 moved = fract(offset * part[c].y);
     return cascade[c].xy + label * cascade[c].z + moved + 0.5 * cascade[c].w * cascade[c].z;
 }
 
@@ -65,7 +65,7 @@ vec4 displacement_at(Copies copies, vec2 label, float spacing) {
         if (spacing * cascade[c].z >= 1.0) continue;  // a period is less than the spacing
         for (int i = 0; i < copies.count; ++i) {
             vec2 place = map_place(c, label, copies.offset[i]);
-            sum += copies.weight[i] * textureLod(shape_map[c], place, mip);
+            sum += part[c].x * copies.weight[i] * textureLod(shape_map[c], place, mip);
         }
     }
     return sum;

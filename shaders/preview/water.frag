@@ -65,12 +65,12 @@ Water water_at(vec2 at) {
         float scale = cascade[c].z;
         if (length(footprint.longer) * scale >= 1.0) {  // the footprint is larger than the period
             vec4 all = textureLod(moment_map[c], vec2(0.5), 99.0);
-            water.variance += all.xyz;
-            water.squeezing += all.w;
+            water.variance += part[c].x * part[c].x * all.xyz;
+            water.squeezing += part[c].x * part[c].x * all.w;
             continue;
         }
         for (int i = 0; i < copies.count; ++i) {
-            float weight = copies.weight[i];
+            float weight = part[c].x * copies.weight[i];
             vec2 place = map_place(c, at, copies.offset[i]);
             float texels = 1.0 / cascade[c].w;
             vec4 gradients = filtered(gradient_map[c], place, footprint, scale, texels);
@@ -88,16 +88,19 @@ Water water_at(vec2 at) {
     }
     water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
     water.variance.xy += 0.5 * waves.z;
-    float squares = 0.0;
-    float texels = patch_place.z / grid_place.z;
-    for (int i = 0; i < copies.count; ++i) {
-        vec2 place =
-            patch_place.xy + at * patch_place.z + copies.offset[i] + 0.5 * grid_place.z;
-        float share = copies.weight[i] * copies.weight[i];
-        water.cover += share * filtered(cover_map, place, footprint, patch_place.z, texels).r;
-        squares += share;
+    for (int v = 0; v < COVERS; ++v) {
+        float squares = 0.0;
+        float sum = 0.0;
+        for (int i = 0; i < copies.count; ++i) {
+            vec2 place = cover[v].xy + at * cover[v].z + copies.offset[i] + 0.5 * cover[v].w;
+            float share = copies.weight[i] * copies.weight[i];
+            float texels = cover[v].z / cover[v].w;  // a metre
+            sum += share * filtered(cover_map[v], place, footprint, cover[v].z, texels).r;
+            squares += share;
+        }
+        water.cover += cover_share[v] * sum / squares;
     }
-    water.cover = clamp(water.cover / squares, 0.0, 1.0);
+    water.cover = clamp(water.cover, 0.0, 1.0);
     return water;
 }
 

@@ -3,7 +3,6 @@
 //
 // The backend `gl` in an Ocean: foam, hosts' buffers and contexts, what it leaves behind.
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include <epoxy/gl.h>
 
@@ -12,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "gl/leftovers.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
 #include "ocean/gl/context.hpp"
@@ -136,28 +136,10 @@ TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
 }
 
 /// Of the current context, among the first names.
-int count_objects() {
-    int count = 0;
-    for (GLuint name = 1; name < 4096; ++name) {
-        count += glIsBuffer(name) + glIsTexture(name) + glIsProgram(name) + glIsShader(name);
-    }
-    return count;
-}
-
-/** What this process holds of memory, without what malloc keeps of freed blocks (6 MB or none). */
-double resident_megabytes() {
-    malloc_trim(0);
-    std::ifstream statm("/proc/self/statm");
-    double all = 0.0;
-    double resident = 0.0;
-    statm >> all >> resident;
-    return resident * 4096.0 / 1e6;
-}
-
 TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
     const gl::HeadlessContext host({.debug = true});
     const gl::HeadlessContext::Current current(host);
-    const int before = count_objects();
+    const int before = test::count_objects();
     {
         Ocean ocean(foaming_sea(), {.backend = gl::kBackend, .foam_start = FoamStart::empty});
         std::vector<float> image(4 * 64 * 64);
@@ -168,13 +150,13 @@ TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
             ocean.evaluate_into(number / 60.0, {&output, 1}, 64);
         };
         for (int i = 0; i < 200; ++i) frame(i);
-        const int objects = count_objects();
-        const double memory = resident_megabytes();
+        const int objects = test::count_objects();
+        const double memory = test::resident_megabytes();
         for (int i = 200; i < 1200; ++i) frame(i);
-        EXPECT_EQ(count_objects(), objects);
-        EXPECT_LT(resident_megabytes() - memory, 2.0);
+        EXPECT_EQ(test::count_objects(), objects);
+        EXPECT_LT(test::resident_megabytes() - memory, 2.0);
     }
-    EXPECT_EQ(count_objects(), before);
+    EXPECT_EQ(test::count_objects(), before);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     for (const std::string& message : host.messages()) ADD_FAILURE() << message;
 }
@@ -242,15 +224,15 @@ TEST(GlBackend, WhatWasLostWithAHostsContextIsNotTouchedInTheNext) {
     for (const PretendedReset::Told told : kTold) {
         auto first = std::make_unique<gl::HeadlessContext>();
         auto current = std::make_unique<gl::HeadlessContext::Current>(*first);
-        const int before = count_objects();
+        const int before = test::count_objects();
         Ocean ocean(foaming_sea(), {.backend = gl::kBackend});
         const Surface expected = ocean.evaluate(1.0, {Channel::height});
-        EXPECT_GT(count_objects(), before);
+        EXPECT_GT(test::count_objects(), before);
         {
             const PretendedReset reset(told);
             expect_reset(ocean);
         }
-        EXPECT_EQ(count_objects(), before);
+        EXPECT_EQ(test::count_objects(), before);
         current.reset();
         first.reset();
 
@@ -259,17 +241,17 @@ TEST(GlBackend, WhatWasLostWithAHostsContextIsNotTouchedInTheNext) {
         std::array<GLuint, 32> own{};
         glGenBuffers(32, own.data());
         for (const GLuint name : own) glBindBuffer(GL_ARRAY_BUFFER, name);
-        const int of_the_host = count_objects();
+        const int of_the_host = test::count_objects();
         const Surface again = ocean.evaluate(1.0, {Channel::height});
         EXPECT_EQ(
             largest_difference(again.channel(Channel::height), expected.channel(Channel::height)),
             0.0);
-        EXPECT_GT(count_objects(), of_the_host);
+        EXPECT_GT(test::count_objects(), of_the_host);
         {
             const PretendedReset reset(told);
             expect_reset(ocean);
         }
-        EXPECT_EQ(count_objects(), of_the_host);
+        EXPECT_EQ(test::count_objects(), of_the_host);
     }
 }
 

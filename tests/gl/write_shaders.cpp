@@ -58,10 +58,11 @@ int main(int argc, char** argv) {
         write(std::string("preview_") + path[0], std::string("preview/") + path, "");
     }
     for (const int taps : {0, 2}) {
-        for (std::size_t cascades = 1; cascades <= 5; ++cascades) {
+        for (const std::size_t cascades : {1, 2, 5, 10}) {
+            const std::size_t covers = cascades == 1 || cascades == 5 ? 1 : 2;
             const std::string name = "water_" + std::to_string(cascades) + std::to_string(taps);
             for (const char* path : {"preview/water.vert", "preview/water.frag"}) {
-                write(name, path, preview::water_defines(cascades, taps));
+                write(name, path, preview::water_defines(cascades, covers, taps));
             }
         }
     }

@@ -103,8 +103,8 @@ def test_headers_and_libraries_are_there(everything):
     installed = {path.relative_to(include) for path in include.rglob("*") if path.is_file()}
     assert installed == theirs - {Path("ocean/netcdf_spectra.hpp")}
     libraries = {path.stem.removeprefix("libocean_") for path in everything.rglob("*.a")}
-    io = {"io_exr", "io_file", "io_image", "io_mesh", "io_povray"}
-    assert libraries == {"core", "seafile", "bake", "gl"} | io
+    io = {"io_exr", "io_file", "io_image", "io_mesh", "io_png", "io_povray"}
+    assert libraries == {"core", "seafile", "bake", "gl", "preview"} | io
 
 
 def test_the_package_names_no_place(everything):
@@ -156,9 +156,10 @@ def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
         (
             "COMPONENTS bake",
             "ocean::bake;ocean::core;ocean::io_exr;ocean::io_file;ocean::io_image;ocean::io_mesh;"
-            "ocean::io_povray;ocean::seafile",
+            "ocean::io_png;ocean::io_povray;ocean::seafile",
         ),
         ("COMPONENTS gl", "ocean::core;ocean::gl"),
+        ("COMPONENTS preview", "ocean::core;ocean::gl;ocean::preview"),
         ("COMPONENTS c OPTIONAL_COMPONENTS vdb", "ocean::c"),
     ],
 )
@@ -169,7 +170,7 @@ def test_components_bring_what_they_need(everything, tmp_path, components, targe
 
 @pytest.mark.parametrize(
     ("prefix", "missing", "installed"),
-    [("everything", "vdb", "c, core, gl, seafile, io, bake"), ("c_host", "core", "c")],
+    [("everything", "vdb", "c, core, gl, preview, seafile, io, bake"), ("c_host", "core", "c")],
 )
 def test_a_missing_component_is_named(request, tmp_path, prefix, missing, installed):
     folder = request.getfixturevalue(prefix)

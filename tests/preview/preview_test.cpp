@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "gl/leftovers.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/preview/canvas.hpp"
@@ -256,7 +257,7 @@ TEST_F(PreviewTest, TheFarSeaDoesNotRepeat) {
     const Camera camera = above(50.0, 60.0, 4.0 * kPeriod);
     const auto mixed = numbers(renderer, shown, camera, kSide);
     EXPECT_LT(std::abs(correlation_at_a_period(mixed, kSide, kPixels)), 0.1);
-    const auto repeated = numbers(renderer, shown, camera, kSide, {.least_mix_distance = 0.0});
+    const auto repeated = numbers(renderer, shown, camera, kSide, {.repeats = true});
     EXPECT_GT(correlation_at_a_period(repeated, kSide, kPixels), 0.9);
     // The mixture has the variance of the sea.
     double mixed_square = 0.0;
@@ -266,6 +267,66 @@ TEST_F(PreviewTest, TheFarSeaDoesNotRepeat) {
         repeated_square += repeated[p] * repeated[p];
     }
     EXPECT_NEAR(mixed_square / repeated_square, 1.0, 0.15);
+}
+
+TEST_F(PreviewTest, HeightsOfACrossFadeAreTheBlendOfBothSeas) {
+    Parameters parameters = test::wind_sea(64, kPeriod);
+    parameters.surface.choppiness = 0.0;
+    SeaMaps from_maps({.compute = false, .foam_resolution = 64});
+    SeaMaps to_maps({.compute = false, .foam_resolution = 64});
+    Renderer renderer({.cells = 32});
+    const Camera camera = above(0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod);
+    const auto height_of = [&](const ShownSea& sea) {
+        const auto values = numbers(renderer, sea, camera, 64);
+        double squares = 0.0;
+        for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
+        return 4.0 * std::sqrt(squares / (64.0 * 64.0));
+    };
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        double found = 0.0;
+        double expected = 0.0;
+        const double weight = std::pow(std::sin(0.25 * kTwoPi * share), 2);  // of the energies
+        for (int seed = 0; seed < 16; ++seed) {
+            Parameters stronger = parameters;
+            stronger.waves.front().wind_speed = 14.0;
+            parameters.seed = static_cast<std::uint32_t>(seed);
+            stronger.seed = static_cast<std::uint32_t>(100 + seed);
+            Ocean from_sea(parameters, {.foam_start = FoamStart::empty});
+            Ocean to_sea(stronger, {.foam_start = FoamStart::empty});
+            const ShownSea from = from_maps.show(from_sea, 3.0);
+            const ShownSea to = to_maps.show(to_sea, 3.0);
+            const double height = height_of(cross_fade(from, to, share));
+            const double before = height_of(from), after = height_of(to);
+            found += height;
+            expected += std::sqrt((1.0 - weight) * before * before + weight * after * after);
+            if (share == 0.0) {
+                EXPECT_NEAR(height, before, 1e-5);
+            }
+            if (share == 1.0) {
+                EXPECT_NEAR(height, after, 1e-5);
+            }
+        }
+        EXPECT_NEAR(found / expected, 1.0, 0.05) << share;
+    }
+}
+
+TEST_F(PreviewTest, TwoThousandFramesLeaveNothingBehind) {
+    Ocean sea(test::wind_sea(32, 200.0), {.foam_start = FoamStart::empty});
+    SeaMaps maps({.compute = false, .foam_resolution = 32});
+    Renderer renderer({.cells = 16});
+    const Canvas canvas(64, 36, GL_RGBA8);
+    const auto frame = [&](int number) {
+        if (number % 100 == 50) sea.set("wind_speed", number % 200 == 50 ? "14" : "15");
+        const Camera camera{.eye = {0.5 * number, 0.0, 4.0}};
+        canvas.bind();
+        renderer.draw(maps.show(sea, number / 60.0), camera, Look{}, {.width = 64, .height = 36});
+    };
+    for (int i = 0; i < 200; ++i) frame(i);
+    const int objects = test::count_objects();
+    const double memory = test::resident_megabytes();
+    for (int i = 200; i < 2200; ++i) frame(i);
+    EXPECT_EQ(test::count_objects(), objects);
+    EXPECT_LT(test::resident_megabytes() - memory, 2.0);
 }
 
 TEST_F(PreviewTest, ComputedByEitherThePictureIsTheSame) {

@@ -11,17 +11,51 @@
 namespace ocean::app {
 namespace {
 
+constexpr double kFadeSeconds = 1.0;
+
 double end_of_take(const Sea& sea) {
     return sea.take.empty() ? sea.parameters.time.start : sea.take.events.back().seconds;
 }
 
 }  // namespace
 
-LiveSea::LiveSea(Sea sea, int threads, const preview::SeaMapsOptions& maps)
+LiveSea::LiveSea(Sea sea, int threads, const preview::SeaMapsOptions& maps,
+                 std::size_t most_cascades)
     : clock(sea.parameters.time.start),
-      ocean_(std::move(sea), {.threads = threads, .foam_start = FoamStart::empty}),
-      maps_(maps),
+      options_{.threads = threads, .foam_start = FoamStart::empty},
+      ocean_(std::move(sea), options_),
+      maps_(std::make_unique<preview::SeaMaps>(maps)),
+      most_cascades_(most_cascades),
+      maps_before_(std::make_unique<preview::SeaMaps>(maps)),
       performed_until_(end_of_take(ocean_.sea())) {}
+
+preview::ShownSea LiveSea::show() {
+    preview::ShownSea shown = maps_->show(ocean_, clock.time());
+    if (!before_) return shown;
+    const preview::ShownSea from = maps_before_->show(*before_, time_before_);
+    if (from.cascades.size() + shown.cascades.size() > most_cascades_) return shown;
+    return preview::cross_fade(from, shown, faded_);
+}
+
+void LiveSea::advance(double wall_seconds) {
+    const double time = clock.time();
+    clock.advance(wall_seconds);
+    if (!before_) return;
+    time_before_ += clock.time() - time;
+    faded_ += wall_seconds / kFadeSeconds;
+    if (faded_ >= 1.0) before_.reset();
+}
+
+void LiveSea::change(Sea sea) {
+    auto before = std::make_unique<Ocean>(ocean_, options_);
+    ocean_.change(std::move(sea));
+    before_ = std::move(before);
+    std::swap(maps_, maps_before_);
+    time_before_ = clock.time();
+    faded_ = 0.0;
+    maps_->foam_changed();
+    now_known_ = false;
+}
 
 void LiveSea::set(const std::string& name, const std::string& value) {
     const ParameterRef ref = find_parameter(name);
@@ -34,25 +68,23 @@ void LiveSea::set(const std::string& name, const std::string& value) {
                                     name.c_str(), performed_until_));
         }
         ocean_.perform(clock.time(), name, value);
-        maps_.foam_changed(clock.time());
+        maps_->foam_changed(clock.time());
         performed_until_ = clock.time();
     } else {
         Sea changed = before;
         set_parameter(changed.parameters, name, value);
         validate(changed);
-        ocean_.change(std::move(changed));
-        maps_.foam_changed();
+        change(std::move(changed));
     }
     now_known_ = false;
 }
 
 void LiveSea::open(Sea sea) {
     validate(sea);
-    clock.go_to(sea.parameters.time.start);
+    const double start = sea.parameters.time.start;
     performed_until_ = end_of_take(sea);
-    ocean_.change(std::move(sea));
-    maps_.foam_changed();
-    now_known_ = false;
+    change(std::move(sea));
+    clock.go_to(start);
 }
 
 const Parameters& LiveSea::now() {

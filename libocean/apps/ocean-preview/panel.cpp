@@ -8,7 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "ocean/error.hpp"
@@ -46,6 +46,19 @@ bool is_used(const ParameterInfo& info, const Parameters& parameters, std::size_
         if (std::ranges::find(words, value) != words.end()) return true;
     }
     return false;
+}
+
+bool try_to_set(LiveSea& sea, PanelState& state, const std::string& path,
+                const std::string& value) {
+    state.touched = true;
+    try {
+        sea.set(path, value);
+        state.message.clear();
+        return true;
+    } catch (const Error& error) {
+        state.message = error.what();
+        return false;
+    }
 }
 
 class Rows {
@@ -134,6 +147,7 @@ class Rows {
         const bool done = ImGui::IsItemDeactivatedAfterEdit();
         menu(info, path);
         if (changed) {
+            if (dragged_ != path) before_drag_ = shortest_text(value);
             dragged_ = path;
             drag_value_ = static_cast<double>(shown);
         }
@@ -189,19 +203,22 @@ class Rows {
     }
 
     void set(const std::string& path, const std::string& value) {
-        state_.touched = true;
-        try {
-            sea_.set(path, value);
-            state_.message.clear();
-        } catch (const Error& error) {
-            state_.message = error.what();
-        }
+        const bool drags = dragged_ == path;
+        const std::string before =
+            drags ? before_drag_ : to_text(value_of(sea_.now(), find_parameter(path)));
+        if (!try_to_set(sea_, state_, path, value)) return;
+        // A drag is one change, however often it was heard.
+        const bool goes_on = drags && !state_.changes.empty() &&
+                             state_.changes.back().path == path &&
+                             state_.changes.back().before == before;
+        if (!goes_on) state_.changes.push_back({path, before});
     }
 
     LiveSea& sea_;
     PanelState& state_;
     static inline std::string dragged_;  // there is one mouse
     static inline double drag_value_ = 0.0;
+    static inline std::string before_drag_;
 };
 
 void slider(PanelState& state, const char* label, double& value, float lowest, float highest,
@@ -298,7 +315,9 @@ void choose_preset(LiveSea& sea, PanelState& state) {
         if (ImGui::Selectable(preset.name.c_str())) {
             state.touched = true;
             try {
+                Sea before = sea.sea();
                 sea.open(parse_sea(preset.toml, preset.name, ""));
+                state.changes.push_back({"the sea", "what it was", std::move(before)});
                 state.message = preset.name + ": " + preset.description;
             } catch (const Error& error) {
                 state.message = error.what();
@@ -342,6 +361,22 @@ void speak(const PanelState& state) {
 
 }  // namespace
 
+void undo(LiveSea& sea, PanelState& state) {
+    if (state.changes.empty()) {
+        state.message = "nothing to take back";
+        return;
+    }
+    const Change change = state.changes.back();
+    if (change.sea) {
+        sea.open(*change.sea);
+        state.touched = true;
+    } else if (!try_to_set(sea, state, change.path, change.before)) {
+        return;
+    }
+    state.changes.pop_back();
+    state.message = change.path + " back to " + change.before;
+}
+
 void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
                 PanelState& state) {
     speak(state);
@@ -353,6 +388,9 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         transport(sea, state);
         numbers(sea, shown, state);
         if (ImGui::Button("Save sea")) state.save_sea = true;
+        ImGui::SameLine();
+        if (ImGui::Button("Undo")) undo(sea, state);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Ctrl Z");
         ImGui::SameLine();
         if (ImGui::Button("Save picture (F12)")) state.save_picture = true;
         if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) picture(state);

@@ -4,9 +4,9 @@
 // The panel: every parameter of the table, the light, the camera, the clock.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "camera_control.hpp"
 #include "live_sea.hpp"
@@ -21,6 +21,13 @@ struct FrameTimes {
     double panel = 0.0;
 };
 
+/// What was there before a person changed it: a parameter, or the whole sea.
+struct Change {
+    std::string path;
+    std::string before;
+    std::optional<Sea> sea = {};
+};
+
 /// What the panel changes beside the sea, and what it says.
 struct PanelState {
     preview::Look look;
@@ -33,6 +40,7 @@ struct PanelState {
     std::string under_mouse;  // what the probe found
     std::string computed_by;  // "llvmpipe; the sea by the processor"
     FrameTimes times;
+    std::vector<Change> changes;  // the last one last
 
     // What a person asked for in this frame.
     bool save_sea = false;
@@ -40,6 +48,9 @@ struct PanelState {
     bool reset_camera = false;
     bool touched = false;  // anything at all: the picture is another one
 };
+
+/// Takes the last change back: of a live parameter it glides back, from now on.
+void undo(LiveSea& sea, PanelState& state);
 
 /// Between ImGui::NewFrame and ImGui::Render.
 void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ocean/bake/frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
@@ -111,6 +112,10 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            kOptional, OneOf{water_names()}}}},
         {"Picture",
          {{"--offscreen", &words.offscreen, "FILE.png", "Write one picture; needs no display"},
+          {"--record", &words.record, "FOLDER",
+           "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display", kOptional,
+           NotEmpty{}, "--offscreen"},
+          {"--frames", &words.frames, "LIST", "1-250x2, in comma lists; of --record"},
           {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
           {"--view", &words.view, "VIEW", "What is shown", kOptional, OneOf{preview::view_names()}},
           {"--wireframe", &words.wireframe, "", "The mesh alone"},
@@ -157,7 +162,16 @@ PreviewOptions preview_options(const PreviewWords& words) {
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
     options.time = words.time;
     options.frame = words.frame;
+    if (!words.offscreen.empty() && OutputPattern(words.offscreen).extension() != ".png") {
+        throw Error(ErrorKind::invalid_value,
+                    "--offscreen: '" + words.offscreen + "' does not end in .png");
+    }
     options.offscreen = words.offscreen;
+    if (words.record.empty() != words.frames.empty()) {
+        throw Error(ErrorKind::invalid_value, "--record FOLDER and --frames LIST go together");
+    }
+    options.record = words.record;
+    if (!words.frames.empty()) options.frames = parse_frames(words.frames);
     options.wireframe = words.wireframe;
     for (const std::string& probe : words.probes) {
         options.probes.push_back(

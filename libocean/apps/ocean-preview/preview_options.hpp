@@ -22,7 +22,7 @@ struct PreviewWords {
     std::string eye, look_at, sun, size = "1280x720", view = "shaded", backend = "auto";
     std::optional<double> heading, pitch, angle, exposure, haze, time;
     std::optional<int> frame, egl_device, map, foam_map, cells;
-    std::string water, offscreen;
+    std::string water, offscreen, record, frames;
     std::vector<std::string> probes;
     bool wireframe = false;
 };
@@ -42,6 +42,8 @@ struct PreviewOptions {
     std::optional<double> time;
     std::optional<int> frame;
     std::string offscreen;
+    std::string record;       // a folder
+    std::vector<int> frames;  // for it
     std::vector<std::array<double, 2>> probes;
     bool wireframe = false;
 };

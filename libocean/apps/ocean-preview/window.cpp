@@ -26,6 +26,7 @@
 #include "ocean/preview/canvas.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
+#include "offscreen_run.hpp"
 #include "panel.hpp"
 #include "workload.hpp"
 
@@ -150,14 +151,6 @@ std::string free_name(const std::string& stem, const std::string& ending) {
     }
 }
 
-/// "storm" of "seas/storm.toml" and of "preset:storm".
-std::string stem_of(const std::string& source) {
-    const std::size_t colon = source.rfind(':');
-    const std::string name = colon == std::string::npos ? source : source.substr(colon + 1);
-    const std::string stem = utf8_path(name).stem().string();
-    return stem.empty() || stem == "-" ? "sea" : stem;
-}
-
 class Preview {
   public:
     Preview(const PreviewOptions& options, const Sea& sea, const std::string& source,
@@ -171,8 +164,8 @@ class Preview {
           computes_(options.computer == Computer::gpu ||
                     (options.computer == Computer::best && computes_well(info_))),
           work_(workload_for(options, sea, info_, computes_)),
-          sea_(sea, context.options.threads, work_.maps),
           renderer_(work_.renderer),
+          sea_(sea, context.options.threads, work_.maps, renderer_.most_cascades()),
           camera_(options.camera) {
         if (options.time) sea_.clock.go_to(*options.time);
         if (options.frame) sea_.clock.go_to(sea.time_of(*options.frame));
@@ -188,9 +181,9 @@ class Preview {
             wait_for_something();
             const double seconds = std::min(0.25, milliseconds_since(before) / 1000.0);
             before = Clock::now();
-            sea_.clock.advance(seconds);
+            sea_.advance(seconds);
             if (step(seconds)) frames_to_draw_ = 3;
-            if (frames_to_draw_ > 0 || !sea_.clock.paused) draw();
+            if (frames_to_draw_ > 0 || !sea_.clock.paused || sea_.fading()) draw();
             if (frames_to_draw_ > 0) --frames_to_draw_;
             events_.keys.clear();
         }
@@ -200,7 +193,8 @@ class Preview {
     /// While the sea stands still nothing is done but what a person wants.
     void wait_for_something() {
         const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-        if (iconified || (sea_.clock.paused && frames_to_draw_ == 0)) {
+        const bool still = sea_.clock.paused && !sea_.fading() && frames_to_draw_ == 0;
+        if (iconified || still) {
             glfwWaitEventsTimeout(0.25);
         } else {
             glfwPollEvents();
@@ -243,6 +237,9 @@ class Preview {
             on(GLFW_KEY_C, [&] {
                 camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
             });
+            const bool control = glfwGetKey(window_, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
+                                 glfwGetKey(window_, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
+            if (control) on(GLFW_KEY_Z, [&] { undo(sea_, state_); });
             input.ahead = axis(GLFW_KEY_W, GLFW_KEY_S);
             input.right = axis(GLFW_KEY_D, GLFW_KEY_A);
             input.up = axis(GLFW_KEY_E, GLFW_KEY_Q);
@@ -389,8 +386,8 @@ class Preview {
     gl::ContextInfo info_;
     bool computes_;
     Workload work_;
-    LiveSea sea_;
     preview::Renderer renderer_;
+    LiveSea sea_;
     CameraControl camera_;
     PanelState state_;
     std::unique_ptr<preview::Canvas> canvas_;

@@ -34,7 +34,7 @@ struct Look {
     double haze_distance = 60e3;  // m, after which 1/e of the light is left
     std::string water_type = "jerlov_ii";
     double foam_amount = 1.0;
-    double least_mix_distance = 1.0;  // periods; 0: the sea repeats to the horizon
+    bool repeats = false;  // to the horizon, as its one period does
 };
 
 enum class View {

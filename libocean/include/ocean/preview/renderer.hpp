@@ -40,7 +40,10 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Clears depth and colour. Throws Error.
+    /// That a sea may have, or two that are faded into each other together.
+    std::size_t most_cascades() const;
+    /// Clears depth and colour. Of a host's context it leaves other bindings behind: program,
+    /// textures, uniform buffer 0, depth test, viewport. Throws Error.
     void draw(const ShownSea& sea, const Camera& camera, const Look& look,
               const DrawOptions& options);
     /// The same from straight above, orthographic: the square of `metres` a side whose middle is

@@ -6,20 +6,34 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <string>
+#include <vector>
 
 #include "ocean/gl/sea_textures.hpp"
 
 namespace ocean::preview {
 
-/// Valid until the maps are those of another time.
-struct ShownSea {
-    std::span<const gl::CascadeTextures> cascades;
-    unsigned cover = 0;  // texture: share of a texel of the patch that foam covers, with mipmaps
-    int cover_resolution = 0;
+/// Of a picture; a sea has at most 5.
+inline constexpr std::size_t kMostCascades = 10;
+
+struct ShownCascade : gl::CascadeTextures {
+    double weight = 1.0;      // of its amplitudes
+    double sea_period = 0.0;  // m, a multiple of its own period
+};
+
+/// A map of how much of each texel foam covers, with mipmaps.
+struct ShownCover {
+    unsigned texture = 0;
+    int resolution = 0;
     double period = 0.0;  // m
-    double time = 0.0;    // s
+    double share = 1.0;
+};
+
+/// Its textures are valid until the maps are those of another time.
+struct ShownSea {
+    std::vector<ShownCascade> cascades;
+    std::vector<ShownCover> covers;  // one; two of a cross-fade
+    double period = 0.0;             // m
+    double time = 0.0;               // s
     double choppiness = 0.0;
     double foam_threshold = 0.0;  // of the whitecaps
     double foam_width = 1.0;
@@ -28,6 +42,10 @@ struct ShownSea {
     double mean_square_slope = 0.0;        // asked
     double unresolved_slope = 0.0;         // what of it no map has
 };
+
+/// Two seas that know nothing of each other at once, in amplitudes a and b with a^2 + b^2 = 1:
+/// their energies add up. share: 0 .. 1, from one to the other.
+ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share);
 
 struct SeaMapsOptions {
     /// By compute shaders in the current context (OpenGL 4.3), else by the backend of the sea.

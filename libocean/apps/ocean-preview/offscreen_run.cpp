@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "offscreen_run.hpp"
+
+#include <chrono>
+#include <memory>
+
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/bake/frames.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/io/png.hpp"
+#include "ocean/ocean.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/preview/canvas.hpp"
+#include "ocean/preview/probe.hpp"
+#include "ocean/text.hpp"
+#include "workload.hpp"
+
+namespace ocean::app {
+namespace {
+
+/// A context, and whether it computes too.
+struct Device {
+    std::unique_ptr<gl::HeadlessContext> context;
+    bool computes;
+};
+
+Device open_device(Computer computer) {
+    if (computer == Computer::gpu) return {std::make_unique<gl::HeadlessContext>(), true};
+    auto drawing = std::make_unique<gl::HeadlessContext>(gl::HeadlessOptions{.compute = false});
+    if (computer == Computer::processor || !computes_well(drawing->info())) {
+        return {std::move(drawing), false};
+    }
+    drawing.reset();
+    return {std::make_unique<gl::HeadlessContext>(), true};
+}
+
+/// In a context that is current.
+class OffscreenRun {
+  public:
+    OffscreenRun(const PreviewOptions& options, const Sea& sea, const Context& context,
+                 const Device& device)
+        : options_(options),
+          context_(context),
+          sea_(sea, {.threads = context.options.threads,
+                     .foam_progress = foam_progress_on(context.console)}),
+          work_(workload_for(options, sea, device.context->info(), device.computes)),
+          maps_(settled(work_.maps)),
+          renderer_(work_.renderer) {}
+
+    void print_probes(double time) {
+        if (options_.probes.empty()) return;
+        const preview::ShownSea shown = maps_.show(sea_, time);
+        for (const auto& place : options_.probes) {
+            const auto found = preview::probe(renderer_, shown, options_.camera, place);
+            std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
+            if (found) {
+                for (const double value : {found->mesh_height, found->map_height,
+                                           found->shown_slope, found->handed_on_slope}) {
+                    line += "," + shortest_text(static_cast<float>(value));
+                }
+            }
+            context_.console.data(line + "\n");
+        }
+    }
+
+    void draw(double time, const std::string& path) {
+        const preview::ShownSea shown = maps_.show(sea_, time);
+        const auto [width, height] = options_.size;
+        if (!canvas_) canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8);
+        canvas_->bind();
+        preview::DrawOptions draw;
+        draw.width = width;
+        draw.height = height;
+        draw.view = options_.view;
+        draw.wireframe = options_.wireframe;
+        renderer_.draw(shown, options_.camera, options_.look, draw);
+        const std::vector<std::uint8_t> pixels = canvas_->rgb();
+        const InterruptWatch::Hold whole = context_.interrupts.hold();
+        io::write_png(path, width, height, pixels);
+    }
+
+    void record(const std::string& stem) {
+        const OutputPattern pattern(options_.record + "/" + stem + ".####.png");
+        io::make_folder(options_.record);
+        context_.console.begin(static_cast<int>(options_.frames.size()),
+                               std::to_string(options_.frames.size()) + " pictures", {});
+        for (const int frame : options_.frames) {
+            const auto start = std::chrono::steady_clock::now();
+            const std::string path = pattern.file(frame);
+            draw(sea_.sea().time_of(frame), path);
+            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+            context_.console.step(frame, seconds.count(), {path});
+        }
+        context_.console.finish();
+    }
+
+  private:
+    static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
+        maps.foam_start = FoamStart::settled;
+        return maps;
+    }
+
+    const PreviewOptions& options_;
+    const Context& context_;
+    Ocean sea_;
+    Workload work_;
+    preview::SeaMaps maps_;
+    preview::Renderer renderer_;
+    std::unique_ptr<preview::Canvas> canvas_;
+};
+
+}  // namespace
+
+std::string stem_of(const std::string& source) {
+    const std::size_t colon = source.rfind(':');
+    const std::string name = colon == std::string::npos ? source : source.substr(colon + 1);
+    const std::string stem = utf8_path(name).stem().string();
+    return stem.empty() || stem == "-" ? "sea" : stem;
+}
+
+void run_offscreen(const PreviewOptions& options, const Sea& sea, const std::string& source,
+                   const Context& context) {
+    const Device device = open_device(options.computer);
+    const gl::HeadlessContext::Current current(*device.context);
+    context.console.note("drawn by " + device.context->info().text() + "; computed by " +
+                         (device.computes ? "the same" : "the processor"));
+    const double time = options.frame  ? sea.time_of(*options.frame)
+                        : options.time ? *options.time
+                                       : sea.parameters.time.start;
+    OffscreenRun run(options, sea, context, device);
+    run.print_probes(time);
+    if (!options.offscreen.empty()) {
+        run.draw(time, options.offscreen);
+        context.console.data(options.offscreen + "\n");
+    }
+    if (!options.record.empty()) run.record(stem_of(source));
+}
+
+}  // namespace ocean::app
