@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "console.hpp"
@@ -222,7 +223,7 @@ class Preview {
             act();
             acted = true;
         };
-        on(GLFW_KEY_F12, [&] { save_picture(); });
+        on(GLFW_KEY_F12, [&] { picture_asked_ = true; });
         if (!io.WantTextInput) {
             on(GLFW_KEY_ESCAPE, [&] { glfwSetWindowShouldClose(window_, GLFW_TRUE); });
             on(GLFW_KEY_SPACE, [&] { sea_.clock.paused = !sea_.clock.paused; });
@@ -306,7 +307,7 @@ class Preview {
         if (state_.touched) frames_to_draw_ = 3;
         if (state_.reset_camera) camera_.reset(options_.camera);
         if (state_.save_sea) save_sea();
-        if (state_.save_picture) save_picture();
+        if (state_.save_picture || std::exchange(picture_asked_, false)) save_picture();
     }
 
     void draw_sea(const preview::ShownSea& shown) {
@@ -395,6 +396,7 @@ class Preview {
     int width_ = 0, height_ = 0;
     double mouse_x_ = 0.0, mouse_y_ = 0.0;
     int frames_to_draw_ = 3;
+    bool picture_asked_ = false;  // of what is drawn next
 };
 
 }  // namespace
