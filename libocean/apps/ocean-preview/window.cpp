@@ -81,14 +81,18 @@ Window open_window(int width, int height, const std::string& title) {
 /// What happened in a window since it was last looked at: a key may be down for less than a frame.
 struct Events {
     bool any = false;
-    std::vector<int> keys;  // that went down
+    std::vector<int> keys;       // that went down
+    std::vector<int> with_ctrl;  // of them
 
     /// Before Gui, which then calls these too.
     void listen_to(GLFWwindow* window) {
         glfwSetWindowUserPointer(window, this);
-        glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int) {
-            events(of).any = true;
-            if (action == GLFW_PRESS) events(of).keys.push_back(key);
+        glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int modifiers) {
+            Events& all = events(of);
+            all.any = true;
+            if (action != GLFW_PRESS) return;
+            all.keys.push_back(key);
+            if ((modifiers & GLFW_MOD_CONTROL) != 0) all.with_ctrl.push_back(key);
         });
         glfwSetCursorPosCallback(window, [](GLFWwindow* of, double, double) { happened(of); });
         glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { happened(of); });
@@ -96,6 +100,12 @@ struct Events {
         glfwSetCharCallback(window, [](GLFWwindow* of, unsigned) { happened(of); });
         glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { happened(of); });
         glfwSetWindowRefreshCallback(window, [](GLFWwindow* of) { happened(of); });
+    }
+
+    void forget() {
+        any = false;
+        keys.clear();
+        with_ctrl.clear();
     }
 
   private:
@@ -186,7 +196,7 @@ class Preview {
             if (step(seconds)) frames_to_draw_ = 3;
             if (frames_to_draw_ > 0 || !sea_.clock.paused || sea_.fading()) draw();
             if (frames_to_draw_ > 0) --frames_to_draw_;
-            events_.keys.clear();
+            events_.forget();
         }
     }
 
@@ -201,7 +211,6 @@ class Preview {
             glfwPollEvents();
         }
         if (events_.any) frames_to_draw_ = 3;  // what is under the mouse is known a frame late
-        events_.any = false;
     }
 
     bool pressed(int key) const {
@@ -238,9 +247,10 @@ class Preview {
             on(GLFW_KEY_C, [&] {
                 camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
             });
-            const bool control = glfwGetKey(window_, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
-                                 glfwGetKey(window_, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
-            if (control) on(GLFW_KEY_Z, [&] { undo(sea_, state_); });
+            if (std::ranges::find(events_.with_ctrl, GLFW_KEY_Z) != events_.with_ctrl.end()) {
+                undo(sea_, state_);
+                acted = true;
+            }
             input.ahead = axis(GLFW_KEY_W, GLFW_KEY_S);
             input.right = axis(GLFW_KEY_D, GLFW_KEY_A);
             input.up = axis(GLFW_KEY_E, GLFW_KEY_Q);
