@@ -7,4 +7,6 @@
 set -euo pipefail
 export LIBGL_ALWAYS_SOFTWARE=1 LIBGL_KOPPER_DRI2=1 MESA_LOADER_DRIVER_OVERRIDE=zink
 export OCEAN_GL_TEST_RENDERER=zink
-exec "$1"
+# zink 22.3 keeps its own copies of what is read back and uploaded, 128 kB a frame in some runs and
+# none in others, while no object is more: the memory of a thousand frames is judged by llvmpipe.
+exec "$1" --gtest_filter=-GlBackend.AThousandFrames*

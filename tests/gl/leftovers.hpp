@@ -7,9 +7,7 @@
 #include <epoxy/gl.h>
 #include <malloc.h>
 
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 namespace ocean::test {
 
@@ -23,12 +21,8 @@ inline int count_objects() {
     return count;
 }
 
-/// What this process holds of memory, without what malloc keeps of freed blocks (6 MB or none) and
-/// a driver of buffers that it has done with: for up to a second zink keeps 128 MB or none.
+/// What this process holds of memory, without what malloc keeps of freed blocks (6 MB or none).
 inline double resident_megabytes() {
-    glFinish();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
-    glFinish();
     malloc_trim(0);
     std::ifstream statm("/proc/self/statm");
     double all = 0.0;
