@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/preview/probe.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "ocean/preview/canvas.hpp"
 
 namespace ocean::preview {
@@ -18,14 +15,11 @@ constexpr int kSide = 3;
 std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
                            const std::array<double, 2>& place) {
     const Canvas canvas(kSide, kSide, GL_RGBA32F);
-    double texel = sea.period;
-    for (const ShownCascade& cascade : sea.cascades) {
-        texel = std::min(texel, cascade.period / cascade.resolution);
-    }
     DrawOptions options;
     options.width = options.height = kSide;
     options.view = View::numbers;
-    renderer.draw_from_above(sea, camera, place[0], place[1], 0.01 * kSide * texel, options);
+    renderer.draw_from_above(sea, camera, place[0], place[1], 0.01 * kSide * finest_texel(sea),
+                             options);
     const std::vector<float> pixels = canvas.rgba();
     const float* middle = &pixels[4 * (kSide * (kSide / 2) + kSide / 2)];
     if (middle[3] <= 0.0f) return std::nullopt;

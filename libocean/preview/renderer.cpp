@@ -220,15 +220,11 @@ struct Renderer::Parts {
                           .up = crest,
                           .farthest = 1.05 * (horizon(camera.eye[2]) + horizon(crest)),
                           .earth_radius = kEarthRadius};
-        double texel = sea.period;
-        for (const ShownCascade& cascade : sea.cascades) {
-            texel = std::min(texel, cascade.period / cascade.resolution);
-        }
         program.set("depth", projection.flat
                                  ? 0.0f
                                  : static_cast<float>(1.0 / std::log2(1.0 + 2.0 * reach.farthest)));
         clipmap.draw(program, {camera.eye[0], camera.eye[1], camera.eye[2]},
-                     std::exp2(std::floor(std::log2(texel))),
+                     std::exp2(std::floor(std::log2(finest_texel(sea)))),
                      Frustum(projection.clip_from_world, camera.eye[2]), reach);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
         for (GLuint unit = 0; unit < 4 * sea.cascades.size() + sea.covers.size(); ++unit)

@@ -250,6 +250,14 @@ class SeaMaps::Source {
     SurfaceSettings given_;
 };
 
+double finest_texel(const ShownSea& sea) {
+    double finest = sea.period;
+    for (const ShownCascade& cascade : sea.cascades) {
+        finest = std::min(finest, cascade.period / cascade.resolution);
+    }
+    return finest;
+}
+
 ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share) {
     const double angle = 0.25 * kTwoPi * std::clamp(share, 0.0, 1.0);
     const double a = std::cos(angle), b = std::sin(angle);

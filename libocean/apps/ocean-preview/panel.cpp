@@ -152,7 +152,7 @@ class Rows {
             drag_value_ = static_cast<double>(shown);
         }
         const bool live = info.change == ParameterClass::live;
-        if (dragged_ == path && ((live && changed) || (!live && done) || (live && done))) {
+        if (dragged_ == path && (done || (live && changed))) {
             set(path, shortest_text(static_cast<float>(drag_value_)));
         }
         if (dragged_ == path && !active) dragged_.clear();

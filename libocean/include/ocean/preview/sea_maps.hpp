@@ -43,6 +43,9 @@ struct ShownSea {
     double unresolved_slope = 0.0;         // what of it no map has
 };
 
+/// m, of the finest of its maps: no water is shown finer.
+double finest_texel(const ShownSea& sea);
+
 /// Two seas that know nothing of each other at once, in amplitudes a and b with a^2 + b^2 = 1:
 /// their energies add up. share: 0 .. 1, from one to the other.
 ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share);
