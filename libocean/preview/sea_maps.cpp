@@ -258,17 +258,23 @@ double finest_texel(const ShownSea& sea) {
     return finest;
 }
 
-ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share) {
+ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share, double correlation) {
     const double angle = 0.25 * kTwoPi * std::clamp(share, 0.0, 1.0);
     const double a = std::cos(angle), b = std::sin(angle);
     const auto mean_square = [&](double x, double y) {
         return std::sqrt(a * a * x * x + b * b * y * y);
     };
+    // Waves that both have add up by their heights, not by their energies.
+    const double height = mean_square(from.significant_wave_height, to.significant_wave_height);
+    const double shared = 2.0 * a * b * std::max(correlation, -0.9) * from.significant_wave_height *
+                          to.significant_wave_height;
+    const double sum = std::sqrt(height * height + shared);
+    const double scale = sum > 0.0 ? height / sum : 1.0;
     ShownSea both = to;
-    for (ShownCascade& cascade : both.cascades) cascade.weight *= b;
+    for (ShownCascade& cascade : both.cascades) cascade.weight *= b * scale;
     for (ShownCover& cover : both.covers) cover.share *= b * b;
     for (ShownCascade cascade : from.cascades) {
-        cascade.weight *= a;
+        cascade.weight *= a * scale;
         both.cascades.push_back(cascade);
     }
     for (ShownCover cover : from.covers) {
@@ -276,8 +282,7 @@ ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share) {
         both.covers.push_back(cover);
     }
     both.choppiness = mean_square(from.choppiness, to.choppiness);
-    both.significant_wave_height =
-        mean_square(from.significant_wave_height, to.significant_wave_height);
+    both.significant_wave_height = height;
     both.mean_square_slope = a * a * from.mean_square_slope + b * b * to.mean_square_slope;
     both.unresolved_slope = a * a * from.unresolved_slope + b * b * to.unresolved_slope;
     return both;

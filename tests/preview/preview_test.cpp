@@ -312,6 +312,40 @@ TEST_F(PreviewTest, HeightsOfACrossFadeAreTheBlendOfBothSeas) {
     }
 }
 
+TEST_F(PreviewTest, WavesThatBothSeasHaveDoNotGrowInTheMiddleOfACrossFade) {
+    Parameters parameters = test::wind_sea(64, kPeriod);
+    parameters.surface.choppiness = 0.0;
+    Parameters stronger = parameters;
+    stronger.waves.front().wind_speed = 17.0;
+    Ocean from_sea(parameters, {.foam_start = FoamStart::empty});
+    Ocean to_sea(stronger, {.foam_start = FoamStart::empty});
+    SeaMaps from_maps({.compute = false, .foam_resolution = 64});
+    SeaMaps to_maps({.compute = false, .foam_resolution = 64});
+    Renderer renderer({.cells = 32});
+    const Camera camera = above(0.5 * kPeriod, 0.5 * kPeriod, 0.5 * kPeriod);
+    const auto height_of = [&](const ShownSea& sea) {
+        const auto values = numbers(renderer, sea, camera, 64);
+        double squares = 0.0;
+        for (std::size_t p = 1; p < values.size(); p += 4) squares += values[p] * values[p];
+        return 4.0 * std::sqrt(squares / (64.0 * 64.0));
+    };
+    const ShownSea from = from_maps.show(from_sea, 3.0);
+    const ShownSea to = to_maps.show(to_sea, 3.0);
+    const double correlation = height_correlation(from_sea.modes(3.0), 3.0, to_sea.modes(3.0), 3.0);
+    EXPECT_GT(correlation, 0.8);
+    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+        const double before = height_of(from), after = height_of(to);
+        const double weight = std::pow(std::sin(0.25 * kTwoPi * share), 2);
+        const double expected =
+            std::sqrt((1.0 - weight) * before * before + weight * after * after);
+        EXPECT_NEAR(height_of(cross_fade(from, to, share, correlation)) / expected, 1.0, 0.05);
+        // Without it the sea would be half as high again.
+        if (share == 0.5) {
+            EXPECT_GT(height_of(cross_fade(from, to, share)) / expected, 1.3);
+        }
+    }
+}
+
 TEST_F(PreviewTest, TwoThousandFramesLeaveNothingBehind) {
     Ocean sea(test::wind_sea(32, 200.0), {.foam_start = FoamStart::empty});
     SeaMaps maps({.compute = false, .foam_resolution = 32});

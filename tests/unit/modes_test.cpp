@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "ocean/dispersion.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/thread_pool.hpp"
 #include "test_seas.hpp"
 
@@ -46,6 +47,45 @@ TEST(Modes, AFinerGridKeepsTheBitsOfSharedModes) {
         }
     }
     EXPECT_GT(compared, 3000);
+}
+
+TEST(Modes, HeightsOfTwoSeasCorrelateAsTheirMapsDo) {
+    const auto correlation_of_maps = [](Ocean& a, double time_a, Ocean& b, double time_b) {
+        const Surface of_a = a.evaluate(time_a, {Channel::height});
+        const Surface of_b = b.evaluate(time_b, {Channel::height});
+        const std::span<const float> x = of_a.channel(Channel::height);
+        const std::span<const float> y = of_b.channel(Channel::height);
+        double xx = 0.0, yy = 0.0, xy = 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double p = static_cast<double>(x[i]), q = static_cast<double>(y[i]);
+            xx += p * p;
+            yy += q * q;
+            xy += p * q;
+        }
+        return xy / std::sqrt(xx * yy);
+    };
+    Parameters parameters = test::wind_sea(64);
+    Parameters stronger = parameters, deeper = parameters, other = parameters, larger = parameters;
+    stronger.waves.front().wind_speed = 18.0;
+    deeper.water.depth = 3.0;
+    other.seed = 77;
+    larger.grid.patch_size *= 1.1;
+    Ocean sea(parameters);
+    EXPECT_NEAR(height_correlation(sea.modes(), 3.0, sea.modes(), 3.0), 1.0, 1e-6);
+    for (const auto& [changed, allowed] : {std::pair(stronger, 0.1), {deeper, 0.1}, {other, 0.1}}) {
+        for (const double time : {0.0, 3.0, 1000.0}) {
+            Ocean second(changed);
+            const double found = height_correlation(sea.modes(), time, second.modes(), time);
+            EXPECT_NEAR(found, correlation_of_maps(sea, time, second, time), allowed) << time;
+        }
+    }
+    Ocean second(stronger);
+    EXPECT_GT(height_correlation(sea.modes(), 5.0, second.modes(), 5.0), 0.8);
+    EXPECT_LT(std::abs(height_correlation(sea.modes(), 5.0, second.modes(), 500.0)), 0.2);
+    EXPECT_EQ(height_correlation(sea.modes(), 0.0, Ocean(larger).modes(), 0.0), 0.0);
+    Parameters calm = parameters;
+    calm.waves.front().wind_speed = 0.0;
+    EXPECT_EQ(height_correlation(sea.modes(), 0.0, Ocean(calm).modes(), 0.0), 0.0);
 }
 
 TEST(Modes, NyquistLinesAndTheMeanAreZero) {

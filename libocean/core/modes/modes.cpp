@@ -61,6 +61,56 @@ GradientCovariance Modes::gradient_covariance(int resolution) const {
 
 namespace {
 
+double energy(const Modes& modes) {
+    double sum = 0.0;
+    for (const CascadeModes& cascade : modes.cascades) {
+        for (const std::complex<float>& h0 : cascade.h0) sum += std::norm(std::complex<double>(h0));
+    }
+    return sum;
+}
+
+/// Turns since time 0, the whole ones dropped.
+double turns(const CascadeModes& cascade, std::size_t i, double tau) {
+    const double high = static_cast<double>(cascade.rate_high[i]) * tau;
+    return high - std::floor(high) + static_cast<double>(cascade.rate_low[i]) * tau;
+}
+
+/// Re sum h_a conj h_b over the modes that both cascades have.
+double shared_energy(const CascadeModes& a, double tau_a, const CascadeModes& b, double tau_b) {
+    const int half = std::min(a.lattice.resolution, b.lattice.resolution) / 2;
+    double sum = 0.0;
+    for (int m = 1 - half; m < half; ++m) {
+        for (int n = 1 - half; n < half; ++n) {
+            const std::size_t i = mode_index(n, m, a.lattice.resolution);
+            const std::size_t j = mode_index(n, m, b.lattice.resolution);
+            const std::complex<double> product =
+                std::complex<double>(a.h0[i]) * std::conj(std::complex<double>(b.h0[j]));
+            if (product == 0.0) continue;
+            const double between = turns(a, i, tau_a) - turns(b, j, tau_b);
+            sum += between == 0.0 ? std::real(product)
+                                  : std::real(product * std::polar(1.0, -kTwoPi * between));
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+double height_correlation(const Modes& a, double time_a, const Modes& b, double time_b) {
+    const double whole = std::sqrt(energy(a) * energy(b));
+    if (whole == 0.0) return 0.0;
+    double shared = 0.0;
+    for (const CascadeModes& of_a : a.cascades) {
+        for (const CascadeModes& of_b : b.cascades) {
+            if (of_a.lattice.period != of_b.lattice.period) continue;
+            shared += shared_energy(of_a, a.tau(time_a), of_b, b.tau(time_b));
+        }
+    }
+    return shared / whole;
+}
+
+namespace {
+
 /// S D c_g / k, the variance density over the wavenumber plane, at (n, m) lattice steps; m^4.
 double wavenumber_density(const DirectionalSpectrum& spectrum, const Dispersion& dispersion,
                           double step, double n, double m) {

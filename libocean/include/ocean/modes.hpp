@@ -93,6 +93,12 @@ bool measures_band(const CascadeBand& band, int resolution, int n, int m);
 Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                  ThreadPool& pool);
 
+/// Of the heights of two seas, each at its own time: their covariance over all places by the root
+/// of the product of their variances, -1 .. 1. Of two seeds about 0, of two winds over the same
+/// noise about 1. Waves are the same where they stand on cascades of the same period; an opposite
+/// wave's share, which comes and goes twice a period, is left out.
+double height_correlation(const Modes& a, double time_a, const Modes& b, double time_b);
+
 /// Whole turns that a mode makes per loop: omega T / 2 pi to the nearest, at least 1.
 double turns_per_loop(double omega, double loop_period);
 

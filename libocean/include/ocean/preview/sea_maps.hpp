@@ -46,9 +46,12 @@ struct ShownSea {
 /// m, of the finest of its maps: no water is shown finer.
 double finest_texel(const ShownSea& sea);
 
-/// Two seas that know nothing of each other at once, in amplitudes a and b with a^2 + b^2 = 1:
-/// their energies add up. share: 0 .. 1, from one to the other.
-ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share);
+/// Two seas at once. Of two that know nothing of each other the amplitudes a and b have
+/// a^2 + b^2 = 1, for their energies add up; with a correlation of their heights, as of
+/// height_correlation(), both are less, so that the height is that blend too. share: 0 .. 1, from
+/// one to the other.
+ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share,
+                    double correlation = 0.0);
 
 struct SeaMapsOptions {
     /// By compute shaders in the current context (OpenGL 4.3), else by the backend of the sea.
@@ -57,6 +60,8 @@ struct SeaMapsOptions {
     int foam_resolution = 0;     // 0: the default map of the sea
     /// Of computed foam; that of the sea's backend begins as the sea was told.
     FoamStart foam_start = FoamStart::empty;
+
+    bool operator==(const SeaMapsOptions&) const = default;
 };
 
 /// Needs the context that was current when it was made to be current in every call, the destructor
