@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The program `ocean-preview` as its users see it: pictures, probes, a window that a hand uses."""
 
+import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -185,12 +187,41 @@ def test_without_a_display_or_a_place_to_write_it_says_so(folder):
     assert done.returncode == 2 and (folder / "sea.toml").read_text() == SEA
 
 
+@pytest.mark.parametrize("backend", ["cpu", "gl"])
+def test_a_performance_is_baked_as_it_was_shown(folder, backend):
+    # Two cascades, and knobs that turn between the frames.
+    two = SEA.replace("patch_size", "cascades = 2\npatch_size")
+    (folder / "two.toml").write_text(two)
+    subprocess.run([os.environ["PERFORM_LIVE"], "two.toml", backend, "."], cwd=folder, check=True)
+    shown = sorted(folder.glob("heights-*.f32"))
+    assert len(shown) == 20
+    frames = [int(path.stem.split("-")[1]) for path in shown]
+    command = [OCEAN, "bake", "performed.toml", "-q", "-o", "####.exr", "--products", "height"]
+    # Of the fine cascade a map holds all waves if it is as fine as that.
+    command += ["--type", "float", "--resolution", "1024", "--frames", ",".join(map(str, frames))]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True)
+    state = json.loads(
+        subprocess.run([OCEAN, "info", "performed.toml", "--json"], cwd=folder, check=True,
+                       capture_output=True, text=True).stdout
+    )  # fmt: skip
+    for path, frame in zip(shown, frames, strict=True):
+        heights = numpy.fromfile(path, numpy.float32).reshape(128, 128)
+        baked = pixels(folder / f"height.{frame:04}.exr")[::-1, :, 0][::8, ::8]
+        assert baked.std() > 0.1
+        assert abs(heights - baked).max() < 1e-5 * state["significant_wave_height"]["asked"]
+
+
 class Hand:
     """A window under Xvfb and a hand that uses it."""
 
     def __init__(self, folder: Path, display: str):
         self.folder = folder
-        self.environment = os.environ | {"DISPLAY": display}
+        self.gamepad = folder / "gamepad"
+        self.environment = os.environ | {
+            "DISPLAY": display,
+            "LD_PRELOAD": os.environ["FAKE_GAMEPAD_LIBRARY"],
+            "FAKE_GAMEPAD": str(self.gamepad),
+        }
         self.program = subprocess.Popen(
             [PREVIEW, "sea.toml", "--size", "1000x700", "-v"],
             cwd=folder,
@@ -220,6 +251,12 @@ class Hand:
         self.do("mouseup", 1)
         time.sleep(0.4)
 
+    def push(self, kind: str, axes: str, buttons: str = "0 0 0 0"):
+        """What the hand does to a gamepad: see tests/preview/fake_gamepad.c."""
+        beside = self.gamepad.with_suffix(".new")
+        beside.write_text(f"{kind} {axes} {buttons}")
+        beside.rename(self.gamepad)
+
     def click(self, x: int, y: int):
         self.drag(x, y, x, y)
 
@@ -231,6 +268,12 @@ class Hand:
             assert self.program.poll() is None, self.program.stderr.read()
             time.sleep(0.1)
         raise AssertionError("waited for nothing")
+
+    def saved(self, name: str) -> dict:
+        """The sea that is saved now, under that name."""
+        self.click(*SAVE_SEA)
+        self.wait_for((self.folder / name).exists)
+        return tomllib.loads((self.folder / name).read_text())
 
     def picture(self) -> numpy.ndarray:
         number = len(list(self.folder.glob("sea-*.png"))) + 1
@@ -268,9 +311,10 @@ def hand(folder):
 
 
 # Places in the panel of a window of 1000 x 700.
-WIND_SPEED = (90, 531)
-SAVE_SEA = (48, 182)
-SEARCH = (90, 439)
+WIND_SPEED = (90, 567)
+COMPUTED_BY = (90, 498)
+SAVE_SEA = (48, 195)
+SEARCH = (90, 452)
 
 
 def test_a_hand_uses_the_window(hand):
@@ -287,26 +331,38 @@ def test_a_hand_uses_the_window(hand):
     hand.key("v")
     assert rms(hand.picture(), moved) > 0.1  # heights
 
-    # A slider is performed, and saved with the sea; nothing is written over.
+    # A slider changes the sea; nothing is written over.
+    hand.drag(*WIND_SPEED, WIND_SPEED[0] + 20, WIND_SPEED[1])
+    changed = hand.saved("sea-changed-1.toml")
+    wind = changed["waves"][0]["wind_speed"]
+    assert wind > 9.5 and "take" not in changed
+    assert hand.saved("sea-changed-2.toml") == changed
+
+    # Recorded, it is a take from there on; and that sea is one as any other.
+    hand.key("r")
     hand.drag(*WIND_SPEED, WIND_SPEED[0] + 40, WIND_SPEED[1])
-    hand.click(*SAVE_SEA)
-    hand.click(*SAVE_SEA)
-    saved = hand.folder / "sea-performed-2.toml"
-    hand.wait_for(saved.exists)
-    sea = tomllib.loads(saved.read_text())
+    sea = hand.saved("sea-performed-1.toml")
     played = [float(line.split()[2]) for line in sea["take"]["lines"]]
-    assert played[-1] > 12.0 and sea["waves"][0]["wind_speed"] == 9.0
+    assert played[-1] > wind + 2.0 and sea["waves"][0]["wind_speed"] == wind
     assert (hand.folder / "sea.toml").read_text() == SEA
-    # It is a sea as any other.
-    good(hand.folder, saved.name, "--probe", "0,0")
+    good(hand.folder, "sea-performed-1.toml", "--probe", "0,0")
 
     # Taken back, it glides back.
     hand.key("ctrl+z")
     time.sleep(0.5)
-    hand.click(*SAVE_SEA)
-    undone = hand.folder / "sea-performed-3.toml"
-    hand.wait_for(undone.exists)
-    assert tomllib.loads(undone.read_text())["take"]["lines"][-1].endswith("wind_speed 9")
+    undone = hand.saved("sea-performed-2.toml")
+    assert undone["take"]["lines"][-1].endswith(f"wind_speed {wind:g}")
+    hand.key("r")
+
+    # The sea file as it was, and as it is: what is bad or gone is told, and the sea stays.
+    hand.key("ctrl+r")
+    assert hand.saved("sea-changed-3.toml")["waves"][0]["wind_speed"] == 9.0
+    shown = hand.picture()
+    (hand.folder / "sea.toml").write_text(SEA.replace("wind_speed", "wind_sped"))
+    hand.key("ctrl+r")
+    told = hand.picture()
+    assert hand.saved("sea-changed-4.toml")["waves"][0]["wind_speed"] == 9.0
+    assert rms(shown, told) < 0.01
 
     # Words in the search are no commands.
     hand.click(*SEARCH)
@@ -331,9 +387,79 @@ def test_a_hand_uses_the_window(hand):
     time.sleep(0.5)
     hand.do("windowmap", hand.window)
     time.sleep(0.5)
-    (hand.folder / "sea.toml").unlink()  # it was read, and is not missed
+    (hand.folder / "sea.toml").unlink()
+    hand.key("ctrl+r")
     hand.key("space")
     time.sleep(1.0)
     hand.key("Escape")
     assert hand.program.wait(timeout=20) == 0, hand.program.stderr.read()
     assert "rror" not in hand.program.stderr.read()
+
+
+def test_a_hand_uses_a_gamepad_and_a_joystick(hand):
+    hand.key("space")
+    still = hand.picture()
+    rest = "0 0 0 0 -1 -1"
+    hand.push("gamepad", rest)
+    assert rms(hand.picture(), still) == 0.0
+    hand.push("gamepad", "0.1 -0.12 0.1 0 -1 -1")  # a stick that is worn
+    time.sleep(1.0)
+    assert rms(hand.picture(), still) == 0.0
+    for axes in ("0 -1 0 0 -1 -1", "0 0 0.8 0 -1 -1", "0 0 0 0 -1 1"):
+        before = hand.picture()
+        hand.push("gamepad", axes)
+        time.sleep(0.8)
+        hand.push("gamepad", rest)
+        time.sleep(0.5)
+        after = hand.picture()
+        assert rms(before, after) > 0.005, axes
+        assert rms(hand.picture(), after) == 0.0
+    # Y goes back to where it began; a button that is held counts once.
+    hand.push("gamepad", rest, "0 0 0 1")
+    time.sleep(0.5)
+    assert rms(hand.picture(), still) == 0.0
+    hand.push("gamepad", rest, "0 0 1 0")
+    time.sleep(1.0)
+    heights = hand.picture()
+    assert rms(heights, still) > 0.1
+    hand.push("gamepad", rest)
+    time.sleep(0.5)
+    hand.push("gamepad", rest, "1 0 0 0")
+    time.sleep(1.0)
+    hand.push("gamepad", rest)
+    assert rms(hand.picture(), heights) > 0.0  # the sea goes on
+
+    # Plugged out, and a joystick whose layout nobody knows.
+    hand.gamepad.unlink()
+    hand.key("space")
+    time.sleep(0.5)
+    before = hand.picture()
+    hand.push("joystick", "0 -1 0 0 0 0")
+    time.sleep(0.8)
+    hand.push("joystick", "0 0 0 0 0 0")
+    time.sleep(0.5)
+    assert rms(hand.picture(), before) > 0.005
+
+
+def test_a_hand_compares_backends(hand):
+    hand.key("space")
+    # The list begins under its own line: gl, cpu, radix2, dft (which refuses 128 samples), thesis.
+    for row in (0, 2, 3, 4, 1):
+        hand.click(*COMPUTED_BY)
+        hand.click(COMPUTED_BY[0], COMPUTED_BY[1] + 22 + 17 * row)
+        hand.do("mousemove", 700, 600)
+        time.sleep(1.0)
+        hand.picture()
+        if row == 3:  # its list is still open
+            hand.key("Escape")
+            hand.click(700, 600)
+    hand.key("r")
+    hand.drag(*WIND_SPEED, WIND_SPEED[0] + 20, WIND_SPEED[1])
+    hand.key("Escape")
+    assert hand.program.wait(timeout=20) == 0
+    said = hand.program.stderr.read()
+    used = re.findall(r"the sea by (\w+)", said)
+    assert used == ["gl", "radix2", "thesis", "cpu"], said
+    # What was recorded is not lost with the window.
+    take = tomllib.loads((hand.folder / "sea-performed-1.toml").read_text())["take"]
+    assert take["lines"]

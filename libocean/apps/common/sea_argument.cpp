@@ -50,19 +50,21 @@ Sea read_source(const std::string& source) {
     return is_exr(source) ? sea_of_exr(source) : read_sea(source, read_any_spectra);
 }
 
+void assign(Parameters& parameters, const std::string& name, std::string value) {
+    const std::string_view key = find_parameter(name).info->key;
+    if ((key == "file" || key == "take") && !value.empty()) {
+        value = std::filesystem::absolute(utf8_path(value)).string();  // where the user stands
+    }
+    set_parameter(parameters, name, value);
+}
+
 void assign_text(Parameters& parameters, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0) {
         throw Error(ErrorKind::invalid_value,
                     "--set " + assignment + ": allowed is NAME=VALUE, such as wind_speed=12");
     }
-    const std::string name = assignment.substr(0, equals);
-    std::string value = assignment.substr(equals + 1);
-    const std::string_view key = find_parameter(name).info->key;
-    if ((key == "file" || key == "take") && !value.empty()) {
-        value = std::filesystem::absolute(utf8_path(value)).string();  // where the user stands
-    }
-    set_parameter(parameters, name, value);
+    assign(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
 }
 
 }  // namespace
@@ -86,6 +88,12 @@ Sea open_sea(const SeaArgument& argument) {
     resolve_files(sea, utf8_path(argument.source).parent_path().string(), read_any_spectra);
     validate(sea);
     return sea;
+}
+
+void set_in_sea(Sea& sea, const std::string& name, const std::string& value) {
+    assign(sea.parameters, name, value);
+    resolve_files(sea, "", read_any_spectra);
+    validate(sea);
 }
 
 }  // namespace ocean::app

@@ -23,5 +23,8 @@ OptionGroup sea_options(SeaArgument& argument, bool required = kRequired);
 
 /// Throws Error.
 Sea open_sea(const SeaArgument& argument);
+/// What --set does to a sea that is open: a file that is named is read, from where the user stands.
+/// Throws Error, after which the sea is of no use.
+void set_in_sea(Sea& sea, const std::string& name, const std::string& value);
 
 }  // namespace ocean::app

@@ -2,96 +2,191 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live_sea.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/modes.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/text.hpp"
+#include "sea_argument.hpp"
 
 namespace ocean::app {
 namespace {
 
 constexpr double kFadeSeconds = 1.0;
+/// Seas that have so much in common take each other's place at any moment without a jump.
+constexpr double kSameWaves = 0.9;
+/// Glides that no take has, before they are forgotten: each costs a little at every time.
+constexpr std::size_t kMostGlides = 2000;
 
-double end_of_take(const Sea& sea) {
+double end_of(const Sea& sea) {
     return sea.take.empty() ? sea.parameters.time.start : sea.take.events.back().seconds;
 }
 
 }  // namespace
 
-LiveSea::LiveSea(Sea sea, int threads, const preview::SeaMapsOptions& maps,
-                 std::size_t most_cascades)
-    : clock(sea.parameters.time.start),
-      options_{.threads = threads, .foam_start = FoamStart::empty},
-      ocean_(std::move(sea), options_),
-      maps_(std::make_unique<preview::SeaMaps>(maps)),
-      most_cascades_(most_cascades),
-      maps_before_(std::make_unique<preview::SeaMaps>(maps)),
-      performed_until_(end_of_take(ocean_.sea())) {}
+LiveSea::LiveSea(Sea sea, LiveSeaOptions options)
+    : options_(std::move(options)),
+      computing_(options_.computing(sea)),
+      kept_(std::move(sea)),
+      time_(kept_.parameters.time.start),
+      performed_until_(end_of(kept_)),
+      ocean_(std::make_unique<Ocean>(kept_, ocean_options(computing_))),
+      maps_(std::make_unique<preview::SeaMaps>(computing_.maps)) {}
+
+OceanOptions LiveSea::ocean_options(const Computing& computing) const {
+    return {
+        .threads = options_.threads, .backend = computing.backend, .foam_start = FoamStart::empty};
+}
 
 preview::ShownSea LiveSea::show() {
-    preview::ShownSea shown = maps_->show(ocean_, clock.time());
+    preview::ShownSea shown = maps_->show(*ocean_, time_);
     if (!before_) return shown;
     const preview::ShownSea from = maps_before_->show(*before_, time_before_);
-    if (from.cascades.size() + shown.cascades.size() > most_cascades_) return shown;
-    return preview::cross_fade(from, shown, faded_);
+    if (from.cascades.size() + shown.cascades.size() > options_.most_cascades) return shown;
+    return preview::cross_fade(from, shown, faded_, correlation_);
 }
 
 void LiveSea::advance(double wall_seconds) {
-    const double time = clock.time();
-    clock.advance(wall_seconds);
+    if (!paused) {
+        time_ += speed * wall_seconds;
+        time_before_ += speed * wall_seconds;
+    }
     if (!before_) return;
-    time_before_ += clock.time() - time;
     faded_ += wall_seconds / kFadeSeconds;
-    if (faded_ >= 1.0) before_.reset();
+    if (faded_ < 1.0) return;
+    before_.reset();
+    if (std::exchange(waiting_, false)) fade_to(kept_, time_);
 }
 
-void LiveSea::change(Sea sea) {
-    auto before = std::make_unique<Ocean>(ocean_, options_);
-    ocean_.change(std::move(sea));
-    before_ = std::move(before);
+void LiveSea::go_to(double time) {
+    if (time < time_) {
+        stop_recording();
+        if (ocean_->sea().take.events.size() != kept_.take.events.size()) become(kept_);
+    }
+    time_before_ += time - time_;
+    time_ = time;
+}
+
+void LiveSea::fade_to(const Sea& sea, double time) {
+    const Computing computing = options_.computing(sea);
+    auto next = std::make_unique<Ocean>(*ocean_, ocean_options(computing));
+    next->change(sea);
+    const double correlation =
+        height_correlation(ocean_->modes(time_), time_, next->modes(time), time);
+    now_time_.reset();
+    waiting_ = fading() && correlation < kSameWaves && time == time_ && !recording_;
+    if (waiting_) return;
+    if (!maps_before_ || computing != computing_) {
+        maps_before_ = std::make_unique<preview::SeaMaps>(computing.maps);
+    }
     std::swap(maps_, maps_before_);
-    time_before_ = clock.time();
-    faded_ = 0.0;
     maps_->foam_changed();
-    now_known_ = false;
+    before_ = std::exchange(ocean_, std::move(next));
+    time_before_ = std::exchange(time_, time);
+    computing_ = computing;
+    correlation_ = correlation;
+    faded_ = 0.0;
+    performed_until_ = end_of(sea);
+}
+
+void LiveSea::become(const Sea& sea) {
+    waiting_ = false;
+    ocean_->change(sea);
+    maps_->foam_changed();
+    performed_until_ = end_of(sea);
+    now_time_.reset();
+}
+
+void LiveSea::perform(const std::string& name, const std::string& value) {
+    ocean_->perform(time_, name, value);
+    maps_->foam_changed(time_);
+    performed_until_ = time_;
+    now_time_.reset();
 }
 
 void LiveSea::set(const std::string& name, const std::string& value) {
-    const ParameterRef ref = find_parameter(name);
-    const Sea& before = ocean_.sea();
-    const bool loops = before.parameters.time.loop_period != 0.0;
-    if (ref.info->change == ParameterClass::live && !loops) {
-        if (clock.time() < performed_until_) {
-            throw Error(ErrorKind::invalid_value,
-                        format_text("%s: the sea was performed until %.2f s; go to that end first",
-                                    name.c_str(), performed_until_));
-        }
-        ocean_.perform(clock.time(), name, value);
-        maps_->foam_changed(clock.time());
-        performed_until_ = clock.time();
-    } else {
-        Sea changed = before;
-        set_parameter(changed.parameters, name, value);
-        validate(changed);
-        change(std::move(changed));
+    const ParameterRef parameter = find_parameter(name);
+    const bool live = parameter.info->change == ParameterClass::live;
+    if (live && recording_) return perform(name, value);
+    const std::vector<TakeEvent>& played = sea().take.events;
+    if (live && std::ranges::any_of(played, [&](const TakeEvent& event) {
+            return event.parameter.same_as(parameter);
+        })) {
+        throw Error(ErrorKind::invalid_value,
+                    name + ": is played by the take; record to play it anew");
     }
-    now_known_ = false;
+    Sea changed = sea();
+    set_in_sea(changed, name, value);
+    if (live && changed.parameters.time.loop_period == 0.0 && time_ >= performed_until_) {
+        if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMostGlides) {
+            become(kept_);
+        }
+        perform(name, value);
+    } else {
+        fade_to(changed, time_);
+    }
+    kept_ = std::move(changed);
+    if (kept_.parameters.time.loop_period != 0.0) recording_ = false;
 }
 
 void LiveSea::open(Sea sea) {
     validate(sea);
-    const double start = sea.parameters.time.start;
-    performed_until_ = end_of_take(sea);
-    change(std::move(sea));
-    clock.go_to(start);
+    fade_to(sea, sea.parameters.time.start);
+    recording_ = false;
+    kept_ = std::move(sea);
+}
+
+void LiveSea::compute_anew() {
+    const Computing computing = options_.computing(sea());
+    if (computing == computing_) return;
+    auto maps = std::make_unique<preview::SeaMaps>(computing.maps);
+    ocean_ = std::make_unique<Ocean>(*ocean_, ocean_options(computing));
+    maps_ = std::move(maps);
+    computing_ = computing;
+    before_.reset();
+    maps_before_.reset();
+    waiting_ = false;
+}
+
+void LiveSea::start_recording() {
+    if (recording_) return;
+    if (kept_.parameters.time.loop_period != 0.0) {
+        throw Error(ErrorKind::invalid_value,
+                    "time.loop_period = " + shortest_text(kept_.parameters.time.loop_period) +
+                        " s: a loop repeats and a recording does not; allowed: 0 to record");
+    }
+    Sea recorded = kept_;
+    std::erase_if(recorded.take.events,
+                  [&](const TakeEvent& event) { return event.seconds > time_; });
+    if (waiting_ || ocean_->sea().take.events.size() != recorded.take.events.size()) {
+        become(recorded);
+    }
+    kept_ = std::move(recorded);
+    recording_ = true;
+}
+
+void LiveSea::stop_recording() {
+    if (!recording_) return;
+    kept_ = ocean_->sea();
+    recording_ = false;
+}
+
+double LiveSea::take_end() const {
+    return end_of(sea());
+}
+
+double LiveSea::foam_settling() const {
+    return static_cast<double>(maps_->foam_settling_ticks(*ocean_)) *
+           ocean_->parameters().surface.foam_step;
 }
 
 const Parameters& LiveSea::now() {
-    if (!now_known_ || now_time_ != clock.time()) {
-        now_ = ocean_.sea().at(clock.time());
-        now_time_ = clock.time();
-        now_known_ = true;
+    if (!now_time_ || *now_time_ != time_) {
+        now_ = (waiting_ ? kept_ : ocean_->sea()).at(time_);
+        now_time_ = time_;
     }
     return now_;
 }

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea that runs: its clock, and changes of it while it runs.
+// A sea that runs: its clock, changes of it while it runs, and what of them is recorded.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ocean/ocean.hpp"
@@ -12,73 +14,95 @@
 
 namespace ocean::app {
 
-/// Seconds of the sea over those of the wall.
-class SeaClock {
+/// How a sea is computed: by compute shaders in the current context, as `maps` say, or else by the
+/// sea's own backend.
+struct Computing {
+    Backend backend = Backend::cpu;
+    preview::SeaMapsOptions maps;
+
+    bool operator==(const Computing&) const = default;
+};
+
+struct LiveSeaOptions {
+    int threads = 0;
+    /// Throws Error where it cannot be computed.
+    std::function<Computing(const Sea&)> computing;
+    std::size_t most_cascades = preview::kMostCascades;  // the renderer's
+};
+
+/// Needs the context that was current when it was made to be current in every call, the destructor
+/// too. All that throws Error then has changed nothing.
+class LiveSea {
   public:
-    explicit SeaClock(double start) : time_(start) {}
+    LiveSea(Sea sea, LiveSeaOptions options);
 
+    preview::ShownSea show();
+
+    // The clock: seconds of the sea over those of the wall.
     double time() const { return time_; }
-    /// Goes on by so many seconds of the wall; a pause is no time.
-    void advance(double wall_seconds) {
-        if (!paused) time_ += speed * wall_seconds;
-    }
-    void go_to(double time) { time_ = time; }
-
+    /// So many seconds of the wall go by; a pause is none, but for a sea that fades into another.
+    void advance(double wall_seconds);
+    /// Back in time a recording ends, and what glided is as it was saved.
+    void go_to(double time);
     bool paused = false;
     double speed = 1.0;
 
-  private:
-    double time_;
-};
-
-class LiveSea {
-  public:
-    /// maps: as SeaMaps takes them; the context must be current. most_cascades: the renderer's.
-    LiveSea(Sea sea, int threads, const preview::SeaMapsOptions& maps, std::size_t most_cascades);
-
-    preview::ShownSea show();
-    /// So many seconds of the wall go by, for the clock and for a sea that fades into another.
-    void advance(double wall_seconds);
-    bool fading() const { return before_ != nullptr; }
-    /// A live parameter glides to it from now on, as in a take; the others, and all of a sea that
-    /// has a loop, make another sea, into which this one fades over a second. Throws Error, and
-    /// changes nothing, of a live parameter at a time before the last that was performed too.
+    // Changes of it.
+    /// A live parameter glides to the value from now on, unless the sea has a loop; what else is
+    /// changed makes another sea, into which this one fades over a second. Throws Error, of what
+    /// the take plays while nothing is recorded too.
     void set(const std::string& name, const std::string& value);
     /// Another sea, its clock at its start.
     void open(Sea sea);
+    /// The options' `computing` has another answer.
+    void compute_anew();
+    bool fading() const { return before_ != nullptr; }
 
-    /// With everything that was performed.
-    const Sea& sea() const { return ocean_.sea(); }
+    // The take.
+    /// From now on live changes are events of the take; those that it had from now on are dropped.
+    /// Throws Error of a sea with a loop.
+    void start_recording();
+    void stop_recording();
+    bool recording() const { return recording_; }
+    /// When the last event is; the start where there is none.
+    double take_end() const;
+
+    /// What is to be saved: the sea as it was opened or changed, and its take.
+    const Sea& sea() const { return recording_ ? ocean_->sea() : kept_; }
     /// Of the sea at its time, gliding: what is shown.
     const Parameters& now();
-    Ocean& ocean() { return ocean_; }
+    Ocean& ocean() { return *ocean_; }
+    const Computing& computing() const { return computing_; }
     /// Seconds until foam that began empty is what it always is.
-    double foam_settling() const {
-        return static_cast<double>(maps_->foam_settling_ticks(ocean_)) *
-               ocean_.parameters().surface.foam_step;
-    }
-
-    /// The last time that something was performed at; the start where nothing was.
-    double performed_until() const { return performed_until_; }
-
-    SeaClock clock;
+    double foam_settling() const;
 
   private:
-    void change(Sea sea);
+    OceanOptions ocean_options(const Computing& computing) const;
+    /// The shown sea is another one from now on, its clock at that time, and the one before fades
+    /// into it. Where that would be a jump, for one fades already, it waits.
+    void fade_to(const Sea& sea, double time);
+    /// The shown sea is that one, at once.
+    void become(const Sea& sea);
+    void perform(const std::string& name, const std::string& value);
 
-    OceanOptions options_;
-    Ocean ocean_;
+    LiveSeaOptions options_;
+    Computing computing_;
+    Sea kept_;  // what is saved while nothing is recorded
+    bool recording_ = false;
+    double time_;
+    double performed_until_;        // nothing may be performed before
+    std::unique_ptr<Ocean> ocean_;  // what is shown: with glides that no take has
     std::unique_ptr<preview::SeaMaps> maps_;
-    std::size_t most_cascades_;
-    // The sea that fades away, its own clock, and how far it has gone: 0 .. 1.
+    // The sea that fades away, its own clock, how far it has gone: 0 .. 1, and how much of its
+    // waves the other one has too.
     std::unique_ptr<Ocean> before_;
     std::unique_ptr<preview::SeaMaps> maps_before_;
     double time_before_ = 0.0;
     double faded_ = 0.0;
-    double performed_until_;
+    double correlation_ = 0.0;
+    bool waiting_ = false;  // another sea is to come when this one has faded in
     Parameters now_;
-    double now_time_ = 0.0;
-    bool now_known_ = false;
+    std::optional<double> now_time_;  // of them; nothing if they are not known
 };
 
 }  // namespace ocean::app

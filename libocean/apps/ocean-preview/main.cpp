@@ -16,8 +16,10 @@ namespace {
 constexpr char kFooter[] =
     R"(SEA is a sea file, a baked EXR file or preset:NAME.
 Keys: W A S D Q E move, Shift is fast, dragging turns, the wheel zooms; Space
-pauses, V changes the view, C the camera, F shows the mesh, P probes, Tab hides
-the panel, Ctrl Z takes a change back, F12 saves the picture, Escape ends.
+pauses, R records, V changes the view, C the camera, F shows the mesh, P probes,
+Tab hides the panel, Ctrl Z takes a change back, Ctrl R reads the sea file again,
+F12 saves the picture, Escape ends; a take that was not saved is, first. A gamepad's sticks move and turn, its A
+pauses, B changes the camera, X the view, Y goes back to where it began.
 --probe prints x,y, the height of the mesh there and that of the maps (m), the
 square of the slope that is shown and the mean square slope that the light gets
 as roughness; nothing behind x,y where nothing is drawn.
@@ -30,7 +32,7 @@ void run(const PreviewWords& words, const Context& context) {
     const bool in_window =
         options.offscreen.empty() && options.record.empty() && options.probes.empty();
     if (in_window) {
-        run_window(options, sea, words.sea.source, context);
+        run_window(options, sea, words.sea, context);
     } else {
         run_offscreen(options, sea, words.sea.source, context);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "offscreen_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -16,25 +17,28 @@
 #include "ocean/preview/canvas.hpp"
 #include "ocean/preview/probe.hpp"
 #include "ocean/text.hpp"
+#include "stage_picture.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
 namespace {
 
-/// A context, and whether it computes too.
+/// A context, and what computes the sea there.
 struct Device {
     std::unique_ptr<gl::HeadlessContext> context;
-    bool computes;
+    Backend backend;
 };
 
-Device open_device(Computer computer) {
-    if (computer == Computer::gpu) return {std::make_unique<gl::HeadlessContext>(), true};
-    auto drawing = std::make_unique<gl::HeadlessContext>(gl::HeadlessOptions{.compute = false});
-    if (computer == Computer::processor || !computes_well(drawing->info())) {
-        return {std::move(drawing), false};
+Device open_device(const std::string& name) {
+    std::optional<Backend> backend = preview_backend(name);
+    std::unique_ptr<gl::HeadlessContext> drawing;
+    if (!backend || !computes_by_shaders(*backend)) {
+        drawing = std::make_unique<gl::HeadlessContext>(gl::HeadlessOptions{.compute = false});
+        if (!backend) backend = best_backend(drawing->info());
+        if (!computes_by_shaders(*backend)) return {std::move(drawing), *backend};
     }
     drawing.reset();
-    return {std::make_unique<gl::HeadlessContext>(), true};
+    return {std::make_unique<gl::HeadlessContext>(), *backend};
 }
 
 /// In a context that is current.
@@ -45,10 +49,10 @@ class OffscreenRun {
         : options_(options),
           context_(context),
           sea_(sea, {.threads = context.options.threads,
+                     .backend = device.backend,
                      .foam_progress = foam_progress_on(context.console)}),
-          work_(workload_for(options, sea, device.context->info(), device.computes)),
-          maps_(settled(work_.maps)),
-          renderer_(work_.renderer) {}
+          maps_(settled(computing_for(device.backend, options, sea, device.context->info()).maps)),
+          renderer_(renderer_for(options, device.context->info())) {}
 
     void print_probes(double time) {
         if (options_.probes.empty()) return;
@@ -67,6 +71,10 @@ class OffscreenRun {
     }
 
     void draw(double time, const std::string& path) {
+        if (std::ranges::count(stage_picture_names(), options_.view) != 0) {
+            const StagePicture stage = make_stage_picture(stages_, sea_, time, 0, options_.view);
+            return write(path, stage.width, stage.height, stage.rgb);
+        }
         const preview::ShownSea shown = maps_.show(sea_, time);
         const auto [width, height] = options_.size;
         if (!canvas_) canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8);
@@ -74,12 +82,10 @@ class OffscreenRun {
         preview::DrawOptions draw;
         draw.width = width;
         draw.height = height;
-        draw.view = options_.view;
+        draw.view = preview::view_of(options_.view);
         draw.wireframe = options_.wireframe;
         renderer_.draw(shown, options_.camera, options_.look, draw);
-        const std::vector<std::uint8_t> pixels = canvas_->rgb();
-        const InterruptWatch::Hold whole = context_.interrupts.hold();
-        io::write_png(path, width, height, pixels);
+        write(path, width, height, canvas_->rgb());
     }
 
     void record(const std::string& stem) {
@@ -98,6 +104,12 @@ class OffscreenRun {
     }
 
   private:
+    void write(const std::string& path, int width, int height,
+               const std::vector<std::uint8_t>& rgb) {
+        const InterruptWatch::Hold whole = context_.interrupts.hold();
+        io::write_png(path, width, height, rgb);
+    }
+
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         return maps;
@@ -106,10 +118,10 @@ class OffscreenRun {
     const PreviewOptions& options_;
     const Context& context_;
     Ocean sea_;
-    Workload work_;
     preview::SeaMaps maps_;
     preview::Renderer renderer_;
     std::unique_ptr<preview::Canvas> canvas_;
+    gl::StageMaker stages_;
 };
 
 }  // namespace
@@ -123,10 +135,10 @@ std::string stem_of(const std::string& source) {
 
 void run_offscreen(const PreviewOptions& options, const Sea& sea, const std::string& source,
                    const Context& context) {
-    const Device device = open_device(options.computer);
+    const Device device = open_device(options.backend);
     const gl::HeadlessContext::Current current(*device.context);
-    context.console.note("drawn by " + device.context->info().text() + "; computed by " +
-                         (device.computes ? "the same" : "the processor"));
+    context.console.note("drawn by " + device.context->info().text() + "; the sea by " +
+                         std::string(device.backend.name));
     const double time = options.frame  ? sea.time_of(*options.frame)
                         : options.time ? *options.time
                                        : sea.parameters.time.start;

@@ -16,11 +16,10 @@
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
+#include "stage_picture.hpp"
 
 namespace ocean::app {
 namespace {
-
-constexpr float kWidth = 360.0f;
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -111,8 +110,8 @@ class Rows {
         if (!ImGui::IsItemHovered()) return;
         std::string words = path + "\n" + std::string(info.help) + "\n" + allowed_values(info);
         if (!info.used_by.empty()) words += "\nCounts with: " + std::string(info.used_by);
-        words +=
-            info.change == ParameterClass::live ? "\nGlides; is recorded" : "\nMakes another sea";
+        words += info.change == ParameterClass::live ? "\nGlides"
+                                                     : "\nMakes another sea; is no part of a take";
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(380.0f);
         ImGui::TextUnformatted(words.c_str());
@@ -231,38 +230,45 @@ void slider(PanelState& state, const char* label, double& value, float lowest, f
 }
 
 void transport(LiveSea& sea, PanelState& state) {
-    if (ImGui::Button(sea.clock.paused ? "Play (Space)" : "Pause (Space)")) {
-        sea.clock.paused = !sea.clock.paused;
+    if (ImGui::Button(sea.paused ? "Play (Space)" : "Pause (Space)")) {
+        sea.paused = !sea.paused;
     }
     ImGui::SameLine();
     if (ImGui::Button("To start")) {
-        sea.clock.go_to(sea.sea().parameters.time.start);
+        sea.go_to(sea.sea().parameters.time.start);
         state.touched = true;
     }
     ImGui::SameLine();
     if (ImGui::Button("To end")) {
-        sea.clock.go_to(sea.performed_until());
+        sea.go_to(sea.take_end());
         state.touched = true;
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("To the last change that was performed");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("To the last change of the take");
+    ImGui::SameLine();
+    if (ImGui::Button(sea.recording() ? "Stop (R)###record" : "Record (R)###record")) {
+        state.record = true;
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(
+            "Changes of gliding parameters become a take of the sea, which is saved\n"
+            "with it and plays everywhere; what the take has later goes");
+    }
     ImGui::PushItemWidth(150.0f);
-    double time = sea.clock.time();
+    double time = sea.time();
     if (ImGui::DragScalar("Time", ImGuiDataType_Double, &time, 0.05f, nullptr, nullptr, "%.2f s")) {
-        sea.clock.go_to(std::clamp(time, -1e9, 1e9));
+        sea.go_to(std::clamp(time, -1e9, 1e9));
         state.touched = true;
     }
-    slider(state, "Speed", sea.clock.speed, 0.05f, 20.0f, "%.2f x", ImGuiSliderFlags_Logarithmic);
+    slider(state, "Speed", sea.speed, 0.05f, 20.0f, "%.2f x", ImGuiSliderFlags_Logarithmic);
     ImGui::PopItemWidth();
 }
 
 void picture(PanelState& state) {
     ImGui::PushItemWidth(150.0f);
-    const std::vector<std::string> views = preview::view_names();
-    const auto current = static_cast<std::size_t>(state.view);
-    if (ImGui::BeginCombo("View", views[current].c_str())) {
-        for (std::size_t i = 0; i < views.size(); ++i) {
-            if (ImGui::Selectable(views[i].c_str(), i == current)) {
-                state.view = preview::view_of(views[i]);
+    if (ImGui::BeginCombo("View (V)", state.view.c_str())) {
+        for (const std::string& view : all_view_names()) {
+            if (ImGui::Selectable(view.c_str(), view == state.view)) {
+                state.view = view;
                 state.touched = true;
             }
         }
@@ -333,14 +339,31 @@ void numbers(const LiveSea& sea, const preview::ShownSea& shown, const PanelStat
                 shown.peak_period, shown.mean_square_slope);
     const double settling = sea.foam_settling();
     // A line that comes and goes would move what is under the mouse.
-    if (settling > 0.0) {
-        ImGui::Text("foam settling: %.1f s", settling);
-    } else {
-        ImGui::TextUnformatted("foam settled");
-    }
+    const std::string foam =
+        settling > 0.0 ? format_text("foam settling: %.1f s", settling) : "foam settled";
+    const std::size_t changes = sea.sea().take.events.size();
+    ImGui::Text("%s   %s %zu changes", foam.c_str(),
+                sea.recording() ? "RECORDING," : "take:", changes);
     ImGui::Text("sea %.1f ms   draw %.1f ms   panel %.1f ms", state.times.sea, state.times.draw,
                 state.times.panel);
-    ImGui::TextDisabled("%s", state.computed_by.c_str());
+    ImGui::TextDisabled("%s", state.drawn_by.c_str());
+}
+
+/// What computes the sea, and what each that has computed takes for a frame.
+void choose_backend(PanelState& state) {
+    ImGui::SetNextItemWidth(150.0f);
+    if (!ImGui::BeginCombo("Computed by", state.backend.c_str())) return;
+    for (const BackendRow& row : state.backends) {
+        std::string words = row.name;
+        if (row.milliseconds > 0.0) words += format_text("   %.1f ms", row.milliseconds);
+        if (!row.why_not.empty()) words += "   " + row.why_not;
+        const ImGuiSelectableFlags flags =
+            row.why_not.empty() ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+        if (ImGui::Selectable(words.c_str(), row.name == state.backend, flags)) {
+            state.backend_asked = row.name;
+        }
+    }
+    ImGui::EndCombo();
 }
 
 /// What was written or refused, at the foot of the window; and what the mouse points at.
@@ -361,6 +384,29 @@ void speak(const PanelState& state) {
 
 }  // namespace
 
+void toggle_recording(LiveSea& sea, PanelState& state) {
+    state.touched = true;
+    const bool stops = sea.recording();
+    const std::size_t changes = sea.sea().take.events.size();
+    try {
+        if (stops) {
+            sea.stop_recording();
+            state.message =
+                format_text("recorded: the take has %zu changes; save the sea to keep it", changes);
+            return;
+        }
+        Sea before = sea.sea();
+        sea.start_recording();
+        const std::size_t dropped = changes - sea.sea().take.events.size();
+        state.message = "recording";
+        if (dropped == 0) return;
+        state.message += format_text("; %zu later changes of the take were dropped", dropped);
+        state.changes.push_back({"the take", "what it was", std::move(before)});
+    } catch (const Error& error) {
+        state.message = error.what();
+    }
+}
+
 void undo(LiveSea& sea, PanelState& state) {
     if (state.changes.empty()) {
         state.message = "nothing to take back";
@@ -368,7 +414,9 @@ void undo(LiveSea& sea, PanelState& state) {
     }
     const Change change = state.changes.back();
     if (change.sea) {
+        const double time = sea.time();
         sea.open(*change.sea);
+        sea.go_to(time);
         state.touched = true;
     } else if (!try_to_set(sea, state, change.path, change.before)) {
         return;
@@ -381,9 +429,11 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
                 PanelState& state) {
     speak(state);
     if (!state.shown) return;
-    ImGui::SetNextWindowPos({8.0f, 8.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({kWidth, std::max(200.0f, ImGui::GetIO().DisplaySize.y - 16.0f)},
-                             ImGuiCond_FirstUseEver);
+    constexpr float kMargin = 8.0f;
+    ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(
+        {kPanelWidth - 2.0f * kMargin, std::max(200.0f, ImGui::GetIO().DisplaySize.y - 16.0f)},
+        ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Sea (Tab hides)")) {
         transport(sea, state);
         numbers(sea, shown, state);
@@ -393,6 +443,9 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Ctrl Z");
         ImGui::SameLine();
         if (ImGui::Button("Save picture (F12)")) state.save_picture = true;
+        ImGui::SameLine();
+        if (ImGui::Button("Reload")) state.reload = true;
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("The sea file, as it is now (Ctrl R)");
         if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) picture(state);
         if (ImGui::CollapsingHeader("Camera")) camera_rows(camera, state);
         ImGui::Separator();
@@ -401,6 +454,7 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         ImGui::SetNextItemWidth(150.0f);
         if (ImGui::InputText("Search (/)", search, sizeof search)) state.search = search;
         choose_preset(sea, state);
+        choose_backend(state);
         Rows rows(sea, state);
         const std::size_t systems = sea.sea().parameters.waves.size();
         for (std::size_t wave = 0; wave < systems; ++wave) {

@@ -14,11 +14,21 @@
 
 namespace ocean::app {
 
+/// With a margin on either side, pixels.
+inline constexpr float kPanelWidth = 376.0f;
+
 /// What one frame cost, in milliseconds.
 struct FrameTimes {
     double sea = 0.0;
     double draw = 0.0;
     double panel = 0.0;
+};
+
+/// What the sea can be computed by.
+struct BackendRow {
+    std::string name;
+    std::string why_not;  // empty: it can
+    double milliseconds;  // of the last frame that it computed; 0: none yet
 };
 
 /// What was there before a person changed it: a parameter, or the whole sea.
@@ -31,24 +41,31 @@ struct Change {
 /// What the panel changes beside the sea, and what it says.
 struct PanelState {
     preview::Look look;
-    preview::View view = preview::View::shaded;
+    std::string view = "shaded";  // one of all_view_names()
     bool wireframe = false;
     bool shown = true;
     bool probing = false;
     std::string search;
     std::string message;      // the last one, an error or what was written
     std::string under_mouse;  // what the probe found
-    std::string computed_by;  // "llvmpipe; the sea by the processor"
+    std::string drawn_by;     // "llvmpipe ..., OpenGL 4.5"
+    std::vector<BackendRow> backends;
+    std::string backend;  // of them
     FrameTimes times;
     std::vector<Change> changes;  // the last one last
 
     // What a person asked for in this frame.
     bool save_sea = false;
     bool save_picture = false;
+    bool reload = false;
+    bool record = false;  // starts or stops
     bool reset_camera = false;
+    std::optional<std::string> backend_asked;
     bool touched = false;  // anything at all: the picture is another one
 };
 
+/// Starts or stops recording; taken back like any change.
+void toggle_recording(LiveSea& sea, PanelState& state);
 /// Takes the last change back: of a live parameter it glides back, from now on.
 void undo(LiveSea& sea, PanelState& state);
 

@@ -9,6 +9,7 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
+#include "stage_picture.hpp"
 
 namespace ocean::app {
 namespace {
@@ -117,15 +118,18 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            NotEmpty{}, "--offscreen"},
           {"--frames", &words.frames, "LIST", "1-250x2, in comma lists; of --record"},
           {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
-          {"--view", &words.view, "VIEW", "What is shown", kOptional, OneOf{preview::view_names()}},
+          {"--view", &words.view, "VIEW",
+           "What is shown; of h0, spectrum (h(k, t)) and butterfly a pixel for each wave",
+           kOptional, OneOf{all_view_names()}},
           {"--wireframe", &words.wireframe, "", "The mesh alone"},
           {"--probe", &words.probes, "X,Y",
            "Print the height that is drawn at a place of the world, metres, and that of the "
            "maps there; may be given more than once"}}},
         {"Computing",
          {{"--backend", &words.backend, "NAME",
-           "What computes the sea: gl, cpu, or auto: gl on a real GPU of OpenGL 4.3 (default)",
-           kOptional, OneOf{{"auto", "cpu", "gl"}}},
+           "What computes the sea: auto (default) is gl on a real GPU of OpenGL 4.3, else cpu; "
+           "radix2, dft and thesis are there to compare with",
+           kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}},
           {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
           {"--foam-map", &words.foam_map, "N", "Samples of the map of foam"},
           {"--cells", &words.cells, "N", "Of a level of the mesh, 16 .. 512 in steps of 8"},
@@ -145,11 +149,9 @@ PreviewOptions preview_options(const PreviewWords& words) {
     if (words.exposure) look.exposure = within(*words.exposure, "--exposure", 0.0, 1000.0);
     if (words.haze) look.haze_distance = within(*words.haze, "--haze", 10.0, 1e9);
     if (!words.water.empty()) look.water_type = words.water;
-    options.view = preview::view_of(words.view);
+    options.view = words.view;
     options.size = picture_size(words.size);
-    options.computer = words.backend == "gl"    ? Computer::gpu
-                       : words.backend == "cpu" ? Computer::processor
-                                                : Computer::best;
+    options.backend = words.backend;
     if (words.map) options.map = power_of_two(*words.map, "--map");
     if (words.foam_map) options.foam_map = power_of_two(*words.foam_map, "--foam-map");
     if (words.cells) {

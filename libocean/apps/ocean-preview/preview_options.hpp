@@ -27,15 +27,12 @@ struct PreviewWords {
     bool wireframe = false;
 };
 
-/// What computes the maps.
-enum class Computer { best, processor, gpu };
-
 struct PreviewOptions {
     preview::Camera camera;
     preview::Look look;
-    preview::View view = preview::View::shaded;
+    std::string view = "shaded";  // or a stage of the transform
     std::array<int, 2> size = {1280, 720};
-    Computer computer = Computer::best;
+    std::string backend = "auto";  // of the maps
     std::optional<int> map;
     std::optional<int> foam_map;
     std::optional<int> cells;

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "console.hpp"
+#include "gamepad.hpp"
 #include "live_sea.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
@@ -29,6 +30,8 @@
 #include "ocean/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel.hpp"
+#include "stage_picture.hpp"
+#include "stage_timer.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
@@ -164,26 +167,32 @@ std::string free_name(const std::string& stem, const std::string& ending) {
 
 class Preview {
   public:
-    Preview(const PreviewOptions& options, const Sea& sea, const std::string& source,
+    Preview(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
             const Context& context, GLFWwindow* window, Events& events)
         : options_(options),
           context_(context),
-          stem_(stem_of(source)),
+          source_(source),
+          stem_(stem_of(source.source)),
           window_(window),
           events_(events),
           info_(gl::context_info()),
-          computes_(options.computer == Computer::gpu ||
-                    (options.computer == Computer::best && computes_well(info_))),
-          work_(workload_for(options, sea, info_, computes_)),
-          renderer_(work_.renderer),
-          sea_(sea, context.options.threads, work_.maps, renderer_.most_cascades()),
+          backend_(preview_backend(options.backend).value_or(best_backend(info_))),
+          renderer_(renderer_for(options, info_)),
+          sea_(sea, {.threads = context.options.threads,
+                     .computing = [this](const Sea& of) { return computing(of); },
+                     .most_cascades = renderer_.most_cascades()}),
           camera_(options.camera) {
-        if (options.time) sea_.clock.go_to(*options.time);
-        if (options.frame) sea_.clock.go_to(sea.time_of(*options.frame));
+        if (options.time) sea_.go_to(*options.time);
+        if (options.frame) sea_.go_to(sea.time_of(*options.frame));
+        kept_take_ = write_take(sea.take);
         state_.look = options.look;
         state_.view = options.view;
         state_.wireframe = options.wireframe;
-        state_.computed_by = info_.renderer + (computes_ ? "" : "; the sea by the processor");
+        state_.drawn_by = info_.renderer;
+        if (info_.software) state_.drawn_by += "\na processor: fewer pixels, smaller maps";
+        for (const Backend& backend : preview_backends()) {
+            state_.backends.push_back({std::string(backend.name), "", 0.0});
+        }
     }
 
     void run() {
@@ -192,21 +201,35 @@ class Preview {
             wait_for_something();
             const double seconds = std::min(0.25, milliseconds_since(before) / 1000.0);
             before = Clock::now();
-            sea_.advance(seconds);
+            if (!guarded([&] { sea_.advance(seconds); })) sea_.paused = true;
             if (step(seconds)) frames_to_draw_ = 3;
-            if (frames_to_draw_ > 0 || !sea_.clock.paused || sea_.fading()) draw();
+            if (frames_to_draw_ > 0 || !sea_.paused || sea_.fading()) draw();
             if (frames_to_draw_ > 0) --frames_to_draw_;
             events_.forget();
         }
+        // What was recorded is dear, and was not to be lost with the window.
+        const std::string take = write_take(sea_.sea().take);
+        if (!take.empty() && take != kept_take_) save_sea();
     }
 
   private:
+    /// By the chosen backend, or where that cannot, as a grid that has grown is too large for it,
+    /// by the best that can.
+    Computing computing(const Sea& of) {
+        if (const std::string reason = why_not(backend_, of, info_); !reason.empty()) {
+            state_.message = std::string(backend_.name) + " " + reason;
+            backend_ = best_backend(info_);
+        }
+        return computing_for(backend_, options_, of, info_);
+    }
+
     /// While the sea stands still nothing is done but what a person wants.
     void wait_for_something() {
         const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-        const bool still = sea_.clock.paused && !sea_.fading() && frames_to_draw_ == 0;
+        const bool still = sea_.paused && !sea_.fading() && frames_to_draw_ == 0;
         if (iconified || still) {
-            glfwWaitEventsTimeout(0.25);
+            // A gamepad tells of nothing: it is asked.
+            glfwWaitEventsTimeout(gamepad_.is_there() && !iconified ? 0.03 : 0.25);
         } else {
             glfwPollEvents();
         }
@@ -234,21 +257,22 @@ class Preview {
         };
         on(GLFW_KEY_F12, [&] { picture_asked_ = true; });
         if (!io.WantTextInput) {
-            on(GLFW_KEY_ESCAPE, [&] { glfwSetWindowShouldClose(window_, GLFW_TRUE); });
-            on(GLFW_KEY_SPACE, [&] { sea_.clock.paused = !sea_.clock.paused; });
+            on(GLFW_KEY_ESCAPE, [&] {
+                // A list that is open is what is meant.
+                if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+                    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+                }
+            });
+            on(GLFW_KEY_SPACE, [&] { sea_.paused = !sea_.paused; });
             on(GLFW_KEY_TAB, [&] { state_.shown = !state_.shown; });
             on(GLFW_KEY_F, [&] { state_.wireframe = !state_.wireframe; });
             on(GLFW_KEY_P, [&] { state_.probing = !state_.probing; });
-            on(GLFW_KEY_V, [&] {
-                const auto views = static_cast<int>(preview::view_names().size());
-                state_.view =
-                    static_cast<preview::View>((static_cast<int>(state_.view) + 1) % views);
-            });
-            on(GLFW_KEY_C, [&] {
-                camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
-            });
-            if (std::ranges::find(events_.with_ctrl, GLFW_KEY_Z) != events_.with_ctrl.end()) {
-                undo(sea_, state_);
+            on(GLFW_KEY_V, [&] { next_view(); });
+            on(GLFW_KEY_C, [&] { next_camera(); });
+            on(GLFW_KEY_R,
+               [&] { with_ctrl(GLFW_KEY_R) ? reload() : toggle_recording(sea_, state_); });
+            if (with_ctrl(GLFW_KEY_Z)) {
+                guarded([&] { undo(sea_, state_); });
                 acted = true;
             }
             input.ahead = axis(GLFW_KEY_W, GLFW_KEY_S);
@@ -268,74 +292,157 @@ class Preview {
         }
         mouse_x_ = x;
         mouse_y_ = y;
-        add_joystick(input, seconds);
+        gamepad_.read();
+        gamepad_.add_to(input, seconds);
+        const auto pushed = [&](Gamepad::Button button, auto&& act) {
+            if (!gamepad_.pressed(button)) return;
+            act();
+            acted = true;
+        };
+        pushed(Gamepad::pause, [&] { sea_.paused = !sea_.paused; });
+        pushed(Gamepad::camera, [&] { next_camera(); });
+        pushed(Gamepad::view, [&] { next_view(); });
+        pushed(Gamepad::reset, [&] { camera_.reset(options_.camera); });
         const bool moves = input.ahead != 0.0 || input.right != 0.0 || input.up != 0.0 ||
                            input.turn_left != 0.0 || input.turn_up != 0.0 || input.closer != 0.0;
         const bool rides = camera_.mode == CameraMode::walk || camera_.mode == CameraMode::floating;
-        if (moves || (rides && !sea_.clock.paused) || acted) {
-            camera_.step(input, seconds, sea_.ocean(), sea_.clock.time());
+        if (moves || (rides && !sea_.paused) || acted) {
+            guarded([&] { camera_.step(input, seconds, sea_.ocean(), sea_.time()); });
         }
         return moves || acted;
     }
 
-    void add_joystick(CameraInput& input, double seconds) {
-        GLFWgamepadstate pad;
-        if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad) == GLFW_FALSE) return;
-        const auto stick = [&](int number) {
-            const auto value = static_cast<double>(pad.axes[number]);
-            return std::abs(value) < 0.15 ? 0.0 : value;
-        };
-        constexpr double kTurn = 90.0;  // degrees a second
-        input.right += stick(GLFW_GAMEPAD_AXIS_LEFT_X);
-        input.ahead -= stick(GLFW_GAMEPAD_AXIS_LEFT_Y);
-        input.turn_left -= kTurn * seconds * stick(GLFW_GAMEPAD_AXIS_RIGHT_X);
-        input.turn_up -= kTurn * seconds * stick(GLFW_GAMEPAD_AXIS_RIGHT_Y);
-        input.up += 0.5 * (static_cast<double>(pad.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER]) -
-                           static_cast<double>(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER]));
+    bool with_ctrl(int key) const {
+        return std::ranges::find(events_.with_ctrl, key) != events_.with_ctrl.end();
+    }
+
+    void next_view() {
+        const std::vector<std::string> views = all_view_names();
+        const auto at = std::ranges::find(views, state_.view) - views.begin();
+        state_.view = views[static_cast<std::size_t>(at + 1) % views.size()];
+    }
+
+    void next_camera() {
+        camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
     }
 
     void draw() {
         glfwGetFramebufferSize(window_, &width_, &height_);
         if (width_ == 0 || height_ == 0) return;  // an icon
-        auto start = Clock::now();
-        const preview::ShownSea shown = sea_.show();
-        state_.times.sea = milliseconds_since(start);
+        if (!guarded([&] { sea_timer_.measure([&] { shown_ = sea_.show(); }); })) {
+            sea_.paused = true;
+        }
+        state_.times.sea = sea_timer_.milliseconds();
+        list_backends();
 
-        start = Clock::now();
-        draw_sea(shown);
-        state_.times.draw = milliseconds_since(start);
+        draw_timer_.measure([&] { draw_sea(); });
+        state_.times.draw = draw_timer_.milliseconds();
 
-        start = Clock::now();
-        look_under_mouse();
+        const auto start = Clock::now();
+        guarded([&] { look_under_mouse(); });
         Gui::begin(window_, events_.keys);
         state_.touched = state_.save_sea = state_.save_picture = state_.reset_camera = false;
-        draw_panel(sea_, shown, camera_, state_);
+        state_.reload = state_.record = false;
+        state_.backend_asked.reset();
+        show_stage();
+        guarded([&] { draw_panel(sea_, shown_, camera_, state_); });
         Gui::end();
         state_.times.panel = milliseconds_since(start);
         glfwSwapBuffers(window_);
+        do_what_was_asked();
+    }
 
+    void do_what_was_asked() {
         if (state_.touched) frames_to_draw_ = 3;
         if (state_.reset_camera) camera_.reset(options_.camera);
+        if (state_.record) toggle_recording(sea_, state_);
+        if (state_.reload) reload();
+        if (state_.backend_asked) {
+            backend_ = preview_backend(*state_.backend_asked).value_or(backend_);
+            guarded([&] {
+                sea_.compute_anew();
+                context_.console.note("the sea by " + std::string(sea_.computing().backend.name));
+            });
+        }
         if (state_.save_sea) save_sea();
         if (state_.save_picture || std::exchange(picture_asked_, false)) save_picture();
     }
 
-    void draw_sea(const preview::ShownSea& shown) {
-        const int width = std::max(16, static_cast<int>(std::lround(width_ * work_.scale)));
-        const int height = std::max(16, static_cast<int>(std::lround(height_ * work_.scale)));
+    /// What can compute the sea, and what it takes; a moment after it was chosen, when shaders are
+    /// compiled and memory is there.
+    void list_backends() {
+        const std::string now(sea_.computing().backend.name);
+        frames_of_backend_ = now == state_.backend ? frames_of_backend_ + 1 : 0;
+        state_.backend = now;
+        const std::span<const Backend> all = preview_backends();
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            BackendRow& row = state_.backends[i];
+            row.why_not = why_not(all[i], sea_.sea(), info_);
+            if (row.name == now && frames_of_backend_ > 2 && !sea_.fading()) {
+                row.milliseconds = state_.times.sea;
+            }
+        }
+    }
+
+    void draw_sea() {
+        const int width = std::max(16, static_cast<int>(std::lround(width_ * scale_)));
+        const int height = std::max(16, static_cast<int>(std::lround(height_ * scale_)));
         if (!canvas_ || width != canvas_width_ || height != canvas_height_) {
             canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8);
             canvas_width_ = width;
             canvas_height_ = height;
         }
+        if (shows_stage()) return draw_stage();
         canvas_->bind();
         preview::DrawOptions options;
         options.width = width;
         options.height = height;
-        options.view = state_.view;
+        options.view = preview::view_of(state_.view);
         options.wireframe = state_.wireframe;
-        renderer_.draw(shown, camera_.camera(), state_.look, options);
+        renderer_.draw(shown_, camera_.camera(), state_.look, options);
         canvas_->copy_to_window(width_, height_);
+    }
+
+    bool shows_stage() const { return std::ranges::count(stage_picture_names(), state_.view) != 0; }
+
+    /// A stage of the transform, as large as the window lets it be.
+    void draw_stage() {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+        const std::string view = state_.view;
+        if (!guarded([&] {
+                stage_ = make_stage_picture(stages_, sea_.ocean(), sea_.time(), 0, view);
+            })) {
+            state_.view = "shaded";
+            return;
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        if (!stage_texture_) stage_texture_ = gl::Texture(make_name());
+        glBindTexture(GL_TEXTURE_2D, stage_texture_.name());
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, stage_.width, stage_.height, 0, GL_RGB,
+                     GL_UNSIGNED_BYTE, stage_.rgb.data());
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    }
+
+    static GLuint make_name() {
+        GLuint name = 0;
+        glGenTextures(1, &name);
+        return name;
+    }
+
+    /// A square beside the panel, of the butterfly too, which is a few pixels wide.
+    void show_stage() {
+        if (!shows_stage() || !stage_texture_) return;
+        const ImVec2 size = ImGui::GetIO().DisplaySize;
+        const float left = state_.shown ? std::min(kPanelWidth, 0.5f * size.x) : 0.0f;
+        const float side = std::min(size.x - left, size.y);
+        const ImVec2 low{left + 0.5f * (size.x - left - side), 0.5f * (size.y - side)};
+        ImGui::GetBackgroundDrawList()->AddImage(
+            reinterpret_cast<void*>(static_cast<std::uintptr_t>(stage_texture_.name())), low,
+            {low.x + side, low.y + side}, {0.0f, 1.0f}, {1.0f, 0.0f});
     }
 
     /// The sea where the mouse points, by the query: a few steps along the line of sight.
@@ -350,7 +457,7 @@ class Preview {
         WorldPoint point{(*place)[0], (*place)[1]};
         QuerySample sample{};
         for (int i = 0; i < 3; ++i) {
-            sea_.ocean().query(sea_.clock.time(), {&point, 1}, {&sample, 1}, {.foam = false});
+            sea_.ocean().query(sea_.time(), {&point, 1}, {&sample, 1}, {.foam = false});
             const auto nearer =
                 camera_.camera().meet_level(mouse_x_ / width, mouse_y_ / height,
                                             static_cast<double>(width) / height, sample.height);
@@ -363,58 +470,101 @@ class Preview {
     }
 
     void save_sea() {
-        guarded([&] {
-            const std::string name = free_name(stem_ + "-performed", ".toml");
+        write([&] {
+            const std::string name =
+                free_name(stem_ + (sea_.sea().take.empty() ? "-changed" : "-performed"), ".toml");
             io::write_file_atomically(name, write_sea(sea_.sea()));
+            kept_take_ = write_take(sea_.sea().take);
             return name;
         });
     }
 
     void save_picture() {
-        guarded([&] {
+        write([&] {
             const std::string name = free_name(stem_, ".png");
-            if (canvas_) io::write_png(name, canvas_width_, canvas_height_, canvas_->rgb());
+            if (shows_stage()) {
+                io::write_png(name, stage_.width, stage_.height, stage_.rgb);
+            } else if (canvas_) {
+                io::write_png(name, canvas_width_, canvas_height_, canvas_->rgb());
+            }
             return name;
         });
     }
 
     template <typename Write>
-    void guarded(Write&& write) {
-        try {
+    void write(Write&& write) {
+        guarded([&] {
             state_.message = "written: " + write();
             context_.console.note(state_.message);
+        });
+        frames_to_draw_ = 3;
+    }
+
+    /// The sea file as it is now; the one that is shown stays where that is not there or is bad.
+    void reload() {
+        open([&] { return open_sea(source_); });
+    }
+
+    template <typename Open>
+    void open(Open&& open) {
+        guarded([&] {
+            Sea before = sea_.sea();
+            sea_.open(open());
+            kept_take_ = write_take(sea_.sea().take);
+            state_.changes.push_back({"the sea", "what it was", std::move(before)});
+            state_.message = "opened: " + source_.source;
+        });
+        frames_to_draw_ = 3;
+    }
+
+    /// Whether it was done; why not is said in the window.
+    template <typename Work>
+    bool guarded(Work&& work) {
+        try {
+            work();
+            return true;
         } catch (const Error& error) {
             state_.message = error.what();
+            return false;
         }
-        frames_to_draw_ = 3;
     }
 
     const PreviewOptions& options_;
     const Context& context_;
+    SeaArgument source_;
     std::string stem_;
+    std::string kept_take_;  // in a file
     GLFWwindow* window_;
     Events& events_;
     gl::ContextInfo info_;
-    bool computes_;
-    Workload work_;
+    Backend backend_;  // chosen
+    PanelState state_;
     preview::Renderer renderer_;
     LiveSea sea_;
+    preview::ShownSea shown_;
     CameraControl camera_;
-    PanelState state_;
+    Gamepad gamepad_;
+    StageTimer sea_timer_, draw_timer_;
+    gl::StageMaker stages_;
+    StagePicture stage_;
+    gl::Texture stage_texture_;
     std::unique_ptr<preview::Canvas> canvas_;
     int canvas_width_ = 0, canvas_height_ = 0;
     int width_ = 0, height_ = 0;
     double mouse_x_ = 0.0, mouse_y_ = 0.0;
+    double scale_ = pixel_scale(info_);
     int frames_to_draw_ = 3;
+    int frames_of_backend_ = 0;
     bool picture_asked_ = false;  // of what is drawn next
 };
 
 }  // namespace
 
-void run_window(const PreviewOptions& options, const Sea& sea, const std::string& source,
+void run_window(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
                 const Context& context) {
     const Windows windows;
-    const Window window = open_window(options.size[0], options.size[1], "ocean-preview: " + source);
+    const Window window =
+        open_window(options.size[0], options.size[1], "ocean-preview: " + source.source);
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     Events events;

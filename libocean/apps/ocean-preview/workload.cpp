@@ -3,8 +3,11 @@
 #include "workload.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "ocean/cascades.hpp"
+#include "ocean/error.hpp"
+#include "ocean/gl/backend.hpp"
 
 namespace ocean::app {
 namespace {
@@ -15,29 +18,83 @@ constexpr int kSoftwareMap = 256;
 constexpr int kSoftwareFoamMap = 512;
 constexpr int kSoftwareCells = 64;
 constexpr double kSoftwareScale = 0.5;
+/// Direct sums are N^3 work.
+constexpr int kLargestDft = 64;
+
+bool has_compute(const gl::ContextInfo& context) {
+    return context.major > 4 || (context.major == 4 && context.minor >= 3);
+}
 
 }  // namespace
 
-bool computes_well(const gl::ContextInfo& context) {
-    const bool has_compute = context.major > 4 || (context.major == 4 && context.minor >= 3);
-    return has_compute && !context.software;
+std::span<const Backend> preview_backends() {
+    static const std::array<Backend, 5> backends = {gl::kBackend, Backend::cpu, Backend::radix2,
+                                                    Backend::dft, gl::kThesisBackend};
+    return backends;
 }
 
-Workload workload_for(const PreviewOptions& options, const Sea& sea, const gl::ContextInfo& context,
-                      bool computes) {
-    Workload work;
-    work.maps.compute = computes;
-    if (context.software) {
-        const Grid& grid = sea.parameters.grid;
-        work.maps.cascade_resolution = std::min(grid.resolution, kSoftwareMap);
-        work.maps.foam_resolution = std::min(default_map_resolution(grid), kSoftwareFoamMap);
-        work.renderer.cells = kSoftwareCells;
-        work.scale = kSoftwareScale;
+std::optional<Backend> preview_backend(const std::string& name) {
+    if (name == "auto") return std::nullopt;
+    for (const Backend& backend : preview_backends()) {
+        if (backend.name == name) return backend;
     }
-    if (options.map) work.maps.cascade_resolution = *options.map;
-    if (options.foam_map) work.maps.foam_resolution = *options.foam_map;
-    if (options.cells) work.renderer.cells = *options.cells;
-    return work;
+    throw Error(ErrorKind::invalid_value, "there is no backend '" + name + "'");
+}
+
+bool computes_by_shaders(const Backend& backend) {
+    return backend == gl::kBackend || backend == gl::kThesisBackend;
+}
+
+std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInfo& context) {
+    if (computes_by_shaders(backend) && !has_compute(context)) {
+        return "needs OpenGL 4.3; this is " + std::to_string(context.major) + "." +
+               std::to_string(context.minor);
+    }
+    const int resolution = sea.parameters.grid.resolution;
+    if (backend == Backend::dft && resolution > kLargestDft) {
+        return "takes seas of at most " + std::to_string(kLargestDft) +
+               " samples a side; grid.resolution is " + std::to_string(resolution);
+    }
+    return "";
+}
+
+const Backend& best_backend(const gl::ContextInfo& context) {
+    return has_compute(context) && !context.software ? gl::kBackend : Backend::cpu;
+}
+
+Computing computing_for(const Backend& backend, const PreviewOptions& options, const Sea& sea,
+                        const gl::ContextInfo& context) {
+    if (const std::string reason = why_not(backend, sea, context); !reason.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "backend " + std::string(backend.name) + ": " + reason);
+    }
+    Computing computing{backend, {}};
+    preview::SeaMapsOptions& maps = computing.maps;
+    maps.compute = backend == gl::kBackend;
+    const Grid& grid = sea.parameters.grid;
+    if (context.software) {
+        maps.cascade_resolution = std::min(grid.resolution, kSoftwareMap);
+        maps.foam_resolution = std::min(default_map_resolution(grid), kSoftwareFoamMap);
+    }
+    if (options.map) maps.cascade_resolution = *options.map;
+    if (options.foam_map) maps.foam_resolution = *options.foam_map;
+    if (backend == Backend::dft) {
+        maps.cascade_resolution = grid.resolution;
+        maps.foam_resolution = kLargestDft;
+    }
+    return computing;
+}
+
+preview::RendererOptions renderer_for(const PreviewOptions& options,
+                                      const gl::ContextInfo& context) {
+    preview::RendererOptions renderer;
+    if (context.software) renderer.cells = kSoftwareCells;
+    if (options.cells) renderer.cells = *options.cells;
+    return renderer;
+}
+
+double pixel_scale(const gl::ContextInfo& context) {
+    return context.software ? kSoftwareScale : 1.0;
 }
 
 }  // namespace ocean::app

@@ -56,6 +56,9 @@ inline void delete_renderbuffer(GLuint name) {
 inline void delete_sampler(GLuint name) {
     glDeleteSamplers(1, &name);
 }
+inline void delete_query(GLuint name) {
+    glDeleteQueries(1, &name);
+}
 
 using Buffer = Object<delete_buffer>;
 using Texture = Object<delete_texture>;
@@ -65,6 +68,7 @@ using VertexArray = Object<delete_vertex_array>;
 using Sampler = Object<delete_sampler>;
 using Framebuffer = Object<delete_framebuffer>;
 using Renderbuffer = Object<delete_renderbuffer>;
+using Query = Object<delete_query>;
 
 template <typename Made, auto kGenerate>
 Made generate() {
@@ -83,6 +87,9 @@ inline Framebuffer make_framebuffer() {
 }
 inline Renderbuffer make_renderbuffer() {
     return generate<Renderbuffer, &glGenRenderbuffers>();
+}
+inline Query make_query() {
+    return generate<Query, &glGenQueries>();
 }
 
 }  // namespace ocean::gl

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "stage_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "ocean/backend.hpp"
+#include "ocean/error.hpp"
+#include "ocean/preview/picture.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr double kDecades = 4.0;
+
+std::uint8_t byte(double value) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+}
+
+/// The colour wheel of [Smith 1978] with full saturation.
+std::array<std::uint8_t, 3> wheel(double turns, double value) {
+    std::array<std::uint8_t, 3> rgb{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double place = turns + static_cast<double>(i) / 3.0;
+        const double away = std::abs(6.0 * (place - std::floor(place)) - 3.0);
+        rgb[i] = byte(value * std::clamp(away - 1.0, 0.0, 1.0));
+    }
+    return rgb;
+}
+
+std::array<std::uint8_t, 3> complex_colour(double re, double im, double largest) {
+    const double amplitude = std::hypot(re, im);
+    if (amplitude <= 0.0 || largest <= 0.0) return {0, 0, 0};
+    return wheel(std::atan2(im, re) / kTwoPi, 1.0 + std::log10(amplitude / largest) / kDecades);
+}
+
+}  // namespace
+
+std::vector<std::string> stage_picture_names() {
+    return {"h0", "spectrum", "butterfly"};
+}
+
+std::vector<std::string> all_view_names() {
+    std::vector<std::string> names = preview::view_names();
+    std::ranges::move(stage_picture_names(), std::back_inserter(names));
+    return names;
+}
+
+StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, std::size_t cascade,
+                                std::string_view name) {
+    const Modes& modes = sea.modes(time);
+    if (cascade >= modes.cascades.size()) {
+        throw Error(ErrorKind::invalid_value, "there is no cascade " + std::to_string(cascade) +
+                                                  "; allowed: 0 .. " +
+                                                  std::to_string(modes.cascades.size() - 1));
+    }
+    const int resolution = modes.cascades[cascade].lattice.resolution;
+    const gl::StageImage image =
+        maker.make(cascade_modes(modes, cascade, time, resolution), name, sea.pool());
+    const std::size_t channels = image.channels.size();
+    const std::size_t pixels = image.texels.size() / channels;
+    const auto texel = [&](std::size_t pixel, std::size_t channel) {
+        return static_cast<double>(image.texels[pixel * channels + channel]);
+    };
+    double largest = 0.0;
+    for (std::size_t p = 0; p < pixels; ++p) {
+        largest = std::max(largest, std::hypot(texel(p, 0), texel(p, 1)));
+    }
+    StagePicture picture{image.width, image.height, std::vector<std::uint8_t>(3 * pixels)};
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const std::array<std::uint8_t, 3> rgb =
+            name == "butterfly"
+                ? std::array{byte(0.5 + 0.5 * texel(p, 0)), byte(0.5 + 0.5 * texel(p, 1)),
+                             byte(texel(p, 2) / image.height)}
+                : complex_colour(texel(p, 0), texel(p, 1), largest);
+        std::ranges::copy(rgb, &picture.rgb[3 * p]);
+    }
+    return picture;
+}
+
+}  // namespace ocean::app

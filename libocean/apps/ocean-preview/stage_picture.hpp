@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What lies between the modes and the maps, as pictures: h0, h(k, t), the plan of the transform.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ocean/gl/stages.hpp"
+#include "ocean/ocean.hpp"
+
+namespace ocean::app {
+
+/// "h0", "spectrum", "butterfly".
+std::vector<std::string> stage_picture_names();
+/// And before them what the renderer can show of the water.
+std::vector<std::string> all_view_names();
+
+/// Red, green and blue of sRGB, the bottom row first.
+struct StagePicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+/// Of one of the sea's cascades:
+///   h0, spectrum  a pixel for each wavenumber, k = 0 in the middle; the colour's angle is the
+///                 phase, its brightness the logarithm of the amplitude over four decades
+///   butterfly     a column for each stage: red and green are the root, blue where it reads
+/// Throws Error; no_gpu where OpenGL 4.3 is not to be had.
+StagePicture make_stage_picture(gl::StageMaker& maker, Ocean& sea, double time, std::size_t cascade,
+                                std::string_view name);
+
+}  // namespace ocean::app

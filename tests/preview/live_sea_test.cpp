@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sea that is changed while it runs: what glides, what fades, what is kept, what is recorded.
+#include "ocean-preview/live_sea.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ocean-preview/workload.hpp"
+#include "ocean/error.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/seafile.hpp"
+#include "preview/shown_heights.hpp"
+#include "unit/test_seas.hpp"
+
+namespace ocean::app {
+namespace {
+
+class LiveSeaTest : public ::testing::Test {
+  protected:
+    void TearDown() override {
+        for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
+    }
+    static LiveSeaOptions options(const Backend& backend = Backend::cpu) {
+        return {.threads = 1, .computing = [backend](const Sea& sea) {
+                    return computing_for(backend, {}, sea, gl::context_info());
+                }};
+    }
+    static Sea windy_sea(int resolution = 32) {
+        Parameters parameters = test::wind_sea(resolution, 200.0);
+        parameters.waves.front().wind_speed = 15.0;
+        return {parameters, {}};
+    }
+    static double wind(const Parameters& parameters) {
+        return parameters.waves.front().wind_speed.value();
+    }
+
+  private:
+    const gl::HeadlessContext context_{{.debug = true}};
+    const gl::HeadlessContext::Current current_{context_};
+};
+
+constexpr const char* kWind = "waves.0.wind_speed";
+
+TEST_F(LiveSeaTest, WhatIsNotRecordedGlidesAndIsKeptAsAValue) {
+    LiveSea live(windy_sea(), options());
+    live.advance(1.0);
+    live.set(kWind, "20");
+    EXPECT_EQ(wind(live.now()), 15.0);  // it begins to glide
+    live.advance(0.5);
+    EXPECT_GT(wind(live.now()), 16.0);
+    EXPECT_LT(wind(live.now()), 20.0);
+    EXPECT_EQ(wind(live.sea().parameters), 20.0);
+    EXPECT_TRUE(live.sea().take.empty());
+    EXPECT_FALSE(live.fading());
+    // Back in time it holds from the start.
+    live.go_to(0.2);
+    EXPECT_EQ(wind(live.now()), 20.0);
+}
+
+TEST_F(LiveSeaTest, WhatIsRecordedIsATakeOnTopOfIt) {
+    LiveSea live(windy_sea(), options());
+    live.set(kWind, "12");
+    live.advance(3.0);
+    live.start_recording();
+    EXPECT_EQ(wind(live.now()), 12.0);
+    live.set("surface.choppiness", "0.5");
+    live.advance(1.0);
+    live.set(kWind, "18");
+    live.advance(1.0);
+    live.stop_recording();
+    ASSERT_EQ(live.sea().take.events.size(), 2u);
+    EXPECT_EQ(live.sea().take.events[0].seconds, 3.0);
+    EXPECT_EQ(live.sea().take.events[1].seconds, 4.0);
+    EXPECT_EQ(wind(live.sea().parameters), 12.0);
+    EXPECT_EQ(live.take_end(), 4.0);
+    // Of what the take plays there is no other value; what it does not play is free.
+    EXPECT_THROW(live.set(kWind, "9"), Error);
+    EXPECT_EQ(wind(live.sea().parameters), 12.0);
+    live.set("waves.0.wind_direction", "45");
+    EXPECT_EQ(live.sea().take.events.size(), 2u);
+    // It plays, also while something else is changed in its middle.
+    live.go_to(3.5);
+    live.set("waves.0.wind_direction", "60");
+    EXPECT_EQ(wind(live.now()), 12.0);
+    live.go_to(30.0);
+    EXPECT_EQ(wind(live.now()), 18.0);
+}
+
+TEST_F(LiveSeaTest, RecordingAnewDropsWhatTheTakeHasLater) {
+    LiveSea live(windy_sea(), options());
+    live.start_recording();
+    for (const char* speed : {"11", "12", "13"}) {
+        live.set(kWind, speed);
+        live.advance(1.0);
+    }
+    live.go_to(1.5);  // which ends it
+    EXPECT_FALSE(live.recording());
+    EXPECT_EQ(live.sea().take.events.size(), 3u);
+    live.start_recording();
+    EXPECT_EQ(live.sea().take.events.size(), 2u);
+    live.set(kWind, "6");
+    EXPECT_EQ(live.sea().take.events.back().seconds, 1.5);
+    // Another sea of the same take: applied, not recorded.
+    live.set("random.seed", "9");
+    EXPECT_TRUE(live.fading());
+    EXPECT_TRUE(live.recording());
+    EXPECT_EQ(live.sea().take.events.size(), 3u);
+    EXPECT_EQ(live.sea().parameters.seed, 9u);
+}
+
+TEST_F(LiveSeaTest, ALoopRefusesToRecordAndSaysWhy) {
+    Sea loop = windy_sea();
+    loop.parameters.time.loop_period = 20.0;
+    LiveSea live(loop, options());
+    try {
+        live.start_recording();
+        FAIL() << "a loop has no take";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("loop_period = 20"), std::string::npos);
+    }
+    EXPECT_FALSE(live.recording());
+    // Its live parameters are changed all the same, by fading.
+    live.set(kWind, "10");
+    EXPECT_TRUE(live.fading());
+    EXPECT_EQ(wind(live.sea().parameters), 10.0);
+    // A slider that is dragged does not wait for a fade to end.
+    live.advance(0.1);
+    live.set(kWind, "11");
+    EXPECT_EQ(wind(live.now()), 11.0);
+    EXPECT_EQ(wind(live.ocean().parameters()), 11.0);
+}
+
+TEST_F(LiveSeaTest, ASecondOtherSeaWaitsForTheFirst) {
+    LiveSea live(windy_sea(), options());
+    live.set("random.seed", "5");
+    live.advance(0.4);
+    live.set("random.seed", "6");
+    EXPECT_EQ(live.sea().parameters.seed, 6u);
+    EXPECT_EQ(live.now().seed, 6u);
+    EXPECT_EQ(live.ocean().parameters().seed, 5u);  // a jump would be seen
+    live.advance(0.7);
+    EXPECT_TRUE(live.fading());
+    EXPECT_EQ(live.ocean().parameters().seed, 6u);
+    live.advance(1.1);
+    EXPECT_FALSE(live.fading());
+}
+
+TEST_F(LiveSeaTest, WhatIsRefusedChangesNothing) {
+    LiveSea live(windy_sea(), options());
+    const std::string before = write_sea(live.sea());
+    EXPECT_THROW(live.set(kWind, "-3"), Error);
+    EXPECT_THROW(live.set("random.seed", "many"), Error);
+    EXPECT_THROW(live.set("grid.resolution", "33"), Error);
+    EXPECT_THROW(live.set("nothing", "1"), Error);
+    EXPECT_EQ(write_sea(live.sea()), before);
+    EXPECT_FALSE(live.fading());
+    live.show();
+    // A file that is not there, or not there any more, matters when it is asked for.
+    live.set("waves.0.file", "/there/is/none.txt");
+    const std::string named = write_sea(live.sea());
+    EXPECT_THROW(live.set("waves.0.spectrum", "measured"), Error);
+    EXPECT_EQ(write_sea(live.sea()), named);
+    live.show();
+}
+
+TEST_F(LiveSeaTest, HoursOfAKnobThatNeverRestsDoNotFillTheTake) {
+    LiveSea live(windy_sea(), options());
+    for (int i = 0; i < 9000; ++i) {
+        live.advance(1.0 / 60.0);
+        live.set("surface.choppiness", i % 2 == 0 ? "0.9" : "0.8");
+    }
+    EXPECT_TRUE(live.sea().take.empty());
+    EXPECT_LE(live.ocean().sea().take.events.size(), 2001u);
+}
+
+TEST_F(LiveSeaTest, EveryBackendShowsTheSameSea) {
+    LiveSea live(windy_sea(64), options());
+    live.go_to(7.0);
+    const std::vector<float> expected = test::shown_heights(live.show(), 64);
+    for (const Backend& backend : preview_backends()) {
+        LiveSea other(windy_sea(64), options(backend));
+        other.go_to(7.0);
+        const std::vector<float> found = test::shown_heights(other.show(), 64);
+        ASSERT_EQ(found.size(), expected.size());
+        double largest = 0.0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            largest = std::max(largest, std::abs(static_cast<double>(found[i] - expected[i])));
+        }
+        EXPECT_LT(largest, 1e-5 * live.ocean().state().significant_wave_height.asked)
+            << backend.name;
+    }
+}
+
+TEST_F(LiveSeaTest, BackendsAreExchangedWhileItRuns) {
+    Backend chosen = Backend::cpu;
+    LiveSea live(windy_sea(64), {.threads = 1, .computing = [&](const Sea& sea) {
+                                     return computing_for(chosen, {}, sea, gl::context_info());
+                                 }});
+    for (const Backend& backend : preview_backends()) {
+        chosen = backend;
+        live.compute_anew();
+        EXPECT_EQ(live.computing().backend.name, backend.name);
+        live.advance(0.1);
+        live.show();
+        live.set(kWind, backend == Backend::dft ? "9" : "10");
+        live.show();
+    }
+    chosen = Backend::dft;
+    live.compute_anew();
+    EXPECT_THROW(live.set("grid.resolution", "128"), Error);
+    EXPECT_EQ(live.sea().parameters.grid.resolution, 64);
+}
+
+}  // namespace
+}  // namespace ocean::app
