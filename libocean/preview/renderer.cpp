@@ -131,7 +131,8 @@ struct Renderer::Parts {
         b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y), 0.0, 0.0);
         b.grid_cell = glm::ivec4(static_cast<int>(std::floor(grid.x)),
                                  static_cast<int>(std::floor(grid.y)), 0, 0);
-        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle, 0.0);
+        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle,
+                           options.linear ? 1.0 : 0.0);
         b.view = glm::ivec4(static_cast<int>(options.view));
         b.range = glm::vec4(options.range[0], options.range[1], 0.0, 0.0);
         if (options.range[0] == 0.0 && options.range[1] == 0.0) {

@@ -21,7 +21,7 @@ layout(std140) uniform Frame {
     vec4 period;      // 1/period of the sea; whether copies hide its repetition: 0, 1
     vec4 grid_place;  // place of the eye in its square of the grid of copies
     ivec4 grid_cell;  // that square
-    vec4 look;        // exposure, distance of haze, angle of a pixel
+    vec4 look;        // exposure, distance of haze, angle of a pixel; 1: drawn is light itself
     ivec4 view;       // what is shown
     vec4 range;       // of the values that a view shows: least, most
     vec4 cascade[10];  // place of the eye in its period, 0 .. 1; 1/period, metres of a texel

@@ -198,7 +198,7 @@ void main() {
     Water state = water_at(label);
     float width = max(range.y - range.x, 1e-9);
     if (view.x == VIEW_SHADED) {
-        colour = vec4(screen_colour(shaded(state)), 1.0);
+        colour = vec4(drawn_colour(shaded(state)), 1.0);
     } else if (view.x == VIEW_NORMAL) {
         colour = vec4(0.5 + 0.5 * normal_of(state), 1.0);
     } else if (view.x == VIEW_SLOPE) {

@@ -146,6 +146,28 @@ def test_a_sequence_is_the_sea_frame_by_frame(folder):
     assert (pixels(folder / "alone.png") != pixels(folder / "out/sea.0003.png")).any()
 
 
+def screen(light: numpy.ndarray) -> numpy.ndarray:
+    """What shaders/preview/tone.glsl makes of light."""
+    above = numpy.maximum(light - 0.6, 0.0)
+    rolled = numpy.minimum(light, 0.6) + 0.4 * above / (above + 0.4)
+    return numpy.where(rolled < 0.0031308, 12.92 * rolled, 1.055 * rolled ** (1 / 2.4) - 0.055)
+
+
+def test_an_exr_picture_is_the_light_of_the_png(folder):
+    sun_ahead = ("sea.toml", "--size", "320x180", "--sun", "6,0", "--exposure", "1.7")
+    assert good(folder, *sun_ahead, "--offscreen", "a.exr") == "a.exr\n"
+    good(folder, *sun_ahead, "--offscreen", "a.png")
+    light, shown = pixels(folder / "a.exr"), pixels(folder / "a.png")
+    spec = oiio.ImageBuf(str(folder / "a.exr")).spec()
+    assert spec.channelnames == ("R", "G", "B") and spec.format == oiio.FLOAT
+    # Upright, and nothing is lost: the sun is far beyond what a screen shows.
+    assert numpy.abs(screen(light) - shown).max() < 0.6 / 255
+    assert light.max() > 50.0
+    # Twice the exposure is twice the light.
+    good(folder, *sun_ahead[:-1], "3.4", "--offscreen", "b.exr")
+    assert pixels(folder / "b.exr") == pytest.approx(2.0 * light, rel=1e-5)
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -178,8 +200,9 @@ def test_what_is_wrong_is_said(folder, arguments, words):
 def test_without_a_display_or_a_place_to_write_it_says_so(folder):
     done = run(folder, "sea.toml")
     assert done.returncode == 1 and "--offscreen" in done.stderr
-    done = run(folder, "sea.toml", "--offscreen", "no/folder/a.png", "--size", "64x36")
-    assert done.returncode == 1 and "no/folder/a.png" in done.stderr
+    for path in ("no/folder/a.png", "no/folder/a.exr"):
+        done = run(folder, "sea.toml", "--offscreen", path, "--size", "64x36")
+        assert done.returncode == 1 and path in done.stderr
     # Nor is the sea itself taken for a picture.
     done = run(folder, "sea.toml", "--offscreen", "sea.toml", "--size", "64x36")
     assert done.returncode == 2 and (folder / "sea.toml").read_text() == SEA

@@ -10,12 +10,11 @@
 #include "ocean/bake/frames.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/platform.hpp"
-#include "ocean/preview/canvas.hpp"
 #include "ocean/preview/probe.hpp"
 #include "ocean/text.hpp"
+#include "picture_file.hpp"
 #include "workload.hpp"
 
 namespace ocean::app {
@@ -68,18 +67,13 @@ class OffscreenRun {
 
     void draw(double time, const std::string& path) {
         const preview::ShownSea shown = maps_.show(sea_, time);
-        const auto [width, height] = options_.size;
-        if (!canvas_) canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8);
-        canvas_->bind();
         preview::DrawOptions draw;
-        draw.width = width;
-        draw.height = height;
+        draw.width = options_.size[0];
+        draw.height = options_.size[1];
         draw.view = options_.view;
         draw.wireframe = options_.wireframe;
-        renderer_.draw(shown, options_.camera, options_.look, draw);
-        const std::vector<std::uint8_t> pixels = canvas_->rgb();
         const InterruptWatch::Hold whole = context_.interrupts.hold();
-        io::write_png(path, width, height, pixels);
+        write_picture(path, renderer_, shown, options_.camera, options_.look, draw);
     }
 
     void record(const std::string& stem) {
@@ -109,7 +103,6 @@ class OffscreenRun {
     Workload work_;
     preview::SeaMaps maps_;
     preview::Renderer renderer_;
-    std::unique_ptr<preview::Canvas> canvas_;
 };
 
 }  // namespace

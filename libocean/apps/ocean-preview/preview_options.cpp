@@ -9,6 +9,7 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
+#include "picture_file.hpp"
 
 namespace ocean::app {
 namespace {
@@ -111,7 +112,10 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
            kOptional, OneOf{water_names()}}}},
         {"Picture",
-         {{"--offscreen", &words.offscreen, "FILE.png", "Write one picture; needs no display"},
+         {{"--offscreen", &words.offscreen, "FILE",
+           "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr its "
+           "light, "
+           "linear and times the exposure"},
           {"--record", &words.record, "FOLDER",
            "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display", kOptional,
            NotEmpty{}, "--offscreen"},
@@ -162,10 +166,7 @@ PreviewOptions preview_options(const PreviewWords& words) {
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
     options.time = words.time;
     options.frame = words.frame;
-    if (!words.offscreen.empty() && OutputPattern(words.offscreen).extension() != ".png") {
-        throw Error(ErrorKind::invalid_value,
-                    "--offscreen: '" + words.offscreen + "' does not end in .png");
-    }
+    if (!words.offscreen.empty()) require_picture_name(words.offscreen, "--offscreen");
     options.offscreen = words.offscreen;
     if (words.record.empty() != words.frames.empty()) {
         throw Error(ErrorKind::invalid_value, "--record FOLDER and --frames LIST go together");
