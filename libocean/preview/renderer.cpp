@@ -123,7 +123,9 @@ struct Renderer::Parts {
         b.sky_shadow = with(colours.shadow, colours.dusk);
         b.sky_light = with(colours.light, 0.0);
         b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
-        b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height, sea.unresolved_slope, 0.0);
+        const bool all = options.cascade < 0;
+        b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height,
+                            all ? sea.unresolved_slope : 0.0, 0.0);
         b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
         b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
@@ -144,7 +146,9 @@ struct Renderer::Parts {
         }
         for (std::size_t c = 0; c < sea.cascades.size(); ++c) {
             const ShownCascade& cascade = sea.cascades[c];
-            b.part[c] = glm::vec4(cascade.weight, cascade.sea_period / cascade.period, 0.0, 0.0);
+            const bool shown = all || cascade.number == options.cascade;
+            b.part[c] = glm::vec4(shown ? cascade.weight : 0.0, cascade.sea_period / cascade.period,
+                                  0.0, 0.0);
             b.cascade[c] = glm::vec4(fraction(camera.eye[0] / cascade.period),
                                      fraction(camera.eye[1] / cascade.period), 1.0 / cascade.period,
                                      cascade.period / cascade.resolution);

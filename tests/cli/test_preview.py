@@ -168,6 +168,24 @@ def test_an_exr_picture_is_the_light_of_the_png(folder):
     assert pixels(folder / "b.exr") == pytest.approx(2.0 * light, rel=1e-5)
 
 
+@pytest.mark.parametrize("view", ["shaded", "slope"])
+def test_one_cascade_alone(folder, view):
+    asked = ("sea.toml", "--set", "cascades=2", "--size", "160x90", "--view", view,
+             "--eye", "0,0,40", "--pitch", "-50")  # fmt: skip
+    pictures = []
+    for name, alone in (("all", ()), ("0", ("--cascade", 0)), ("1", ("--cascade", 1))):
+        good(folder, *asked, *alone, "--offscreen", f"{name}.png")
+        pictures.append(pixels(folder / f"{name}.png"))
+    # The short waves have the slopes, the long ones the heights.
+    assert rms(pictures[0], pictures[1]) > 0.01 and rms(pictures[1], pictures[2]) > 0.02
+    heights = [float(good(folder, "sea.toml", "--set", "cascades=2", "--set", "choppiness=0",
+                          "--probe", "3,4", *alone).split(",")[3])
+               for alone in ((), ("--cascade", 0), ("--cascade", 1))]  # fmt: skip
+    assert heights[1] + heights[2] == pytest.approx(heights[0], abs=1e-4)
+    done = run(folder, *asked, "--cascade", 2, "--offscreen", "no.png")
+    assert done.returncode == 2 and "--cascade is 2; the sea has 2, 0 .. 1" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -182,6 +200,8 @@ def test_an_exr_picture_is_the_light_of_the_png(folder):
         (("sea.toml", "--time", "1e10", "--probe", "0,0"), "time"),
         (("sea.toml", "--look-at", "1,1,1", "--heading", "3"), "--look-at"),
         (("sea.toml", "--probe", "1"), "--probe"),
+        (("sea.toml", "--cascade", "1"), "--cascade"),
+        (("sea.toml", "--cascade", "-1"), "--cascade"),
         (("sea.toml", "--frames", "1-3"), "--record"),
         (("sea.toml", "--view", "heights"), "--view"),
         (("none.toml",), "none.toml"),

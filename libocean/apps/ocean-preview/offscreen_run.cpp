@@ -53,7 +53,7 @@ class OffscreenRun {
         if (options_.probes.empty()) return;
         const preview::ShownSea shown = maps_.show(sea_, time);
         for (const auto& place : options_.probes) {
-            const auto found = preview::probe(renderer_, shown, options_.camera, place);
+            const auto found = preview::probe(renderer_, shown, options_.camera, place, cascade());
             std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
             if (found) {
                 for (const double value : {found->mesh_height, found->map_height,
@@ -72,6 +72,7 @@ class OffscreenRun {
         draw.height = options_.size[1];
         draw.view = options_.view;
         draw.wireframe = options_.wireframe;
+        draw.cascade = cascade();
         const InterruptWatch::Hold whole = context_.interrupts.hold();
         write_picture(path, renderer_, shown, options_.camera, options_.look, draw);
     }
@@ -92,6 +93,7 @@ class OffscreenRun {
     }
 
   private:
+    int cascade() const { return options_.cascade.value_or(-1); }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         return maps;

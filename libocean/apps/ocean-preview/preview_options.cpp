@@ -123,6 +123,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
           {"--view", &words.view, "VIEW", "What is shown", kOptional, OneOf{preview::view_names()}},
           {"--wireframe", &words.wireframe, "", "The mesh alone"},
+          {"--cascade", &words.cascade, "N", "The waves of one cascade alone, from 0"},
           {"--probe", &words.probes, "X,Y",
            "Print the height that is drawn at a place of the world, metres, and that of the "
            "maps there; may be given more than once"}}},
@@ -174,11 +175,22 @@ PreviewOptions preview_options(const PreviewWords& words) {
     options.record = words.record;
     if (!words.frames.empty()) options.frames = parse_frames(words.frames);
     options.wireframe = words.wireframe;
+    options.cascade = words.cascade;
     for (const std::string& probe : words.probes) {
         options.probes.push_back(
             numbers<2>(probe, "--probe", {{{-kFarthest, kFarthest}, {-kFarthest, kFarthest}}}));
     }
     return options;
+}
+
+void require_fit(const PreviewOptions& options, const Sea& sea) {
+    const int cascades = sea.parameters.grid.cascades;
+    if (!options.cascade || (*options.cascade >= 0 && *options.cascade < cascades)) return;
+    throw Error(
+        ErrorKind::invalid_value,
+        "--cascade is " + std::to_string(*options.cascade) + "; the sea has " +
+            (cascades == 1 ? "one, 0"
+                           : std::to_string(cascades) + ", 0 .. " + std::to_string(cascades - 1)));
 }
 
 }  // namespace ocean::app
