@@ -15,6 +15,7 @@
 #include "ocean/gl/shader_program.hpp"
 #include "ocean/water_types.hpp"
 #include "sky.hpp"
+#include "sky_map.hpp"
 #include "water_defines.hpp"
 #include "wave/wave.hpp"
 
@@ -90,6 +91,7 @@ struct Renderer::Parts {
     Clipmap clipmap;
     int taps;  // 0: the driver's filter fits the footprints
     gl::ShaderProgram sky;
+    SkyMap sky_map;
     /// By the numbers of cascades and covers.
     std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram> waters;
     gl::VertexArray no_vertices;
@@ -108,7 +110,7 @@ struct Renderer::Parts {
 
     FrameBlock block(const ShownSea& sea, const Camera& camera, const Look& look,
                      const DrawOptions& options, const Projection& projection) {
-        const Sky colours = make_sky(look.sun_altitude, look.sun_bearing);
+        const Sky colours = make_sky(look);
         const WaterType& type = water_type(look.water_type);
         const Rgb albedo = type.water_leaving_albedo();
         FrameBlock b;
@@ -118,8 +120,8 @@ struct Renderer::Parts {
         b.sun = with(colours.sun_direction, colours.sun_shown);
         b.sun_colour = with(colours.sun_colour, 0.0);
         b.sky_low = with(colours.low, std::sqrt(2.0 * std::max(camera.eye[2], 0.0) / kEarthRadius));
-        b.sky_middle = with(colours.middle, 0.0);
-        b.sky_high = with(colours.high, 0.0);
+        b.sky_middle = with(colours.middle, colours.mapped);
+        b.sky_high = with(colours.high, colours.turn);
         b.sky_shadow = with(colours.shadow, colours.dusk);
         b.sky_light = with(colours.light, 0.0);
         b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
@@ -163,8 +165,17 @@ struct Renderer::Parts {
         return b;
     }
 
+    /// To unit 0.
+    void bind_sky(gl::ShaderProgram& program) {
+        program.set("sky_map", 0);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, sky_map.texture());
+        glBindSampler(0, 0);
+    }
+
     void bind_maps(gl::ShaderProgram& program, const ShownSea& sea) {
-        GLint unit = 0;
+        bind_sky(program);
+        GLint unit = 1;
         const auto bind = [&](const std::string& name, unsigned texture, GLuint filter) {
             program.set(name.c_str(), unit);
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -192,6 +203,7 @@ struct Renderer::Parts {
 
     void draw(const ShownSea& sea, const Camera& camera, const Look& look,
               const DrawOptions& options, const Projection& projection, bool background) {
+        sky_map.hold(look.environment);
         const FrameBlock values = block(sea, camera, look, options, projection);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(FrameBlock), &values);
@@ -206,6 +218,7 @@ struct Renderer::Parts {
             glDisable(GL_DEPTH_TEST);
             sky.use();
             bind_frame(sky);
+            bind_sky(sky);
             glBindVertexArray(no_vertices.name());
             glDrawArrays(GL_TRIANGLES, 0, 3);
         }
@@ -232,7 +245,7 @@ struct Renderer::Parts {
                      std::exp2(std::floor(std::log2(finest_texel(sea)))),
                      Frustum(projection.clip_from_world, camera.eye[2]), reach);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        for (GLuint unit = 0; unit < 4 * sea.cascades.size() + sea.covers.size(); ++unit)
+        for (GLuint unit = 0; unit < 1 + 4 * sea.cascades.size() + sea.covers.size(); ++unit)
             glBindSampler(unit, 0);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
             throw Error(ErrorKind::no_gpu,
@@ -245,9 +258,9 @@ Renderer::Renderer(const RendererOptions& options) : parts_(std::make_unique<Par
 Renderer::~Renderer() = default;
 
 std::size_t Renderer::most_cascades() const {
-    // Three maps of each cascade, and two covers.
+    // Three maps of each cascade, two covers and the sky.
     return std::min(kMostCascades,
-                    static_cast<std::size_t>(std::max(parts_->texture_units - 2, 3)) / 3);
+                    static_cast<std::size_t>(std::max(parts_->texture_units - 3, 3)) / 3);
 }
 
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,

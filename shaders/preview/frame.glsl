@@ -11,8 +11,8 @@ layout(std140) uniform Frame {
     vec4 sun;         // direction to it; how much of its disc is above the horizon
     vec4 sun_colour;  // what a white surface that faces it sends
     vec4 sky_low;     // at the horizon; sine of the horizon's dip
-    vec4 sky_middle;
-    vec4 sky_high;
+    vec4 sky_middle;  // whether a map is the sky: 0, 1
+    vec4 sky_high;    // how far that is turned, 0 .. 1
     vec4 sky_shadow;  // of the Earth, on the side away from a low sun; its share
     vec4 sky_light;   // of the sky as a whole, on a level white surface
     vec4 water;       // albedo of the water body; index of refraction

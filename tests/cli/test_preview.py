@@ -168,6 +168,52 @@ def test_an_exr_picture_is_the_light_of_the_png(folder):
     assert pixels(folder / "b.exr") == pytest.approx(2.0 * light, rel=1e-5)
 
 
+def write_exr(path: Path, picture: numpy.ndarray):
+    buffer = oiio.ImageBuf(oiio.ImageSpec(picture.shape[1], picture.shape[0], 3, oiio.FLOAT))
+    buffer.set_pixels(buffer.roi, picture.astype(numpy.float32))
+    assert buffer.write(str(path))
+
+
+def test_an_environment_is_the_sky_and_its_sun(folder):
+    height, width = 128, 256
+    elevation, bearing = numpy.meshgrid(
+        numpy.radians(90.0 - 180.0 * (numpy.arange(height) + 0.5) / height),
+        numpy.radians(180.0 - 360.0 * (numpy.arange(width) + 0.5) / width),
+        indexing="ij",
+    )
+    sky = numpy.array([0.5, 0.5, 1.0]) * (1.0 - 0.5 * numpy.abs(numpy.sin(elevation)))[..., None]
+    # 25 degrees up, 90 to the left of the middle; beside it what is no light.
+    row, column = int(height * 65 / 180), width // 4
+    sky[row, column] = [3000.0, 2500.0, 2000.0]
+    sky[5, 5] = [numpy.nan, -7.0, 1.0]
+    write_exr(folder / "sky.exr", sky)
+    ahead = ("sea.toml", "--size", "160x90", "--environment", "sky.exr", "--pitch", 0)
+    good(folder, *ahead, "--offscreen", "east.exr")
+    good(folder, *ahead, "--heading", 90, "--offscreen", "north.exr")
+    good(folder, *ahead, "--environment-turn", -90, "--offscreen", "turned.exr")
+    east, north, turned = (
+        pixels(folder / name) for name in ("east.exr", "north.exr", "turned.exr")
+    )
+    assert east[:40].max() < 1.1
+    assert numpy.median(east[:10, :, 2]) == pytest.approx(0.87, abs=0.05)
+    for towards in (north, turned):
+        # The upper edge is 18 degrees up: the sun is over it, its glitter below.
+        assert towards[50:].max() > 2.0 * east[50:].max()
+        columns = towards[50:].sum((0, 2)).argsort()[-20:]
+        assert numpy.abs(columns - 79.5).mean() < 25.0
+
+    write_exr(folder / "square.exr", sky[:, :height])
+    for arguments, words in (
+        (("--environment", "square.exr"), "128 x 128"),
+        (("--environment", "none.exr"), "none.exr"),
+        (("--environment", "sea.toml"), "not an OpenEXR file"),
+        (("--environment", "sky.exr", "--sun", "10,0"), "--sun"),
+        (("--environment-turn", "10"), "--environment"),
+    ):
+        done = run(folder, "sea.toml", "--offscreen", "no.png", *arguments)
+        assert done.returncode == 2 and words in done.stderr, done.stderr
+
+
 @pytest.mark.parametrize("view", ["shaded", "slope"])
 def test_one_cascade_alone(folder, view):
     asked = ("sea.toml", "--set", "cascades=2", "--size", "160x90", "--view", view,

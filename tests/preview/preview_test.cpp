@@ -11,49 +11,11 @@
 
 #include "gl/leftovers.hpp"
 #include "ocean/cascades.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/preview/canvas.hpp"
 #include "ocean/preview/probe.hpp"
-#include "ocean/preview/renderer.hpp"
-#include "unit/test_seas.hpp"
+#include "preview_fixture.hpp"
 
 namespace ocean::preview {
 namespace {
-
-constexpr double kPeriod = 400.0;
-
-Parameters two_cascades() {
-    Parameters parameters = test::wind_sea(128, kPeriod);
-    parameters.grid.cascades = 2;
-    return parameters;
-}
-
-/// A context with a sea in it. Whatever the driver has to say is a failure.
-class PreviewTest : public ::testing::Test {
-  protected:
-    void TearDown() override {
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
-    }
-
-    std::vector<std::uint8_t> picture(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                                      int width = 160, int height = 90) {
-        const Canvas canvas(width, height, GL_RGBA8);
-        renderer.draw(sea, camera, Look{}, {.width = width, .height = height});
-        return canvas.rgb();
-    }
-    /// The numbers of each pixel: see shaders/preview/water.frag.
-    std::vector<float> numbers(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                               int side, const Look& look = {}) {
-        const Canvas canvas(side, side, GL_RGBA32F);
-        renderer.draw(sea, camera, look, {.width = side, .height = side, .view = View::numbers});
-        return canvas.rgba();
-    }
-
-  private:
-    const gl::HeadlessContext context_{{.debug = true}};
-    const gl::HeadlessContext::Current current_{context_};
-};
 
 int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     int largest = 0;
@@ -319,18 +281,12 @@ TEST_F(PreviewTest, LinearLightHasNoLimit) {
     Renderer renderer({.cells = 32});
     const ShownSea shown = maps.show(sea, 5.0);
     const Camera at_the_sun{.eye = {0.0, 0.0, 5.0}, .heading = 0.0, .pitch = 0.0};
-    const auto light = [&](double exposure) {
-        const Canvas canvas(160, 90, GL_RGBA32F);
-        DrawOptions options;
-        options.width = 160;
-        options.height = 90;
-        options.linear = true;
+    const auto exposed = [&](double exposure) {
         Look look{.sun_altitude = 8.0, .sun_bearing = 0.0};
         look.exposure = exposure;
-        renderer.draw(shown, at_the_sun, look, options);
-        return canvas.rgba();
+        return light(renderer, shown, at_the_sun, look, 160, 90);
     };
-    const auto once = light(1.0), twice = light(2.0);
+    const auto once = exposed(1.0), twice = exposed(2.0);
     EXPECT_GT(*std::ranges::max_element(once), 20.0f);
     for (std::size_t i = 0; i < once.size(); ++i) {
         if (i % 4 == 3) continue;

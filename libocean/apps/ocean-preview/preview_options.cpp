@@ -7,6 +7,7 @@
 #include "ocean/bake/frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/io/panorama.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
 #include "picture_file.hpp"
@@ -81,6 +82,21 @@ void place_camera(const PreviewWords& words, preview::Camera& camera) {
     if (words.angle) camera.field_of_view = within(*words.angle, "--angle", 1.0, 150.0);
 }
 
+void place_environment(const PreviewWords& words, preview::Look& look) {
+    if (words.environment.empty()) {
+        if (!words.environment_turn) return;
+        throw Error(ErrorKind::invalid_value, "--environment-turn is for --environment");
+    }
+    if (!words.sun.empty()) {
+        throw Error(ErrorKind::invalid_value, "--environment has a sun of its own: no --sun");
+    }
+    const io::Panorama sphere = io::read_exr_panorama(words.environment);
+    look.environment = std::make_shared<const preview::Environment>(
+        preview::make_environment(sphere.width, sphere.height, sphere.rgb));
+    look.environment_turn =
+        within(words.environment_turn.value_or(0.0), "--environment-turn", -3600.0, 3600.0);
+}
+
 }  // namespace
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
@@ -106,6 +122,12 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
         {"Light",
          {{"--sun", &words.sun, "ALTITUDE,BEARING",
            "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
+          {"--environment", &words.environment, "FILE.exr",
+           "A sky over longitude and latitude instead, z up: its top row is the zenith, its middle "
+           "looks along +x, what is right of it lies clockwise seen from above; the sun in it is "
+           "found"},
+          {"--environment-turn", &words.environment_turn, "DEG",
+           "Turns it counter-clockwise, seen from above"},
           {"--exposure", &words.exposure, "E", "Times the light (default 1)"},
           {"--haze", &words.haze, "M",
            "Metres after which 1/e of the light is left (default 60000)"},
@@ -147,6 +169,7 @@ PreviewOptions preview_options(const PreviewWords& words) {
         look.sun_altitude = sun[0];
         look.sun_bearing = sun[1];
     }
+    place_environment(words, look);
     if (words.exposure) look.exposure = within(*words.exposure, "--exposure", 0.0, 1000.0);
     if (words.haze) look.haze_distance = within(*words.haze, "--haze", 10.0, 1e9);
     if (!words.water.empty()) look.water_type = words.water;

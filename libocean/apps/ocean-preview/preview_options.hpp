@@ -21,9 +21,9 @@ namespace ocean::app {
 struct PreviewWords {
     SeaArgument sea;
     std::string eye, look_at, sun, size = "1280x720", view = "shaded", backend = "auto";
-    std::optional<double> heading, pitch, angle, exposure, haze, time;
+    std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
     std::optional<int> frame, egl_device, map, foam_map, cells, cascade;
-    std::string water, offscreen, record, frames;
+    std::string water, offscreen, record, frames, environment;
     std::vector<std::string> probes;
     bool wireframe = false;
 };

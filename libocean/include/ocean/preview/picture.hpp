@@ -5,10 +5,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "ocean/preview/environment.hpp"
 
 namespace ocean::preview {
 
@@ -30,6 +33,9 @@ struct Camera {
 struct Look {
     double sun_altitude = 35.0;  // degrees
     double sun_bearing = 70.0;   // degrees counter-clockwise from +x, where it stands
+    /// Instead of the computed sky, with the sun that is in it; the renderer keeps the last one.
+    std::shared_ptr<const Environment> environment = nullptr;
+    double environment_turn = 0.0;  // degrees counter-clockwise, seen from above
     double exposure = 1.0;
     double haze_distance = 60e3;  // m, after which 1/e of the light is left
     std::string water_type = "jerlov_ii";
