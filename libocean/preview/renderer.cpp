@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/shader_program.hpp"
 #include "ocean/water_types.hpp"
+#include "seed_mesh.hpp"
 #include "sky.hpp"
 #include "sky_map.hpp"
 #include "water_defines.hpp"
@@ -34,6 +36,11 @@ const WaterType& water_type(const std::string& name) {
         if (type.name == name) return type;
     }
     throw Error(ErrorKind::invalid_value, "there is no type of water '" + name + "'");
+}
+
+/// Fields are shown on the clipmap whatever the look.
+bool is_seed(const Look& look, const DrawOptions& options) {
+    return look.kind == LookKind::seed && options.view == View::shaded;
 }
 
 glm::vec4 with(const glm::vec3& rgb, double w) {
@@ -93,19 +100,23 @@ struct Renderer::Parts {
     gl::ShaderProgram sky;
     SkyMap sky_map;
     /// By the numbers of cascades and covers.
-    std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram> waters;
+    using Programs = std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram>;
+    Programs waters, seeds;
+    SeedMesh seed_mesh;
     gl::VertexArray no_vertices;
     gl::Sampler sampler;
     gl::Buffer frame;
     GLint texture_units = 16;
 
-    gl::ShaderProgram& water(std::size_t cascades, std::size_t covers) {
-        const auto known = waters.find({cascades, covers});
-        if (known != waters.end()) return known->second;
-        gl::ShaderProgram program(
-            {{GL_VERTEX_SHADER, "preview/water.vert"}, {GL_FRAGMENT_SHADER, "preview/water.frag"}},
-            water_defines(cascades, covers, taps));
-        return waters.emplace(std::pair(cascades, covers), std::move(program)).first->second;
+    /// Of preview/NAME.vert and preview/NAME.frag.
+    gl::ShaderProgram& program(Programs& known, const std::string& name, const ShownSea& sea) {
+        const std::pair key(sea.cascades.size(), sea.covers.size());
+        const auto found = known.find(key);
+        if (found != known.end()) return found->second;
+        gl::ShaderProgram made({{GL_VERTEX_SHADER, "preview/" + name + ".vert"},
+                                {GL_FRAGMENT_SHADER, "preview/" + name + ".frag"}},
+                               water_defines(key.first, key.second, taps));
+        return known.emplace(key, std::move(made)).first->second;
     }
 
     FrameBlock block(const ShownSea& sea, const Camera& camera, const Look& look,
@@ -131,6 +142,11 @@ struct Renderer::Parts {
         b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
         b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
+        if (is_seed(look, options)) {
+            b.eye.w = std::numeric_limits<float>::max();  // a flat Earth
+            b.period.y = 0.0f;
+            b.sky_low = with(kSeedFog, 0.0);
+        }
         const auto grid = wave::double_precision::copy_grid(u, v);
         b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y), 0.0, 0.0);
         b.grid_cell = glm::ivec4(static_cast<int>(std::floor(grid.x)),
@@ -212,9 +228,11 @@ struct Renderer::Parts {
         glDisable(GL_BLEND);
         glDisable(GL_CULL_FACE);
         glDepthMask(GL_TRUE);
-        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        const bool seed = is_seed(look, options);
+        const glm::vec4 behind = seed ? with(kSeedFog, 1.0) : glm::vec4(0.0f);
+        glClearColor(behind.r, behind.g, behind.b, behind.a);
         glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-        if (background) {
+        if (background && !seed) {
             glDisable(GL_DEPTH_TEST);
             sky.use();
             bind_frame(sky);
@@ -224,12 +242,38 @@ struct Renderer::Parts {
         }
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
-        gl::ShaderProgram& program = water(sea.cascades.size(), sea.covers.size());
+        glPolygonMode(GL_FRONT_AND_BACK, options.wireframe ? GL_LINE : GL_FILL);
+        if (seed) {
+            draw_seed(sea, camera);
+        } else {
+            draw_water(sea, camera, projection);
+        }
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        for (GLuint unit = 0; unit < 1 + 4 * sea.cascades.size() + sea.covers.size(); ++unit)
+            glBindSampler(unit, 0);
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+            throw Error(ErrorKind::no_gpu,
+                        "OpenGL error " + std::to_string(error) + " while drawing the sea");
+        }
+    }
+
+    void begin(gl::ShaderProgram& program, const ShownSea& sea, double farthest) {
         program.use();
         bind_frame(program);
         bind_maps(program, sea);
-        glPolygonMode(GL_FRONT_AND_BACK, options.wireframe ? GL_LINE : GL_FILL);
+        program.set("depth", farthest > 0.0
+                                 ? static_cast<float>(1.0 / std::log2(1.0 + 2.0 * farthest))
+                                 : 0.0f);
+    }
 
+    void draw_seed(const ShownSea& sea, const Camera& camera) {
+        gl::ShaderProgram& seed = program(seeds, "seed", sea);
+        const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
+        begin(seed, sea, glm::length(eye) + kSeedTiles * sea.period);
+        seed_mesh.draw(seed, eye, sea.period, finest_texel(sea));
+    }
+
+    void draw_water(const ShownSea& sea, const Camera& camera, const Projection& projection) {
         const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
         const auto horizon = [](double h) {
             return std::sqrt(2.0 * kEarthRadius * std::max(h, 0.0));
@@ -238,19 +282,11 @@ struct Renderer::Parts {
                           .up = crest,
                           .farthest = 1.05 * (horizon(camera.eye[2]) + horizon(crest)),
                           .earth_radius = kEarthRadius};
-        program.set("depth", projection.flat
-                                 ? 0.0f
-                                 : static_cast<float>(1.0 / std::log2(1.0 + 2.0 * reach.farthest)));
-        clipmap.draw(program, {camera.eye[0], camera.eye[1], camera.eye[2]},
+        gl::ShaderProgram& water = program(waters, "water", sea);
+        begin(water, sea, projection.flat ? 0.0 : reach.farthest);
+        clipmap.draw(water, {camera.eye[0], camera.eye[1], camera.eye[2]},
                      std::exp2(std::floor(std::log2(finest_texel(sea)))),
                      Frustum(projection.clip_from_world, camera.eye[2]), reach);
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        for (GLuint unit = 0; unit < 1 + 4 * sea.cascades.size() + sea.covers.size(); ++unit)
-            glBindSampler(unit, 0);
-        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-            throw Error(ErrorKind::no_gpu,
-                        "OpenGL error " + std::to_string(error) + " while drawing the sea");
-        }
     }
 };
 

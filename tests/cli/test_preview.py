@@ -214,6 +214,24 @@ def test_an_environment_is_the_sky_and_its_sun(folder):
         assert done.returncode == 2 and words in done.stderr, done.stderr
 
 
+def test_the_look_of_the_teaching_programs(folder):
+    asked = ("preset:seed_lantz", "--size", "160x90", "--pitch", 0)
+    good(folder, *asked, "--look", "seed", "--offscreen", "seed.png")
+    good(folder, *asked, "--offscreen", "physical.png")
+    seed, physical = pixels(folder / "seed.png"), pixels(folder / "physical.png")
+    assert rms(seed, physical) > 0.1
+    # No sky, but one pale grey; below it water, deep blue.
+    assert seed[:38].std((0, 1)).max() < 0.001 and seed[0, 0].min() > 0.8
+    water = seed[60:].mean((0, 1))
+    assert water[0] < 0.2 and water[0] < water[1] < water[2]
+    # Fields are fields, whatever the look.
+    for look in ("seed", "physical"):
+        good(folder, *asked, "--look", look, "--view", "height", "--offscreen", f"{look}.png")
+    assert (pixels(folder / "seed.png") == pixels(folder / "physical.png")).all()
+    done = run(folder, *asked, "--look", "seeds", "--offscreen", "no.png")
+    assert done.returncode == 2 and "--look" in done.stderr
+
+
 @pytest.mark.parametrize("view", ["shaded", "slope"])
 def test_one_cascade_alone(folder, view):
     asked = ("sea.toml", "--set", "cascades=2", "--size", "160x90", "--view", view,

@@ -144,6 +144,10 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--frames", &words.frames, "LIST", "1-250x2, in comma lists; of --record"},
           {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
           {"--view", &words.view, "VIEW", "What is shown", kOptional, OneOf{preview::view_names()}},
+          {"--look", &words.look, "LOOK",
+           "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
+           "programs draw it",
+           kOptional, OneOf{preview::look_names()}},
           {"--wireframe", &words.wireframe, "", "The mesh alone"},
           {"--cascade", &words.cascade, "N", "The waves of one cascade alone, from 0"},
           {"--probe", &words.probes, "X,Y",
@@ -164,6 +168,7 @@ PreviewOptions preview_options(const PreviewWords& words) {
     PreviewOptions options;
     place_camera(words, options.camera);
     preview::Look& look = options.look;
+    look.kind = preview::look_of(words.look);
     if (!words.sun.empty()) {
         const auto sun = numbers<2>(words.sun, "--sun", {{{-18.0, 90.0}, {-3600.0, 3600.0}}});
         look.sun_altitude = sun[0];

@@ -20,7 +20,8 @@ namespace ocean::app {
 /// As it was typed.
 struct PreviewWords {
     SeaArgument sea;
-    std::string eye, look_at, sun, size = "1280x720", view = "shaded", backend = "auto";
+    std::string eye, look_at, sun, size = "1280x720", view = "shaded", look = "physical",
+                                   backend = "auto";
     std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
     std::optional<int> frame, egl_device, map, foam_map, cells, cascade;
     std::string water, offscreen, record, frames, environment;
