@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/preview/picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/nearest_name.hpp"
 
@@ -45,6 +47,17 @@ std::optional<std::array<double, 2>> Camera::meet_level(double from_left, double
     if (rise == 0.0 || !(distance > 0.0)) return std::nullopt;
     return std::array{eye[0] + distance * (ahead * std::cos(h) + right * std::sin(h)),
                       eye[1] + distance * (ahead * std::sin(h) - right * std::cos(h))};
+}
+
+std::vector<std::string> look_names() {
+    return {kEnumWords<LookKind>.begin(), kEnumWords<LookKind>.end()};
+}
+
+LookKind look_of(std::string_view name) {
+    const auto& words = kEnumWords<LookKind>;
+    const auto found = std::ranges::find(words, name);
+    if (found != words.end()) return static_cast<LookKind>(found - words.begin());
+    throw Error(ErrorKind::invalid_value, "there is no look '" + std::string(name) + "'");
 }
 
 std::vector<std::string> view_names() {

@@ -13,11 +13,12 @@ constexpr int kSide = 3;
 }  // namespace
 
 std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                           const std::array<double, 2>& place) {
+                           const std::array<double, 2>& place, int cascade) {
     const Canvas canvas(kSide, kSide, GL_RGBA32F);
     DrawOptions options;
     options.width = options.height = kSide;
     options.view = View::numbers;
+    options.cascade = cascade;
     renderer.draw_from_above(sea, camera, place[0], place[1], 0.01 * kSide * finest_texel(sea),
                              options);
     const std::vector<float> pixels = canvas.rgba();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -14,7 +15,9 @@
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/shader_program.hpp"
 #include "ocean/water_types.hpp"
+#include "seed_mesh.hpp"
 #include "sky.hpp"
+#include "sky_map.hpp"
 #include "water_defines.hpp"
 #include "wave/wave.hpp"
 
@@ -33,6 +36,11 @@ const WaterType& water_type(const std::string& name) {
         if (type.name == name) return type;
     }
     throw Error(ErrorKind::invalid_value, "there is no type of water '" + name + "'");
+}
+
+/// Fields are shown on the clipmap whatever the look.
+bool is_seed(const Look& look, const DrawOptions& options) {
+    return look.kind == LookKind::seed && options.view == View::shaded;
 }
 
 glm::vec4 with(const glm::vec3& rgb, double w) {
@@ -90,25 +98,30 @@ struct Renderer::Parts {
     Clipmap clipmap;
     int taps;  // 0: the driver's filter fits the footprints
     gl::ShaderProgram sky;
+    SkyMap sky_map;
     /// By the numbers of cascades and covers.
-    std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram> waters;
+    using Programs = std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram>;
+    Programs waters, seeds;
+    SeedMesh seed_mesh;
     gl::VertexArray no_vertices;
     gl::Sampler sampler;
     gl::Buffer frame;
     GLint texture_units = 16;
 
-    gl::ShaderProgram& water(std::size_t cascades, std::size_t covers) {
-        const auto known = waters.find({cascades, covers});
-        if (known != waters.end()) return known->second;
-        gl::ShaderProgram program(
-            {{GL_VERTEX_SHADER, "preview/water.vert"}, {GL_FRAGMENT_SHADER, "preview/water.frag"}},
-            water_defines(cascades, covers, taps));
-        return waters.emplace(std::pair(cascades, covers), std::move(program)).first->second;
+    /// Of preview/NAME.vert and preview/NAME.frag.
+    gl::ShaderProgram& program(Programs& known, const std::string& name, const ShownSea& sea) {
+        const std::pair key(sea.cascades.size(), sea.covers.size());
+        const auto found = known.find(key);
+        if (found != known.end()) return found->second;
+        gl::ShaderProgram made({{GL_VERTEX_SHADER, "preview/" + name + ".vert"},
+                                {GL_FRAGMENT_SHADER, "preview/" + name + ".frag"}},
+                               water_defines(key.first, key.second, taps));
+        return known.emplace(key, std::move(made)).first->second;
     }
 
     FrameBlock block(const ShownSea& sea, const Camera& camera, const Look& look,
                      const DrawOptions& options, const Projection& projection) {
-        const Sky colours = make_sky(look.sun_altitude, look.sun_bearing);
+        const Sky colours = make_sky(look);
         const WaterType& type = water_type(look.water_type);
         const Rgb albedo = type.water_leaving_albedo();
         FrameBlock b;
@@ -118,20 +131,28 @@ struct Renderer::Parts {
         b.sun = with(colours.sun_direction, colours.sun_shown);
         b.sun_colour = with(colours.sun_colour, 0.0);
         b.sky_low = with(colours.low, std::sqrt(2.0 * std::max(camera.eye[2], 0.0) / kEarthRadius));
-        b.sky_middle = with(colours.middle, 0.0);
-        b.sky_high = with(colours.high, 0.0);
+        b.sky_middle = with(colours.middle, colours.mapped);
+        b.sky_high = with(colours.high, colours.turn);
         b.sky_shadow = with(colours.shadow, colours.dusk);
         b.sky_light = with(colours.light, 0.0);
         b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
-        b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height, sea.unresolved_slope, 0.0);
+        const bool all = options.cascade < 0;
+        b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height,
+                            all ? sea.unresolved_slope : 0.0, 0.0);
         b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
         b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
+        if (is_seed(look, options)) {
+            b.eye.w = std::numeric_limits<float>::max();  // a flat Earth
+            b.period.y = 0.0f;
+            b.sky_low = with(kSeedFog, 0.0);
+        }
         const auto grid = wave::double_precision::copy_grid(u, v);
         b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y), 0.0, 0.0);
         b.grid_cell = glm::ivec4(static_cast<int>(std::floor(grid.x)),
                                  static_cast<int>(std::floor(grid.y)), 0, 0);
-        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle, 0.0);
+        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle,
+                           options.linear ? 1.0 : 0.0);
         b.view = glm::ivec4(static_cast<int>(options.view));
         b.range = glm::vec4(options.range[0], options.range[1], 0.0, 0.0);
         if (options.range[0] == 0.0 && options.range[1] == 0.0) {
@@ -143,7 +164,9 @@ struct Renderer::Parts {
         }
         for (std::size_t c = 0; c < sea.cascades.size(); ++c) {
             const ShownCascade& cascade = sea.cascades[c];
-            b.part[c] = glm::vec4(cascade.weight, cascade.sea_period / cascade.period, 0.0, 0.0);
+            const bool shown = all || cascade.number == options.cascade;
+            b.part[c] = glm::vec4(shown ? cascade.weight : 0.0, cascade.sea_period / cascade.period,
+                                  0.0, 0.0);
             b.cascade[c] = glm::vec4(fraction(camera.eye[0] / cascade.period),
                                      fraction(camera.eye[1] / cascade.period), 1.0 / cascade.period,
                                      cascade.period / cascade.resolution);
@@ -158,8 +181,17 @@ struct Renderer::Parts {
         return b;
     }
 
+    /// To unit 0.
+    void bind_sky(gl::ShaderProgram& program) {
+        program.set("sky_map", 0);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, sky_map.texture());
+        glBindSampler(0, 0);
+    }
+
     void bind_maps(gl::ShaderProgram& program, const ShownSea& sea) {
-        GLint unit = 0;
+        bind_sky(program);
+        GLint unit = 1;
         const auto bind = [&](const std::string& name, unsigned texture, GLuint filter) {
             program.set(name.c_str(), unit);
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -187,6 +219,7 @@ struct Renderer::Parts {
 
     void draw(const ShownSea& sea, const Camera& camera, const Look& look,
               const DrawOptions& options, const Projection& projection, bool background) {
+        sky_map.hold(look.environment);
         const FrameBlock values = block(sea, camera, look, options, projection);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
         glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(FrameBlock), &values);
@@ -195,23 +228,52 @@ struct Renderer::Parts {
         glDisable(GL_BLEND);
         glDisable(GL_CULL_FACE);
         glDepthMask(GL_TRUE);
-        glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        const bool seed = is_seed(look, options);
+        const glm::vec4 behind = seed ? with(kSeedFog, 1.0) : glm::vec4(0.0f);
+        glClearColor(behind.r, behind.g, behind.b, behind.a);
         glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-        if (background) {
+        if (background && !seed) {
             glDisable(GL_DEPTH_TEST);
             sky.use();
             bind_frame(sky);
+            bind_sky(sky);
             glBindVertexArray(no_vertices.name());
             glDrawArrays(GL_TRIANGLES, 0, 3);
         }
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
-        gl::ShaderProgram& program = water(sea.cascades.size(), sea.covers.size());
+        glPolygonMode(GL_FRONT_AND_BACK, options.wireframe ? GL_LINE : GL_FILL);
+        if (seed) {
+            draw_seed(sea, camera);
+        } else {
+            draw_water(sea, camera, projection);
+        }
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        for (GLuint unit = 0; unit < 1 + 4 * sea.cascades.size() + sea.covers.size(); ++unit)
+            glBindSampler(unit, 0);
+        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+            throw Error(ErrorKind::no_gpu,
+                        "OpenGL error " + std::to_string(error) + " while drawing the sea");
+        }
+    }
+
+    void begin(gl::ShaderProgram& program, const ShownSea& sea, double farthest) {
         program.use();
         bind_frame(program);
         bind_maps(program, sea);
-        glPolygonMode(GL_FRONT_AND_BACK, options.wireframe ? GL_LINE : GL_FILL);
+        program.set("depth", farthest > 0.0
+                                 ? static_cast<float>(1.0 / std::log2(1.0 + 2.0 * farthest))
+                                 : 0.0f);
+    }
 
+    void draw_seed(const ShownSea& sea, const Camera& camera) {
+        gl::ShaderProgram& seed = program(seeds, "seed", sea);
+        const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
+        begin(seed, sea, glm::length(eye) + kSeedTiles * sea.period);
+        seed_mesh.draw(seed, eye, sea.period, finest_texel(sea));
+    }
+
+    void draw_water(const ShownSea& sea, const Camera& camera, const Projection& projection) {
         const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
         const auto horizon = [](double h) {
             return std::sqrt(2.0 * kEarthRadius * std::max(h, 0.0));
@@ -220,19 +282,11 @@ struct Renderer::Parts {
                           .up = crest,
                           .farthest = 1.05 * (horizon(camera.eye[2]) + horizon(crest)),
                           .earth_radius = kEarthRadius};
-        program.set("depth", projection.flat
-                                 ? 0.0f
-                                 : static_cast<float>(1.0 / std::log2(1.0 + 2.0 * reach.farthest)));
-        clipmap.draw(program, {camera.eye[0], camera.eye[1], camera.eye[2]},
+        gl::ShaderProgram& water = program(waters, "water", sea);
+        begin(water, sea, projection.flat ? 0.0 : reach.farthest);
+        clipmap.draw(water, {camera.eye[0], camera.eye[1], camera.eye[2]},
                      std::exp2(std::floor(std::log2(finest_texel(sea)))),
                      Frustum(projection.clip_from_world, camera.eye[2]), reach);
-        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        for (GLuint unit = 0; unit < 4 * sea.cascades.size() + sea.covers.size(); ++unit)
-            glBindSampler(unit, 0);
-        if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-            throw Error(ErrorKind::no_gpu,
-                        "OpenGL error " + std::to_string(error) + " while drawing the sea");
-        }
     }
 };
 
@@ -240,9 +294,9 @@ Renderer::Renderer(const RendererOptions& options) : parts_(std::make_unique<Par
 Renderer::~Renderer() = default;
 
 std::size_t Renderer::most_cascades() const {
-    // Three maps of each cascade, and two covers.
+    // Three maps of each cascade, two covers and the sky.
     return std::min(kMostCascades,
-                    static_cast<std::size_t>(std::max(parts_->texture_units - 2, 3)) / 3);
+                    static_cast<std::size_t>(std::max(parts_->texture_units - 3, 3)) / 3);
 }
 
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,

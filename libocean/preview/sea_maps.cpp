@@ -199,7 +199,8 @@ class SeaMaps::Source {
     void show_cascades(std::span<const CascadeTextures> cascades, double sea_period) {
         shown_.cascades.clear();
         for (const CascadeTextures& cascade : cascades) {
-            shown_.cascades.push_back({cascade, 1.0, sea_period});
+            const auto number = static_cast<int>(shown_.cascades.size());
+            shown_.cascades.push_back({cascade, 1.0, sea_period, number});
         }
     }
 

@@ -40,9 +40,26 @@ double twilight(double altitude) {
     return std::pow(10.0, a + h * (b + h * (c + h * d)) - 2.88);
 }
 
-}  // namespace
+/// What a map holds, turned about the zenith.
+Sky environment_sky(const Environment& environment, double turn) {
+    Sky sky{};
+    const double turned = turn / 360.0;
+    sky.mapped = 1.0f;
+    sky.turn = static_cast<float>(turned - std::floor(turned));
+    sky.light = glm::vec3(environment.light[0], environment.light[1], environment.light[2]);
+    sky.sun_direction = glm::vec3(0.0f, 0.0f, 1.0f);
+    if (environment.sun) {
+        const auto& [direction, colour] = *environment.sun;
+        const double c = std::cos(radians(turn)), s = std::sin(radians(turn));
+        sky.sun_direction = glm::vec3(c * direction[0] - s * direction[1],
+                                      s * direction[0] + c * direction[1], direction[2]);
+        sky.sun_colour = glm::vec3(colour[0], colour[1], colour[2]);
+        sky.sun_shown = 1.0f;
+    }
+    return sky;
+}
 
-Sky make_sky(double sun_altitude, double sun_bearing) {
+Sky computed_sky(double sun_altitude, double sun_bearing) {
     const double up = radians(sun_altitude);
     const double around = radians(sun_bearing);
     const auto day = static_cast<float>(std::clamp(sun_altitude / 25.0, 0.0, 1.0));
@@ -64,6 +81,13 @@ Sky make_sky(double sun_altitude, double sun_bearing) {
     sky.dusk = static_cast<float>(std::clamp(1.0 - sun_altitude / 6.0, 0.0, 1.0));
     sky.light = (sky.low + sky.middle + sky.high) / 3.0f;
     return sky;
+}
+
+}  // namespace
+
+Sky make_sky(const Look& look) {
+    return look.environment ? environment_sky(*look.environment, look.environment_turn)
+                            : computed_sky(look.sun_altitude, look.sun_bearing);
 }
 
 }  // namespace ocean::preview

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What shaders/preview/water.vert and water.frag are compiled with.
+// What water.vert, water.frag, seed.vert and seed.frag of shaders/preview are compiled with.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,9 @@
 #include "ocean/preview/picture.hpp"
 
 namespace ocean::preview {
+
+/// Of the look `seed`, along each side, around the origin of the world.
+inline constexpr int kSeedTiles = 10;
 
 inline std::string define(const std::string& name, int value) {
     return "#define " + name + " " + std::to_string(value) + "\n";
@@ -31,7 +34,8 @@ inline std::string water_defines(std::size_t cascades, std::size_t covers, int t
         {"NUMBERS", View::numbers},
     };
     std::string text = define("CASCADES", static_cast<int>(cascades)) +
-                       define("COVERS", static_cast<int>(covers)) + define("TAPS", taps);
+                       define("COVERS", static_cast<int>(covers)) + define("TAPS", taps) +
+                       define("TILES", kSeedTiles);
     for (const auto& [name, view] : views) {
         text += define(std::string("VIEW_") + name, static_cast<int>(view));
     }

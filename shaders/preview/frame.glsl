@@ -11,8 +11,8 @@ layout(std140) uniform Frame {
     vec4 sun;         // direction to it; how much of its disc is above the horizon
     vec4 sun_colour;  // what a white surface that faces it sends
     vec4 sky_low;     // at the horizon; sine of the horizon's dip
-    vec4 sky_middle;
-    vec4 sky_high;
+    vec4 sky_middle;  // whether a map is the sky: 0, 1
+    vec4 sky_high;    // how far that is turned, 0 .. 1
     vec4 sky_shadow;  // of the Earth, on the side away from a low sun; its share
     vec4 sky_light;   // of the sky as a whole, on a level white surface
     vec4 water;       // albedo of the water body; index of refraction
@@ -21,7 +21,7 @@ layout(std140) uniform Frame {
     vec4 period;      // 1/period of the sea; whether copies hide its repetition: 0, 1
     vec4 grid_place;  // place of the eye in its square of the grid of copies
     ivec4 grid_cell;  // that square
-    vec4 look;        // exposure, distance of haze, angle of a pixel
+    vec4 look;        // exposure, distance of haze, angle of a pixel; 1: drawn is light itself
     ivec4 view;       // what is shown
     vec4 range;       // of the values that a view shows: least, most
     vec4 cascade[10];  // place of the eye in its period, 0 .. 1; 1/period, metres of a texel

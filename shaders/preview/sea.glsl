@@ -57,18 +57,23 @@ vec2 map_place(int c, vec2 label, vec2 offset) {
     return cascade[c].xy + label * cascade[c].z + moved + 0.5 * cascade[c].w * cascade[c].z;
 }
 
-// Dx, Dy at choppiness 1, height, and dDx/dy, of waves that a spacing of so many metres can hold.
-vec4 displacement_at(Copies copies, vec2 label, float spacing) {
+// Of waves that a spacing of so many metres can hold.
+vec4 sum_at(sampler2D map[CASCADES], Copies copies, vec2 label, float spacing) {
     vec4 sum = vec4(0.0);
     for (int c = 0; c < CASCADES; ++c) {
         float mip = max(0.0, log2(spacing / cascade[c].w));
         if (spacing * cascade[c].z >= 1.0) continue;  // a period is less than the spacing
         for (int i = 0; i < copies.count; ++i) {
             vec2 place = map_place(c, label, copies.offset[i]);
-            sum += part[c].x * copies.weight[i] * textureLod(shape_map[c], place, mip);
+            sum += part[c].x * copies.weight[i] * textureLod(map[c], place, mip);
         }
     }
     return sum;
+}
+
+// Dx, Dy at choppiness 1, height, and dDx/dy.
+vec4 displacement_at(Copies copies, vec2 label, float spacing) {
+    return sum_at(shape_map, copies, label, spacing);
 }
 
 // The point that is shown of a label, relative to the eye's place on the still water.

@@ -10,5 +10,5 @@ layout(location = 0) out vec4 colour;
 void main() {
     vec4 far = world_from_clip * vec4(place, 0.5, 1.0);
     vec3 direction = normalize(far.xyz / far.w);
-    colour = vec4(screen_colour(sky(direction) + sun_disc(direction)), 1.0);
+    colour = vec4(drawn_colour(sky(direction, look.z) + sun_disc(direction)), 1.0);
 }

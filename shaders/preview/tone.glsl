@@ -11,3 +11,6 @@ vec3 screen_colour(vec3 light) {
     return mix(12.92 * rolled, 1.055 * pow(max(rolled, vec3(1e-6)), vec3(1.0 / 2.4)) - 0.055,
                step(0.0031308, rolled));
 }
+
+// What is drawn of light: what a screen takes, or the light itself, for files of numbers.
+vec3 drawn_colour(vec3 light) { return look.w > 0.0 ? look.x * light : screen_colour(light); }

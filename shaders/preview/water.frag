@@ -133,14 +133,14 @@ vec3 glitter(vec3 to_eye, vec2 lean, mat2 covariance, float area, float elevatio
 }
 
 // The mean of the sky over the facets that mirror it: three points along the line of sight, which
-// is the way that the mirrored sky varies most.
-vec3 mirrored_sky(vec3 to_eye, vec2 lean, vec2 deviation) {
+// is the way that the mirrored sky varies most. across: radians that they spread it the other way.
+vec3 mirrored_sky(vec3 to_eye, vec2 lean, vec2 deviation, float across) {
     vec3 sum = vec3(0.0);
     for (int i = -1; i <= 1; ++i) {
         vec3 facet = normalize(vec3(lean + float(i) * 1.7320508 * deviation, 1.0));
         vec3 mirrored = reflect(-to_eye, facet);
         mirrored.z = abs(mirrored.z);  // a second reflection
-        sum += (i == 0 ? 2.0 / 3.0 : 1.0 / 6.0) * sky(normalize(mirrored));
+        sum += (i == 0 ? 2.0 / 3.0 : 1.0 / 6.0) * sky(normalize(mirrored), across);
     }
     return sum;
 }
@@ -165,7 +165,11 @@ vec3 shaded(Water state) {
     float mean_cosine = max(dot(to_eye, normalize(vec3(lean, 1.0))), 0.0);
     float reflected = clamp(rough_water_reflectance(mean_cosine, deviation), 0.0, 1.0);
     vec2 spread = along / variance * sqrt(visible_lean_variance(deviation, elevation));
-    vec3 mirrored = mirrored_sky(to_eye, seen, spread);
+    // A facet that leans aside turns what it mirrors by twice as much, times the cosine; as wide as
+    // that deviation is a mean over sqrt(12) of it.
+    vec2 aside = vec2(-e.y, e.x);
+    float across = 6.9 * mean_cosine * sqrt(max(dot(covariance * aside, aside), 0.0));
+    vec3 mirrored = mirrored_sky(to_eye, seen, spread, max(across, look.z));
 
     float sun_cosine = max(dot(normalize(vec3(lean, 1.0)), sun.xyz), 0.0);
     vec3 light = sky_light.rgb + sun.w * sun_colour.rgb * max(sun.z, 0.0);
@@ -182,7 +186,7 @@ vec3 shaded(Water state) {
     vec3 foam_light = foam.z * (sky_light.rgb + sun.w * sun_colour.rgb * sun_cosine);
     radiance = mix(radiance, foam_light, white);
     float haze = 1.0 - exp(-distance / look.y);
-    vec3 horizon = sky(normalize(vec3(from_eye.xy, 0.0)));
+    vec3 horizon = sky(normalize(vec3(from_eye.xy, 0.0)), look.z);
     return mix(radiance, horizon, haze);
 }
 
@@ -198,7 +202,7 @@ void main() {
     Water state = water_at(label);
     float width = max(range.y - range.x, 1e-9);
     if (view.x == VIEW_SHADED) {
-        colour = vec4(screen_colour(shaded(state)), 1.0);
+        colour = vec4(drawn_colour(shaded(state)), 1.0);
     } else if (view.x == VIEW_NORMAL) {
         colour = vec4(0.5 + 0.5 * normal_of(state), 1.0);
     } else if (view.x == VIEW_SLOPE) {

@@ -3,12 +3,12 @@
 //
 // A vertex of the water: a level of the clipmap, morphed into the next coarser one as it goes away
 // from the eye, so that nothing jumps and nothing swims.
+#include "preview/on_screen.glsl"
 #include "preview/sea.glsl"
 
 layout(location = 0) in vec2 grid;
 
 uniform vec4 level;  // label of grid (0, 0) relative to the eye; metres of a cell
-uniform float depth;  // 1/log2(1 + farthest); 0: as the projection says
 uniform vec4 morph;  // cells from the eye where it begins, 1/cells that it takes; least distance
 
 out vec2 label;
@@ -22,10 +22,5 @@ void main() {
     float spacing = level.z * exp2(share);
     vec4 displacement = displacement_at(copies_at(label), label, spacing);
     position = shown_point(label, displacement);
-    gl_Position = clip_from_world * vec4(position - vec3(0.0, 0.0, eye.z), 1.0);
-    // Equal steps of depth for equal ratios of distance: from centimetres to the horizon. Behind the
-    // eye it is on the near plane, whose other side is never seen.
-    if (depth > 0.0) {
-        gl_Position.z = (2.0 * depth * log2(max(1.0, 1.0 + gl_Position.w)) - 1.0) * gl_Position.w;
-    }
+    gl_Position = on_screen(position);
 }

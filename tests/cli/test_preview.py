@@ -123,6 +123,29 @@ def test_views_are_other_pictures(folder, view):
     assert rms(pixels(folder / "a.png"), pixels(folder / "b.png")) > 0.1
 
 
+@pytest.mark.parametrize("stage", ["h0", "spectrum"])
+def test_spectra_are_shown_as_they_are(folder, stage):
+    subprocess.run([OCEAN, "bake", "sea.toml", "-q", "-o", "s.exr", "--stage", stage],
+                   cwd=folder, check=True, capture_output=True)  # fmt: skip
+    numbers = pixels(next(folder.glob("*.exr")))
+    good(folder, "sea.toml", "--frame", 1, "--offscreen", "s.png", "--view", stage)
+    shown = pixels(folder / "s.png")
+    assert shown.shape == (128, 128, 3)
+    amplitude = numpy.hypot(numbers[..., 0], numbers[..., 1])
+    expected = 1 + numpy.log10(numpy.maximum(amplitude, 1e-30) / amplitude.max()) / 4
+    assert abs(shown.max(2) - expected.clip(0, 1)).max() < 1.5 / 255
+
+
+def test_the_plan_of_the_transform_is_shown(folder):
+    good(folder, "sea.toml", "--offscreen", "s.png", "--view", "butterfly")
+    shown = pixels(folder / "s.png")
+    assert shown.shape == (128, 7, 3)
+    root = 2 * shown[..., :2] - 1
+    assert abs(numpy.hypot(root[..., 0], root[..., 1]) - 1).max() < 0.02
+    done = run(folder, "sea.toml", "--offscreen", "s.exr", "--view", "butterfly")
+    assert done.returncode == 2 and "--stage" in done.stderr
+
+
 def test_an_older_opengl_draws_the_same(folder):
     good(folder, "sea.toml", "--offscreen", "new.png", "--size", "320x180")
     old = {"MESA_GL_VERSION_OVERRIDE": "4.1", "MESA_GLSL_VERSION_OVERRIDE": "410"}
@@ -148,6 +171,110 @@ def test_a_sequence_is_the_sea_frame_by_frame(folder):
     assert (pixels(folder / "alone.png") != pixels(folder / "out/sea.0003.png")).any()
 
 
+def screen(light: numpy.ndarray) -> numpy.ndarray:
+    """What shaders/preview/tone.glsl makes of light."""
+    above = numpy.maximum(light - 0.6, 0.0)
+    rolled = numpy.minimum(light, 0.6) + 0.4 * above / (above + 0.4)
+    return numpy.where(rolled < 0.0031308, 12.92 * rolled, 1.055 * rolled ** (1 / 2.4) - 0.055)
+
+
+def test_an_exr_picture_is_the_light_of_the_png(folder):
+    sun_ahead = ("sea.toml", "--size", "320x180", "--sun", "6,0", "--exposure", "1.7")
+    assert good(folder, *sun_ahead, "--offscreen", "a.exr") == "a.exr\n"
+    good(folder, *sun_ahead, "--offscreen", "a.png")
+    light, shown = pixels(folder / "a.exr"), pixels(folder / "a.png")
+    spec = oiio.ImageBuf(str(folder / "a.exr")).spec()
+    assert spec.channelnames == ("R", "G", "B") and spec.format == oiio.FLOAT
+    # Upright, and nothing is lost: the sun is far beyond what a screen shows.
+    assert numpy.abs(screen(light) - shown).max() < 0.6 / 255
+    assert light.max() > 50.0
+    # Twice the exposure is twice the light.
+    good(folder, *sun_ahead[:-1], "3.4", "--offscreen", "b.exr")
+    assert pixels(folder / "b.exr") == pytest.approx(2.0 * light, rel=1e-5)
+
+
+def write_exr(path: Path, picture: numpy.ndarray):
+    buffer = oiio.ImageBuf(oiio.ImageSpec(picture.shape[1], picture.shape[0], 3, oiio.FLOAT))
+    buffer.set_pixels(buffer.roi, picture.astype(numpy.float32))
+    assert buffer.write(str(path))
+
+
+def test_an_environment_is_the_sky_and_its_sun(folder):
+    height, width = 128, 256
+    elevation, bearing = numpy.meshgrid(
+        numpy.radians(90.0 - 180.0 * (numpy.arange(height) + 0.5) / height),
+        numpy.radians(180.0 - 360.0 * (numpy.arange(width) + 0.5) / width),
+        indexing="ij",
+    )
+    sky = numpy.array([0.5, 0.5, 1.0]) * (1.0 - 0.5 * numpy.abs(numpy.sin(elevation)))[..., None]
+    # 25 degrees up, 90 to the left of the middle; beside it what is no light.
+    row, column = int(height * 65 / 180), width // 4
+    sky[row, column] = [3000.0, 2500.0, 2000.0]
+    sky[5, 5] = [numpy.nan, -7.0, 1.0]
+    write_exr(folder / "sky.exr", sky)
+    ahead = ("sea.toml", "--size", "160x90", "--environment", "sky.exr", "--pitch", 0)
+    good(folder, *ahead, "--offscreen", "east.exr")
+    good(folder, *ahead, "--heading", 90, "--offscreen", "north.exr")
+    good(folder, *ahead, "--environment-turn", -90, "--offscreen", "turned.exr")
+    east, north, turned = (
+        pixels(folder / name) for name in ("east.exr", "north.exr", "turned.exr")
+    )
+    assert east[:40].max() < 1.1
+    assert numpy.median(east[:10, :, 2]) == pytest.approx(0.87, abs=0.05)
+    for towards in (north, turned):
+        # The upper edge is 18 degrees up: the sun is over it, its glitter below.
+        assert towards[50:].max() > 2.0 * east[50:].max()
+        columns = towards[50:].sum((0, 2)).argsort()[-20:]
+        assert numpy.abs(columns - 79.5).mean() < 25.0
+
+    write_exr(folder / "square.exr", sky[:, :height])
+    for arguments, words in (
+        (("--environment", "square.exr"), "128 x 128"),
+        (("--environment", "none.exr"), "none.exr"),
+        (("--environment", "sea.toml"), "not an OpenEXR file"),
+        (("--environment", "sky.exr", "--sun", "10,0"), "--sun"),
+        (("--environment-turn", "10"), "--environment"),
+    ):
+        done = run(folder, "sea.toml", "--offscreen", "no.png", *arguments)
+        assert done.returncode == 2 and words in done.stderr, done.stderr
+
+
+def test_the_look_of_the_teaching_programs(folder):
+    asked = ("preset:seed_lantz", "--size", "160x90", "--pitch", 0)
+    good(folder, *asked, "--look", "seed", "--offscreen", "seed.png")
+    good(folder, *asked, "--offscreen", "physical.png")
+    seed, physical = pixels(folder / "seed.png"), pixels(folder / "physical.png")
+    assert rms(seed, physical) > 0.1
+    # No sky, but one pale grey; below it water, deep blue.
+    assert seed[:38].std((0, 1)).max() < 0.001 and seed[0, 0].min() > 0.8
+    water = seed[60:].mean((0, 1))
+    assert water[0] < 0.2 and water[0] < water[1] < water[2]
+    # Fields are fields, whatever the look.
+    for look in ("seed", "physical"):
+        good(folder, *asked, "--look", look, "--view", "height", "--offscreen", f"{look}.png")
+    assert (pixels(folder / "seed.png") == pixels(folder / "physical.png")).all()
+    done = run(folder, *asked, "--look", "seeds", "--offscreen", "no.png")
+    assert done.returncode == 2 and "--look" in done.stderr
+
+
+@pytest.mark.parametrize("view", ["shaded", "slope"])
+def test_one_cascade_alone(folder, view):
+    asked = ("sea.toml", "--set", "cascades=2", "--size", "160x90", "--view", view,
+             "--eye", "0,0,40", "--pitch", "-50")  # fmt: skip
+    pictures = []
+    for name, alone in (("all", ()), ("0", ("--cascade", 0)), ("1", ("--cascade", 1))):
+        good(folder, *asked, *alone, "--offscreen", f"{name}.png")
+        pictures.append(pixels(folder / f"{name}.png"))
+    # The short waves have the slopes, the long ones the heights.
+    assert rms(pictures[0], pictures[1]) > 0.01 and rms(pictures[1], pictures[2]) > 0.02
+    heights = [float(good(folder, "sea.toml", "--set", "cascades=2", "--set", "choppiness=0",
+                          "--probe", "3,4", *alone).split(",")[3])
+               for alone in ((), ("--cascade", 0), ("--cascade", 1))]  # fmt: skip
+    assert heights[1] + heights[2] == pytest.approx(heights[0], abs=1e-4)
+    done = run(folder, *asked, "--cascade", 2, "--offscreen", "no.png")
+    assert done.returncode == 2 and "--cascade is 2; the sea has 2, 0 .. 1" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -162,6 +289,8 @@ def test_a_sequence_is_the_sea_frame_by_frame(folder):
         (("sea.toml", "--time", "1e10", "--probe", "0,0"), "time"),
         (("sea.toml", "--look-at", "1,1,1", "--heading", "3"), "--look-at"),
         (("sea.toml", "--probe", "1"), "--probe"),
+        (("sea.toml", "--cascade", "1"), "--cascade"),
+        (("sea.toml", "--cascade", "-1"), "--cascade"),
         (("sea.toml", "--frames", "1-3"), "--record"),
         (("sea.toml", "--view", "heights"), "--view"),
         (("none.toml",), "none.toml"),
@@ -180,8 +309,9 @@ def test_what_is_wrong_is_said(folder, arguments, words):
 def test_without_a_display_or_a_place_to_write_it_says_so(folder):
     done = run(folder, "sea.toml")
     assert done.returncode == 1 and "--offscreen" in done.stderr
-    done = run(folder, "sea.toml", "--offscreen", "no/folder/a.png", "--size", "64x36")
-    assert done.returncode == 1 and "no/folder/a.png" in done.stderr
+    for path in ("no/folder/a.png", "no/folder/a.exr"):
+        done = run(folder, "sea.toml", "--offscreen", path, "--size", "64x36")
+        assert done.returncode == 1 and path in done.stderr
     # Nor is the sea itself taken for a picture.
     done = run(folder, "sea.toml", "--offscreen", "sea.toml", "--size", "64x36")
     assert done.returncode == 2 and (folder / "sea.toml").read_text() == SEA
@@ -311,10 +441,10 @@ def hand(folder):
 
 
 # Places in the panel of a window of 1000 x 700.
-WIND_SPEED = (90, 567)
-COMPUTED_BY = (90, 498)
+WIND_SPEED = (90, 613)
+COMPUTED_BY = (90, 544)
 SAVE_SEA = (48, 195)
-SEARCH = (90, 452)
+SEARCH = (90, 498)
 
 
 def test_a_hand_uses_the_window(hand):

@@ -60,9 +60,12 @@ int main(int argc, char** argv) {
     for (const int taps : {0, 2}) {
         for (const std::size_t cascades : {1, 2, 5, 10}) {
             const std::size_t covers = cascades == 1 || cascades == 5 ? 1 : 2;
-            const std::string name = "water_" + std::to_string(cascades) + std::to_string(taps);
-            for (const char* path : {"preview/water.vert", "preview/water.frag"}) {
-                write(name, path, preview::water_defines(cascades, covers, taps));
+            const std::string end = "_" + std::to_string(cascades) + std::to_string(taps);
+            for (const std::string name : {"water", "seed"}) {
+                for (const char* kind : {".vert", ".frag"}) {
+                    write(name + end, "preview/" + name + kind,
+                          preview::water_defines(cascades, covers, taps));
+                }
             }
         }
     }

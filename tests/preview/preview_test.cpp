@@ -5,54 +5,17 @@
 // from every place and at every distance.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "gl/leftovers.hpp"
 #include "ocean/cascades.hpp"
-#include "ocean/gl/context.hpp"
-#include "ocean/preview/canvas.hpp"
 #include "ocean/preview/probe.hpp"
-#include "ocean/preview/renderer.hpp"
-#include "unit/test_seas.hpp"
+#include "preview_fixture.hpp"
 
 namespace ocean::preview {
 namespace {
-
-constexpr double kPeriod = 400.0;
-
-Parameters two_cascades() {
-    Parameters parameters = test::wind_sea(128, kPeriod);
-    parameters.grid.cascades = 2;
-    return parameters;
-}
-
-/// A context with a sea in it. Whatever the driver has to say is a failure.
-class PreviewTest : public ::testing::Test {
-  protected:
-    void TearDown() override {
-        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
-        for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
-    }
-
-    std::vector<std::uint8_t> picture(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                                      int width = 160, int height = 90) {
-        const Canvas canvas(width, height, GL_RGBA8);
-        renderer.draw(sea, camera, Look{}, {.width = width, .height = height});
-        return canvas.rgb();
-    }
-    /// The numbers of each pixel: see shaders/preview/water.frag.
-    std::vector<float> numbers(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                               int side, const Look& look = {}) {
-        const Canvas canvas(side, side, GL_RGBA32F);
-        renderer.draw(sea, camera, look, {.width = side, .height = side, .view = View::numbers});
-        return canvas.rgba();
-    }
-
-  private:
-    const gl::HeadlessContext context_{{.debug = true}};
-    const gl::HeadlessContext::Current current_{context_};
-};
 
 int largest_difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     int largest = 0;
@@ -344,6 +307,71 @@ TEST_F(PreviewTest, WavesThatBothSeasHaveDoNotGrowInTheMiddleOfACrossFade) {
             EXPECT_GT(height_of(cross_fade(from, to, share)) / expected, 1.3);
         }
     }
+}
+
+TEST_F(PreviewTest, LinearLightHasNoLimit) {
+    Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 32});
+    const ShownSea shown = maps.show(sea, 5.0);
+    const Camera at_the_sun{.eye = {0.0, 0.0, 5.0}, .heading = 0.0, .pitch = 0.0};
+    const auto exposed = [&](double exposure) {
+        Look look{.sun_altitude = 8.0, .sun_bearing = 0.0};
+        look.exposure = exposure;
+        return light(renderer, shown, at_the_sun, look, 160, 90);
+    };
+    const auto once = exposed(1.0), twice = exposed(2.0);
+    EXPECT_GT(*std::ranges::max_element(once), 20.0f);
+    for (std::size_t i = 0; i < once.size(); ++i) {
+        if (i % 4 == 3) continue;
+        EXPECT_NEAR(twice[i], 2.0f * once[i], 1e-5f * twice[i]);
+    }
+}
+
+TEST_F(PreviewTest, CascadesShownAloneAddUpToTheSea) {
+    Parameters parameters = two_cascades();
+    parameters.surface.choppiness = 0.0;
+    Ocean sea(parameters);
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 64});
+    const ShownSea shown = maps.show(sea, 12.0);
+    constexpr int kSide = 64;
+    const auto period = [&](const ShownSea& of, int cascade) {
+        const Canvas canvas(kSide, kSide, GL_RGBA32F);
+        DrawOptions options;
+        options.width = options.height = kSide;
+        options.view = View::numbers;
+        options.cascade = cascade;
+        renderer.draw_from_above(of, {}, 0.0, 0.0, kPeriod, options);
+        return canvas.rgba();
+    };
+    // Heights add up at each place, slopes on the mean.
+    const auto all = period(shown, -1), first = period(shown, 0), second = period(shown, 1);
+    const double bound = 1e-5 * shown.significant_wave_height;
+    const double pixels = kSide * kSide;
+    double squares[2] = {}, slopes[3] = {};
+    for (std::size_t p = 0; p < all.size(); p += 4) {
+        EXPECT_NEAR(first[p] + second[p], all[p], bound);              // the mesh
+        EXPECT_NEAR(first[p + 1] + second[p + 1], all[p + 1], bound);  // the maps
+        squares[0] += first[p + 1] * first[p + 1] / pixels;
+        squares[1] += second[p + 1] * second[p + 1] / pixels;
+        slopes[0] += (first[p + 2] + first[p + 3]) / pixels;
+        slopes[1] += (second[p + 2] + second[p + 3]) / pixels;
+        slopes[2] += (all[p + 2] + all[p + 3]) / pixels;
+    }
+    EXPECT_GT(squares[0], 1e-3);
+    EXPECT_GT(squares[1], 1e-6);
+    EXPECT_GT(slopes[1], slopes[0]);
+    EXPECT_NEAR((slopes[0] + slopes[1] + shown.unresolved_slope) / slopes[2], 1.0, 0.02);
+    // Of two seas at once it is that cascade of both.
+    const auto faded = period(cross_fade(shown, shown, 0.5), 1);
+    for (std::size_t p = 1; p < all.size(); p += 4) {
+        EXPECT_NEAR(faded[p], std::sqrt(2.0) * second[p], bound);
+    }
+    const auto probed = probe(renderer, shown, {.eye = {10.0, 0.0, 5.0}}, {12.0, 3.0}, 1);
+    const auto whole = probe(renderer, shown, {.eye = {10.0, 0.0, 5.0}}, {12.0, 3.0});
+    ASSERT_TRUE(probed && whole);
+    EXPECT_GT(std::abs(whole->map_height - probed->map_height), 100.0 * bound);
 }
 
 TEST_F(PreviewTest, TwoThousandFramesLeaveNothingBehind) {

@@ -29,6 +29,7 @@ file, 130 interrupted.)";
 void run(const PreviewWords& words, const Context& context) {
     const PreviewOptions options = preview_options(words);
     const Sea sea = open_sea(words.sea);
+    require_fit(options, sea);
     const bool in_window =
         options.offscreen.empty() && options.record.empty() && options.probes.empty();
     if (in_window) {

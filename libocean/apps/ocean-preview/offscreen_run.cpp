@@ -14,9 +14,9 @@
 #include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/platform.hpp"
-#include "ocean/preview/canvas.hpp"
 #include "ocean/preview/probe.hpp"
 #include "ocean/text.hpp"
+#include "picture_file.hpp"
 #include "stage_picture.hpp"
 #include "workload.hpp"
 
@@ -58,7 +58,7 @@ class OffscreenRun {
         if (options_.probes.empty()) return;
         const preview::ShownSea shown = maps_.show(sea_, time);
         for (const auto& place : options_.probes) {
-            const auto found = preview::probe(renderer_, shown, options_.camera, place);
+            const auto found = preview::probe(renderer_, shown, options_.camera, place, cascade());
             std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
             if (found) {
                 for (const double value : {found->mesh_height, found->map_height,
@@ -71,21 +71,22 @@ class OffscreenRun {
     }
 
     void draw(double time, const std::string& path) {
-        if (std::ranges::count(stage_picture_names(), options_.view) != 0) {
-            const StagePicture stage = make_stage_picture(stages_, sea_, time, 0, options_.view);
-            return write(path, stage.width, stage.height, stage.rgb);
+        if (is_stage_picture(options_.view)) {
+            const StagePicture stage =
+                make_stage_picture(stages_, sea_, time,
+                                   static_cast<std::size_t>(std::max(0, cascade())), options_.view);
+            const InterruptWatch::Hold whole = context_.interrupts.hold();
+            return io::write_png(path, stage.width, stage.height, stage.rgb);
         }
         const preview::ShownSea shown = maps_.show(sea_, time);
-        const auto [width, height] = options_.size;
-        if (!canvas_) canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8);
-        canvas_->bind();
         preview::DrawOptions draw;
-        draw.width = width;
-        draw.height = height;
+        draw.width = options_.size[0];
+        draw.height = options_.size[1];
         draw.view = preview::view_of(options_.view);
         draw.wireframe = options_.wireframe;
-        renderer_.draw(shown, options_.camera, options_.look, draw);
-        write(path, width, height, canvas_->rgb());
+        draw.cascade = cascade();
+        const InterruptWatch::Hold whole = context_.interrupts.hold();
+        write_picture(path, renderer_, shown, options_.camera, options_.look, draw);
     }
 
     void record(const std::string& stem) {
@@ -104,12 +105,7 @@ class OffscreenRun {
     }
 
   private:
-    void write(const std::string& path, int width, int height,
-               const std::vector<std::uint8_t>& rgb) {
-        const InterruptWatch::Hold whole = context_.interrupts.hold();
-        io::write_png(path, width, height, rgb);
-    }
-
+    int cascade() const { return options_.cascade.value_or(-1); }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         return maps;
@@ -120,7 +116,6 @@ class OffscreenRun {
     Ocean sea_;
     preview::SeaMaps maps_;
     preview::Renderer renderer_;
-    std::unique_ptr<preview::Canvas> canvas_;
     gl::StageMaker stages_;
 };
 

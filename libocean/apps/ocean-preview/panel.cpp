@@ -274,7 +274,28 @@ void picture(PanelState& state) {
         }
         ImGui::EndCombo();
     }
+    const std::string all = state.cascade < 0 ? "all" : std::to_string(state.cascade);
+    if (ImGui::BeginCombo("Cascade", all.c_str())) {
+        for (int cascade = -1; cascade < state.cascades; ++cascade) {
+            const std::string name = cascade < 0 ? "all" : std::to_string(cascade);
+            if (ImGui::Selectable(name.c_str(), cascade == state.cascade)) {
+                state.cascade = cascade;
+                state.touched = true;
+            }
+        }
+        ImGui::EndCombo();
+    }
     preview::Look& look = state.look;
+    const std::vector<std::string> looks = preview::look_names();
+    if (ImGui::BeginCombo("Look", looks[static_cast<std::size_t>(look.kind)].c_str())) {
+        for (const std::string& name : looks) {
+            if (ImGui::Selectable(name.c_str())) {
+                look.kind = preview::look_of(name);
+                state.touched = true;
+            }
+        }
+        ImGui::EndCombo();
+    }
     if (ImGui::BeginCombo("Water", look.water_type.c_str())) {
         for (const WaterType& type : water_types()) {
             const std::string name(type.name);
@@ -286,8 +307,12 @@ void picture(PanelState& state) {
         }
         ImGui::EndCombo();
     }
-    slider(state, "Sun's altitude", look.sun_altitude, -12.0f, 90.0f, "%.1f deg");
-    slider(state, "Sun's bearing", look.sun_bearing, -180.0f, 180.0f, "%.0f deg");
+    if (look.environment) {
+        slider(state, "Sky turned", look.environment_turn, -180.0f, 180.0f, "%.1f deg");
+    } else {
+        slider(state, "Sun's altitude", look.sun_altitude, -12.0f, 90.0f, "%.1f deg");
+        slider(state, "Sun's bearing", look.sun_bearing, -180.0f, 180.0f, "%.0f deg");
+    }
     slider(state, "Exposure", look.exposure, 0.05f, 20.0f, "%.2f", ImGuiSliderFlags_Logarithmic);
     slider(state, "Haze", look.haze_distance, 500.0f, 200000.0f, "%.0f m",
            ImGuiSliderFlags_Logarithmic);
@@ -442,7 +467,13 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         if (ImGui::Button("Undo")) undo(sea, state);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Ctrl Z");
         ImGui::SameLine();
-        if (ImGui::Button("Save picture (F12)")) state.save_picture = true;
+        if (ImGui::Button("PNG (F12)")) state.save_picture = ".png";
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Save the picture as it is shown");
+        ImGui::SameLine();
+        if (ImGui::Button("EXR")) state.save_picture = ".exr";
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("Save its light, linear, for a compositor (Shift F12)");
+        }
         ImGui::SameLine();
         if (ImGui::Button("Reload")) state.reload = true;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("The sea file, as it is now (Ctrl R)");

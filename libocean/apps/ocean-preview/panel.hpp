@@ -42,6 +42,8 @@ struct Change {
 struct PanelState {
     preview::Look look;
     std::string view = "shaded";  // one of all_view_names()
+    int cascade = -1;             // the one that is shown alone; -1: all
+    int cascades = 1;
     bool wireframe = false;
     bool shown = true;
     bool probing = false;
@@ -56,7 +58,7 @@ struct PanelState {
 
     // What a person asked for in this frame.
     bool save_sea = false;
-    bool save_picture = false;
+    std::string save_picture;  // ".png" or ".exr"
     bool reload = false;
     bool record = false;  // starts or stops
     bool reset_camera = false;

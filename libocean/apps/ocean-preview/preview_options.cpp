@@ -7,8 +7,10 @@
 #include "ocean/bake/frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/io/panorama.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
+#include "picture_file.hpp"
 #include "stage_picture.hpp"
 
 namespace ocean::app {
@@ -81,6 +83,21 @@ void place_camera(const PreviewWords& words, preview::Camera& camera) {
     if (words.angle) camera.field_of_view = within(*words.angle, "--angle", 1.0, 150.0);
 }
 
+void place_environment(const PreviewWords& words, preview::Look& look) {
+    if (words.environment.empty()) {
+        if (!words.environment_turn) return;
+        throw Error(ErrorKind::invalid_value, "--environment-turn is for --environment");
+    }
+    if (!words.sun.empty()) {
+        throw Error(ErrorKind::invalid_value, "--environment has a sun of its own: no --sun");
+    }
+    const io::Panorama sphere = io::read_exr_panorama(words.environment);
+    look.environment = std::make_shared<const preview::Environment>(
+        preview::make_environment(sphere.width, sphere.height, sphere.rgb));
+    look.environment_turn =
+        within(words.environment_turn.value_or(0.0), "--environment-turn", -3600.0, 3600.0);
+}
+
 }  // namespace
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
@@ -106,13 +123,22 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
         {"Light",
          {{"--sun", &words.sun, "ALTITUDE,BEARING",
            "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
+          {"--environment", &words.environment, "FILE.exr",
+           "A sky over longitude and latitude instead, z up: its top row is the zenith, its middle "
+           "looks along +x, what is right of it lies clockwise seen from above; the sun in it is "
+           "found"},
+          {"--environment-turn", &words.environment_turn, "DEG",
+           "Turns it counter-clockwise, seen from above"},
           {"--exposure", &words.exposure, "E", "Times the light (default 1)"},
           {"--haze", &words.haze, "M",
            "Metres after which 1/e of the light is left (default 60000)"},
           {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
            kOptional, OneOf{water_names()}}}},
         {"Picture",
-         {{"--offscreen", &words.offscreen, "FILE.png", "Write one picture; needs no display"},
+         {{"--offscreen", &words.offscreen, "FILE",
+           "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr its "
+           "light, "
+           "linear and times the exposure"},
           {"--record", &words.record, "FOLDER",
            "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display", kOptional,
            NotEmpty{}, "--offscreen"},
@@ -121,7 +147,12 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--view", &words.view, "VIEW",
            "What is shown; of h0, spectrum (h(k, t)) and butterfly a pixel for each wave",
            kOptional, OneOf{all_view_names()}},
+          {"--look", &words.look, "LOOK",
+           "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
+           "programs draw it",
+           kOptional, OneOf{preview::look_names()}},
           {"--wireframe", &words.wireframe, "", "The mesh alone"},
+          {"--cascade", &words.cascade, "N", "The waves of one cascade alone, from 0"},
           {"--probe", &words.probes, "X,Y",
            "Print the height that is drawn at a place of the world, metres, and that of the "
            "maps there; may be given more than once"}}},
@@ -141,11 +172,13 @@ PreviewOptions preview_options(const PreviewWords& words) {
     PreviewOptions options;
     place_camera(words, options.camera);
     preview::Look& look = options.look;
+    look.kind = preview::look_of(words.look);
     if (!words.sun.empty()) {
         const auto sun = numbers<2>(words.sun, "--sun", {{{-18.0, 90.0}, {-3600.0, 3600.0}}});
         look.sun_altitude = sun[0];
         look.sun_bearing = sun[1];
     }
+    place_environment(words, look);
     if (words.exposure) look.exposure = within(*words.exposure, "--exposure", 0.0, 1000.0);
     if (words.haze) look.haze_distance = within(*words.haze, "--haze", 10.0, 1e9);
     if (!words.water.empty()) look.water_type = words.water;
@@ -164,9 +197,13 @@ PreviewOptions preview_options(const PreviewWords& words) {
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
     options.time = words.time;
     options.frame = words.frame;
-    if (!words.offscreen.empty() && OutputPattern(words.offscreen).extension() != ".png") {
-        throw Error(ErrorKind::invalid_value,
-                    "--offscreen: '" + words.offscreen + "' does not end in .png");
+    if (!words.offscreen.empty()) {
+        require_picture_name(words.offscreen, "--offscreen");
+        if (is_stage_picture(words.view) && OutputPattern(words.offscreen).extension() != ".png") {
+            throw Error(ErrorKind::invalid_value, "--view " + words.view +
+                                                      ": is written as .png; its numbers are by "
+                                                      "`ocean bake --stage`");
+        }
     }
     options.offscreen = words.offscreen;
     if (words.record.empty() != words.frames.empty()) {
@@ -175,11 +212,22 @@ PreviewOptions preview_options(const PreviewWords& words) {
     options.record = words.record;
     if (!words.frames.empty()) options.frames = parse_frames(words.frames);
     options.wireframe = words.wireframe;
+    options.cascade = words.cascade;
     for (const std::string& probe : words.probes) {
         options.probes.push_back(
             numbers<2>(probe, "--probe", {{{-kFarthest, kFarthest}, {-kFarthest, kFarthest}}}));
     }
     return options;
+}
+
+void require_fit(const PreviewOptions& options, const Sea& sea) {
+    const int cascades = sea.parameters.grid.cascades;
+    if (!options.cascade || (*options.cascade >= 0 && *options.cascade < cascades)) return;
+    throw Error(
+        ErrorKind::invalid_value,
+        "--cascade is " + std::to_string(*options.cascade) + "; the sea has " +
+            (cascades == 1 ? "one, 0"
+                           : std::to_string(cascades) + ", 0 .. " + std::to_string(cascades - 1)));
 }
 
 }  // namespace ocean::app

@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "ocean/preview/picture.hpp"
 #include "ocean/preview/sea_maps.hpp"
+#include "ocean/sea.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {
@@ -19,10 +20,11 @@ namespace ocean::app {
 /// As it was typed.
 struct PreviewWords {
     SeaArgument sea;
-    std::string eye, look_at, sun, size = "1280x720", view = "shaded", backend = "auto";
-    std::optional<double> heading, pitch, angle, exposure, haze, time;
-    std::optional<int> frame, egl_device, map, foam_map, cells;
-    std::string water, offscreen, record, frames;
+    std::string eye, look_at, sun, size = "1280x720", view = "shaded", look = "physical",
+                                   backend = "auto";
+    std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
+    std::optional<int> frame, egl_device, map, foam_map, cells, cascade;
+    std::string water, offscreen, record, frames, environment;
     std::vector<std::string> probes;
     bool wireframe = false;
 };
@@ -43,10 +45,13 @@ struct PreviewOptions {
     std::vector<int> frames;  // for it
     std::vector<std::array<double, 2>> probes;
     bool wireframe = false;
+    std::optional<int> cascade;  // alone
 };
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
 /// Throws Error invalid_value.
 PreviewOptions preview_options(const PreviewWords& words);
+/// Throws Error invalid_value if they ask for what the sea does not have.
+void require_fit(const PreviewOptions& options, const Sea& sea);
 
 }  // namespace ocean::app

@@ -43,6 +43,10 @@ std::vector<std::string> stage_picture_names() {
     return {"h0", "spectrum", "butterfly"};
 }
 
+bool is_stage_picture(const std::string& view) {
+    return std::ranges::count(stage_picture_names(), view) != 0;
+}
+
 std::vector<std::string> all_view_names() {
     std::vector<std::string> names = preview::view_names();
     std::ranges::move(stage_picture_names(), std::back_inserter(names));

@@ -17,6 +17,7 @@ namespace ocean::app {
 
 /// "h0", "spectrum", "butterfly".
 std::vector<std::string> stage_picture_names();
+bool is_stage_picture(const std::string& view);
 /// And before them what the renderer can show of the water.
 std::vector<std::string> all_view_names();
 

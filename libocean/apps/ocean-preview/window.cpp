@@ -21,6 +21,7 @@
 #include "console.hpp"
 #include "gamepad.hpp"
 #include "live_sea.hpp"
+#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
@@ -30,6 +31,7 @@
 #include "ocean/text.hpp"
 #include "offscreen_run.hpp"
 #include "panel.hpp"
+#include "picture_file.hpp"
 #include "stage_picture.hpp"
 #include "stage_timer.hpp"
 #include "workload.hpp"
@@ -187,6 +189,7 @@ class Preview {
         kept_take_ = write_take(sea.take);
         state_.look = options.look;
         state_.view = options.view;
+        state_.cascade = options.cascade.value_or(-1);
         state_.wireframe = options.wireframe;
         state_.drawn_by = info_.renderer;
         if (info_.software) state_.drawn_by += "\na processor: fewer pixels, smaller maps";
@@ -255,7 +258,8 @@ class Preview {
             act();
             acted = true;
         };
-        on(GLFW_KEY_F12, [&] { picture_asked_ = true; });
+        const bool shift = glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
+        on(GLFW_KEY_F12, [&] { picture_asked_ = shift ? ".exr" : ".png"; });
         if (!io.WantTextInput) {
             on(GLFW_KEY_ESCAPE, [&] {
                 // A list that is open is what is meant.
@@ -278,7 +282,7 @@ class Preview {
             input.ahead = axis(GLFW_KEY_W, GLFW_KEY_S);
             input.right = axis(GLFW_KEY_D, GLFW_KEY_A);
             input.up = axis(GLFW_KEY_E, GLFW_KEY_Q);
-            input.fast = glfwGetKey(window_, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
+            input.fast = shift;
         }
         double x = 0.0, y = 0.0;
         glfwGetCursorPos(window_, &x, &y);
@@ -334,6 +338,8 @@ class Preview {
         }
         state_.times.sea = sea_timer_.milliseconds();
         list_backends();
+        state_.cascades = static_cast<int>(cascade_divisors(sea_.ocean().parameters().grid).size());
+        if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another sea
 
         draw_timer_.measure([&] { draw_sea(); });
         state_.times.draw = draw_timer_.milliseconds();
@@ -341,7 +347,8 @@ class Preview {
         const auto start = Clock::now();
         guarded([&] { look_under_mouse(); });
         Gui::begin(window_, events_.keys);
-        state_.touched = state_.save_sea = state_.save_picture = state_.reset_camera = false;
+        state_.touched = state_.save_sea = state_.reset_camera = false;
+        state_.save_picture.clear();
         state_.reload = state_.record = false;
         state_.backend_asked.reset();
         show_stage();
@@ -365,7 +372,8 @@ class Preview {
             });
         }
         if (state_.save_sea) save_sea();
-        if (state_.save_picture || std::exchange(picture_asked_, false)) save_picture();
+        if (!state_.save_picture.empty()) save_picture(state_.save_picture);
+        if (!picture_asked_.empty()) save_picture(std::exchange(picture_asked_, ""));
     }
 
     /// What can compute the sea, and what it takes; a moment after it was chosen, when shaders are
@@ -392,18 +400,21 @@ class Preview {
             canvas_width_ = width;
             canvas_height_ = height;
         }
-        if (shows_stage()) return draw_stage();
+        if (is_stage_picture(state_.view)) return draw_stage();
         canvas_->bind();
-        preview::DrawOptions options;
-        options.width = width;
-        options.height = height;
-        options.view = preview::view_of(state_.view);
-        options.wireframe = state_.wireframe;
-        renderer_.draw(shown_, camera_.camera(), state_.look, options);
+        renderer_.draw(shown_, camera_.camera(), state_.look, draw_options());
         canvas_->copy_to_window(width_, height_);
     }
 
-    bool shows_stage() const { return std::ranges::count(stage_picture_names(), state_.view) != 0; }
+    preview::DrawOptions draw_options() const {
+        preview::DrawOptions options;
+        options.width = canvas_width_;
+        options.height = canvas_height_;
+        options.view = preview::view_of(state_.view);
+        options.wireframe = state_.wireframe;
+        options.cascade = state_.cascade;
+        return options;
+    }
 
     /// A stage of the transform, as large as the window lets it be.
     void draw_stage() {
@@ -411,7 +422,9 @@ class Preview {
         glClear(GL_COLOR_BUFFER_BIT);
         const std::string view = state_.view;
         if (!guarded([&] {
-                stage_ = make_stage_picture(stages_, sea_.ocean(), sea_.time(), 0, view);
+                stage_ =
+                    make_stage_picture(stages_, sea_.ocean(), sea_.time(),
+                                       static_cast<std::size_t>(std::max(0, state_.cascade)), view);
             })) {
             state_.view = "shaded";
             return;
@@ -435,7 +448,7 @@ class Preview {
 
     /// A square beside the panel, of the butterfly too, which is a few pixels wide.
     void show_stage() {
-        if (!shows_stage() || !stage_texture_) return;
+        if (!is_stage_picture(state_.view) || !stage_texture_) return;
         const ImVec2 size = ImGui::GetIO().DisplaySize;
         const float left = state_.shown ? std::min(kPanelWidth, 0.5f * size.x) : 0.0f;
         const float side = std::min(size.x - left, size.y);
@@ -479,14 +492,16 @@ class Preview {
         });
     }
 
-    void save_picture() {
+    /// What is shown, as .png or .exr.
+    void save_picture(const std::string& ending) {
         write([&] {
-            const std::string name = free_name(stem_, ".png");
-            if (shows_stage()) {
+            if (is_stage_picture(state_.view)) {
+                const std::string name = free_name(stem_, ".png");
                 io::write_png(name, stage_.width, stage_.height, stage_.rgb);
-            } else if (canvas_) {
-                io::write_png(name, canvas_width_, canvas_height_, canvas_->rgb());
+                return name;
             }
+            const std::string name = free_name(stem_, ending);
+            write_picture(name, renderer_, shown_, camera_.camera(), state_.look, draw_options());
             return name;
         });
     }
@@ -555,7 +570,7 @@ class Preview {
     double scale_ = pixel_scale(info_);
     int frames_to_draw_ = 3;
     int frames_of_backend_ = 0;
-    bool picture_asked_ = false;  // of what is drawn next
+    std::string picture_asked_;  // ".png" or ".exr", of what is drawn next
 };
 
 }  // namespace

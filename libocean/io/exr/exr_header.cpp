@@ -6,10 +6,12 @@
 // Layout: magic, version, then attributes (name\0 type\0 size value), then an empty name.
 // Multi-part files: the first part.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 
+#include "exr_library.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/io/exr.hpp"
@@ -88,10 +90,13 @@ struct Attribute {
     std::string name, type, value;
 };
 
-std::vector<Attribute> read_attributes(const std::string& path) {
+/// excluded: bits of the version field that the file must not have.
+std::vector<Attribute> read_attributes(const std::string& path, std::uint32_t excluded = 0) {
     HeaderReader reader(path, read_beginning(path));
     if (reader.integer() != kMagic) reader.fail("it is not an OpenEXR file");
-    if ((reader.integer() & 0xff) != 2) reader.fail("its OpenEXR version is not 2");
+    const std::uint32_t version = reader.integer();
+    if ((version & 0xff) != 2) reader.fail("its OpenEXR version is not 2");
+    if ((version & excluded) != 0) reader.fail("it has several parts or deep pixels");
     std::vector<Attribute> attributes;
     for (;;) {
         if (attributes.size() > kMostAttributes) reader.fail("it has more than 4096 attributes");
@@ -113,10 +118,15 @@ HeaderReader value_reader(const std::string& path, const std::vector<Attribute>&
     HeaderReader(path, "").fail("it has no " + std::string(name));
 }
 
-int read_resolution(HeaderReader window) {
+/// Width and height.
+std::array<std::int64_t, 2> read_size(HeaderReader& window) {
     std::int64_t corner[4];
     for (std::int64_t& value : corner) value = static_cast<std::int32_t>(window.integer());
-    const std::int64_t width = corner[2] - corner[0] + 1, height = corner[3] - corner[1] + 1;
+    return {corner[2] - corner[0] + 1, corner[3] - corner[1] + 1};
+}
+
+int read_resolution(HeaderReader window) {
+    const auto [width, height] = read_size(window);
     if (width != height || width < 1 || width > kMaxResolution) {
         window.fail("its image is not a square of at most 8192 samples a side");
     }
@@ -170,6 +180,22 @@ ExrLayout read_exr_layout(const std::string& path) {
     return {read_resolution(value_reader(path, attributes, "dataWindow", "box2i")),
             read_compression(value_reader(path, attributes, "compression", "compression")),
             read_channels(value_reader(path, attributes, "channels", "chlist"))};
+}
+
+ExrClaims read_exr_claims(const std::string& path) {
+    constexpr std::uint32_t kDeep = 0x800, kSeveralParts = 0x1000;
+    const std::vector<Attribute> attributes = read_attributes(path, kDeep | kSeveralParts);
+    HeaderReader window = value_reader(path, attributes, "dataWindow", "box2i");
+    const auto [width, height] = read_size(window);
+    ExrClaims claims{width, height, 0,
+                     read_channels(value_reader(path, attributes, "channels", "chlist"))};
+    for (const Attribute& attribute : attributes) {
+        if (attribute.name != "tiles" || attribute.type != "tiledesc") continue;
+        HeaderReader tiles(path, attribute.value);
+        const std::uint32_t tile_width = tiles.integer();
+        claims.tile = std::max(tile_width, tiles.integer());
+    }
+    return claims;
 }
 
 }  // namespace ocean::io

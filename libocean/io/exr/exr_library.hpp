@@ -8,6 +8,7 @@
 #include <ImfPixelType.h>
 
 #include <cstddef>
+#include <cstdint>
 
 #include "ocean/io/exr.hpp"
 
@@ -22,6 +23,15 @@ inline Imf::PixelType imf_type(PixelType type) {
 inline std::size_t pixel_bytes(Imf::PixelType type) {
     return type == Imf::HALF ? 2 : 4;
 }
+
+/// What a file of one flat part claims, read without OpenEXR, which would believe it.
+struct ExrClaims {
+    std::int64_t width, height;  // samples
+    std::uint32_t tile;          // the larger side of its tiles; 0: scanlines
+    std::vector<ExrChannel> channels;
+};
+/// Throws Error bad_file.
+ExrClaims read_exr_claims(const std::string& path);
 
 Imf::Header make_exr_header(const Image& image, ExrCompression compression);
 

@@ -5,10 +5,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "ocean/preview/environment.hpp"
 
 namespace ocean::preview {
 
@@ -26,10 +29,22 @@ struct Camera {
                                                     double aspect, double level) const;
 };
 
+/// physical: the sea to its horizon under its sky. seed: as the teaching programs drew it that the
+/// library continues: ten by ten periods as a flat mesh in plain light, in fog; of all of Look it
+/// takes the sun's direction alone.
+enum class LookKind { physical, seed };
+std::vector<std::string> look_names();
+/// Throws Error invalid_value.
+LookKind look_of(std::string_view name);
+
 /// The light and the water: nothing of the waves.
 struct Look {
+    LookKind kind = LookKind::physical;
     double sun_altitude = 35.0;  // degrees
     double sun_bearing = 70.0;   // degrees counter-clockwise from +x, where it stands
+    /// Instead of the computed sky, with the sun that is in it; the renderer keeps the last one.
+    std::shared_ptr<const Environment> environment = nullptr;
+    double environment_turn = 0.0;  // degrees counter-clockwise, seen from above
     double exposure = 1.0;
     double haze_distance = 60e3;  // m, after which 1/e of the light is left
     std::string water_type = "jerlov_ii";

@@ -19,8 +19,8 @@ struct Probe {
     double handed_on_slope;  // mean square slope that it gives to the light as roughness
 };
 
-/// Of the mesh that the camera sees; nothing where it draws nothing.
+/// Of the mesh that the camera sees; nothing where it draws nothing. cascade: as in DrawOptions.
 std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                           const std::array<double, 2>& place);
+                           const std::array<double, 2>& place, int cascade = -1);
 
 }  // namespace ocean::preview

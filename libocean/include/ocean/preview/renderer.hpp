@@ -28,6 +28,12 @@ struct DrawOptions {
     /// Of the values that a view shows, least and most; both 0: by the sea's height.
     std::array<double, 2> range = {0.0, 0.0};
     bool wireframe = false;
+    /// Of the sea the waves of this cascade alone, from 0, without those that no map has; foam
+    /// remains that of the whole sea. -1: all.
+    int cascade = -1;
+    /// Of the shaded sea light itself, times the exposure, as a canvas of GL_RGBA32F holds it; else
+    /// what a screen takes.
+    bool linear = false;
 };
 
 /// Needs the context that was current when it was made to be current in every call, the destructor

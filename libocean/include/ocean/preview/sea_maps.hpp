@@ -18,6 +18,7 @@ inline constexpr std::size_t kMostCascades = 10;
 struct ShownCascade : gl::CascadeTextures {
     double weight = 1.0;      // of its amplitudes
     double sea_period = 0.0;  // m, a multiple of its own period
+    int number = 0;           // in its sea, from 0
 };
 
 /// A map of how much of each texel foam covers, with mipmaps.

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "picture_file.hpp"
+
+#include <array>
+#include <vector>
+
+#include "ocean/bake/frames.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/exr.hpp"
+#include "ocean/io/png.hpp"
+#include "ocean/preview/canvas.hpp"
+
+namespace ocean::app {
+namespace {
+
+/// rgba: row after row, the bottom row first.
+void write_light(const std::string& path, int width, int height, const std::vector<float>& rgba) {
+    io::Image image;
+    image.width = width;
+    image.height = height;
+    std::array<std::vector<float>, 3> channels;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        channels[c].reserve(rgba.size() / 4);
+        for (std::size_t i = c; i < rgba.size(); i += 4) channels[c].push_back(rgba[i]);
+        image.planes.push_back({.name = std::string(1, "RGB"[c]), .samples = channels[c]});
+    }
+    io::write_exr(image, path, io::ExrCompression::zip);
+}
+
+}  // namespace
+
+void require_picture_name(const std::string& path, const std::string& option) {
+    const std::string extension = OutputPattern(path).extension();
+    if (extension == ".png" || extension == ".exr") return;
+    throw Error(ErrorKind::invalid_value, option + ": '" + path + "' does not end in .png or .exr");
+}
+
+void write_picture(const std::string& path, preview::Renderer& renderer,
+                   const preview::ShownSea& sea, const preview::Camera& camera,
+                   const preview::Look& look, preview::DrawOptions options) {
+    options.linear = OutputPattern(path).extension() == ".exr";
+    const preview::Canvas canvas(options.width, options.height,
+                                 options.linear ? GL_RGBA32F : GL_RGBA8);
+    renderer.draw(sea, camera, look, options);
+    if (options.linear) {
+        write_light(path, options.width, options.height, canvas.rgba());
+    } else {
+        io::write_png(path, options.width, options.height, canvas.rgb());
+    }
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: no light of an environment is lost when its sun is taken out, the sun stands where it
+// stood, and water mirrors what is above it.
+#include "ocean/preview/environment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "gl/leftovers.hpp"
+#include "ocean/error.hpp"
+#include "ocean/water_types.hpp"
+#include "preview_fixture.hpp"
+#include "sky.hpp"
+#include "wave/wave.hpp"
+
+namespace ocean::preview {
+namespace {
+
+using Rgb3 = std::array<double, 3>;
+/// Of a unit vector.
+using Light = std::function<Rgb3(const std::array<double, 3>&)>;
+
+constexpr int kFiner = 4;  // samples of a texel along a side
+
+/// Of the whole sphere, the nadir first, as the help of --environment says.
+std::vector<float> paint(int width, int height, const Light& light) {
+    std::vector<float> rgb;
+    for (int j = 0; j < height; ++j) {
+        for (int i = 0; i < width; ++i) {
+            Rgb3 sum{};
+            for (int s = 0; s < kFiner * kFiner; ++s) {
+                const double u = (i + (s % kFiner + 0.5) / kFiner) / width;
+                const double v = (j + (s / kFiner + 0.5) / kFiner) / height;
+                const double bearing = -(u - 0.5) * kTwoPi, elevation = (v - 0.5) * kPi;
+                const Rgb3 here =
+                    light({std::cos(elevation) * std::cos(bearing),
+                           std::cos(elevation) * std::sin(bearing), std::sin(elevation)});
+                for (std::size_t c = 0; c < 3; ++c) sum[c] += here[c] / (kFiner * kFiner);
+            }
+            for (const double channel : sum) rgb.push_back(static_cast<float>(channel));
+        }
+    }
+    return rgb;
+}
+
+double degrees_between(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / kPi;
+}
+
+std::array<double, 3> toward(double altitude, double bearing) {
+    const double a = altitude * kPi / 180.0, b = bearing * kPi / 180.0;
+    return {std::cos(a) * std::cos(b), std::cos(a) * std::sin(b), std::sin(a)};
+}
+
+/// A sky that is brighter towards the horizon and round its sun, whose disc of .6 degrees it has.
+Light sunny(const std::array<double, 3>& sun) {
+    return [sun](const std::array<double, 3>& direction) {
+        const double away = degrees_between(direction, sun);
+        const double sky = 1.0 - 0.6 * std::max(direction[2], 0.0) + 0.8 * std::exp(-away / 8.0);
+        const double disc = away < 0.6 ? 40000.0 : 0.0;
+        return Rgb3{0.7 * sky + disc, 0.8 * sky + 0.9 * disc, sky + 0.7 * disc};
+    };
+}
+
+/// Of a level surface that faces up, over pi.
+Rgb3 level_light(int width, int height, const std::vector<float>& rgb) {
+    Rgb3 sum{};
+    for (int j = height / 2; j < height; ++j) {
+        const double low = std::sin((static_cast<double>(j) / height - 0.5) * kPi);
+        const double high = std::sin((static_cast<double>(j + 1) / height - 0.5) * kPi);
+        for (int i = 0; i < width; ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto at = 3 * static_cast<std::size_t>(j * width + i) + c;
+                sum[c] += rgb[at] * (high * high - low * low) / width;
+            }
+        }
+    }
+    return sum;
+}
+
+TEST(Environment, TheSunIsFoundAndNoLightIsLost) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> altitude(3.0, 88.0), circle(-180.0, 180.0);
+    constexpr int kWidth = 512, kHeight = 256;
+    double farthest = 0.0, most_lost = 0.0;
+    for (int n = 0; n < 20; ++n) {
+        const double up = altitude(random), bearing = circle(random), turn = circle(random);
+        const auto rgb = paint(kWidth, kHeight, sunny(toward(up, bearing)));
+        const auto environment =
+            std::make_shared<const Environment>(make_environment(kWidth, kHeight, rgb));
+        ASSERT_TRUE(environment->sun) << up << ", " << bearing;
+
+        Look look;
+        look.environment = environment;
+        look.environment_turn = turn;
+        const Sky sky = make_sky(look);
+        const auto found = sky.sun_direction;
+        farthest = std::max(
+            farthest, degrees_between({found.x, found.y, found.z}, toward(up, bearing + turn)));
+        const Rgb3 before = level_light(kWidth, kHeight, rgb);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto i = static_cast<int>(c);
+            const double after = sky.sun_colour[i] * found.z + sky.light[i];
+            most_lost = std::max(most_lost, std::abs(after / before[c] - 1.0));
+            // The disc is cut off: what is left is as bright as its surroundings, times 4.
+            for (std::size_t p = c; p < environment->rgb.size(); p += 3) {
+                ASSERT_LT(environment->rgb[p], 12.0f);
+            }
+        }
+    }
+    EXPECT_LT(farthest, 0.5);
+    EXPECT_LT(most_lost, 0.01);
+    RecordProperty("farthest_degrees", std::to_string(farthest));
+    RecordProperty("most_lost", std::to_string(most_lost));
+}
+
+TEST(Environment, AnOvercastSkyHasNoSun) {
+    // Three times as bright at the zenith as at the horizon, as the CIE's.
+    const auto overcast = paint(256, 128, [](const std::array<double, 3>& direction) {
+        const double light = (1.0 + 2.0 * std::max(direction[2], 0.0)) / 3.0;
+        return Rgb3{light, light, light};
+    });
+    const Environment environment = make_environment(256, 128, overcast);
+    EXPECT_FALSE(environment.sun);
+    EXPECT_NEAR(environment.light[0], 7.0 / 9.0, 1e-3);
+    // Nor has one with a broken pixel, which is no more seen.
+    std::vector<float> broken = overcast;
+    std::fill_n(&broken[3 * (100 * 256 + 40)], 3, 20.0f);
+    const Environment mended = make_environment(256, 128, broken);
+    EXPECT_FALSE(mended.sun);
+    EXPECT_LT(*std::ranges::max_element(mended.rgb), 5.0f);
+    EXPECT_NEAR(mended.light[0], environment.light[0], 0.01 * environment.light[0]);
+}
+
+TEST(Environment, RefusesWhatIsNone) {
+    const std::vector<float> rgb(3 * 16 * 8, 1.0f);
+    EXPECT_NO_THROW(make_environment(16, 8, rgb));
+    EXPECT_THROW(make_environment(8, 16, rgb), Error);
+    EXPECT_THROW(make_environment(16, 8, std::span(rgb).subspan(3)), Error);
+    std::vector<float> wrong = rgb;
+    wrong[77] = -1.0f;
+    EXPECT_THROW(make_environment(16, 8, wrong), Error);
+    wrong[77] = std::nanf("");
+    EXPECT_THROW(make_environment(16, 8, wrong), Error);
+}
+
+class EnvironmentTest : public PreviewTest {
+  protected:
+    Look look_of(int width, int height, const Light& light) {
+        const auto rgb = paint(width, height, light);
+        Look look;
+        look.haze_distance = 1e9;
+        look.foam_amount = 0.0;
+        look.environment =
+            std::make_shared<const Environment>(make_environment(width, height, rgb));
+        return look;
+    }
+};
+
+TEST_F(EnvironmentTest, TheBackgroundLiesAsTheHelpSays) {
+    Ocean sea(test::wind_sea(32), {.foam_start = FoamStart::empty});
+    SeaMaps maps({.compute = false, .foam_resolution = 32});
+    Renderer renderer({.cells = 16});
+    const ShownSea shown = maps.show(sea, 0.0);
+    // Red is the part of the way from the left edge, green that from the lower one.
+    std::vector<float> rgb;
+    for (int j = 0; j < 64; ++j) {
+        for (int i = 0; i < 128; ++i) {
+            const float u = (static_cast<float>(i) + 0.5f) / 128.0f;
+            const float v = (static_cast<float>(j) + 0.5f) / 64.0f;
+            rgb.insert(rgb.end(), {u, v, 1.0f});
+        }
+    }
+    Look look;
+    look.environment = std::make_shared<const Environment>(make_environment(128, 64, rgb));
+    ASSERT_FALSE(look.environment->sun);
+    for (const double turn : {0.0, 30.0, -100.0}) {
+        look.environment_turn = turn;
+        for (const double right : {0.0, 90.0, -90.0, 150.0, -20.0}) {  // clockwise from its middle
+            for (const double up : {10.0, 45.0, 80.0}) {
+                const Camera camera{.eye = {0.0, 0.0, 5.0},
+                                    .heading = turn - right,
+                                    .pitch = up,
+                                    .field_of_view = 5.0};
+                const auto pixels = light(renderer, shown, camera, look, 33, 33);
+                const float* middle = &pixels[4 * (33 * 16 + 16)];
+                EXPECT_NEAR(middle[0], 0.5 + right / 360.0, 2e-3) << turn << ", " << right;
+                EXPECT_NEAR(middle[1], 0.5 + up / 180.0, 2e-3) << turn << ", " << up;
+            }
+        }
+    }
+}
+
+TEST_F(EnvironmentTest, WaterMirrorsAUniformSkyAsReckoned) {
+    Renderer renderer({.cells = 32});
+    const Rgb3 radiance{0.8, 1.0, 1.3};
+    const Look look = look_of(64, 32, [&](const auto&) { return radiance; });
+    ASSERT_FALSE(look.environment->sun);
+    const Rgb albedo =
+        std::ranges::find(water_types(), look.water_type, &WaterType::name)->water_leaving_albedo();
+    const auto mean = [](const std::vector<float>& pixels, std::size_t channel) {
+        double sum = 0.0;
+        for (std::size_t p = channel; p < pixels.size(); p += 4) sum += pixels[p];
+        return 4.0 * sum / static_cast<double>(pixels.size());
+    };
+    struct Case {
+        double wind, height, pitch;
+    };
+    // Flat; and so far away that all waves are roughness.
+    for (const auto& [wind, height, pitch] : {Case{0.0, 20.0, -10.0},
+                                              {0.0, 20.0, -30.0},
+                                              {0.0, 20.0, -80.0},
+                                              {10.0, 20000.0, -15.0},
+                                              {10.0, 20000.0, -30.0},
+                                              {10.0, 20000.0, -80.0}}) {
+        Parameters parameters = test::wind_sea(64);
+        parameters.waves.front().wind_speed = wind;
+        parameters.surface.choppiness = 0.0;
+        Ocean sea(parameters, {.foam_start = FoamStart::empty});
+        SeaMaps maps({.compute = false, .foam_resolution = 64});
+        const ShownSea shown = maps.show(sea, 3.0);
+        for (std::size_t c = 0; c < 3; ++c) {
+            double found = 0.0;
+            for (const double heading : {0.0, 90.0}) {  // slopes of both add up
+                const Camera camera{.eye = {0.0, 0.0, height},
+                                    .heading = heading,
+                                    .pitch = pitch,
+                                    .field_of_view = 1.0};
+                found += 0.5 * mean(light(renderer, shown, camera, look, 17, 17), c);
+            }
+            // The Earth's curve turns far water by distance/R.
+            const double distance = height / std::tan(-pitch * kPi / 180.0);
+            const double cosine = std::sin(-pitch * kPi / 180.0 - distance / 6371000.0);
+            const double reflected = wave::double_precision::rough_water_reflectance(
+                cosine, std::sqrt(0.5 * shown.mean_square_slope));
+            const double expected = (reflected + (1.0 - reflected) * albedo[c]) * radiance[c];
+            EXPECT_NEAR(found / expected, 1.0, 0.01) << wind << " m/s, " << pitch << ", " << c;
+        }
+    }
+}
+
+TEST_F(EnvironmentTest, ItsSunIsAGlitterAndNoSpark) {
+    Ocean sea(test::wind_sea(64), {.foam_start = FoamStart::empty});
+    SeaMaps maps({.compute = false, .foam_resolution = 64});
+    Renderer renderer({.cells = 32});
+    const ShownSea shown = maps.show(sea, 3.0);
+    const Look look = look_of(1024, 512, sunny(toward(30.0, 0.0)));
+    const auto brightest = [&](double heading) {
+        const auto pixels =
+            light(renderer, shown, {.eye = {0.0, 0.0, 500.0}, .heading = heading, .pitch = -30.0},
+                  look, 64, 36);
+        return *std::ranges::max_element(pixels);
+    };
+    // Texels of 40000 would be 800 in any facet.
+    EXPECT_GT(brightest(0.0), 4.0f * brightest(180.0));
+    EXPECT_LT(brightest(180.0), 2.0f);
+
+    // The same one is uploaded once; another frees it.
+    const Look other = look_of(64, 32, [](const auto&) { return Rgb3{1.0, 1.0, 1.0}; });
+    const int objects = test::count_objects();
+    for (const Look& each : {look, look, other, Look{}, look}) {
+        light(renderer, shown, {}, each, 16, 16);
+        EXPECT_EQ(test::count_objects(), objects);
+    }
+}
+
+}  // namespace
+}  // namespace ocean::preview

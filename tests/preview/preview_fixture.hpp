@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A context with a sea in it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "ocean/gl/context.hpp"
+#include "ocean/preview/canvas.hpp"
+#include "ocean/preview/renderer.hpp"
+#include "unit/test_seas.hpp"
+
+namespace ocean::preview {
+
+inline constexpr double kPeriod = 400.0;
+
+inline Parameters two_cascades() {
+    Parameters parameters = test::wind_sea(128, kPeriod);
+    parameters.grid.cascades = 2;
+    return parameters;
+}
+
+/// A context with a sea in it. Whatever the driver has to say is a failure.
+class PreviewTest : public ::testing::Test {
+  protected:
+    void TearDown() override {
+        EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+        for (const std::string& message : context_.messages()) ADD_FAILURE() << message;
+    }
+
+    std::vector<std::uint8_t> picture(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+                                      int width = 160, int height = 90) {
+        const Canvas canvas(width, height, GL_RGBA8);
+        renderer.draw(sea, camera, Look{}, {.width = width, .height = height});
+        return canvas.rgb();
+    }
+    /// The numbers of each pixel: see shaders/preview/water.frag.
+    std::vector<float> numbers(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+                               int side, const Look& look = {}) {
+        const Canvas canvas(side, side, GL_RGBA32F);
+        renderer.draw(sea, camera, look, {.width = side, .height = side, .view = View::numbers});
+        return canvas.rgba();
+    }
+
+    /// Light of each pixel, row after row, the bottom row first: R, G, B, 1.
+    std::vector<float> light(Renderer& renderer, const ShownSea& sea, const Camera& camera,
+                             const Look& look, int width, int height) {
+        const Canvas canvas(width, height, GL_RGBA32F);
+        DrawOptions options;
+        options.width = width;
+        options.height = height;
+        options.linear = true;
+        renderer.draw(sea, camera, look, options);
+        return canvas.rgba();
+    }
+
+  private:
+    const gl::HeadlessContext context_{{.debug = true}};
+    const gl::HeadlessContext::Current current_{context_};
+};
+
+}  // namespace ocean::preview
