@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wave/wave.hpp"
+
 namespace ocean::preview {
 namespace {
 
@@ -128,7 +130,7 @@ std::size_t Clipmap::draw(gl::ShaderProgram& program, const glm::dvec3& eye, dou
             const glm::dvec2 corner =
                 place - cells_ * cell + side * glm::dvec2(b % kBlocks, b / kBlocks);
             const glm::dvec2 away = glm::max(glm::abs(corner), glm::abs(corner + side));
-            const double drop = glm::dot(away, away) / (2.0 * reach.earth_radius);
+            const double drop = wave::double_precision::earth_drop(glm::length(away));
             if (!frustum.touches(glm::dvec3(corner - reach.sideways, -reach.up - drop),
                                  glm::dvec3(corner + side + reach.sideways, reach.up))) {
                 continue;

@@ -30,7 +30,6 @@ struct Reach {
     double sideways;  // m
     double up;        // m, and down
     double farthest;  // m, that is drawn
-    double earth_radius;
 };
 
 class Clipmap {

@@ -11,16 +11,17 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "angles.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 
 namespace ocean::preview {
 namespace {
 
-constexpr double kDisc = 4.0 * kPi / 180.0;  // radius of a sun with the glare of a lens
-constexpr double kSurroundings = 2.0;        // radius of what surrounds it, over that
-constexpr double kCeiling = 4.0;             // times their mean
-constexpr double kLeastShare = 0.01;         // of all light, for a sun
+constexpr double kDisc = 4.0 * kRadians;  // radius of a sun with the glare of a lens
+constexpr double kSurroundings = 2.0;     // radius of what surrounds it, over that
+constexpr double kCeiling = 4.0;          // times their mean
+constexpr double kLeastShare = 0.01;      // of all light, for a sun
 
 /// Directions and solid angles of the texels.
 class Texels {

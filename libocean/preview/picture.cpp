@@ -4,39 +4,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 
+#include "angles.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
-#include "ocean/nearest_name.hpp"
 
 namespace ocean::preview {
 namespace {
 
-constexpr std::pair<std::string_view, View> kViews[] = {
-    {"shaded", View::shaded},
-    {"height", View::height},
-    {"displacement_x", View::displacement_x},
-    {"displacement_y", View::displacement_y},
-    {"normal", View::normal},
-    {"slope", View::slope},
-    {"jacobian", View::jacobian},
-    {"whitecap", View::whitecap},
-    {"foam", View::foam},
-};
+constexpr std::span kLooks(kEnumWords<LookKind>);
+/// But that for probes, the last one.
+constexpr auto kViews = std::span(kEnumWords<View>).first(static_cast<std::size_t>(View::numbers));
+
+std::vector<std::string> as_strings(std::span<const std::string_view> words) {
+    return {words.begin(), words.end()};
+}
+
+/// what: for the message.
+template <typename Enum>
+Enum enumerator(std::span<const std::string_view> words, std::string_view word, const char* what) {
+    const auto found = std::ranges::find(words, word);
+    if (found != words.end()) return static_cast<Enum>(found - words.begin());
+    throw Error(ErrorKind::invalid_value,
+                "there is no " + std::string(what) + " '" + std::string(word) + "'");
+}
 
 }  // namespace
 
 void Camera::look_at(const std::array<double, 3>& point) {
     const double x = point[0] - eye[0], y = point[1] - eye[1], z = point[2] - eye[2];
-    constexpr double kDegrees = 57.29577951308232;
-    if (x != 0.0 || y != 0.0) heading = kDegrees * std::atan2(y, x);
-    if (x != 0.0 || y != 0.0 || z != 0.0) pitch = kDegrees * std::atan2(z, std::hypot(x, y));
+    if (x != 0.0 || y != 0.0) heading = std::atan2(y, x) / kRadians;
+    if (x != 0.0 || y != 0.0 || z != 0.0) pitch = std::atan2(z, std::hypot(x, y)) / kRadians;
 }
 
 std::optional<std::array<double, 2>> Camera::meet_level(double from_left, double from_top,
                                                         double aspect, double level) const {
-    constexpr double kRadians = 0.017453292519943295;
     const double half = std::tan(0.5 * kRadians * field_of_view);
     const double right = half * (2.0 * from_left - 1.0);
     const double up = half / aspect * (1.0 - 2.0 * from_top);
@@ -50,27 +53,19 @@ std::optional<std::array<double, 2>> Camera::meet_level(double from_left, double
 }
 
 std::vector<std::string> look_names() {
-    return {kEnumWords<LookKind>.begin(), kEnumWords<LookKind>.end()};
+    return as_strings(kLooks);
 }
 
 LookKind look_of(std::string_view name) {
-    const auto& words = kEnumWords<LookKind>;
-    const auto found = std::ranges::find(words, name);
-    if (found != words.end()) return static_cast<LookKind>(found - words.begin());
-    throw Error(ErrorKind::invalid_value, "there is no look '" + std::string(name) + "'");
+    return enumerator<LookKind>(kLooks, name, "look");
 }
 
 std::vector<std::string> view_names() {
-    std::vector<std::string> names;
-    for (const auto& [name, view] : kViews) names.emplace_back(name);
-    return names;
+    return as_strings(kViews);
 }
 
 View view_of(std::string_view name) {
-    for (const auto& [known, view] : kViews) {
-        if (known == name) return view;
-    }
-    throw Error(ErrorKind::invalid_value, "there is no view '" + std::string(name) + "'");
+    return enumerator<View>(kViews, name, "view");
 }
 
 }  // namespace ocean::preview

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 #include <map>
 #include <string>
 
+#include "angles.hpp"
 #include "clipmap.hpp"
 #include "frame_block.hpp"
 #include "ocean/error.hpp"
@@ -24,7 +24,8 @@
 namespace ocean::preview {
 namespace {
 
-constexpr double kEarthRadius = 6371000.0;  // m, mean
+using wave::double_precision::earth_radius, wave::double_precision::horizon_distance;
+
 constexpr GLuint kFrameBinding = 0;
 
 double fraction(double x) {
@@ -63,10 +64,9 @@ struct Projection {
 };
 
 Projection perspective(const Camera& camera, int width, int height) {
-    const double degrees = 0.017453292519943295;
-    const double half = std::tan(0.5 * degrees * camera.field_of_view);
+    const double half = std::tan(0.5 * kRadians * camera.field_of_view);
     const double aspect = static_cast<double>(width) / height;
-    const double h = degrees * camera.heading, p = degrees * camera.pitch;
+    const double h = kRadians * camera.heading, p = kRadians * camera.pitch;
     const glm::dvec3 ahead(std::cos(p) * std::cos(h), std::cos(p) * std::sin(h), std::sin(p));
     const glm::dvec3 up(-std::sin(p) * std::cos(h), -std::sin(p) * std::sin(h), std::cos(p));
     const glm::dmat4 view = glm::lookAt(glm::dvec3(0.0), ahead, up);
@@ -127,10 +127,10 @@ struct Renderer::Parts {
         FrameBlock b;
         b.clip_from_world = projection.clip_from_world;
         b.world_from_clip = glm::inverse(projection.clip_from_world);
-        b.eye = with(glm::vec3(0.0f, 0.0f, static_cast<float>(camera.eye[2])), kEarthRadius);
+        b.eye = with(glm::vec3(0.0f, 0.0f, static_cast<float>(camera.eye[2])), 1.0);
         b.sun = with(colours.sun_direction, colours.sun_shown);
         b.sun_colour = with(colours.sun_colour, 0.0);
-        b.sky_low = with(colours.low, std::sqrt(2.0 * std::max(camera.eye[2], 0.0) / kEarthRadius));
+        b.sky_low = with(colours.low, horizon_distance(camera.eye[2]) / earth_radius());
         b.sky_middle = with(colours.middle, colours.mapped);
         b.sky_high = with(colours.high, colours.turn);
         b.sky_shadow = with(colours.shadow, colours.dusk);
@@ -143,7 +143,7 @@ struct Renderer::Parts {
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
         b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
         if (is_seed(look, options)) {
-            b.eye.w = std::numeric_limits<float>::max();  // a flat Earth
+            b.eye.w = 0.0f;
             b.period.y = 0.0f;
             b.sky_low = with(kSeedFog, 0.0);
         }
@@ -275,13 +275,10 @@ struct Renderer::Parts {
 
     void draw_water(const ShownSea& sea, const Camera& camera, const Projection& projection) {
         const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
-        const auto horizon = [](double h) {
-            return std::sqrt(2.0 * kEarthRadius * std::max(h, 0.0));
-        };
-        const Reach reach{.sideways = 1.5 * sea.choppiness * sea.significant_wave_height,
-                          .up = crest,
-                          .farthest = 1.05 * (horizon(camera.eye[2]) + horizon(crest)),
-                          .earth_radius = kEarthRadius};
+        const Reach reach{
+            .sideways = 1.5 * sea.choppiness * sea.significant_wave_height,
+            .up = crest,
+            .farthest = 1.05 * (horizon_distance(camera.eye[2]) + horizon_distance(crest))};
         gl::ShaderProgram& water = program(waters, "water", sea);
         begin(water, sea, projection.flat ? 0.0 : reach.farthest);
         clipmap.draw(water, {camera.eye[0], camera.eye[1], camera.eye[2]},
@@ -309,7 +306,7 @@ void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double
                                double metres, const DrawOptions& options) {
     const double half = 0.5 * metres;
     const double east = x - camera.eye[0], north = y - camera.eye[1];
-    const double drop = (east * east + north * north) / (2.0 * kEarthRadius);
+    const double drop = wave::double_precision::earth_drop(std::hypot(east, north));
     const double waves = 2.0 * sea.significant_wave_height + 1.0;
     const double still = -camera.eye[2];
     const glm::dmat4 lens = glm::ortho(east - half, east + half, north - half, north + half,

@@ -6,17 +6,15 @@
 #include <array>
 #include <cmath>
 
+#include "angles.hpp"
+
 namespace ocean::preview {
 namespace {
-
-double radians(double degrees) {
-    return degrees * 0.017453292519943295;
-}
 
 /// Thickness of the air on the way to the sun [Kasten and Young 1989] eq. 3.
 double air_mass(double altitude) {
     const double h = std::max(0.0, altitude);
-    return 1.0 / (std::sin(radians(h)) + 0.50572 * std::pow(h + 6.07995, -1.6364));
+    return 1.0 / (std::sin(kRadians * h) + 0.50572 * std::pow(h + 6.07995, -1.6364));
 }
 
 /// Light of the sky and a sun so many degrees below the horizon over that of one on it: lux of
@@ -50,7 +48,7 @@ Sky environment_sky(const Environment& environment, double turn) {
     sky.sun_direction = glm::vec3(0.0f, 0.0f, 1.0f);
     if (environment.sun) {
         const auto& [direction, colour] = *environment.sun;
-        const double c = std::cos(radians(turn)), s = std::sin(radians(turn));
+        const double c = std::cos(kRadians * turn), s = std::sin(kRadians * turn);
         sky.sun_direction = glm::vec3(c * direction[0] - s * direction[1],
                                       s * direction[0] + c * direction[1], direction[2]);
         sky.sun_colour = glm::vec3(colour[0], colour[1], colour[2]);
@@ -60,8 +58,8 @@ Sky environment_sky(const Environment& environment, double turn) {
 }
 
 Sky computed_sky(double sun_altitude, double sun_bearing) {
-    const double up = radians(sun_altitude);
-    const double around = radians(sun_bearing);
+    const double up = kRadians * sun_altitude;
+    const double around = kRadians * sun_bearing;
     const auto day = static_cast<float>(std::clamp(sun_altitude / 25.0, 0.0, 1.0));
     const auto dim = static_cast<float>(twilight(sun_altitude));
     const double air = air_mass(sun_altitude);

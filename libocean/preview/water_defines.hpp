@@ -6,8 +6,9 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
+#include <string_view>
 
+#include "ocean/enum_words.hpp"
 #include "ocean/preview/picture.hpp"
 
 namespace ocean::preview {
@@ -19,25 +20,14 @@ inline std::string define(const std::string& name, int value) {
     return "#define " + name + " " + std::to_string(value) + "\n";
 }
 
-/// taps: of a footprint; 0: the driver's filter.
+/// Views by their words: VIEW_shaded. taps: of a footprint; 0: the driver's filter.
 inline std::string water_defines(std::size_t cascades, std::size_t covers, int taps) {
-    const std::pair<const char*, View> views[] = {
-        {"SHADED", View::shaded},
-        {"HEIGHT", View::height},
-        {"DISPLACEMENT_X", View::displacement_x},
-        {"DISPLACEMENT_Y", View::displacement_y},
-        {"NORMAL", View::normal},
-        {"SLOPE", View::slope},
-        {"JACOBIAN", View::jacobian},
-        {"WHITECAP", View::whitecap},
-        {"FOAM", View::foam},
-        {"NUMBERS", View::numbers},
-    };
     std::string text = define("CASCADES", static_cast<int>(cascades)) +
                        define("COVERS", static_cast<int>(covers)) + define("TAPS", taps) +
                        define("TILES", kSeedTiles);
-    for (const auto& [name, view] : views) {
-        text += define(std::string("VIEW_") + name, static_cast<int>(view));
+    int view = 0;
+    for (const std::string_view name : kEnumWords<View>) {
+        text += define("VIEW_" + std::string(name), view++);
     }
     return text;
 }

@@ -7,7 +7,7 @@
 layout(std140) uniform Frame {
     mat4 clip_from_world;
     mat4 world_from_clip;
-    vec4 eye;         // 0, 0, height over still water; radius of the Earth
+    vec4 eye;         // 0, 0, height over still water; 1, or 0 on a flat Earth
     vec4 sun;         // direction to it; how much of its disc is above the horizon
     vec4 sun_colour;  // what a white surface that faces it sends
     vec4 sky_low;     // at the horizon; sine of the horizon's dip

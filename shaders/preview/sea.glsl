@@ -6,6 +6,7 @@
 // mipmaps, and its variance to the light.
 #include "preview/frame.glsl"
 #include "wave/copies.glsl"
+#include "wave/horizon.glsl"
 
 uniform sampler2D shape_map[CASCADES];         // Dx, Dy, height, dDx/dy, for vertices
 uniform sampler2D displacement_map[CASCADES];  // the same for fragments, filtered as they are seen
@@ -76,8 +77,10 @@ vec4 displacement_at(Copies copies, vec2 label, float spacing) {
     return sum_at(shape_map, copies, label, spacing);
 }
 
+// How far the still water of a label lies below that of the eye's place.
+float drop_at(vec2 label) { return eye.w * earth_drop(length(label)); }
+
 // The point that is shown of a label, relative to the eye's place on the still water.
 vec3 shown_point(vec2 label, vec4 displacement) {
-    float drop = dot(label, label) / (2.0 * eye.w);
-    return vec3(label - waves.x * displacement.xy, displacement.z - drop);
+    return vec3(label - waves.x * displacement.xy, displacement.z - drop_at(label));
 }

@@ -154,7 +154,7 @@ vec3 shaded(Water state) {
 
     // A folded crest has no slope; the shallowest kept is 84 degrees.
     vec3 normal = normal_of(state);
-    vec2 lean = normal.xy / max(normal.z, 0.1) - e * (range / eye.w);
+    vec2 lean = normal.xy / max(normal.z, 0.1) - e * (eye.w * range / earth_radius());
     mat2 covariance = mat2(state.variance.x, state.variance.z, state.variance.z, state.variance.y);
     vec2 along = covariance * e;
     float variance = max(dot(along, e), 1e-12);
@@ -201,28 +201,27 @@ vec3 two_sided(float x) {
 void main() {
     Water state = water_at(label);
     float width = max(range.y - range.x, 1e-9);
-    if (view.x == VIEW_SHADED) {
+    if (view.x == VIEW_shaded) {
         colour = vec4(drawn_colour(shaded(state)), 1.0);
-    } else if (view.x == VIEW_NORMAL) {
+    } else if (view.x == VIEW_normal) {
         colour = vec4(0.5 + 0.5 * normal_of(state), 1.0);
-    } else if (view.x == VIEW_SLOPE) {
+    } else if (view.x == VIEW_slope) {
         colour = vec4(clamp(0.5 + state.gradients.xy / width, 0.0, 1.0), 0.5, 1.0);
-    } else if (view.x == VIEW_FOAM) {
+    } else if (view.x == VIEW_foam) {
         colour = vec4(vec3(state.cover), 1.0);
-    } else if (view.x == VIEW_WHITECAP) {
+    } else if (view.x == VIEW_whitecap) {
         colour = vec4(vec3(surface_whitecap(jacobian_of(state), foam.x, foam.y)), 1.0);
-    } else if (view.x == VIEW_NUMBERS) {
+    } else if (view.x == VIEW_numbers) {
         // For probes: height that the mesh draws, height of the maps here, mean square slope shown,
         // mean square slope handed on to the light.
-        float drop = dot(label, label) / (2.0 * eye.w);
         vec2 s = state.gradients.xy;
-        colour = vec4(position.z + drop, state.displacement.z, dot(s, s),
+        colour = vec4(position.z + drop_at(label), state.displacement.z, dot(s, s),
                       state.variance.x + state.variance.y);
     } else {
         float value = state.displacement.z;
-        if (view.x == VIEW_DISPLACEMENT_X) value = -waves.x * state.displacement.x;
-        if (view.x == VIEW_DISPLACEMENT_Y) value = -waves.x * state.displacement.y;
-        if (view.x == VIEW_JACOBIAN) value = jacobian_of(state);
+        if (view.x == VIEW_displacement_x) value = -waves.x * state.displacement.x;
+        if (view.x == VIEW_displacement_y) value = -waves.x * state.displacement.y;
+        if (view.x == VIEW_jacobian) value = jacobian_of(state);
         colour = vec4(two_sided(2.0 * (value - range.x) / width - 1.0), 1.0);
     }
 }

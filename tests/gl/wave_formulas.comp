@@ -13,6 +13,7 @@
 #include "wave/phase.glsl"
 #include "wave/copies.glsl"
 #include "wave/erfc.glsl"
+#include "wave/horizon.glsl"
 #include "wave/reflectance.glsl"
 #include "wave/surface.glsl"
 #include "wave/visible_slope.glsl"
@@ -32,6 +33,7 @@ void main() {
     area += surface_whitecap(area, 0.75, 0.2);
     area += visible_lean(0.1, area) + visible_area(0.1, area);
     area += water_reflectance(0.5, 1.333) + rough_water_reflectance(0.5, 0.1);
+    area += earth_drop(horizon_distance(k));
     GridPoint grid = copy_grid(area, 0.5);
     area += copy_corner(fract(grid.x), fract(grid.y), 1).weight + copy_offset(1, -2).y;
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "wave/wave.hpp"
 
 namespace ocean::preview {
 namespace {
@@ -24,6 +27,18 @@ TEST(Frustum, KeepsWhatTheEyeSees) {
     EXPECT_FALSE(sees(-100.0, 0.0));
     EXPECT_TRUE(sees(10.0, 0.0));
     EXPECT_FALSE(sees(7.0, 0.0));  // under the lower edge
+}
+
+TEST(Horizon, LiesWhereTheWaterHasDroppedByTheHeightOfTheEye) {
+    using namespace wave::double_precision;
+    for (const double height : {0.01, 2.0, 30.0, 10000.0}) {
+        EXPECT_NEAR(earth_drop(horizon_distance(height)), height, 1e-9 * height);
+    }
+    EXPECT_EQ(horizon_distance(-1.0), 0.0);
+    // Of a round Earth: sqrt((R + h)^2 - R^2), a part in 2500 more from 10 km.
+    const double radius = earth_radius();
+    EXPECT_NEAR(horizon_distance(10000.0) / std::sqrt(10000.0 * (2.0 * radius + 10000.0)), 1.0,
+                4e-4);
 }
 
 }  // namespace

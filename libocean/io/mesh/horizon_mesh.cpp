@@ -14,12 +14,14 @@
 #include "map_pyramid.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/visible_slope.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean::io {
 namespace {
 
-constexpr double kEarthRadius = 6371000.0;  // m, mean
-constexpr int kMaxVertices = 50'000'000;    // what `int` faces and a text file can sensibly hold
+using wave::double_precision::earth_drop, wave::double_precision::earth_radius;
+
+constexpr int kMaxVertices = 50'000'000;  // what `int` faces and a text file can sensibly hold
 
 // Rows, columns and spacings of the fan.
 struct Fan {
@@ -92,8 +94,8 @@ void turn_normal(Vertex& vertex, const PyramidSample& sample, const View& view, 
     const double ex = to_eye_x / range, ey = to_eye_y / range;
     // A folded crest has no slope; the shallowest kept is 84 degrees.
     const double up = std::max(sample.normal_z, 0.1);
-    double lean_x = sample.normal_x / up - ex * distance / kEarthRadius;
-    double lean_y = sample.normal_y / up - ey * distance / kEarthRadius;
+    double lean_x = sample.normal_x / up - ex * distance / earth_radius();
+    double lean_y = sample.normal_y / up - ey * distance / earth_radius();
 
     const double isotropic = 0.5 * view.unresolved_slope_variance;
     const SlopeVariance& v = sample.left_out;
@@ -120,7 +122,7 @@ Vertex make_vertex(const MapPyramid& maps, const View& view, const Fan& fan, dou
     Vertex vertex{};
     vertex.x = x + sample.dx;
     vertex.y = y + sample.dy;
-    vertex.z = sample.height - distance * distance / (2.0 * kEarthRadius);
+    vertex.z = sample.height - earth_drop(distance);
     turn_normal(vertex, sample, view, distance);
     return vertex;
 }
@@ -147,7 +149,7 @@ std::vector<int> fan_triangles(int rows, int columns) {
 }  // namespace
 
 double horizon_distance(double height) {
-    return std::sqrt(2.0 * kEarthRadius * std::max(height, 0.0));
+    return wave::double_precision::horizon_distance(height);
 }
 
 Mesh make_horizon_mesh(std::span<const Surface> levels, const View& view) {

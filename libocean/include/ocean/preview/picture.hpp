@@ -66,7 +66,7 @@ enum class View {
 };
 /// The names of all that can be shown: "shaded", "displacement_x" ...
 std::vector<std::string> view_names();
-/// Throws Error invalid_value, and names the nearest.
+/// Throws Error invalid_value.
 View view_of(std::string_view name);
 
 }  // namespace ocean::preview
