@@ -60,7 +60,8 @@ def preview_words(view: dict) -> list[str]:
     def joined(values) -> str:
         return ",".join(f"{value:g}" for value in values)
 
-    words = {"frame": view["frame"], "eye": joined(view["eye"])}
+    when = "frames" if "frames" in view else "frame"
+    words = {when: view[when], "eye": joined(view["eye"])}
     if "look_at" in view:
         words["look-at"] = joined(view["look_at"])
     else:
