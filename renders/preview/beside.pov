@@ -16,7 +16,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
     Ocean_Sun(View_Sun_Altitude, View_Sun_Bearing)
     Ocean_Sky(0)
 #else
-    Ocean_Load("sea_0001")
+    Ocean_Load(Ocean_Frame_Name(0))
     camera {
         location View_Eye
         right x*image_width/image_height

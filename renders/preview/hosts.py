@@ -142,6 +142,92 @@ def sheet(pictures: list, width: int = 426, height: int = 240, gap: int = 4):
     return made
 
 
+# What the sheet is judged by ---------------------------------------------------
+#
+# - horizon: in the same row of all three, within 2 pixels
+# - crests: at the same places: luminance of the water, blurred by 5 pixels, less what each row
+#   smoothly falls from side to side, correlates
+# - glint: its middle at the sun's bearing, and as bright
+# - light: of the water's upper, middle and lower third, which is far, in between and near
+# - by eye: colour of crests, edges of foam, nothing that repeats
+
+
+def luminance(picture):
+    return picture @ [0.2126, 0.7152, 0.0722]
+
+
+def horizon_row(view: dict, picture) -> float:
+    """Of the strongest edge from row to row, between pixels; the median of the columns that have
+    one, of all but the sun's glint, within 15 rows of where still water would end."""
+    import numpy
+
+    height, width, _ = picture.shape
+    dip = math.degrees(math.sqrt(2 * view["eye"][2] / 6371e3))
+    focal = 0.5 * width / math.tan(math.radians(view["angle"]) / 2)
+    first = int(0.5 * height + focal * math.tan(math.radians(view["pitch"] + dip))) - 15
+    edges = -numpy.diff(luminance(picture)[first : first + 30], axis=0)
+    clear = edges.max(0) > 0.1
+    return float(numpy.median(edges.argmax(0)[clear])) + first + 1
+
+
+def blurred(field, size: int = 5):
+    """Means of size x size pixels."""
+    import numpy
+
+    for axis in (0, 1):
+        sums = numpy.cumsum(numpy.moveaxis(field, axis, 0), axis=0)
+        field = numpy.moveaxis((sums[size:] - sums[:-size]) / size, 0, axis)
+    return field
+
+
+def crests(picture, horizon: float):
+    """What of the water's luminance is no smooth fall along its row."""
+    import numpy
+
+    field = blurred(luminance(picture)[int(horizon) + 8 :])
+    across = numpy.linspace(-1.0, 1.0, field.shape[1])
+    fall = numpy.polynomial.polynomial.polyfit(across, field.T, 6)
+    return field - numpy.polynomial.polynomial.polyval(across, fall)
+
+
+def glint(view: dict, picture, horizon: float) -> tuple[float, float]:
+    """Bearing of the water's brightest columns, degrees, and how bright they are."""
+    import numpy
+
+    columns = blurred(luminance(picture)[int(horizon) + 2 :], 15).mean(0)
+    weight = numpy.maximum(columns - 0.5 * (columns.max() + numpy.median(columns)), 0.0) + 1e-12
+    width = picture.shape[1]
+    x = (weight * numpy.arange(7.5, 7.5 + len(columns))).sum() / weight.sum() - 0.5 * width
+    focal = 0.5 * width / math.tan(math.radians(view["angle"]) / 2)
+    pitch = math.radians(view["pitch"])
+    # Of the picture's middle row of water; the sides of a camera that looks down bear farther off.
+    y = 0.5 * (horizon + picture.shape[0]) - 0.5 * picture.shape[0]
+    ahead = focal * math.cos(pitch) + y * math.sin(pitch)
+    return view["heading"] - math.degrees(math.atan2(x, ahead)), float(columns.max())
+
+
+def measure(folder: Path) -> None:
+    """Prints the list above in numbers, of FOLDER/VIEW.HOST.png."""
+    import numpy
+
+    for name in beside():
+        view = view_of(name)
+        pictures = {host: read(folder / f"{name}.{host}.png") for host in HOSTS}
+        rows = {host: horizon_row(view, picture) for host, picture in pictures.items()}
+        print(f"{name}: sun at {view['sun'][1]:g}, camera {view['heading']:g}")
+        for host, picture in pictures.items():
+            bearing, bright = glint(view, picture, rows[host])
+            thirds = numpy.array_split(picture[int(rows[host]) + 2 :], 3)
+            light = [" ".join(f"{c:.2f}" for c in third.mean((0, 1))) for third in thirds]
+            where = f"horizon {rows[host]:g}, glint {bearing:6.1f} of {bright:.2f}"
+            print(f"  {host:8} {where}, light", *light, sep="  ")
+        lowest = max(rows.values())
+        fields = {host: crests(picture, lowest).ravel() for host, picture in pictures.items()}
+        for first, second in (HOSTS[:2], HOSTS[::2], HOSTS[1:]):
+            alike = numpy.corrcoef(fields[first], fields[second])[0, 1]
+            print(f"  {first} and {second}: {alike:.2f}")
+
+
 def main() -> None:
     match sys.argv[1:]:
         case ["names"]:
@@ -158,6 +244,8 @@ def main() -> None:
             write(picture, screen_colour(read(light)))
         case ["sheet", out, *pictures] if pictures and len(pictures) % 3 == 0:
             write(out, sheet([read(picture) for picture in pictures]))
+        case ["measure", folder]:
+            measure(Path(folder))
         case _:
             sys.exit(__doc__.partition("usage: ")[2])
 
