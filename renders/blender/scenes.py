@@ -178,9 +178,9 @@ def afloat(buoy, ocean, place, heading: float) -> None:
 # The scenes -------------------------------------------------------------------
 
 
-def ocean_of(sea_file: Path):
+def ocean_of(sea_file: Path, water_type: str = "jerlov_ib"):
     """Rings to the horizon, of this sea."""
-    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_0", water_type="jerlov_ib")
+    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_0", water_type=water_type)
     ocean = bpy.context.object
     ocean.libocean.horizon_vertices = 1500000
     bpy.ops.libocean.load_sea(filepath=str(sea_file))

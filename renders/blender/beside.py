@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A view of renders/preview/views.toml in Cycles, through the add-on's operators: the same sea,
+camera and sun, and the same sky, as renders/preview/beside.pov draws it all around.
+
+usage: blender --background --python renders/blender/beside.py -- VIEW SEA SKY.exr PICTURE.exr \\
+           SAMPLES WIDTHxHEIGHT
+
+The add-on must be installed. The picture is light, as linear as it was.
+"""
+
+import math
+import sys
+from pathlib import Path
+
+import bpy
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "preview")]
+import hosts  # noqa: E402
+import scenes  # noqa: E402
+
+
+def sun_colour(altitude: float) -> tuple[float, float, float]:
+    """Ocean_Sun_Colour of povray_macros/ocean.inc: of a white surface that faces the sun."""
+    air = 1.0 / (math.sin(math.radians(altitude)) + 0.50572 * (altitude + 6.07995) ** -1.6364)
+    return tuple(2.2 * math.exp(-each * air) for each in (0.09, 0.14, 0.27))
+
+
+def add_sun(scene, altitude: float, bearing: float) -> None:
+    """A white surface sends back irradiance over pi."""
+    colour = sun_colour(altitude)
+    lamp = bpy.data.lights.new("Sun", "SUN")
+    lamp.energy = math.pi * max(colour)
+    lamp.color = tuple(part / max(colour) for part in colour)
+    lamp.angle = math.radians(0.533)
+    ob = bpy.data.objects.new("Sun", lamp)
+    ob.rotation_euler = (0.0, math.radians(90.0 - altitude), math.radians(bearing))
+    scene.collection.objects.link(ob)
+
+
+def add_sky(scene, picture: str) -> None:
+    """Equirectangular, +x in its middle."""
+    world = bpy.data.worlds.new("Sky")
+    scene.world = world
+    if bpy.app.version < (5, 0):
+        world.use_nodes = True
+    nodes = world.node_tree.nodes
+    texture = nodes.new("ShaderNodeTexEnvironment")
+    texture.image = bpy.data.images.load(str(Path(picture).resolve()))
+    texture.image.colorspace_settings.name = "Linear"
+    world.node_tree.links.new(texture.outputs["Color"], nodes["Background"].inputs["Color"])
+
+
+def main() -> None:
+    name, sea, sky, picture, samples, size = sys.argv[sys.argv.index("--") + 1 :]
+    view = hosts.view_of(name)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scenes.enable_addon()
+    scene = bpy.context.scene
+    camera = scenes.camera(scene, view["eye"], hosts.target(view), 50.0)
+    camera.data.angle = math.radians(view["angle"])
+    camera.data.clip_start = 0.05
+    add_sky(scene, sky)
+    add_sun(scene, *view["sun"])
+    ocean = scenes.ocean_of(Path(sea).resolve(), view["water"])
+    scene.frame_set(view["frame"])
+    if ocean.libocean.problem:
+        sys.exit(ocean.libocean.problem)
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = int(samples)
+    scene.cycles.use_denoising = False
+    scene.render.resolution_x, scene.render.resolution_y = map(int, size.split("x"))
+    scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = str(Path(picture).resolve())
+    bpy.ops.render.render(write_still=True)
+
+
+if __name__ == "__main__":
+    main()

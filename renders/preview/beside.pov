@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A view of views.toml, as ocean-preview shows it: the same sea, sky, sun, water and camera.
+//   ocean povray SEA -o PARTS && renders/preview/hosts.py povray VIEW > PARTS/view.inc
+//   povray renders/preview/beside.pov +LPARTS +FE +W960 +H540 +A0.05 +AM2 +R3
+// With Declare=Only_Sky=1 it is the sky alone, all around: what Blender's world shows.
+#version 3.7;
+#include "ocean.inc"
+#include "view.inc"
+global_settings { assumed_gamma 1.0 max_trace_level 6 }
+
+#ifdef(Only_Sky)
+    camera { spherical angle 360 180 location View_Eye look_at View_Eye + x }
+    Ocean_Eye_At(View_Eye, View_Angle)
+    Ocean_Sun(View_Sun_Altitude, View_Sun_Bearing)
+    Ocean_Sky(0)
+#else
+    Ocean_Load(Ocean_Frame_Name(0))
+    camera {
+        location View_Eye
+        right x*image_width/image_height
+        angle View_Angle
+        look_at View_Target
+    }
+    Ocean_Eye_At(View_Eye, View_Angle)
+    Ocean_Sun(View_Sun_Altitude, View_Sun_Bearing)
+    Ocean_Sky(0)
+    object { Ocean_View(View_Eye, View_Target, View_Angle, 2) Ocean_Material(View_Water) no_reflection }
+#end
