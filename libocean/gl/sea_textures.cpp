@@ -156,8 +156,13 @@ SeaTextures::~SeaTextures() = default;
 
 void SeaTextures::show(Ocean& sea, double time) {
     require_time(time);
+    const auto done = [&](std::string_view stage) {
+        if (parts_->options.after_stage) parts_->options.after_stage(stage);
+    };
     parts_->make_foam(sea, time);
+    done("foam");
     parts_->make_cascades(sea, time);
+    done("cascades");
     require_not_reset(parts_->limits, "making the sea's textures");
 }
 

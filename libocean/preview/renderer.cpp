@@ -79,7 +79,7 @@ Projection perspective(const Camera& camera, int width, int height) {
 
 struct Renderer::Parts {
     explicit Parts(const RendererOptions& options)
-        : clipmap(options.cells), taps(filter_taps(options)) {
+        : after_stage(options.after_stage), clipmap(options.cells), taps(filter_taps(options)) {
         sky = gl::ShaderProgram(
             {{GL_VERTEX_SHADER, "preview/sky.vert"}, {GL_FRAGMENT_SHADER, "preview/sky.frag"}}, "");
         no_vertices = gl::make_vertex_array();
@@ -95,6 +95,7 @@ struct Renderer::Parts {
         glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_DYNAMIC_DRAW);
     }
 
+    gl::AfterStage after_stage;
     Clipmap clipmap;
     int taps;  // 0: the driver's filter fits the footprints
     gl::ShaderProgram sky;
@@ -138,7 +139,7 @@ struct Renderer::Parts {
         b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
         const bool all = options.cascade < 0;
         b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height,
-                            all ? sea.unresolved_slope : 0.0, 0.0);
+                            all ? sea.mean_square_slope : 0.0, 0.0);
         b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
         b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
@@ -239,6 +240,7 @@ struct Renderer::Parts {
             bind_sky(sky);
             glBindVertexArray(no_vertices.name());
             glDrawArrays(GL_TRIANGLES, 0, 3);
+            if (after_stage) after_stage("sky");
         }
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);
@@ -248,6 +250,7 @@ struct Renderer::Parts {
         } else {
             draw_water(sea, camera, projection);
         }
+        if (after_stage) after_stage("water");
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
         for (GLuint unit = 0; unit < 1 + 4 * sea.cascades.size() + sea.covers.size(); ++unit)
             glBindSampler(unit, 0);

@@ -74,25 +74,18 @@ class UploadedCascade {
     std::vector<float> displacement_image_, gradients_image_, moments_image_;
 };
 
-/// Mean of the squared slopes of a cascade's map: the last level of its moments.
-double mean_square_slope(const CascadeTextures& cascade) {
-    float last[4] = {};
-    glBindTexture(GL_TEXTURE_2D, cascade.moments);
-    const int level = static_cast<int>(std::lround(std::log2(cascade.resolution)));
-    glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_FLOAT, last);
-    return static_cast<double>(last[0]) + static_cast<double>(last[1]);
-}
-
 }  // namespace
 
 class SeaMaps::Source {
   public:
-    explicit Source(const SeaMapsOptions& options) : options_(options) {
+    Source(const SeaMapsOptions& options, gl::AfterStage after_stage)
+        : options_(options), after_stage_(std::move(after_stage)) {
         if (options.compute) {
             computed_.emplace(
                 gl::SeaTextureOptions{.cascade_resolution = options.cascade_resolution,
                                       .foam_resolution = options.foam_resolution,
-                                      .foam_start = options.foam_start});
+                                      .foam_start = options.foam_start,
+                                      .after_stage = after_stage_});
             cover_program_ = gl::ShaderProgram({{GL_VERTEX_SHADER, "preview/sky.vert"},
                                                 {GL_FRAGMENT_SHADER, "preview/cover.frag"}},
                                                "");
@@ -152,6 +145,11 @@ class SeaMaps::Source {
         glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
         glBindTexture(GL_TEXTURE_2D, cover_.name());
         glGenerateMipmap(GL_TEXTURE_2D);
+        done("cover");
+    }
+
+    void done(std::string_view stage) const {
+        if (after_stage_) after_stage_(stage);
     }
 
     void upload(Ocean& sea, double time) {
@@ -182,18 +180,21 @@ class SeaMaps::Source {
             textures_[c] = cascades_[c].make(sea, time, lattices[c].period);
         }
         show_cascades(textures_, sea.parameters().grid.patch_size);
+        done("cascades");
 
         cover_image_.resize(static_cast<std::size_t>(foam_resolution) *
                             static_cast<std::size_t>(foam_resolution));
         MapOutput foam{cover_image_.data(), 1, {}};
         foam.component[0] = {Channel::foam};
         sea.evaluate_into(time, {&foam, 1}, foam_resolution);
+        done("foam");
         for (float& texel : cover_image_) texel = texel * texel * texel;
         hold_cover(foam_resolution);
         glBindTexture(GL_TEXTURE_2D, cover_.name());
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, foam_resolution, foam_resolution, GL_RED, GL_FLOAT,
                         cover_image_.data());
         glGenerateMipmap(GL_TEXTURE_2D);
+        done("cover");
     }
 
     void show_cascades(std::span<const CascadeTextures> cascades, double sea_period) {
@@ -224,14 +225,11 @@ class SeaMaps::Source {
         shown_.significant_wave_height = asked.significant_wave_height();
         shown_.peak_period = asked.peak_omega > 0.0 ? kTwoPi / asked.peak_omega : 0.0;
         shown_.mean_square_slope = asked.mean_square_slope;
-        double resolved = 0.0;
-        for (const CascadeTextures& cascade : shown_.cascades)
-            resolved += mean_square_slope(cascade);
-        shown_.unresolved_slope = std::max(0.0, shown_.mean_square_slope - resolved);
         described_ = revision;
     }
 
     SeaMapsOptions options_;
+    gl::AfterStage after_stage_;
     ShownSea shown_;
     Revision described_;  // of the modes
     Texture cover_;
@@ -285,11 +283,11 @@ ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share, doub
     both.choppiness = mean_square(from.choppiness, to.choppiness);
     both.significant_wave_height = height;
     both.mean_square_slope = a * a * from.mean_square_slope + b * b * to.mean_square_slope;
-    both.unresolved_slope = a * a * from.unresolved_slope + b * b * to.unresolved_slope;
     return both;
 }
 
-SeaMaps::SeaMaps(const SeaMapsOptions& options) : source_(std::make_unique<Source>(options)) {}
+SeaMaps::SeaMaps(const SeaMapsOptions& options, gl::AfterStage after_stage)
+    : source_(std::make_unique<Source>(options, std::move(after_stage))) {}
 SeaMaps::~SeaMaps() = default;
 
 ShownSea SeaMaps::show(Ocean& sea, double time) {

@@ -16,7 +16,7 @@ layout(std140) uniform Frame {
     vec4 sky_shadow;  // of the Earth, on the side away from a low sun; its share
     vec4 sky_light;   // of the sky as a whole, on a level white surface
     vec4 water;       // albedo of the water body; index of refraction
-    vec4 waves;       // choppiness, significant wave height, variance of slopes that no map has
+    vec4 waves;       // choppiness, significant wave height, mean square slope (0: of the maps)
     vec4 foam;        // threshold and width of whitecaps, albedo, amount
     vec4 period;      // 1/period of the sea; whether copies hide its repetition: 0, 1
     vec4 grid_place;  // place of the eye in its square of the grid of copies

@@ -34,8 +34,8 @@ vec3 sky(vec3 direction, float width) {
     float away = 0.5 - 0.5 * dot(direction, sun.xyz);
     colour = mix(colour, sky_shadow.rgb, 0.85 * sky_shadow.a * away);
     float near = toward_sun(direction);
-    float glow = 0.3 * pow(near, 16.0) + 0.7 * sun.w * pow(near, 700.0);
-    return mix(colour, 1.6 * sun_colour.rgb, clamp(glow, 0.0, 1.0));
+    float glow = clamp(0.3 * pow(near, 16.0) + 0.7 * sun.w * pow(near, 700.0), 0.0, 1.0);
+    return mix(colour, (1.0 + 0.6 * glow) * sun_colour.rgb, glow);
 }
 
 // What the eye sees of the sun itself, softened by a pixel.

@@ -61,12 +61,14 @@ Water water_at(vec2 at) {
     Footprint footprint = footprint_of(at);
     Water water = Water(vec4(0.0), vec4(0.0), vec3(0.0), 0.0, 0.0);
     Copies copies = copies_at(at);
+    float resolved = 0.0;  // mean square slope of the maps
     for (int c = 0; c < CASCADES; ++c) {
         float scale = cascade[c].z;
+        vec4 all = part[c].x * part[c].x * textureLod(moment_map[c], vec2(0.5), 99.0);
+        resolved += all.x + all.y;
         if (length(footprint.longer) * scale >= 1.0) {  // the footprint is larger than the period
-            vec4 all = textureLod(moment_map[c], vec2(0.5), 99.0);
-            water.variance += part[c].x * part[c].x * all.xyz;
-            water.squeezing += part[c].x * part[c].x * all.w;
+            water.variance += all.xyz;
+            water.squeezing += all.w;
             continue;
         }
         for (int i = 0; i < copies.count; ++i) {
@@ -87,7 +89,7 @@ Water water_at(vec2 at) {
         }
     }
     water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
-    water.variance.xy += 0.5 * waves.z;
+    water.variance.xy += 0.5 * max(0.0, waves.z - resolved);  // of waves that no map has
     for (int v = 0; v < COVERS; ++v) {
         float squares = 0.0;
         float sum = 0.0;

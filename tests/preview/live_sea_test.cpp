@@ -10,7 +10,7 @@
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/seafile.hpp"
-#include "preview/shown_heights.hpp"
+#include "preview/shown_maps.hpp"
 #include "unit/test_seas.hpp"
 
 namespace ocean::app {

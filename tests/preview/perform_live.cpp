@@ -14,7 +14,7 @@
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/seafile.hpp"
-#include "preview/shown_heights.hpp"
+#include "preview/shown_maps.hpp"
 
 namespace {
 

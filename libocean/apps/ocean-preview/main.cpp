@@ -30,8 +30,8 @@ void run(const PreviewWords& words, const Context& context) {
     const PreviewOptions options = preview_options(words);
     const Sea sea = open_sea(words.sea);
     require_fit(options, sea);
-    const bool in_window =
-        options.offscreen.empty() && options.record.empty() && options.probes.empty();
+    const bool in_window = options.offscreen.empty() && options.record.empty() &&
+                           options.probes.empty() && options.budget == 0;
     if (in_window) {
         run_window(options, sea, words.sea, context);
     } else {

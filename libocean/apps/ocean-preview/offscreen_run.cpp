@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "console.hpp"
+#include "frame_budget.hpp"
 #include "interrupt.hpp"
 #include "ocean/bake/frames.hpp"
 #include "ocean/gl/context.hpp"
@@ -14,6 +15,7 @@
 #include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/platform.hpp"
+#include "ocean/preview/canvas.hpp"
 #include "ocean/preview/probe.hpp"
 #include "ocean/text.hpp"
 #include "picture_file.hpp"
@@ -86,7 +88,8 @@ class OffscreenRun {
         draw.wireframe = options_.wireframe;
         draw.cascade = cascade();
         const InterruptWatch::Hold whole = context_.interrupts.hold();
-        write_picture(path, renderer_, shown, options_.camera, options_.look, draw);
+        write_picture(path, renderer_, shown, options_.camera, options_.look, draw,
+                      options_.samples.value_or(kSamples));
     }
 
     void record(const std::string& stem) {
@@ -119,6 +122,42 @@ class OffscreenRun {
     gl::StageMaker stages_;
 };
 
+/// Frames as a window has them, at the sea's own rate, into a canvas of the picture's size.
+void print_budget(const PreviewOptions& options, const Sea& sea, const Context& context,
+                  const Device& device, double start) {
+    constexpr int kBefore = 10;  // shaders are compiled, memory comes
+    FrameBudget warm, budget;
+    FrameBudget* measured = &warm;
+    const gl::AfterStage after_stage = [&](std::string_view stage) {
+        measured->after_stage()(stage);
+    };
+    const Computing computing = computing_for(device.backend, options, sea, device.context->info());
+    Ocean live(sea, {.threads = context.options.threads,
+                     .backend = computing.backend,
+                     .foam_start = FoamStart::empty});
+    preview::SeaMaps maps(computing.maps, after_stage);
+    preview::RendererOptions renderer_options = renderer_for(options, device.context->info());
+    renderer_options.after_stage = after_stage;
+    preview::Renderer renderer(renderer_options);
+    preview::DrawOptions draw;
+    draw.width = options.size[0];
+    draw.height = options.size[1];
+    draw.wireframe = options.wireframe;
+    draw.cascade = options.cascade.value_or(-1);
+    const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8,
+                                 live_samples(options, device.context->info()));
+    for (int frame = 0; frame < kBefore + options.budget; ++frame) {
+        measured = frame < kBefore ? &warm : &budget;
+        measured->begin();
+        const preview::ShownSea shown = maps.show(live, start + frame / sea.parameters.time.fps);
+        after_stage("state");
+        canvas.bind();
+        renderer.draw(shown, options.camera, options.look, draw);
+        measured->end_frame();
+    }
+    context.console.data(budget.table());
+}
+
 }  // namespace
 
 std::string stem_of(const std::string& source) {
@@ -144,6 +183,7 @@ void run_offscreen(const PreviewOptions& options, const Sea& sea, const std::str
         context.console.data(options.offscreen + "\n");
     }
     if (!options.record.empty()) run.record(stem_of(source));
+    if (options.budget > 0) print_budget(options, sea, context, device, time);
 }
 
 }  // namespace ocean::app

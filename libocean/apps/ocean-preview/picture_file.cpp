@@ -38,10 +38,10 @@ void require_picture_name(const std::string& path, const std::string& option) {
 
 void write_picture(const std::string& path, preview::Renderer& renderer,
                    const preview::ShownSea& sea, const preview::Camera& camera,
-                   const preview::Look& look, preview::DrawOptions options) {
+                   const preview::Look& look, preview::DrawOptions options, int samples) {
     options.linear = OutputPattern(path).extension() == ".exr";
     const preview::Canvas canvas(options.width, options.height,
-                                 options.linear ? GL_RGBA32F : GL_RGBA8);
+                                 options.linear ? GL_RGBA32F : GL_RGBA8, samples);
     renderer.draw(sea, camera, look, options);
     if (options.linear) {
         write_light(path, options.width, options.height, canvas.rgba());

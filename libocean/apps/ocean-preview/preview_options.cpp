@@ -144,6 +144,9 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            NotEmpty{}, "--offscreen"},
           {"--frames", &words.frames, "LIST", "1-250x2, in comma lists; of --record"},
           {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
+          {"--samples", &words.samples, "N",
+           "Of a pixel, 1 .. 64 or what the driver has (default 4; 1 in a window without a GPU)",
+           kOptional, Within{1, 64}},
           {"--view", &words.view, "VIEW",
            "What is shown; of h0, spectrum (h(k, t)) and butterfly a pixel for each wave",
            kOptional, OneOf{all_view_names()}},
@@ -164,6 +167,9 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
           {"--foam-map", &words.foam_map, "N", "Samples of the map of foam"},
           {"--cells", &words.cells, "N", "Of a level of the mesh, 16 .. 512 in steps of 8"},
+          {"--budget", &words.budget, "N",
+           "Draw N frames, some more before them, and print what each stage of one takes, ms",
+           kOptional, Within{1, 100000}},
           {"--egl-device", &words.egl_device, "N", "Of the devices that EGL lists, from 0"}}},
     };
 }
@@ -195,6 +201,8 @@ PreviewOptions preview_options(const PreviewWords& words) {
         options.cells = *words.cells;
     }
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
+    options.samples = words.samples;
+    options.budget = words.budget.value_or(0);
     options.time = words.time;
     options.frame = words.frame;
     if (!words.offscreen.empty()) {

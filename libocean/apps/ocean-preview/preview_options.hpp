@@ -23,7 +23,7 @@ struct PreviewWords {
     std::string eye, look_at, sun, size = "1280x720", view = "shaded", look = "physical",
                                    backend = "auto";
     std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
-    std::optional<int> frame, egl_device, map, foam_map, cells, cascade;
+    std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
     std::string water, offscreen, record, frames, environment;
     std::vector<std::string> probes;
     bool wireframe = false;
@@ -40,6 +40,8 @@ struct PreviewOptions {
     std::optional<int> cells;
     std::optional<double> time;
     std::optional<int> frame;
+    std::optional<int> samples;  // of a pixel
+    int budget = 0;              // frames to measure
     std::string offscreen;
     std::string record;       // a folder
     std::vector<int> frames;  // for it

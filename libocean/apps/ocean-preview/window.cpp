@@ -396,7 +396,8 @@ class Preview {
         const int width = std::max(16, static_cast<int>(std::lround(width_ * scale_)));
         const int height = std::max(16, static_cast<int>(std::lround(height_ * scale_)));
         if (!canvas_ || width != canvas_width_ || height != canvas_height_) {
-            canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8);
+            canvas_ = std::make_unique<preview::Canvas>(width, height, GL_RGBA8,
+                                                        live_samples(options_, info_));
             canvas_width_ = width;
             canvas_height_ = height;
         }
@@ -501,7 +502,8 @@ class Preview {
                 return name;
             }
             const std::string name = free_name(stem_, ending);
-            write_picture(name, renderer_, shown_, camera_.camera(), state_.look, draw_options());
+            write_picture(name, renderer_, shown_, camera_.camera(), state_.look, draw_options(),
+                          options_.samples.value_or(kSamples));
             return name;
         });
     }

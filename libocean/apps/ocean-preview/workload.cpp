@@ -8,6 +8,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/backend.hpp"
+#include "picture_file.hpp"
 
 namespace ocean::app {
 namespace {
@@ -91,6 +92,10 @@ preview::RendererOptions renderer_for(const PreviewOptions& options,
     if (context.software) renderer.cells = kSoftwareCells;
     if (options.cells) renderer.cells = *options.cells;
     return renderer;
+}
+
+int live_samples(const PreviewOptions& options, const gl::ContextInfo& context) {
+    return options.samples.value_or(context.software ? 1 : kSamples);
 }
 
 double pixel_scale(const gl::ContextInfo& context) {

@@ -32,6 +32,8 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
                         const gl::ContextInfo& context);
 preview::RendererOptions renderer_for(const PreviewOptions& options,
                                       const gl::ContextInfo& context);
+/// Of a pixel that is drawn again and again.
+int live_samples(const PreviewOptions& options, const gl::ContextInfo& context);
 /// Of a window's pixels along a side, those that are drawn.
 double pixel_scale(const gl::ContextInfo& context);
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "ocean/foam_clock.hpp"
 #include "ocean/parameters.hpp"
@@ -43,6 +44,9 @@ struct FoamTexture {
     float width = 0.0f;
 };
 
+/// For who measures: called when the commands of a part of the work have been given, with its name.
+using AfterStage = std::function<void(std::string_view stage)>;
+
 struct SeaTextureOptions {
     /// Samples of a cascade's map along a side; 0: those of its lattice.
     int cascade_resolution = 0;
@@ -51,6 +55,7 @@ struct SeaTextureOptions {
     FoamStart foam_start = FoamStart::empty;
     /// Of a pre-roll; may throw to stop it.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
+    AfterStage after_stage = {};  // "foam", "cascades"
 };
 
 /// Needs the context that was current when it was made to be current in every call, the destructor

@@ -7,16 +7,19 @@
 #include <epoxy/gl.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "ocean/gl/objects.hpp"
 
 namespace ocean::preview {
 
-/// Colour and depth to draw into. GL_RGBA8 for pictures, GL_RGBA32F for numbers.
+/// Colour and depth to draw into. GL_RGBA8 for pictures, GL_RGBA32F for light and numbers. Of more
+/// samples than one, as many as the driver has, a pixel is their mean when it is read or copied.
 class Canvas {
   public:
-    Canvas(int width, int height, GLenum format);
+    /// Throws Error no_gpu.
+    Canvas(int width, int height, GLenum format, int samples = 1);
 
     void bind() const;
     /// Into the window's own framebuffer, which has that size; leaves it bound.
@@ -25,11 +28,14 @@ class Canvas {
     std::vector<float> rgba() const;
 
   private:
+    void bind_to_read() const;
+
     int width_;
     int height_;
     gl::Renderbuffer colour_;
     gl::Renderbuffer depth_;
     gl::Framebuffer framebuffer_;
+    std::unique_ptr<Canvas> means_;  // of the samples of each pixel
 };
 
 }  // namespace ocean::preview

@@ -19,6 +19,7 @@ struct RendererOptions {
     /// Samples along the longer side of a pixel's footprint; 0: by the driver's anisotropic filter
     /// on a GPU that has one, else 2.
     int taps = 0;
+    gl::AfterStage after_stage = {};  // "sky", "water"
 };
 
 struct DrawOptions {

@@ -41,7 +41,6 @@ struct ShownSea {
     double significant_wave_height = 0.0;  // m, asked
     double peak_period = 0.0;              // s, asked; 0: flat
     double mean_square_slope = 0.0;        // asked
-    double unresolved_slope = 0.0;         // what of it no map has
 };
 
 /// m, of the finest of its maps: no water is shown finer.
@@ -69,8 +68,8 @@ struct SeaMapsOptions {
 /// too. OpenGL 4.1 core, or 4.3 to compute.
 class SeaMaps {
   public:
-    /// Throws Error no_gpu.
-    explicit SeaMaps(const SeaMapsOptions& options = {});
+    /// after_stage: "cascades", "foam", "cover". Throws Error no_gpu.
+    explicit SeaMaps(const SeaMapsOptions& options = {}, gl::AfterStage after_stage = {});
     ~SeaMaps();
     SeaMaps(const SeaMaps&) = delete;
     SeaMaps& operator=(const SeaMaps&) = delete;

@@ -35,4 +35,17 @@ inline std::vector<float> shown_heights(const preview::ShownSea& sea, int resolu
     return heights;
 }
 
+/// Mean square slope that the shown maps have: of the last level of their second moments.
+inline double map_slope(const preview::ShownSea& sea) {
+    double sum = 0.0;
+    for (const preview::ShownCascade& cascade : sea.cascades) {
+        float last[4] = {};
+        glBindTexture(GL_TEXTURE_2D, cascade.moments);
+        const int level = static_cast<int>(std::lround(std::log2(cascade.resolution)));
+        glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_FLOAT, last);
+        sum += cascade.weight * cascade.weight * static_cast<double>(last[0] + last[1]);
+    }
+    return sum;
+}
+
 }  // namespace ocean::test
