@@ -109,6 +109,17 @@ TEST_F(LiveSeaTest, RecordingAnewDropsWhatTheTakeHasLater) {
     EXPECT_EQ(live.sea().parameters.seed, 9u);
 }
 
+TEST_F(LiveSeaTest, ItPlaysAgainFromItsStart) {
+    LiveSea live(windy_sea(), options());
+    live.play_again_after = 5.0;
+    for (int i = 0; i < 23; ++i) live.advance(1.0);
+    EXPECT_NEAR(live.time(), 3.0, 1e-9);
+    live.start_recording();
+    live.advance(4.0);
+    EXPECT_NEAR(live.time(), 7.0, 1e-9);  // what is recorded goes forward
+    EXPECT_TRUE(live.recording());
+}
+
 TEST_F(LiveSeaTest, ALoopRefusesToRecordAndSaysWhy) {
     Sea loop = windy_sea();
     loop.parameters.time.loop_period = 20.0;

@@ -54,6 +54,11 @@ void LiveSea::advance(double wall_seconds) {
         time_ += speed * wall_seconds;
         time_before_ += speed * wall_seconds;
     }
+    const double start = kept_.parameters.time.start;
+    if (play_again_after && !recording_ && time_ >= start + *play_again_after) {
+        const double over = time_ - (start + *play_again_after);
+        go_to(start + std::min(over, *play_again_after));
+    }
     if (!before_) return;
     faded_ += wall_seconds / kFadeSeconds;
     if (faded_ < 1.0) return;

@@ -46,6 +46,9 @@ class LiveSea {
     void go_to(double time);
     bool paused = false;
     double speed = 1.0;
+    /// Seconds from the sea's start after which it plays from there again; nothing: it goes on.
+    /// Not while it records.
+    std::optional<double> play_again_after;
 
     // Changes of it.
     /// A live parameter glides to the value from now on, unless the sea has a loop; what else is

@@ -21,8 +21,8 @@ Tab hides the panel, Ctrl Z takes a change back, Ctrl R reads the sea file again
 F12 saves the picture, Escape ends; a take that was not saved is, first. A gamepad's sticks move and turn, its A
 pauses, B changes the camera, X the view, Y goes back to where it began.
 --probe prints x,y, the height of the mesh there and that of the maps (m), the
-square of the slope that is shown and the mean square slope that the light gets
-as roughness; nothing behind x,y where nothing is drawn.
+square of the slope that is shown, the mean square slope that the light gets as
+roughness and the share of foam; nothing behind x,y where nothing is drawn.
 Exit codes: 0 done, 1 failed at run time (no GPU, disk), 2 wrong usage or bad sea
 file, 130 interrupted.)";
 

@@ -63,8 +63,9 @@ class OffscreenRun {
             const auto found = preview::probe(renderer_, shown, options_.camera, place, cascade());
             std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
             if (found) {
-                for (const double value : {found->mesh_height, found->map_height,
-                                           found->shown_slope, found->handed_on_slope}) {
+                for (const double value :
+                     {found->mesh_height, found->map_height, found->shown_slope,
+                      found->handed_on_slope, found->cover}) {
                     line += "," + shortest_text(static_cast<float>(value));
                 }
             }

@@ -259,6 +259,18 @@ void transport(LiveSea& sea, PanelState& state) {
         sea.go_to(std::clamp(time, -1e9, 1e9));
         state.touched = true;
     }
+    bool again = sea.play_again_after.has_value();
+    if (ImGui::Checkbox("Play again from the start", &again)) {
+        // The whole of what there is to see: a loop, or a take and some seconds of its last glide.
+        const double loop = sea.sea().parameters.time.loop_period;
+        const double take = sea.take_end() - sea.sea().parameters.time.start;
+        sea.play_again_after.reset();
+        if (again) sea.play_again_after = loop > 0.0 ? loop : std::max(10.0, take + 3.0);
+    }
+    if (again && sea.play_again_after) {
+        slider(state, "After", *sea.play_again_after, 1.0f, 600.0f, "%.1f s",
+               ImGuiSliderFlags_Logarithmic);
+    }
     slider(state, "Speed", sea.speed, 0.05f, 20.0f, "%.2f x", ImGuiSliderFlags_Logarithmic);
     ImGui::PopItemWidth();
 }

@@ -27,6 +27,7 @@
 #include "ocean/io/png.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/preview/canvas.hpp"
+#include "ocean/preview/probe.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "offscreen_run.hpp"
@@ -478,9 +479,14 @@ class Preview {
             if (!nearer) return;
             point = {(*nearer)[0], (*nearer)[1]};
         }
+        const auto drawn =
+            preview::probe(renderer_, shown_, camera_.camera(), {point.x, point.y}, state_.cascade);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, width_, height_);
         state_.under_mouse =
-            format_text("x %.2f  y %.2f  height %.2f m\nnormal %.2f %.2f %.2f", point.x, point.y,
-                        sample.height, sample.normal[0], sample.normal[1], sample.normal[2]);
+            format_text("x %.2f  y %.2f  height %.2f m\nnormal %.2f %.2f %.2f\nfoam %.2f", point.x,
+                        point.y, sample.height, sample.normal[0], sample.normal[1],
+                        sample.normal[2], drawn ? drawn->cover : 0.0);
     }
 
     void save_sea() {

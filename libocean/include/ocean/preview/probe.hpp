@@ -17,6 +17,7 @@ struct Probe {
     double map_height;       // m, of the maps at its label, as the fragment's light has it
     double shown_slope;      // square of the slope that the fragment shows
     double handed_on_slope;  // mean square slope that it gives to the light as roughness
+    double cover;            // share of it that is foam
 };
 
 /// Of the mesh that the camera sees; nothing where it draws nothing. cascade: as in DrawOptions.
