@@ -26,6 +26,7 @@ HEADER_OWNER = {
     "ocean/netcdf_spectra.hpp": "netcdf",
     "ocean/record_rules.hpp": "seafile",
     "ocean/seafile.hpp": "seafile",
+    "ocean/toml_sections.hpp": "seafile",
     "ocean/utc_time.hpp": "seafile",
 }
 
@@ -103,8 +104,16 @@ LIBRARIES = {
     ),
     "bridge": Library(
         below=("core", "seafile", "io/file"),
-        foreign={"": (*SYSTEM, "arpa/", "netdb.h", "netinet/", "poll.h", "termios.h")},
+        foreign={
+            # No header that others include knows the network library.
+            "connection.cpp": ("asio",),
+            "connection.hpp": ("asio",),
+            "endpoint.cpp": (*SYSTEM, "arpa/", "ifaddrs.h", "net/", "netinet/"),
+            "line_client.cpp": ("asio",),
+            "line_server.cpp": ("asio",),
+        },
         links=("Threads::Threads",),
+        banned=STREAMS,
     ),
     "netcdf": Library(
         below=("core", "seafile"),
@@ -127,6 +136,7 @@ LIBRARIES = {
             "common/command_line.cpp": ("CLI/",),  # and no other file
             "common/console.cpp": ("unistd.h",),
             "ocean/plot": ("cairo.h",),
+            "ocean-bridge/line_input.cpp": ("editline/", "poll.h", "unistd.h"),
             "ocean-preview": ("GLFW/", "epoxy/", "imgui", "backends/"),
         },
         links=(
@@ -134,6 +144,7 @@ LIBRARIES = {
             "PkgConfig::cairo",
             "PkgConfig::epoxy",
             "PkgConfig::imgui",
+            "PkgConfig::libedit",
             "glfw",
         ),
         shared=("common",),
@@ -305,6 +316,8 @@ def test_private_folders_stay_private(library):
         ("gl", "program.cpp", "#include <GLFW/glfw3.h>"),
         ("bridge", "server.cpp", '#include "ocean/io/image.hpp"'),
         ("bridge", "server.cpp", '#include "ocean/gl/maps.hpp"'),
+        ("bridge", "mapping.cpp", "#include <toml++/toml.h>"),
+        ("bridge", "hub.cpp", "#include <asio.hpp>"),
         ("netcdf", "cf_units.cpp", "#include <netcdf.h>"),
         ("netcdf", "cf_units.cpp", '#include "take.hpp"'),
         ("netcdf", "cf_units.cpp", '#include "ocean/io/image.hpp"'),

@@ -104,7 +104,7 @@ def test_headers_and_libraries_are_there(everything):
     assert installed == theirs - {Path("ocean/netcdf_spectra.hpp")}
     libraries = {path.stem.removeprefix("libocean_") for path in everything.rglob("*.a")}
     io = {"io_exr", "io_file", "io_image", "io_mesh", "io_png", "io_povray"}
-    assert libraries == {"core", "seafile", "bake", "gl", "preview"} | io
+    assert libraries == {"core", "seafile", "bake", "bridge", "gl", "preview"} | io
 
 
 def test_the_package_names_no_place(everything):
@@ -158,6 +158,11 @@ def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
             "ocean::bake;ocean::core;ocean::io_exr;ocean::io_file;ocean::io_image;ocean::io_mesh;"
             "ocean::io_png;ocean::io_povray;ocean::seafile",
         ),
+        ("COMPONENTS file", "ocean::core;ocean::io_file"),
+        (
+            "COMPONENTS bridge",
+            "ocean::bridge;ocean::core;ocean::io_file;ocean::seafile",
+        ),
         ("COMPONENTS gl", "ocean::core;ocean::gl"),
         ("COMPONENTS preview", "ocean::core;ocean::gl;ocean::preview"),
         ("COMPONENTS c OPTIONAL_COMPONENTS vdb", "ocean::c"),
@@ -170,7 +175,10 @@ def test_components_bring_what_they_need(everything, tmp_path, components, targe
 
 @pytest.mark.parametrize(
     ("prefix", "missing", "installed"),
-    [("everything", "vdb", "c, core, gl, preview, seafile, io, bake"), ("c_host", "core", "c")],
+    [
+        ("everything", "vdb", "c, core, gl, preview, seafile, file, io, bake, bridge"),
+        ("c_host", "core", "c"),
+    ],
 )
 def test_a_missing_component_is_named(request, tmp_path, prefix, missing, installed):
     folder = request.getfixturevalue(prefix)

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/bridge/line_server.hpp"
+
+#include <asio.hpp>
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "connection.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+using asio::ip::tcp;
+
+/// Changes that come faster go out together: a board of 1000 reports a second is 500 lines a second
+/// for each client. Far below the 10 ms between the reports of common boards, so that it does not
+/// beat against them.
+constexpr auto kLeastUpdateInterval = std::chrono::milliseconds(2);
+constexpr auto kLookAround = std::chrono::milliseconds(500);
+constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
+constexpr std::size_t kMostClients = 100'000;
+/// Of boards, while this thread is busy.
+constexpr std::size_t kMostReports = 65536;
+
+tcp::endpoint tcp_endpoint(const Endpoint& listen) {
+    asio::error_code wrong;
+    const auto address =
+        asio::ip::make_address(listen.host == "localhost" ? "127.0.0.1" : listen.host, wrong);
+    if (wrong) {
+        throw Error(ErrorKind::invalid_value, "--listen " + listen.text() +
+                                                  ": is no address of this machine; allowed: one "
+                                                  "in numbers, or localhost");
+    }
+    return {address, listen.port};
+}
+
+const ServerOptions& checked(const ServerOptions& options) {
+    if (!options.listen.is_loopback() && options.token.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--listen " + options.listen.text() +
+                        ": others than this machine may come there only with --token-file");
+    }
+    if (options.clients < 1 || options.clients > kMostClients) {
+        throw Error(ErrorKind::invalid_value,
+                    "--clients " + std::to_string(options.clients) + ": allowed: 1 .. 100000");
+    }
+    require_descriptors(options.clients);
+    return options;
+}
+
+}  // namespace
+
+class LineServer::Core {
+  public:
+    Core(ServerOptions options, Hub& hub)
+        : options_(std::move(options)),
+          hub_(hub),
+          host_{checked(options_), hub_, [this](std::string line) { log(std::move(line)); },
+                [this] { changed(); }, [this](Connection& gone) { ended(gone); }},
+          acceptor_(io_),
+          update_timer_(io_),
+          advance_timer_(io_),
+          second_timer_(io_),
+          accept_timer_(io_) {
+        listen();
+        accept();
+        look_around();
+        hub_.start({[this](Report report) { take(std::move(report)); },
+                    [this](std::string event) { take(std::move(event)); }});
+        thread_ = std::thread([this] { io_.run(); });
+    }
+
+    ~Core() { stop(); }
+
+    Endpoint endpoint() const { return endpoint_; }
+    std::size_t clients() const { return count_; }
+
+    void stop() {
+        const std::lock_guard once(stop_mutex_);
+        if (!thread_.joinable()) return;
+        asio::post(io_, [this] { end_all(); });
+        thread_.join();
+    }
+
+  private:
+    void log(std::string line) const {
+        if (options_.log) options_.log(std::move(line));
+    }
+
+    void listen() {
+        const tcp::endpoint wanted = tcp_endpoint(options_.listen);
+        try {
+            acceptor_.open(wanted.protocol());
+            acceptor_.set_option(tcp::acceptor::reuse_address(true));
+            acceptor_.bind(wanted);
+            acceptor_.listen(asio::socket_base::max_listen_connections);
+        } catch (const asio::system_error& error) {
+            throw Error(ErrorKind::output, "cannot listen on " + options_.listen.text() + ": " +
+                                               error.code().message());
+        }
+        endpoint_ = {wanted.address().to_string(), acceptor_.local_endpoint().port()};
+        log("listening on " + endpoint_.text());
+        std::string interfaces;
+        for (const std::string& name : network_interfaces()) {
+            interfaces += (interfaces.empty() ? "" : ", ") + name;
+        }
+        log(interfaces.empty() ? "no network interface is up" : "interfaces: " + interfaces);
+    }
+
+    void accept() {
+        acceptor_.async_accept([this](asio::error_code error, tcp::socket socket) {
+            if (!acceptor_.is_open()) return;
+            if (error) {
+                // Without descriptors left, say: that passes, and must not be a busy loop.
+                accept_timer_.expires_after(kAcceptAgain);
+                accept_timer_.async_wait([this](asio::error_code stopped) {
+                    if (!stopped) accept();
+                });
+                return;
+            }
+            auto connection = std::make_shared<Connection>(std::move(socket), host_);
+            if (connections_.size() < options_.clients) {
+                connections_.insert(connection);
+                count_ = connections_.size();
+                connection->begin();
+            } else {
+                log(connection->peer() + " refused: " + std::to_string(options_.clients) +
+                    " clients are there");
+                connection->dismiss(refusal_line({"BUSY", "no more clients are taken"}));
+            }
+            accept();
+        });
+    }
+
+    void ended(Connection& gone) {
+        hub_.client_left(gone.peer());
+        connections_.erase(gone.shared_from_this());
+        count_ = connections_.size();
+        changed();
+    }
+
+    /// A copy: whoever is told something may end.
+    std::vector<std::shared_ptr<Connection>> all() const {
+        return {connections_.begin(), connections_.end()};
+    }
+
+    // From the boards' threads.
+    void take(Report report) {
+        const std::lock_guard lock(mutex_);
+        if (reports_.size() < kMostReports) reports_.push_back(std::move(report));
+        wake();
+    }
+    void take(std::string event) {
+        const std::lock_guard lock(mutex_);
+        if (board_events_.size() < kMostReports) board_events_.push_back(std::move(event));
+        wake();
+    }
+    void wake() {
+        if (std::exchange(woken_, true)) return;
+        asio::post(io_, [this] { work_off(); });
+    }
+
+    void work_off() {
+        std::vector<Report> reports;
+        std::vector<std::string> events;
+        {
+            const std::lock_guard lock(mutex_);
+            woken_ = false;
+            reports.swap(reports_);
+            events.swap(board_events_);
+        }
+        for (const Report& report : reports) hub_.report(report);
+        for (const std::string& event : events) tell(event);
+        changed();
+    }
+
+    void tell(const std::string& event) {
+        log(event);
+        for (const auto& connection : all()) connection->tell(event);
+    }
+
+    /// Something may be new: for the clients, and of when the map is to be looked at again.
+    void changed() {
+        if (ending_) return;
+        for (const std::string& event : hub_.events()) tell(event);
+        if (std::exchange(update_due_, true)) return;
+        const auto now = Clock::now();
+        update_timer_.expires_at(std::max(now, updated_ + kLeastUpdateInterval));
+        if (update_timer_.expiry() <= now) {
+            asio::post(io_, [this] { update(); });
+        } else {
+            update_timer_.async_wait([this](asio::error_code stopped) {
+                if (!stopped) update();
+            });
+        }
+    }
+
+    void update() {
+        if (ending_) return;
+        update_due_ = false;
+        if (std::exchange(told_, hub_.values().revision()) != hub_.values().revision()) {
+            updated_ = Clock::now();
+            for (const auto& connection : all()) connection->update();
+        }
+        const auto next = hub_.next();
+        if (!next) return;
+        advance_timer_.expires_at(*next);
+        advance_timer_.async_wait([this](asio::error_code stopped) {
+            if (stopped) return;
+            hub_.advance(Clock::now());
+            changed();
+        });
+    }
+
+    void look_around() {
+        second_timer_.expires_after(kLookAround);
+        second_timer_.async_wait([this](asio::error_code stopped) {
+            if (stopped || ending_) return;
+            hub_.look_around();
+            const auto now = Clock::now();
+            for (const auto& connection : all()) connection->look_around(now);
+            changed();
+            look_around();
+        });
+    }
+
+    void end_all() {
+        ending_ = true;
+        asio::error_code ignored;
+        acceptor_.close(ignored);
+        for (asio::steady_timer* timer :
+             {&update_timer_, &advance_timer_, &second_timer_, &accept_timer_}) {
+            timer->cancel();
+        }
+        for (const auto& connection : all()) connection->dismiss(event_line("STOP"));
+        hub_.stop();
+        hub_.finish();
+        for (const std::string& event : hub_.events()) log(event);
+        log("stopped");
+    }
+
+    const ServerOptions options_;
+    Hub& hub_;
+    const Connection::Host host_;
+    asio::io_context io_{1};
+    tcp::acceptor acceptor_;
+    asio::steady_timer update_timer_;
+    asio::steady_timer advance_timer_;
+    asio::steady_timer second_timer_;
+    asio::steady_timer accept_timer_;
+    std::set<std::shared_ptr<Connection>> connections_;
+    std::atomic<std::size_t> count_ = 0;
+    Endpoint endpoint_;
+    bool update_due_ = false;
+    bool ending_ = false;
+    Clock::time_point updated_{};
+    std::uint64_t told_ = 0;
+
+    std::mutex mutex_;  // of what boards brought
+    std::vector<Report> reports_;
+    std::vector<std::string> board_events_;
+    bool woken_ = false;
+
+    std::mutex stop_mutex_;
+    std::thread thread_;
+};
+
+LineServer::LineServer(ServerOptions options, Hub& hub)
+    : core_(std::make_unique<Core>(std::move(options), hub)) {}
+
+LineServer::~LineServer() = default;
+
+Endpoint LineServer::endpoint() const {
+    return core_->endpoint();
+}
+
+std::size_t LineServer::clients() const {
+    return core_->clients();
+}
+
+void LineServer::stop() {
+    core_->stop();
+}
+
+}  // namespace ocean::bridge

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/bridge/source.hpp"
+
+#include <algorithm>
+
+namespace ocean::bridge {
+
+bool is_channel_name(std::string_view name) {
+    constexpr std::size_t kLongestPart = 32;
+    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    const std::size_t slash = name.find('/');
+    if (slash == std::string_view::npos) return false;
+    const std::string_view board = name.substr(0, slash);
+    const std::string_view wire = name.substr(slash + 1);
+    if (board.empty() || board.size() > kLongestPart || wire.size() > kLongestPart) return false;
+    const auto end = std::ranges::find_if_not(wire, letter);
+    return std::ranges::all_of(board, [&](char c) { return digit(c) || letter(c) || c == '_'; }) &&
+           end != wire.begin() && end != wire.end() && std::all_of(end, wire.end(), digit);
+}
+
+const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name) {
+    const auto found = std::ranges::find(channels, name, &Channel::name);
+    return found == channels.end() ? nullptr : &*found;
+}
+
+}  // namespace ocean::bridge

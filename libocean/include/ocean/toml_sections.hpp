@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Flat TOML files that nobody has checked, as plain values: lists of tables, [[map]] and [[out]],
+// whose keys have numbers, texts, flags or lists of numbers. For files beside the sea file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ocean/error.hpp"
+
+namespace ocean {
+
+struct TomlKey {
+    std::string name;
+    std::size_t line = 0;
+    std::variant<bool, double, std::string, std::vector<double>> value;
+};
+
+/// One [[NAME]] with its keys in the order of the file.
+struct TomlSection {
+    std::string name;
+    std::size_t line = 0;
+    std::vector<TomlKey> keys;
+};
+
+/// In the order of the file. `known` are the names that sections may have. Throws Error bad_file
+/// "NAME:LINE: ..." for what is no TOML and what is not of that form.
+std::vector<TomlSection> parse_toml_sections(std::string_view text, const std::string& name,
+                                             std::span<const std::string_view> known);
+
+}  // namespace ocean

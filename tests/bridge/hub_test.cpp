@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The hub and the boards that are files: what a script says arrives, a take that is recorded is one
+// that the sea file reads, and a map may change while all goes on.
+#include "ocean/bridge/hub.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+
+#include "ocean/bridge/endpoint.hpp"
+#include "ocean/bridge/script_sources.hpp"
+#include "ocean/error.hpp"
+#include "ocean/seafile.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Folder {
+  public:
+    Folder() : path_(std::filesystem::temp_directory_path() / unique()) {
+        std::filesystem::create_directory(path_);
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+    std::string text() const { return path_.string(); }
+
+  private:
+    static std::string unique() {
+        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+        return "ocean_" + std::string(test->name()) + "_" + std::to_string(::getpid());
+    }
+    std::filesystem::path path_;
+};
+
+std::string content_of(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What a source reported.
+class Listening {
+  public:
+    Source::Listener listener() {
+        return {[this](const Report& report) {
+                    const std::lock_guard lock(mutex_);
+                    reports_.push_back(report);
+                    changed_.notify_all();
+                },
+                {}};
+    }
+    std::vector<Report> wait_for(std::size_t count) {
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, 20s, [&] { return reports_.size() >= count; });
+        return reports_;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<Report> reports_;
+};
+
+TEST(Script, LinesAreCheckedOneByOne) {
+    const auto script = parse_script("# a\n0.5 board0/a1 128 # up\n\n2 board0/d1 1\r\n", "s");
+    ASSERT_EQ(script.size(), 2u);
+    EXPECT_EQ(script[1].channel, "board0/d1");
+    for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+             {"1 board0/a1\n", "s:1: a line"},
+             {"1 board0/a1 2\n0.5 board0/a1 2\n", "s:2: '0.5' is before"},
+             {"x board0/a1 2\n", "s:1: 'x' is not a number"},
+             {"-1 board0/a1 2\n", "s:1: '-1'"},
+             {"1 board0/a1 nan\n", "s:1: 'nan'"},
+             {"1 board0 2\n", "s:1: 'board0' is no channel"},
+             {"1 board0/a1 2 3\n", "s:1: '3' is one word too many"}}) {
+        try {
+            parse_script(text, "s");
+            ADD_FAILURE() << text;
+        } catch (const Error& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with(says)) << error.what();
+        }
+    }
+    EXPECT_THROW(make_dummy_source(parse_script("1 board0/a3 2\n", "s")), Error);
+    EXPECT_THROW(make_dummy_source(parse_script("1 board0/a1 256\n", "s")), Error);
+}
+
+TEST(DummySource, IsStillUntilTold) {
+    Listening listening;
+    const auto board = make_dummy_source(parse_script("0.01 board0/a1 7\n", "s"));
+    board->start(listening.listener());
+    auto reports = listening.wait_for(10);
+    ASSERT_EQ(reports.size(), 10u);  // nine inputs at rest, and the line of the script
+    EXPECT_EQ(reports[9].value, 7.0);
+    EXPECT_GE(reports[9].time - reports[0].time, 9ms);
+    board->put("board0/a2", 30);
+    board->put("board0/o1", 1);  // a lamp reports nothing
+    reports = listening.wait_for(11);
+    ASSERT_EQ(reports.size(), 11u);
+    EXPECT_EQ(reports[10].channel, "board0/a2");
+    EXPECT_THROW(board->put("board0/o1", 2), Error);
+    EXPECT_THROW(board->put("board0/x1", 0), Error);
+    board->stop();
+    board->put("board0/a2", 31);
+    EXPECT_EQ(listening.wait_for(11).size(), 11u);
+}
+
+TEST(ReplaySource, PlaysWhatABoardReportedAndTakesNothing) {
+    Listening listening;
+    const auto board = make_replay_source(parse_script("0 midi0/cc1 3\n0.01 midi0/cc1 4\n", "s"));
+    EXPECT_EQ(board->channels().size(), 1u);
+    board->start(listening.listener());
+    EXPECT_EQ(listening.wait_for(2).size(), 2u);
+    EXPECT_THROW(board->put("midi0/cc1", 1), Error);
+}
+
+TEST(DummySource, StopsInTheMiddleOfAScript) {
+    Listening listening;
+    const auto board = make_dummy_source(parse_script("1000 board0/a1 7\n", "s"));
+    board->start(listening.listener());
+    board->stop();
+    EXPECT_EQ(listening.wait_for(9).size(), 9u);
+}
+
+TEST(Hub, ARecordingIsATakeOfTheSea) {
+    const Folder folder;
+    Hub hub({.map_text = std::string(kDefaultMap), .take_folder = folder.text()}, {});
+    const auto start = Clock::now();
+    const auto turn = [&](double raw, Clock::duration at) {
+        hub.report({start + at, "board0/a1", raw});
+    };
+    turn(0, 0s);
+    hub.start_recording("storm.take", "test");
+    turn(50, 1s);
+    turn(100, 2s);
+    for (int i = 0; i < 100; ++i) turn(150 + i, 3s + i * 1ms);  // faster than a take holds
+    hub.set("app.speed", "2", "test");                          // no part of the sea
+    hub.set("patch_size", "400", "test");                       // not live
+    hub.stop_recording("", "test");
+    const Take take = parse_take(content_of(folder / "storm.take"), "storm.take", Parameters());
+    ASSERT_GE(take.events.size(), 4u);
+    ASSERT_LE(take.events.size(), 10u);
+    EXPECT_NEAR(take.events[1].seconds - take.events[0].seconds, 1.0, 1e-6);
+    EXPECT_NEAR(std::get<double>(take.events.back().value), 249.0 / 255.0 * 30.0, 1e-4);
+    // What is there is not written over.
+    hub.start_recording("storm.take", "test");
+    hub.stop_recording("", "test");
+    EXPECT_TRUE(std::filesystem::exists(folder / "storm_1.take"));
+}
+
+TEST(Hub, WhoShowsTheSeaRecordsIt) {
+    const Folder folder;
+    Hub hub({.take_folder = folder.text()}, {});
+    hub.set("app.frame_rate", "60", "127.0.0.1:9");
+    hub.start_recording("", "test");
+    hub.stop_recording("", "test");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.text()));
+    hub.client_left("127.0.0.1:9");
+    hub.start_recording("", "test");
+    hub.finish();
+    EXPECT_TRUE(std::filesystem::exists(folder / "take_1.take"));
+}
+
+TEST(Hub, ATakesNameIsNoPath) {
+    Hub hub({}, {});
+    for (const char* name : {"../x", "/tmp/x", ".x", "a/b", "a b", "a\\b", "x\n"}) {
+        EXPECT_THROW(hub.start_recording(name, "test"), Error) << name;
+    }
+    EXPECT_EQ(hub.values().number(hub.values().find("app.record")), 0.0);
+}
+
+TEST(Hub, AMapIsReadAgainWhenItChanges) {
+    const Folder folder;
+    const std::string map = folder / "map.toml";
+    const auto write = [&](const std::string& out) {
+        std::ofstream(map) << "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nhysteresis = 0\n"
+                           << "in = [0, 10]\nout = " << out << "\n";
+        // A clock of the file system may be coarse.
+        static auto time = std::filesystem::last_write_time(map);
+        std::filesystem::last_write_time(map, time += 1s);
+    };
+    write("[0, 10]");
+    Hub hub({.map = map}, {});
+    const auto wind_at = [&](double raw) {
+        hub.report({Clock::now(), "board0/a1", raw - 1});
+        hub.report({Clock::now(), "board0/a1", raw});
+        return hub.values().number(hub.values().find("wind_speed"));
+    };
+    EXPECT_EQ(wind_at(5), 5.0);
+    write("[0, 20]");
+    hub.look_around();
+    EXPECT_EQ(wind_at(5), 10.0);
+    write("[0, 2000]");
+    hub.look_around();
+    EXPECT_EQ(wind_at(5), 10.0);
+    const auto events = hub.events();
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_NE(events[1].find("MAP stays as it was"), std::string::npos);
+}
+
+TEST(Endpoint, IsHostAndPort) {
+    EXPECT_EQ(parse_endpoint("127.0.0.1:80", "x").text(), "127.0.0.1:80");
+    EXPECT_EQ(parse_endpoint("[::1]:80", "x").text(), "[::1]:80");
+    EXPECT_EQ(parse_endpoint("tablet", "x").port, 4747);
+    for (const char* good : {"127.0.0.1", "127.9.9.9", "[::1]", "localhost"}) {
+        EXPECT_TRUE(parse_endpoint(good, "x").is_loopback()) << good;
+    }
+    for (const char* far : {"0.0.0.0", "192.168.1.7", "[::]", "example.org", "128.0.0.1"}) {
+        EXPECT_FALSE(parse_endpoint(far, "x").is_loopback()) << far;
+    }
+    for (const char* bad : {"", ":1", "a:b", "a:65536", "a:-1", "[::1", "[x]:1", "a b", "::1:4"}) {
+        EXPECT_THROW(parse_endpoint(bad, "x"), Error) << bad;
+    }
+}
+
+TEST(Token, IsAWholeSecret) {
+    const Folder folder;
+    const std::string path = folder / "token";
+    std::ofstream(path) << "0123456789abcdef\n";
+    std::filesystem::permissions(path, std::filesystem::perms::owner_read);
+    const std::string token = read_token(path);
+    EXPECT_TRUE(same_token("0123456789abcdef", token));
+    for (const char* guess : {"", "0", "0123456789abcdeg", "0123456789abcdef0123456789abcdef"}) {
+        EXPECT_FALSE(same_token(guess, token)) << guess;
+    }
+    EXPECT_FALSE(same_token("", ""));
+    std::filesystem::permissions(path, std::filesystem::perms(0644));
+    EXPECT_THROW(read_token(path), Error);
+}
+
+}  // namespace
+}  // namespace ocean::bridge

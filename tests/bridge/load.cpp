@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the bridge reaches on this machine, over loopback: from a board's report to a client's
+// receive, with 1 and 100 clients, beside a reader that has stalled; 1000 clients held, and how
+// long it takes to stop with them. Prints a line for each; exits with 1 if a count is wrong, or a
+// stalled reader is felt.
+// usage: bridge_load [--quick]
+#include <sys/epoll.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+#include "helpers.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean::bridge::test {
+namespace {
+
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+// The number of the report is what is sent: app.time takes any.
+const std::string kCounter =
+    "[[map]]\nfrom = \"board0/a1\"\nto = \"app.time\"\nin = [0, 1000000]\nout = [0, 1000000]\n"
+    "hysteresis = 0\n";
+
+struct Latencies {
+    std::vector<double> all;
+    std::size_t least_of_a_client = 0;
+
+    double quantile(double q) {
+        if (all.empty()) return NAN;
+        std::ranges::sort(all);
+        return all[std::min(all.size() - 1,
+                            static_cast<std::size_t>(q * static_cast<double>(all.size())))];
+    }
+};
+
+/// `hertz` reports a second; of the values that the clients got, how old they were.
+Latencies measure(Served& served, int clients, int hertz, double seconds) {
+    const auto reports = static_cast<std::size_t>(hertz * seconds);
+    const int poll = ::epoll_create1(EPOLL_CLOEXEC);
+    std::vector<RawClient> all;
+    for (int i = 0; i < clients; ++i) {
+        RawClient raw = served.client();
+        raw.ask("SUBSCRIBE app.time");
+        raw.line_with("VAL");
+        epoll_event event{.events = EPOLLIN, .data = {.u32 = static_cast<std::uint32_t>(i)}};
+        ::epoll_ctl(poll, EPOLL_CTL_ADD, raw.descriptor(), &event);
+        all.push_back(std::move(raw));
+    }
+    std::vector<std::atomic<Clock::rep>> sent(reports + 2);
+    std::atomic<bool> done = false;
+    served.turn(0);
+    std::thread board([&] {
+        auto due = Clock::now();
+        for (std::size_t i = 1; i <= reports; ++i) {
+            due += std::chrono::nanoseconds(1'000'000'000 / hertz);
+            std::this_thread::sleep_until(due);
+            sent[i] = Clock::now().time_since_epoch().count();
+            served.turn(static_cast<double>(i));
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        done = true;
+    });
+    Latencies latencies;
+    std::vector<std::size_t> counts(static_cast<std::size_t>(clients));
+    std::vector<std::string> rest(static_cast<std::size_t>(clients));
+    epoll_event events[64];
+    while (!done) {
+        const int ready = ::epoll_wait(poll, events, 64, 50);
+        for (int i = 0; i < ready; ++i) {
+            const std::size_t client = events[i].data.u32;
+            char block[4096];
+            const auto count = ::recv(all[client].descriptor(), block, sizeof block, 0);
+            const auto now = Clock::now().time_since_epoch().count();
+            if (count <= 0) continue;
+            std::string& text = rest[client];
+            text.append(block, static_cast<std::size_t>(count));
+            for (std::size_t end = 0; (end = text.find('\n')) != std::string::npos;) {
+                unsigned long number = 0;
+                if (std::sscanf(text.c_str(), "UPD app.time %lu", &number) == 1 && number > 0 &&
+                    number <= reports) {
+                    latencies.all.push_back(static_cast<double>(now - sent[number]) * 1e-6);
+                    ++counts[client];
+                }
+                text.erase(0, end + 1);
+            }
+        }
+    }
+    board.join();
+    ::close(poll);
+    latencies.least_of_a_client = *std::ranges::min_element(counts);
+    return latencies;
+}
+
+void print(const char* what, Latencies& latencies, double seconds) {
+    std::printf("%-44s p50 %.3f ms, p99 %.3f ms, max %.1f ms, %.1f updates/s\n", what,
+                latencies.quantile(0.5), latencies.quantile(0.99), latencies.quantile(1.0),
+                static_cast<double>(latencies.least_of_a_client) / seconds);
+    std::fflush(stdout);
+}
+
+double cpu_seconds() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
+}
+
+bool check(bool holds, const char* what) {
+    if (!holds) std::printf("FAILED: %s\n", what);
+    return holds;
+}
+
+int run(bool quick) {
+    const double seconds = quick ? 2.0 : 10.0;
+    const double enough = 0.9 * 100 * seconds;
+    bool good = true;
+    double alone = 0.0;
+    {
+        Served served({}, kCounter);
+        Latencies one = measure(served, 1, 100, seconds);
+        print("1 client, 100 reports/s", one, seconds);
+        alone = one.quantile(0.99);
+        good &= check(static_cast<double>(one.least_of_a_client) > enough, "updates are missing");
+    }
+    {
+        Served served({}, kCounter);
+        RawClient stalled(served.server.endpoint(), 4096);
+        stalled.send("SUBSCRIBE\n");
+        Latencies beside = measure(served, 1, 100, seconds);
+        print("1 client beside a stalled reader", beside, seconds);
+        // Of a thousandth more nobody is sure: other programs run here too.
+        good &= check(beside.quantile(0.99) < 2.0 * alone + 1.0, "a stalled reader is felt");
+    }
+    {
+        Served served({.clients = 200}, kCounter);
+        Latencies hundred = measure(served, 100, 100, seconds);
+        print("100 clients, 100 reports/s", hundred, seconds);
+        good &= check(static_cast<double>(hundred.least_of_a_client) > 0.5 * enough,
+                      "updates are missing");
+    }
+    if (!quick) {
+        Served served({}, kCounter);
+        Latencies fast = measure(served, 1, 1000, seconds);
+        print("1 client, 1000 reports/s", fast, seconds);
+    }
+    {
+        const int count = 1000;
+        Served served({.clients = count}, kCounter);
+        require_descriptors(2 * count);
+        std::vector<RawClient> all;
+        for (int i = 0; i < count; ++i) {
+            RawClient raw(served.server.endpoint());
+            raw.send("SUBSCRIBE app.time\n");
+            all.push_back(std::move(raw));
+        }
+        served.turn(0);
+        for (RawClient& raw : all) raw.line_with("VAL");
+        served.turn(7);
+        std::size_t told = 0;
+        for (RawClient& raw : all) told += raw.line_with("UPD") == "UPD app.time 7" ? 1 : 0;
+        std::printf("%-44s %zu of %d told\n", "1000 clients held", told, count);
+        good &= check(told == count, "a client of 1000 was not told");
+        const double cpu = cpu_seconds();
+        const auto idle = Clock::now();
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        const double wall = Milliseconds(Clock::now() - idle).count() * 1e-3;
+        std::printf("%-44s %.2f %% of a core\n", "at rest with 1000 clients",
+                    100.0 * (cpu_seconds() - cpu) / wall);
+        const auto start = Clock::now();
+        served.server.stop();
+        std::printf("%-44s %.1f ms\n", "stop with 1000 clients",
+                    Milliseconds(Clock::now() - start).count());
+        std::size_t ended = 0;
+        for (RawClient& raw : all) ended += raw.line_with("(").empty() ? 1 : 0;
+        good &= check(ended == count, "a client of 1000 was not let go");
+    }
+    return good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace ocean::bridge::test
+
+int main(int argc, char** argv) {
+    return ocean::bridge::test::run(argc > 1 && std::strcmp(argv[1], "--quick") == 0);
+}

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// From a knob to a value: ranges, curves, noise, smoothing, who holds the value; and a map that is
+// wrong says where.
+#include "ocean/bridge/mapping.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "ocean/error.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A map, a table and a clock that the test moves.
+class Desk {
+  public:
+    explicit Desk(const std::string& map)
+        : mapping_(parse_map(map, "test.toml", values_), values_) {}
+
+    /// How many values were set.
+    std::size_t turn(double raw, const std::string& channel = "board0/a1") {
+        return take(mapping_.report({now_, channel, raw}, values_));
+    }
+    std::size_t pass(Clock::duration time, Clock::duration step = 1ms) {
+        std::size_t count = 0;
+        for (const auto end = now_ + time; now_ < end;) {
+            now_ += step;
+            if (mapping_.next() && *mapping_.next() <= now_) {
+                count += take(mapping_.advance(now_, values_));
+            }
+        }
+        return count;
+    }
+    void write(const std::string& name, const std::string& value) {
+        values_.set(values_.find(name), value, "somebody");
+    }
+    double value(const std::string& name = "wind_speed") const {
+        return values_.number(values_.find(name));
+    }
+    bool still() const { return !mapping_.next(); }
+    std::vector<Lamp> lamps() { return mapping_.lamps(values_); }
+
+  private:
+    std::size_t take(const std::vector<Setting>& settings) {
+        for (const Setting& setting : settings) {
+            values_.set(setting.entry, std::to_string(setting.value), setting.writer);
+        }
+        return settings.size();
+    }
+
+    ValueTable values_;
+    Mapping mapping_;
+    Clock::time_point now_{1h};
+};
+
+std::string knob(const std::string& more) {
+    return "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nout = [0, 30]\n" + more;
+}
+
+TEST(Mapping, TheFirstReportOnlySaysWhereTheKnobIs) {
+    Desk desk(knob(""));
+    EXPECT_EQ(desk.turn(200), 0u);
+    EXPECT_EQ(desk.turn(100), 1u);
+    EXPECT_NEAR(desk.value(), 30.0 * 100 / 255, 1e-4);
+}
+
+TEST(Mapping, TheRangeEndsAreReachedAndNotLeft) {
+    Desk desk(knob("in = [4, 251]\nhysteresis = 0\n"));
+    desk.turn(100);
+    desk.turn(255);
+    EXPECT_EQ(desk.value(), 30.0);
+    desk.turn(0);
+    EXPECT_EQ(desk.value(), 0.0);
+    Desk inverted(knob("in = [4, 251]\ninvert = true\n"));
+    inverted.turn(100);
+    inverted.turn(255);
+    EXPECT_EQ(inverted.value(), 0.0);
+}
+
+TEST(Mapping, EachCurveRisesFromEndToEnd) {
+    for (const Curve curve :
+         {Curve::linear, Curve::smoothstep, Curve::exp, Curve::log, Curve::gamma}) {
+        EXPECT_EQ(curved(curve, 2.2, 0.0), 0.0);
+        EXPECT_NEAR(curved(curve, 2.2, 1.0), 1.0, 1e-15);
+        for (int i = 0; i < 100; ++i) {
+            EXPECT_LT(curved(curve, 2.2, i / 100.0), curved(curve, 2.2, (i + 1) / 100.0));
+        }
+    }
+    EXPECT_NEAR(curved(Curve::exp, 1, 0.5), 1.0 / 11.0, 1e-12);  // a decade of two
+    EXPECT_NEAR(curved(Curve::log, 1, curved(Curve::exp, 1, 0.3)), 0.3, 1e-12);
+    Desk desk(knob("curve = \"gamma:2\"\nhysteresis = 0\nin = [0, 100]\n"));
+    desk.turn(0);
+    desk.turn(50);
+    EXPECT_NEAR(desk.value(), 7.5, 1e-9);
+}
+
+TEST(Mapping, AStickRestsInTheMiddle) {
+    Desk desk(knob("in = [0, 200]\ndeadzone = 20\nhysteresis = 0\n"));
+    desk.turn(0);
+    for (const double raw : {80.0, 100.0, 120.0}) {
+        desk.turn(raw);
+        EXPECT_EQ(desk.value(), 15.0) << raw;
+    }
+    desk.turn(160);
+    EXPECT_NEAR(desk.value(), 22.5, 1e-9);
+    desk.turn(200);
+    EXPECT_EQ(desk.value(), 30.0);
+}
+
+/// Wherever the knob rests, and after it was moved there.
+TEST(Mapping, NoiseOfOneAtRestIsNoEventInAMinute) {
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> noise(-1, 1);
+    for (int place = 0; place <= 255; place += 15) {
+        Desk desk(knob(""));
+        const auto rest = [&] {
+            std::size_t events = 0;
+            for (int report = 0; report < 6000; ++report) {
+                events += desk.turn(std::clamp(place + noise(random), 0, 255));
+                events += desk.pass(10ms, 10ms);
+            }
+            return events;
+        };
+        EXPECT_EQ(rest(), 0u) << place;
+        desk.turn(place < 128 ? 255 : 0);
+        desk.pass(1s);
+        desk.turn(place);
+        for (int report = 0; report < 30; ++report) {
+            desk.turn(std::clamp(place + noise(random), 0, 255));
+            desk.pass(10ms, 10ms);
+        }
+        EXPECT_EQ(rest(), 0u) << "after a move to " << place;
+    }
+}
+
+TEST(Mapping, AMovedKnobEndsExactlyWhereTheHandLeftIt) {
+    Desk desk(knob(""));
+    desk.turn(0);
+    for (int raw = 1; raw <= 201; ++raw) {
+        desk.turn(raw);
+        desk.pass(10ms, 10ms);
+    }
+    EXPECT_NEAR(desk.value(), 30.0 * 201 / 255, 1e-4);
+}
+
+/// y(t) = v + (y0 - v) exp(-t / tau), however often the board reports.
+TEST(Mapping, SmoothingIsByTimeNotByReports) {
+    for (const auto step : {1ms, 7ms, 40ms}) {
+        Desk desk(knob("smooth_ms = 100\nin = [0, 100]\nhysteresis = 0\n"));
+        desk.turn(0);
+        desk.pass(1s);
+        desk.turn(100);
+        EXPECT_FALSE(desk.still());
+        desk.pass(280ms, step);
+        desk.turn(100);  // says nothing new
+        EXPECT_NEAR(desk.value(), 30.0 * (1.0 - std::exp(-2.8)), 0.6) << step.count();
+        desk.pass(2s, step);
+        EXPECT_EQ(desk.value(), 30.0);
+        EXPECT_TRUE(desk.still());
+    }
+}
+
+TEST(Mapping, AnotherHandKeepsTheValueUntilTheKnobComesBy) {
+    Desk desk(knob("takeover = \"pickup\"\nin = [0, 300]\nhysteresis = 0\n"));
+    desk.write("wind_speed", "20");
+    desk.turn(0);
+    EXPECT_EQ(desk.turn(100), 0u);
+    EXPECT_EQ(desk.value(), 20.0);
+    EXPECT_EQ(desk.turn(210), 1u);  // past 20
+    EXPECT_EQ(desk.value(), 21.0);
+    EXPECT_EQ(desk.turn(100), 1u);
+    EXPECT_EQ(desk.value(), 10.0);
+    desk.write("wind_speed", "5");
+    EXPECT_EQ(desk.turn(200), 0u);
+    EXPECT_EQ(desk.value(), 5.0);
+}
+
+TEST(Mapping, ScaledTakeoverMeetsTheKnobAtTheEnd) {
+    Desk desk(knob("takeover = \"scale\"\nin = [0, 300]\nhysteresis = 0\n"));
+    desk.write("wind_speed", "20");
+    desk.turn(0);
+    desk.turn(150);  // half of the way up: half of what is left above
+    EXPECT_NEAR(desk.value(), 25.0, 1e-6);
+    desk.turn(300);
+    EXPECT_NEAR(desk.value(), 30.0, 1e-6);
+    desk.turn(100);
+    EXPECT_NEAR(desk.value(), 10.0, 1e-6);
+}
+
+std::string button(const std::string& mode, const std::string& more = "") {
+    return "[[map]]\nfrom = \"board0/d1\"\nto = \"app.pause\"\nmode = \"" + mode + "\"\n" + more;
+}
+
+TEST(Mapping, ButtonsToggleHoldAndTrigger) {
+    const auto press = [](Desk& desk, int value) {
+        desk.turn(value, "board0/d1");
+        desk.pass(100ms);
+        return desk.value("app.pause");
+    };
+    Desk toggle(button("toggle"));
+    EXPECT_EQ(press(toggle, 0), 0.0);
+    EXPECT_EQ(press(toggle, 1), 1.0);
+    EXPECT_EQ(press(toggle, 0), 1.0);
+    EXPECT_EQ(press(toggle, 1), 0.0);
+    toggle.write("app.pause", "1");
+    press(toggle, 0);
+    EXPECT_EQ(press(toggle, 1), 0.0);  // of what it is, whoever made it so
+    Desk momentary(button("momentary"));
+    EXPECT_EQ(press(momentary, 0), 0.0);
+    EXPECT_EQ(press(momentary, 1), 1.0);
+    EXPECT_EQ(press(momentary, 0), 0.0);
+    Desk trigger(button("trigger", "edge = \"fall\"\n"));
+    EXPECT_EQ(press(trigger, 1), 0.0);
+    EXPECT_EQ(press(trigger, 0), 1.0);
+    EXPECT_EQ(press(trigger, 1), 1.0);
+}
+
+TEST(Mapping, AContactThatBouncesIsOnePress) {
+    Desk desk(button("toggle", "debounce_ms = 20\n"));
+    desk.turn(0, "board0/d1");
+    for (int bounce = 0; bounce < 5; ++bounce) {
+        desk.turn(1, "board0/d1");
+        desk.pass(1ms);
+        desk.turn(0, "board0/d1");
+        desk.pass(1ms);
+    }
+    desk.turn(1, "board0/d1");
+    desk.pass(200ms);
+    EXPECT_EQ(desk.value("app.pause"), 1.0);
+    // Released within the time that is not looked at: seen when it is over.
+    Desk momentary(button("momentary", "debounce_ms = 20\n"));
+    momentary.turn(0, "board0/d1");
+    momentary.turn(1, "board0/d1");
+    momentary.pass(5ms);
+    momentary.turn(0, "board0/d1");
+    EXPECT_EQ(momentary.value("app.pause"), 1.0);
+    momentary.pass(50ms);
+    EXPECT_EQ(momentary.value("app.pause"), 0.0);
+}
+
+TEST(Mapping, LampsAreToldWhatChangesOnce) {
+    Desk desk(
+        "[[out]]\nfrom = \"app.frame_rate\"\nto = \"board0/dac1\"\nin = [0, 120]\nout = [0, "
+        "255]\n");
+    EXPECT_EQ(desk.lamps().size(), 1u);
+    EXPECT_TRUE(desk.lamps().empty());
+    desk.write("app.frame_rate", "60");
+    const std::vector<Lamp> lamps = desk.lamps();
+    ASSERT_EQ(lamps.size(), 1u);
+    EXPECT_EQ(lamps[0].value, 128.0);
+}
+
+struct Mistake {
+    std::string toml;
+    std::string says;
+};
+
+class MapMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(MapMistake, IsNamedWithItsLine) {
+    try {
+        parse_map(GetParam().toml, "test.toml", ValueTable());
+        ADD_FAILURE() << "was taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_file);
+        EXPECT_NE(std::string(error.what()).find(GetParam().says), std::string::npos)
+            << error.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, MapMistake,
+    testing::Values(
+        Mistake{"[[map\n", "test.toml:1: is not TOML"},
+        Mistake{"x = 1\n", "test.toml:1: unknown key 'x'; allowed: [[map]], [[out]]"},
+        Mistake{"map = 3\n", "test.toml:1: map = 3"},
+        Mistake{knob("colour = 1\n"), "test.toml:5: unknown key 'colour'"},
+        Mistake{knob("curve = \"wavy\"\n"), "test.toml:5: curve = \"wavy\": allowed: linear"},
+        Mistake{knob("curve = \"gamma:0\"\n"), "test.toml:5: curve = \"gamma:0\""},
+        Mistake{knob("curve = \"gamma\"\n"), "test.toml:5: curve = \"gamma\""},
+        Mistake{knob("in = [5, 5]\n"), "test.toml:5: in = a list of 2"},
+        Mistake{knob("in = [5, nan]\n"), "test.toml:5: in = a list of 2"},
+        Mistake{knob("in = 5\n"), "test.toml:5: in = 5: allowed: two numbers"},
+        Mistake{knob("smooth_ms = -1\n"), "test.toml:5: smooth_ms = -1: allowed: 0 .. 60000"},
+        Mistake{knob("invert = 1\n"), "test.toml:5: invert = 1: allowed: true or false"},
+        Mistake{knob("deadzone = 200\n"), "test.toml:1: deadzone or hysteresis leaves nothing"},
+        Mistake{"[[map]]\nfrom = \"a1\"\n", "test.toml:2: from = \"a1\": allowed: a channel"},
+        Mistake{"[[map]]\nfrom = \"board0/a1\"\n", "test.toml:1: to is missing"},
+        Mistake{"[[map]]\nto = \"wind_sped\"\n", "test.toml:2: to = \"wind_sped\": unknown"},
+        Mistake{"[[map]]\nto = \"spectrum\"\n", "allowed: the name of a number"},
+        Mistake{"[[map]]\nfrom = \"b/a1\"\nto = \"wind_speed\"\n", "test.toml:1: out is missing"},
+        Mistake{"[[map]]\nfrom = \"b/a1\"\nto = \"wind_speed\"\nout = [0, 100]\n",
+                "out = 100 is no value of waves.0.wind_speed; allowed: 0 .. 75"},
+        Mistake{"[[out]]\nfrom = \"wind_speed\"\nto = \"b/o1\"\nmode = \"toggle\"\n",
+                "test.toml:4: unknown key 'mode' of [[out]]"}));
+
+TEST(MapFile, TheDefaultMapIsOne) {
+    EXPECT_EQ(parse_map(kDefaultMap, "default", ValueTable()).maps.size(), 4u);
+}
+
+}  // namespace
+}  // namespace ocean::bridge

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The table of values: every parameter under every name that it has, the last writer named, nothing
+// refused changed, and no file named from outside.
+#include "ocean/bridge/value_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ocean/error.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+ErrorKind refusal_of(ValueTable& table, const std::string& name, const std::string& value) {
+    const std::uint64_t before = table.revision();
+    try {
+        table.set(table.find(name), value, "test");
+    } catch (const Error& error) {
+        EXPECT_EQ(table.revision(), before);
+        return error.kind();
+    }
+    ADD_FAILURE() << name << " = " << value << " was taken";
+    return ErrorKind::output;
+}
+
+TEST(ValueTable, APathAndABareKeyAreOneValue) {
+    Parameters parameters;
+    parameters.waves.resize(2);
+    const ValueTable table(parameters);
+    EXPECT_EQ(table.find("wind_speed"), table.find("waves.0.wind_speed"));
+    EXPECT_NE(table.find("wind_speed"), table.find("waves.1.wind_speed"));
+    EXPECT_EQ(table[table.find("resolution")].text, "512");
+    EXPECT_EQ(table[table.find("wind_speed")].text, kUnset);
+    EXPECT_EQ(table.number(table.find("wind_speed")), kDefaultWind);
+    for (const ValueEntry& entry : table.entries()) {
+        EXPECT_EQ(table[table.find(entry.name)].name, entry.name);
+    }
+}
+
+TEST(ValueTable, UnknownNamesSayWhatIsNear) {
+    const ValueTable table;
+    for (const auto& [name, near] :
+         std::vector<std::pair<std::string, std::string>>{{"wind_sped", "wind_speed"},
+                                                          {"app.paus", "app.pause"},
+                                                          {"waves.1.fetch", "waves.0"}}) {
+        try {
+            table.find(name);
+            ADD_FAILURE() << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::not_found);
+            EXPECT_NE(std::string(error.what()).find(near), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(ValueTable, TheLastWriterWinsAndIsNamed) {
+    ValueTable table;
+    const std::size_t wind = table.find("wind_speed");
+    EXPECT_TRUE(table.set(wind, "12", "board0/a1"));
+    EXPECT_EQ(table[wind].writer, "board0/a1");
+    const std::uint64_t changed = table[wind].changed;
+    EXPECT_FALSE(table.set(wind, "12.0", "127.0.0.1:5"));
+    EXPECT_EQ(table[wind].writer, "127.0.0.1:5");
+    EXPECT_EQ(table[wind].changed, changed);
+    EXPECT_GT(table[wind].taken, changed);
+    EXPECT_EQ(table[wind].text, "12");
+    EXPECT_EQ(table.parameters().waves[0].wind_speed, 12.0);
+    EXPECT_TRUE(table.set(wind, "unset", "x"));
+    EXPECT_FALSE(table.parameters().waves[0].wind_speed);
+}
+
+TEST(ValueTable, WhatIsRefusedChangesNothing) {
+    ValueTable table;
+    for (const char* value : {"-1", "76", "nan", "inf", "1e309", "12x", ""}) {
+        if (std::string(value).empty()) continue;  // a line has a value
+        EXPECT_EQ(refusal_of(table, "wind_speed", value), ErrorKind::invalid_value) << value;
+    }
+    for (const char* value : {"2", "-1", "0.5", "nan", "yes"}) {
+        EXPECT_EQ(refusal_of(table, "app.pause", value), ErrorKind::invalid_value) << value;
+    }
+    EXPECT_EQ(refusal_of(table, "spectrum", "measured"), ErrorKind::invalid_value);  // of no record
+    EXPECT_EQ(refusal_of(table, "file", "/etc/passwd"), ErrorKind::unsupported);
+    EXPECT_EQ(refusal_of(table, "time.take", "x.take"), ErrorKind::unsupported);
+}
+
+}  // namespace
+}  // namespace ocean::bridge
