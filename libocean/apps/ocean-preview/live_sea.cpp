@@ -37,8 +37,9 @@ LiveSea::LiveSea(Sea sea, LiveSeaOptions options)
       maps_(std::make_unique<preview::SeaMaps>(computing_.maps)) {}
 
 OceanOptions LiveSea::ocean_options(const Computing& computing) const {
-    return {
-        .threads = options_.threads, .backend = computing.backend, .foam_start = FoamStart::empty};
+    return {.threads = options_.threads,
+            .backend = computing.backend,
+            .foam_start = options_.foam_start};
 }
 
 preview::ShownSea LiveSea::show() {
@@ -115,7 +116,13 @@ void LiveSea::perform(const std::string& name, const std::string& value) {
 void LiveSea::set(const std::string& name, const std::string& value) {
     const ParameterRef parameter = find_parameter(name);
     const bool live = parameter.info->change == ParameterClass::live;
-    if (live && recording_) return perform(name, value);
+    const auto done = [&] {
+        if (after_set) after_set(name, value);
+    };
+    if (live && recording_) {
+        perform(name, value);
+        return done();
+    }
     const std::vector<TakeEvent>& played = sea().take.events;
     if (live && std::ranges::any_of(played, [&](const TakeEvent& event) {
             return event.parameter.same_as(parameter);
@@ -135,6 +142,7 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     }
     kept_ = std::move(changed);
     if (kept_.parameters.time.loop_period != 0.0) recording_ = false;
+    done();
 }
 
 void LiveSea::open(Sea sea) {
@@ -142,6 +150,12 @@ void LiveSea::open(Sea sea) {
     fade_to(sea, sea.parameters.time.start);
     recording_ = false;
     kept_ = std::move(sea);
+    if (after_open) after_open();
+}
+
+void LiveSea::settle() {
+    if (!recording_) become(kept_);
+    before_.reset();
 }
 
 void LiveSea::compute_anew() {

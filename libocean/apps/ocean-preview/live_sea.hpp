@@ -28,6 +28,8 @@ struct LiveSeaOptions {
     /// Throws Error where it cannot be computed.
     std::function<Computing(const Sea&)> computing;
     std::size_t most_cascades = preview::kMostCascades;  // the renderer's
+    /// Of foam by the sea's backend; that of computed maps is in `computing`.
+    FoamStart foam_start = FoamStart::empty;
 };
 
 /// Needs the context that was current when it was made to be current in every call, the destructor
@@ -55,8 +57,13 @@ class LiveSea {
     /// changed makes another sea, into which this one fades over a second. Throws Error, of what
     /// the take plays while nothing is recorded too.
     void set(const std::string& name, const std::string& value);
+    /// What glides is where it was going, at once. Not while it records.
+    void settle();
     /// Another sea, its clock at its start.
     void open(Sea sea);
+    /// Called when they have: for who must be told.
+    std::function<void(const std::string& name, const std::string& value)> after_set;
+    std::function<void()> after_open;
     /// The options' `computing` has another answer.
     void compute_anew();
     bool fading() const { return before_ != nullptr; }

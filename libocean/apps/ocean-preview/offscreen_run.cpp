@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <utility>
 
+#include "bridge_run.hpp"
 #include "console.hpp"
 #include "frame_budget.hpp"
 #include "interrupt.hpp"
@@ -43,6 +45,30 @@ Device open_device(const std::string& name) {
     return {std::make_unique<gl::HeadlessContext>(), *backend};
 }
 
+preview::DrawOptions draw_options(const PreviewOptions& options) {
+    preview::DrawOptions draw;
+    draw.width = options.size[0];
+    draw.height = options.size[1];
+    draw.view = preview::view_of(options.view);
+    draw.wireframe = options.wireframe;
+    draw.cascade = options.cascade.value_or(-1);
+    return draw;
+}
+
+std::string probe_line(preview::Renderer& renderer, const preview::ShownSea& shown,
+                       const PreviewOptions& options, const std::array<double, 2>& place) {
+    const auto found =
+        preview::probe(renderer, shown, options.camera, place, options.cascade.value_or(-1));
+    std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
+    if (found) {
+        for (const double value : {found->mesh_height, found->map_height, found->shown_slope,
+                                   found->handed_on_slope, found->cover}) {
+            line += "," + shortest_text(static_cast<float>(value));
+        }
+    }
+    return line + "\n";
+}
+
 /// In a context that is current.
 class OffscreenRun {
   public:
@@ -60,16 +86,7 @@ class OffscreenRun {
         if (options_.probes.empty()) return;
         const preview::ShownSea shown = maps_.show(sea_, time);
         for (const auto& place : options_.probes) {
-            const auto found = preview::probe(renderer_, shown, options_.camera, place, cascade());
-            std::string line = shortest_text(place[0]) + "," + shortest_text(place[1]);
-            if (found) {
-                for (const double value :
-                     {found->mesh_height, found->map_height, found->shown_slope,
-                      found->handed_on_slope, found->cover}) {
-                    line += "," + shortest_text(static_cast<float>(value));
-                }
-            }
-            context_.console.data(line + "\n");
+            context_.console.data(probe_line(renderer_, shown, options_, place));
         }
     }
 
@@ -82,15 +99,9 @@ class OffscreenRun {
             return io::write_png(path, stage.width, stage.height, stage.rgb);
         }
         const preview::ShownSea shown = maps_.show(sea_, time);
-        preview::DrawOptions draw;
-        draw.width = options_.size[0];
-        draw.height = options_.size[1];
-        draw.view = preview::view_of(options_.view);
-        draw.wireframe = options_.wireframe;
-        draw.cascade = cascade();
         const InterruptWatch::Hold whole = context_.interrupts.hold();
-        write_picture(path, renderer_, shown, options_.camera, options_.look, draw,
-                      options_.samples.value_or(kSamples));
+        write_picture(path, renderer_, shown, options_.camera, options_.look,
+                      draw_options(options_), options_.samples.value_or(kSamples));
     }
 
     void record(const std::string& stem) {
@@ -123,6 +134,38 @@ class OffscreenRun {
     gl::StageMaker stages_;
 };
 
+/// The sea as a bridge has moved it.
+void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Context& context,
+                      const Device& device, double time) {
+    const gl::ContextInfo& info = device.context->info();
+    // Who follows a knob does not wait for foam to settle.
+    const FoamStart foam = options.follow > 0.0 ? FoamStart::empty : FoamStart::settled;
+    const auto computing = [&](const Sea& of) {
+        Computing computing = computing_for(device.backend, options, of, info);
+        computing.maps.foam_start = foam;
+        return computing;
+    };
+    LiveSea live(sea,
+                 {.threads = context.options.threads, .computing = computing, .foam_start = foam});
+    live.go_to(time);
+    preview::Renderer renderer(renderer_for(options, info));
+    bool first = true;
+    const auto show = [&](double milliseconds) {
+        const preview::ShownSea shown = live.show();
+        for (const auto& place : options.probes) {
+            const std::string when =
+                options.follow > 0.0 ? format_text("%.1f,", milliseconds) : std::string();
+            context.console.data(when + probe_line(renderer, shown, options, place));
+        }
+        if (!std::exchange(first, false) || options.offscreen.empty()) return;
+        const InterruptWatch::Hold whole = context.interrupts.hold();
+        write_picture(options.offscreen, renderer, shown, options.camera, options.look,
+                      draw_options(options), options.samples.value_or(kSamples));
+        context.console.data(options.offscreen + "\n");
+    };
+    run_with_bridge(*options.bridge, options.follow, live, context.console, show);
+}
+
 /// Frames as a window has them, at the sea's own rate, into a canvas of the picture's size.
 void print_budget(const PreviewOptions& options, const Sea& sea, const Context& context,
                   const Device& device, double start) {
@@ -140,11 +183,7 @@ void print_budget(const PreviewOptions& options, const Sea& sea, const Context& 
     preview::RendererOptions renderer_options = renderer_for(options, device.context->info());
     renderer_options.after_stage = after_stage;
     preview::Renderer renderer(renderer_options);
-    preview::DrawOptions draw;
-    draw.width = options.size[0];
-    draw.height = options.size[1];
-    draw.wireframe = options.wireframe;
-    draw.cascade = options.cascade.value_or(-1);
+    const preview::DrawOptions draw = draw_options(options);
     const preview::Canvas canvas(draw.width, draw.height, GL_RGBA8,
                                  live_samples(options, device.context->info()));
     for (int frame = 0; frame < kBefore + options.budget; ++frame) {
@@ -177,6 +216,7 @@ void run_offscreen(const PreviewOptions& options, const Sea& sea, const std::str
     const double time = options.frame  ? sea.time_of(*options.frame)
                         : options.time ? *options.time
                                        : sea.parameters.time.start;
+    if (options.bridge) return draw_with_bridge(options, sea, context, device, time);
     OffscreenRun run(options, sea, context, device);
     run.print_probes(time);
     if (!options.offscreen.empty()) {

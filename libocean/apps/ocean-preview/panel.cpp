@@ -351,6 +351,18 @@ void camera_rows(CameraControl& camera, PanelState& state) {
     ImGui::TextDisabled("W A S D, Q E: move   Shift: fast\ndrag: turn   wheel: zoom");
 }
 
+/// Who moves what, and what was said.
+void bridge(const BridgeLink& link) {
+    ImGui::TextUnformatted(link.connected() ? "joined" : "not there; it is tried again");
+    for (const auto& [name, mover] : link.movers()) {
+        ImGui::Text("%s: %s", name.c_str(), mover.c_str());
+    }
+    ImGui::BeginChild("log", {0.0f, 120.0f}, true);
+    for (const std::string& line : link.log()) ImGui::TextWrapped("%s", line.c_str());
+    if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1.0f);
+    ImGui::EndChild();
+}
+
 void choose_preset(LiveSea& sea, PanelState& state) {
     ImGui::SetNextItemWidth(150.0f);
     if (!ImGui::BeginCombo("Preset", "choose ...")) return;
@@ -491,6 +503,7 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("The sea file, as it is now (Ctrl R)");
         if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) picture(state);
         if (ImGui::CollapsingHeader("Camera")) camera_rows(camera, state);
+        if (state.link != nullptr && ImGui::CollapsingHeader("Bridge")) bridge(*state.link);
         ImGui::Separator();
         char search[64] = {};
         std::strncpy(search, state.search.c_str(), sizeof search - 1);

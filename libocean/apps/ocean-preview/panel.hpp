@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge_link.hpp"
 #include "camera_control.hpp"
 #include "live_sea.hpp"
 #include "ocean/preview/picture.hpp"
@@ -54,7 +55,8 @@ struct PanelState {
     std::vector<BackendRow> backends;
     std::string backend;  // of them
     FrameTimes times;
-    std::vector<Change> changes;  // the last one last
+    const BridgeLink* link = nullptr;  // where there is one
+    std::vector<Change> changes;       // the last one last
 
     // What a person asked for in this frame.
     bool save_sea = false;

@@ -83,6 +83,19 @@ void place_camera(const PreviewWords& words, preview::Camera& camera) {
     if (words.angle) camera.field_of_view = within(*words.angle, "--angle", 1.0, 150.0);
 }
 
+void join_bridge(const PreviewWords& words, PreviewOptions& options) {
+    if (words.bridge.empty()) {
+        if (words.token_file.empty() && !words.follow) return;
+        throw Error(ErrorKind::invalid_value, "--token-file and --follow are for --bridge");
+    }
+    options.bridge.emplace();
+    options.bridge->server = bridge::parse_endpoint(words.bridge, "--bridge");
+    if (!words.token_file.empty()) options.bridge->token = bridge::read_token(words.token_file);
+    if (!words.follow) return;
+    if (words.probes.empty()) throw Error(ErrorKind::invalid_value, "--follow is for --probe");
+    options.follow = within(*words.follow, "--follow", 0.0, 1e6);
+}
+
 void place_environment(const PreviewWords& words, preview::Look& look) {
     if (words.environment.empty()) {
         if (!words.environment_turn) return;
@@ -159,6 +172,13 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--probe", &words.probes, "X,Y",
            "Print the height that is drawn at a place of the world, metres, and that of the "
            "maps there; may be given more than once"}}},
+        {"Bridge",
+         {{"--bridge", &words.bridge, "HOST:PORT",
+           "Join an ocean-bridge: its knobs and clients move the sea, and hear what moves here"},
+          {"--token-file", &words.token_file, "FILE", "What that bridge asks for"},
+          {"--follow", &words.follow, "S",
+           "For S seconds print the probes again whenever the bridge has moved the sea, behind "
+           "the milliseconds since that was heard"}}},
         {"Computing",
          {{"--backend", &words.backend, "NAME",
            "What computes the sea: auto (default) is gl on a real GPU of OpenGL 4.3, else cpu; "
@@ -201,6 +221,7 @@ PreviewOptions preview_options(const PreviewWords& words) {
         options.cells = *words.cells;
     }
     if (words.egl_device) gl::use_egl_device(*words.egl_device);
+    join_bridge(words, options);
     options.samples = words.samples;
     options.budget = words.budget.value_or(0);
     options.time = words.time;

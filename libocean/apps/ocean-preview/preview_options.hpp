@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "ocean/bridge/line_client.hpp"
 #include "ocean/preview/picture.hpp"
 #include "ocean/preview/sea_maps.hpp"
 #include "ocean/sea.hpp"
@@ -24,7 +25,8 @@ struct PreviewWords {
                                    backend = "auto";
     std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
     std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
-    std::string water, offscreen, record, frames, environment;
+    std::string water, offscreen, record, frames, environment, bridge, token_file;
+    std::optional<double> follow;
     std::vector<std::string> probes;
     bool wireframe = false;
 };
@@ -47,7 +49,9 @@ struct PreviewOptions {
     std::vector<int> frames;  // for it
     std::vector<std::array<double, 2>> probes;
     bool wireframe = false;
-    std::optional<int> cascade;  // alone
+    std::optional<int> cascade;                       // alone
+    std::optional<bridge::LineClientOptions> bridge;  // to join
+    double follow = 0.0;                              // s
 };
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words);

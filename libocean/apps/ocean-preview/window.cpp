@@ -15,9 +15,11 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "bridge_link.hpp"
 #include "console.hpp"
 #include "gamepad.hpp"
 #include "live_sea.hpp"
@@ -185,6 +187,14 @@ class Preview {
                      .computing = [this](const Sea& of) { return computing(of); },
                      .most_cascades = renderer_.most_cascades()}),
           camera_(options.camera) {
+        if (options.bridge) {
+            link_.emplace(*options.bridge, BridgeWishes{.record = [this](bool on) { record(on); }});
+            sea_.after_set = [this](const std::string& name, const std::string& value) {
+                link_->tell(name, value);
+            };
+            sea_.after_open = [this] { link_->tell_values(sea_, true); };
+            state_.link = &*link_;
+        }
         if (options.time) sea_.go_to(*options.time);
         if (options.frame) sea_.go_to(sea.time_of(*options.frame));
         kept_take_ = write_take(sea.take);
@@ -207,6 +217,7 @@ class Preview {
             before = Clock::now();
             if (!guarded([&] { sea_.advance(seconds); })) sea_.paused = true;
             if (step(seconds)) frames_to_draw_ = 3;
+            if (link_ && link_->apply(sea_)) frames_to_draw_ = 3;
             if (frames_to_draw_ > 0 || !sea_.paused || sea_.fading()) draw();
             if (frames_to_draw_ > 0) --frames_to_draw_;
             events_.forget();
@@ -233,7 +244,9 @@ class Preview {
         const bool still = sea_.paused && !sea_.fading() && frames_to_draw_ == 0;
         if (iconified || still) {
             // A gamepad tells of nothing: it is asked.
-            glfwWaitEventsTimeout(gamepad_.is_there() && !iconified ? 0.03 : 0.25);
+            // Nor does a bridge.
+            const bool listens = (gamepad_.is_there() && !iconified) || link_;
+            glfwWaitEventsTimeout(listens ? 0.03 : 0.25);
         } else {
             glfwPollEvents();
         }
@@ -358,6 +371,16 @@ class Preview {
         state_.times.panel = milliseconds_since(start);
         glfwSwapBuffers(window_);
         do_what_was_asked();
+        const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
+        if (link_) link_->tell_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
+    }
+
+    /// As the bridge asks: what was recorded is written when it ends.
+    void record(bool on) {
+        if (on == sea_.recording()) return;
+        toggle_recording(sea_, state_);
+        if (!on) save_sea();
+        frames_to_draw_ = 3;
     }
 
     void do_what_was_asked() {
@@ -567,6 +590,8 @@ class Preview {
     preview::ShownSea shown_;
     CameraControl camera_;
     Gamepad gamepad_;
+    std::optional<BridgeLink> link_;
+    Clock::time_point drawn_ = Clock::now();
     StageTimer sea_timer_, draw_timer_;
     gl::StageMaker stages_;
     StagePicture stage_;

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge_link.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean::app {
+namespace {
+
+using Kind = bridge::ClientEvent::Kind;
+using Clock = std::chrono::steady_clock;
+
+/// The snapshot comes in one piece; who wrote a value stands behind it.
+constexpr std::chrono::milliseconds kSnapshot{300};
+constexpr std::chrono::milliseconds kClockStep{500};
+
+bool is_of_the_sea(const std::string& name) {
+    return !name.starts_with("app.");
+}
+
+/// Whether a value of that name may come from or go to a bridge: no files.
+bool is_shared(const ParameterInfo& info) {
+    return info.key != "file" && info.key != "take" && info.key != "record";
+}
+
+}  // namespace
+
+BridgeLink::BridgeLink(const bridge::LineClientOptions& options, BridgeWishes wishes)
+    : client_(options), wishes_(std::move(wishes)) {}
+
+bool BridgeLink::apply(LiveSea& sea) {
+    return take(sea, client_.events());
+}
+
+bool BridgeLink::wait_and_apply(LiveSea& sea, std::chrono::milliseconds longest) {
+    return take(sea, client_.wait(longest));
+}
+
+bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& events) {
+    std::set<std::string> touched;
+    for (const bridge::ClientEvent& event : events) {
+        switch (event.kind) {
+            case Kind::connected:
+                say("joined: " + event.text);
+                values_.clear();
+                movers_.clear();
+                joined_ = Clock::now();
+                values_known_ = false;
+                break;
+            case Kind::lost:
+                say("lost, what there is holds: " + event.text);
+                break;
+            case Kind::value:
+                values_[event.name] = event.text;
+                touched.insert(event.name);
+                break;
+            case Kind::writer:
+                movers_[event.name] = event.text;
+                touched.insert(event.name);
+                break;
+            case Kind::notice:
+            case Kind::refused:
+                say(event.text);
+                break;
+            case Kind::reply:
+                break;
+        }
+    }
+    bool changed = false;
+    applying_ = true;
+    for (const std::string& name : touched) {
+        const auto value = values_.find(name);
+        if (value == values_.end() || !movers_.contains(name)) continue;
+        const auto told = told_.find(name);
+        if (told != told_.end() && told->second == value->second) continue;  // an echo
+        try {
+            changed = take_value(sea, name, value->second) || changed;
+        } catch (const Error& error) {
+            say(error.what());
+        }
+    }
+    applying_ = false;
+    if (!values_known_ && !values_.empty() && Clock::now() - joined_ > kSnapshot) {
+        values_known_ = true;
+        tell_values(sea, false);
+    }
+    return changed;
+}
+
+bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::string& value) {
+    const auto number = [&] { return parse_number(value, name, -1e9, 1e9); };
+    if (name == "app.pause") {
+        const bool paused = number() != 0.0;
+        return std::exchange(sea.paused, paused) != paused;
+    }
+    if (name == "app.speed") {
+        sea.speed = number();
+        return true;
+    }
+    if (name == "app.record") {
+        const bool record = number() != 0.0;
+        if (record != sea.recording()) wishes_.record(record);
+        return true;
+    }
+    if (name == "app.time") {
+        sea.go_to(number());
+        return true;
+    }
+    if (!is_of_the_sea(name)) return false;
+    const ParameterRef parameter = find_parameter(name);
+    if (!is_shared(*parameter.info)) return false;
+    const bool live = parameter.info->change == ParameterClass::live;
+    if (!live && to_text(value_of(sea.sea().parameters, parameter)) == value) return false;
+    sea.set(name, value);
+    if (!live && !told_of_rebuild_) {
+        told_of_rebuild_ = true;
+        say(name + ": makes another sea; applied, and in no take");
+    }
+    return true;
+}
+
+void BridgeLink::tell_values(const LiveSea& sea, bool moved_too) {
+    const Parameters& parameters = sea.sea().parameters;
+    for (const auto& [name, value] : values_) {
+        if (!is_of_the_sea(name) || (movers_.contains(name) && !moved_too)) continue;
+        ParameterRef parameter = find_parameter(name);
+        if (parameter.wave >= parameters.waves.size() || !is_shared(*parameter.info)) continue;
+        const std::string ours = to_text(value_of(parameters, parameter));
+        if (!ours.empty() && ours != value) tell(name, ours);
+    }
+}
+
+void BridgeLink::tell(const std::string& name, const std::string& value) {
+    if (applying_) return;
+    const auto told = told_.find(name);
+    const auto theirs = values_.find(name);
+    if (told != told_.end() && told->second == value && theirs != values_.end() &&
+        theirs->second == value) {
+        return;
+    }
+    told_[name] = value;
+    client_.set(name, value);
+}
+
+void BridgeLink::tell_clock(const LiveSea& sea, double frame_rate) {
+    if (!connected() || Clock::now() - clock_told_ < kClockStep) return;
+    clock_told_ = Clock::now();
+    tell("app.frame_rate", format_text("%.1f", frame_rate));
+    tell("app.time", format_text("%.3f", sea.time()));
+    tell("app.pause", sea.paused ? "1" : "0");
+    tell("app.speed", shortest_text(static_cast<float>(sea.speed)));
+    tell("app.record", sea.recording() ? "1" : "0");
+}
+
+void BridgeLink::say(std::string text) {
+    if (log_.size() == kMostLines) log_.erase(log_.begin());
+    log_.push_back(std::move(text));
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "bridge_run.hpp"
+
+#include <chrono>
+
+#include "bridge_link.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kStep{20};
+constexpr std::chrono::seconds kLongestJoin{3};
+
+double milliseconds_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+void run_with_bridge(const bridge::LineClientOptions& options, double seconds, LiveSea& sea,
+                     Console& console, const std::function<void(double milliseconds)>& changed) {
+    BridgeLink link(options, {.record = [](bool) {}});
+    const Clock::time_point start = Clock::now();
+    while (!link.joined() && Clock::now() - start < kLongestJoin) {
+        link.wait_and_apply(sea, kStep);
+    }
+    const auto say_what_came = [&] {
+        for (const std::string& line : link.take_log()) console.note("bridge: " + line);
+    };
+    say_what_came();
+    if (!link.joined()) {
+        throw Error(ErrorKind::output, "no bridge answers at " + options.server.text());
+    }
+    sea.settle();
+    changed(milliseconds_since(start));
+    const Clock::time_point joined = Clock::now();
+    while (std::chrono::duration<double>(Clock::now() - joined).count() < seconds) {
+        const bool moved = link.wait_and_apply(sea, kStep);
+        say_what_came();
+        if (!moved) continue;
+        const Clock::time_point heard = Clock::now();
+        sea.settle();
+        changed(milliseconds_since(heard));
+    }
+}
+
+}  // namespace ocean::app

@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""From a knob of the dummy board through the bridge to the sea that ocean-preview draws."""
+
+import os
+import random
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import threading
+import time
+import tomllib
+from pathlib import Path
+
+import numpy
+import OpenImageIO as oiio
+import pytest
+
+OCEAN = os.environ["OCEAN"]
+PREVIEW = os.environ.get("OCEAN_PREVIEW", "")
+BRIDGE = os.environ.get("OCEAN_BRIDGE", "")
+if not PREVIEW or not BRIDGE:
+    pytest.skip("ocean-preview or ocean-bridge was not built", allow_module_level=True)
+SEA = """libocean = 1
+[grid]
+resolution = 64
+patch_size = 200.0
+[random]
+seed = 4
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 9.0
+wind_direction = 30.0
+"""
+KEPT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+
+
+class Bridge:
+    """With a dummy board, at a port that is free."""
+
+    def __init__(self, folder: Path, *arguments: str):
+        command = [BRIDGE, "sea.toml", "--dummy", "--listen", "127.0.0.1:0", *arguments]
+        self.program = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE, text=True)
+        self.lines = []
+        for line in self.program.stderr:
+            self.lines.append(line)
+            found = re.search(r"listening on (127\.0\.0\.1:(\d+))", line)
+            if found:
+                self.address, self.port = found[1], int(found[2])
+                break
+        threading.Thread(target=lambda: self.lines.extend(self.program.stderr), daemon=True).start()
+
+    def say(self, *lines: str) -> socket.socket:
+        """As a client of its own; the connection, which has been greeted and answered."""
+        connection = socket.create_connection(("127.0.0.1", self.port), timeout=10)
+        reader = connection.makefile("r", encoding="utf-8", newline="\n")
+        assert reader.readline().startswith("OBP 1 ")
+        for line in lines:
+            connection.sendall(f"{line}\r\n".encode())
+            answer = reader.readline().strip()
+            assert answer == "OK", answer
+        return connection
+
+    def end(self):
+        self.program.terminate()
+        self.program.wait(timeout=10)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "sea.toml").write_text(SEA)
+    return tmp_path
+
+
+@pytest.fixture
+def bridge(folder):
+    started = Bridge(folder)
+    yield started
+    started.end()
+
+
+def preview(folder: Path, *arguments) -> subprocess.CompletedProcess:
+    command = [PREVIEW, *map(str, arguments)]
+    return subprocess.run(command, cwd=folder, env=KEPT, capture_output=True, text=True, timeout=60)
+
+
+def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge):
+    join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4")
+    alone = preview(folder, "sea.toml", "--time", 5, "--probe", "3,4").stdout
+    # Nobody has moved anything: the sea is the file's.
+    still = preview(folder, *join)
+    assert still.returncode == 0, still.stderr
+    assert still.stdout == alone
+    # The first report says where the knob is; from the second on it moves the wind.
+    bridge.say("OUT board0/a1 10", "OUT board0/a1 128")
+    time.sleep(0.5)
+    moved = preview(folder, *join, "--offscreen", "a.png", "--size", "64x36")
+    assert moved.returncode == 0 and (folder / "a.png").exists()
+    connection = bridge.say()
+    connection.sendall(b"GET waves.0.wind_speed\r\n")
+    wind = connection.makefile("r").readline().split()[2]
+    assert float(wind) > 10.0
+    expected = preview(
+        folder, "sea.toml", "--set", f"wind_speed={wind}", "--time", 5, "--probe", "3,4"
+    )
+    assert moved.stdout.splitlines()[0] == expected.stdout.strip()
+
+
+def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
+    join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4", "--follow", 8)
+    follows = subprocess.Popen(
+        [PREVIEW, *map(str, join)], cwd=folder, env=KEPT, stdout=subprocess.PIPE, text=True
+    )
+    first = follows.stdout.readline().split(",")
+    assert first[1:3] == ["3", "4"]
+    hand = bridge.say("OUT board0/a1 10")
+    latencies = []
+    heights = [first[3]]
+    for value in (60, 120, 180, 90):
+        start = time.monotonic()
+        hand.sendall(f"OUT board0/a1 {value}\r\n".encode())
+        line = follows.stdout.readline().split(",")
+        latencies.append(time.monotonic() - start)
+        assert line[3] != heights[-1]
+        heights.append(line[3])
+    assert follows.wait(timeout=20) == 0
+    # From the report to the other height on standard output; a quiet machine takes some 10 ms.
+    print("report to another height, ms:", [round(1000 * latency, 1) for latency in latencies])
+    assert sorted(latencies)[1] < 1.0
+
+
+@pytest.mark.parametrize("backend", ["cpu", "gl"])
+def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, backend):
+    program = [os.environ["PERFORM_LIVE"], "sea.toml", backend, ".", bridge.address]
+    performs = subprocess.Popen(program, cwd=folder, env=KEPT)
+    hand = bridge.say("OUT board0/a1 10", "OUT board0/a2 10")
+    random.seed(3)
+    while performs.poll() is None:
+        hand.sendall(f"OUT board0/a1 {random.randint(30, 200)}\r\n".encode())
+        hand.sendall(f"OUT board0/a2 {random.randint(30, 200)}\r\n".encode())
+        hand.recv(4096)
+        time.sleep(0.02)
+    assert performs.returncode == 0
+    take = tomllib.loads((folder / "performed.toml").read_text())["take"]["lines"]
+    assert len(take) > 50 and {line.split()[1] for line in take} > {"waves.0.wind_speed"}
+    shown = sorted(folder.glob("heights-*.f32"))
+    frames = [path.stem.split("-")[1] for path in shown]
+    assert len(frames) == 20
+    command = [OCEAN, "bake", "performed.toml", "-q", "-o", "####.exr", "--products", "height"]
+    command += ["--type", "float", "--resolution", "128", "--frames", ",".join(frames)]
+    subprocess.run(command, cwd=folder, check=True, capture_output=True)
+    for path, frame in zip(shown, frames, strict=True):
+        heights = numpy.fromfile(path, numpy.float32).reshape(128, 128)
+        baked = oiio.ImageBuf(str(folder / f"height.{int(frame):04}.exr"))
+        baked = baked.get_pixels(oiio.FLOAT)[::-1, :, 0]
+        assert baked.std() > 0.05
+        assert abs(heights - baked).max() < 1e-5 * 4 * baked.std()
+
+
+def test_a_window_that_is_joined_writes_the_take(folder, bridge):
+    if shutil.which("xvfb-run") is None:
+        pytest.fail("xvfb-run is needed")
+    program = ["xvfb-run", "-a", PREVIEW, "sea.toml", "--size", "320x200"]
+    # A session of its own: what is started by a script does not end with it.
+    window = subprocess.Popen(
+        [*program, "--bridge", bridge.address], cwd=folder, start_new_session=True,
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    )  # fmt: skip
+    try:
+        hand = bridge.say()
+        reader = hand.makefile("r", encoding="utf-8")
+
+        def ask(line: str) -> str:
+            hand.sendall(f"{line}\r\n".encode())
+            return reader.readline().strip()
+
+        def wait_for(condition):
+            for _ in range(200):
+                if condition():
+                    return
+                assert window.poll() is None
+                time.sleep(0.1)
+            raise AssertionError("waited for nothing")
+
+        # It says how fast it draws, and where its clock is.
+        wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0)
+        assert ask("RECORD START") == "OK"
+        ask("OUT board0/a1 10")
+        for value in (60, 120, 180):
+            assert ask(f"OUT board0/a1 {value}") == "OK"
+            time.sleep(0.5)
+        # Another sea is shown too, and is in no take.
+        assert ask("SET random.seed 12") == "OK"
+        assert ask("RECORD STOP") == "OK"
+        saved = folder / "sea-performed-1.toml"
+        wait_for(saved.exists)
+        sea = tomllib.loads(saved.read_text())
+        assert {line.split()[1] for line in sea["take"]["lines"]} == {"waves.0.wind_speed"}
+        assert float(sea["take"]["lines"][0].split()[0]) > 0.0
+        # Its clock is heard and set.
+        assert ask("SET app.pause 1") == "OK"
+        time.sleep(1.5)
+        before = ask("GET app.time")
+        time.sleep(1.5)
+        assert ask("GET app.time") == before
+        assert ask("SET app.time 100") == "OK"
+        assert ask("SET app.pause 0") == "OK"
+        wait_for(lambda: float(ask("GET app.time").split()[2]) > 100.5)
+    finally:
+        os.killpg(window.pid, signal.SIGTERM)
+        window.wait(timeout=10)
+
+
+def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
+    first = Bridge(folder)
+    join = ("sea.toml", "--bridge", first.address, "--probe", "3,4", "--follow", 6, "-v")
+    follows = subprocess.Popen(
+        [PREVIEW, *map(str, join)],
+        cwd=folder,
+        env=KEPT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    follows.stdout.readline()
+    first.say("SET wind_speed 17")
+    moved = follows.stdout.readline().split(",", 1)[1]
+    first.end()
+    out, errors = follows.communicate(timeout=30)
+    assert follows.returncode == 0
+    expected = preview(folder, "sea.toml", "--set", "wind_speed=17", "--probe", "3,4").stdout
+    # Its foam has only begun.
+    assert moved.split(",")[:6] == expected.split(",")[:6] and out == ""
+    assert "lost" in errors
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        (("--bridge", "127.0.0.1:1"), 1, "127.0.0.1:1"),
+        (("--bridge", "nowhere:70000"), 2, "--bridge"),
+        (("--follow", "3"), 2, "--bridge"),
+        (("--bridge", "127.0.0.1:1", "--token-file", "none"), 2, "none"),
+    ],
+)
+def test_what_is_wrong_is_said(folder, arguments, code, words):
+    done = preview(folder, "sea.toml", "--probe", "0,0", *arguments)
+    assert done.returncode == code and words in done.stderr, done.stderr
