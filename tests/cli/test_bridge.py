@@ -4,6 +4,7 @@
 script. Nothing here waits for a time to pass, but for a line to come."""
 
 import os
+import pty
 import queue
 import re
 import shutil
@@ -32,8 +33,11 @@ class Lines:
         threading.Thread(target=self.read, args=(stream,), daemon=True).start()
 
     def read(self, stream):
-        for line in stream:
-            self.queue.put(line.rstrip("\r\n"))
+        try:
+            for line in stream:
+                self.queue.put(line.rstrip("\r\n"))
+        except OSError:  # of a terminal whose other end is gone
+            pass
         self.queue.put(None)
 
     def wait_for(self, pattern: str) -> re.Match:
@@ -185,6 +189,19 @@ def test_netcat_pipes_a_script_and_loses_no_line(start):
     assert shown.count("OK\n") == 301
 
 
+def test_who_has_asked_for_the_last_time_gets_all_answers(start):
+    bridge = start()
+    client = socket.socket()
+    client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 2048)
+    client.connect(("127.0.0.1", bridge.port))
+    client.sendall(b"LIST\n" * 150)
+    client.shutdown(socket.SHUT_WR)
+    shown = b""
+    while block := client.recv(256):
+        shown += block
+    assert shown.count(b"END LIST\r\n") == 150
+
+
 def test_bad_half_and_binary_lines_end_nobody(start):
     bridge = start()
     hostile = [
@@ -320,6 +337,29 @@ def test_the_terminal_client(start):
     assert "waves.0.wind_speed = 14\n" in done.stdout
     assert "END LIST\n" in done.stdout
     assert "ERR UNKNOWN-COMMAND 'FLY'; HELP lists them\n" in done.stdout
+
+
+def test_the_terminal_client_at_a_terminal(start):
+    bridge = start("--dummy")
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(
+        [BRIDGE, "--client", f"127.0.0.1:{bridge.port}"], stdin=theirs, stdout=theirs, stderr=theirs
+    )
+    os.close(theirs)
+    try:
+        screen = Lines(os.fdopen(os.dup(ours), errors="replace"))
+        os.write(ours, b"SUBSCRIBE choppiness\n")
+        screen.wait_for("surface.choppiness = 1")
+        other = bridge.connect()
+        assert bridge.ask(other, "SET choppiness 0.5") == "OK"
+        screen.wait_for("surface.choppiness = 0.5")
+        screen.wait_for(r"surface\.choppiness is moved by 127\.0\.0\.1:")
+        os.write(ours, b"QUIT\n")
+        assert process.wait(timeout=PATIENCE) == 0
+    finally:
+        process.kill()
+        process.wait()
+        os.close(ours)
 
 
 def test_the_terminal_client_where_no_bridge_is():
