@@ -82,6 +82,11 @@ void Connection::read() {
     socket_.async_read_some(asio::buffer(block_), [this, self = shared_from_this()](
                                                       asio::error_code error, std::size_t count) {
         if (!open_) return;
+        if (error == asio::error::eof) {
+            // Nothing more is asked, as at the end of a pipe; what was, is answered.
+            leaving_ = true;
+            return flush();
+        }
         if (error) return end("");
         unread_ = std::string_view(block_.data(), count);
         work();

@@ -122,12 +122,14 @@ int run(bool quick) {
     const double seconds = quick ? 2.0 : 10.0;
     const double enough = 0.9 * 100 * seconds;
     bool good = true;
+    // Of the rarest of two hundred updates other programs decide, which run beside a test.
+    const double judged = quick ? 0.5 : 0.99;
     double alone = 0.0;
     {
         Served served({}, kCounter);
         Latencies one = measure(served, 1, 100, seconds);
         print("1 client, 100 reports/s", one, seconds);
-        alone = one.quantile(0.99);
+        alone = one.quantile(judged);
         good &= check(static_cast<double>(one.least_of_a_client) > enough, "updates are missing");
     }
     {
@@ -136,15 +138,14 @@ int run(bool quick) {
         stalled.send("SUBSCRIBE\n");
         Latencies beside = measure(served, 1, 100, seconds);
         print("1 client beside a stalled reader", beside, seconds);
-        // Of a thousandth more nobody is sure: other programs run here too.
-        good &= check(beside.quantile(0.99) < 2.0 * alone + 1.0, "a stalled reader is felt");
+        good &= check(beside.quantile(judged) < 2.0 * alone + 0.5, "a stalled reader is felt");
     }
     {
         Served served({.clients = 200}, kCounter);
         Latencies hundred = measure(served, 100, 100, seconds);
         print("100 clients, 100 reports/s", hundred, seconds);
         good &= check(static_cast<double>(hundred.least_of_a_client) > 0.5 * enough,
-                      "updates are missing");
+                      "updates of a hundred are missing");
     }
     if (!quick) {
         Served served({}, kCounter);

@@ -32,10 +32,11 @@ struct Context {
 };
 
 /// Where the value of an option goes. Must live as long as the command; a bool is a flag, and a
-/// list takes one value each time that the option is given.
-using OptionTarget =
-    std::variant<bool*, int*, std::string*, std::optional<int>*, std::optional<double>*,
-                 std::vector<std::string>*, bool RunOptions::*, int RunOptions::*>;
+/// list takes one value each time that the option is given. An optional text may be given without
+/// its value, and is "" then.
+using OptionTarget = std::variant<bool*, int*, std::string*, std::optional<int>*,
+                                  std::optional<double>*, std::optional<std::string>*,
+                                  std::vector<std::string>*, bool RunOptions::*, int RunOptions::*>;
 
 /// What a value is checked for before the command runs.
 struct NotEmpty {};

@@ -60,6 +60,16 @@ struct OptionAdder {
     CLI::Option* operator()(std::vector<std::string>* list) const {
         return value(*list)->allow_extra_args(false);
     }
+    CLI::Option* operator()(std::optional<std::string>* target) const {
+        const auto take = [target](const CLI::results_t& words) {
+            const bool none = words.empty() || words.front() == "{}";  // as the parser says it
+            *target = none ? std::string() : words.front();
+            return true;
+        };
+        return parser.add_option(option.names, take, option.help)
+            ->type_name(option.type)
+            ->expected(0, 1);
+    }
     template <typename Value>
     CLI::Option* operator()(Value* target) const {
         return value(*target);

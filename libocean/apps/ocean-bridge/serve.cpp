@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "serve.hpp"
+
+#include <condition_variable>
+#include <cstdlib>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/bridge/hub.hpp"
+#include "ocean/bridge/line_server.hpp"
+#include "ocean/bridge/script_sources.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::app {
+namespace {
+
+/// Writes the log in a thread of its own: a reader of standard error that stalls must not stall the
+/// clients. What is then too much is left out and counted.
+class Log {
+  public:
+    explicit Log(Console& console) : console_(console), thread_([this] { write(); }) {}
+    ~Log() { finish(); }
+
+    void add(std::string line) {
+        const std::lock_guard lock(mutex_);
+        if (lines_.size() < kMostLines) {
+            lines_.push_back(std::move(line));
+        } else {
+            ++left_out_;
+        }
+        changed_.notify_one();
+    }
+
+    /// Writes what is there, but for a reader that does not read waits no longer than a moment.
+    /// False if it is one, and the console is still held by it.
+    bool finish() {
+        std::unique_lock lock(mutex_);
+        if (!thread_.joinable()) return true;
+        finished_ = true;
+        changed_.notify_one();
+        const bool written = done_.wait_for(lock, kLastMoment, [this] { return ended_; });
+        lock.unlock();
+        if (written) {
+            thread_.join();
+        } else {
+            thread_.detach();  // the process ends
+        }
+        return written;
+    }
+
+  private:
+    static constexpr std::size_t kMostLines = 10000;
+    static constexpr auto kLastMoment = std::chrono::milliseconds(500);
+
+    void write() {
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            changed_.wait(lock, [this] { return finished_ || !lines_.empty(); });
+            std::deque<std::string> lines = std::exchange(lines_, {});
+            const std::size_t left_out = std::exchange(left_out_, 0);
+            if (lines.empty()) break;
+            lock.unlock();
+            for (const std::string& line : lines) console_.report("log", line, {{"text", line}});
+            if (left_out > 0) {
+                console_.warning(std::to_string(left_out) + " lines of the log are left out");
+            }
+            lock.lock();
+        }
+        ended_ = true;
+        done_.notify_all();
+    }
+
+    Console& console_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::condition_variable done_;
+    std::deque<std::string> lines_;
+    std::size_t left_out_ = 0;
+    bool finished_ = false;
+    bool ended_ = false;
+    std::thread thread_;
+};
+
+std::vector<std::unique_ptr<bridge::Source>> sources_of(const ServeWords& words) {
+    std::vector<std::unique_ptr<bridge::Source>> sources;
+    if (words.dummy) {
+        std::vector<bridge::ScriptLine> script;
+        if (!words.dummy->empty()) script = bridge::read_script(*words.dummy);
+        sources.push_back(bridge::make_dummy_source(std::move(script)));
+    }
+    if (!words.replay.empty()) {
+        sources.push_back(bridge::make_replay_source(bridge::read_script(words.replay)));
+    }
+    return sources;
+}
+
+}  // namespace
+
+void serve(const ServeWords& words, const std::string& token, const Context& context) {
+    bridge::HubOptions hub_options;
+    if (!words.sea.source.empty()) {
+        hub_options.sea = open_sea(words.sea);
+    } else if (!words.sea.assignments.empty()) {
+        throw Error(ErrorKind::invalid_value, "--set changes a SEA; there is none");
+    }
+    hub_options.map = words.map;
+    if (words.map.empty()) hub_options.map_text = bridge::kDefaultMap;
+    bridge::Hub hub(std::move(hub_options), sources_of(words));
+
+    Log log(context.console);
+    bridge::ServerOptions options;
+    options.listen = bridge::parse_endpoint(words.listen, "--listen");
+    options.token = token;
+    options.clients = static_cast<std::size_t>(words.clients);
+    options.log = [&log](std::string line) { log.add(std::move(line)); };
+    bridge::LineServer server(std::move(options), hub);
+    if (!words.dummy && words.replay.empty()) log.add("no board: --dummy and --replay are some");
+    const InterruptWatch::LastAct last(context.interrupts, [&] {
+        server.stop();
+        // Who does not read the log does not hear a farewell either.
+        if (!log.finish()) std::_Exit(kInterruptedExit);
+    });
+    // Everything happens in other threads, the end too.
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable never;
+    never.wait(lock, [] { return false; });
+}
+
+}  // namespace ocean::app

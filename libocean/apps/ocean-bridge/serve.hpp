@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The bridge as a program that runs until it is interrupted.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "command.hpp"
+#include "sea_argument.hpp"
+
+namespace ocean::app {
+
+struct ServeWords {
+    SeaArgument sea;
+    std::string map;
+    std::optional<std::string> dummy;  // "" without a script
+    std::string replay;
+    std::string listen = "127.0.0.1:4747";
+    std::string token_file;
+    int clients = 64;
+};
+
+/// Does not return. Throws Error.
+void serve(const ServeWords& words, const std::string& token, const Context& context);
+
+}  // namespace ocean::app

@@ -1,0 +1,417 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean-bridge` as its users meet it: by telnet, netcat and its own client, with a board that is a
+script. Nothing here waits for a time to pass, but for a line to come."""
+
+import os
+import pty
+import queue
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+BRIDGE = os.environ.get("OCEAN_BRIDGE", "")
+if not BRIDGE:
+    pytest.skip("the bridge is not built", allow_module_level=True)
+PATIENCE = 30  # s
+TOKEN = "0123456789abcdef"
+
+
+class Lines:
+    """The lines of a stream, read by a thread."""
+
+    def __init__(self, stream):
+        self.queue = queue.Queue()
+        self.seen = []
+        threading.Thread(target=self.read, args=(stream,), daemon=True).start()
+
+    def read(self, stream):
+        try:
+            for line in stream:
+                self.queue.put(line.rstrip("\r\n"))
+        except OSError:  # of a terminal whose other end is gone
+            pass
+        self.queue.put(None)
+
+    def wait_for(self, pattern: str) -> re.Match:
+        """The next line that has the pattern."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            line = self.queue.get(timeout=max(end - time.monotonic(), 0.001))
+            assert line is not None, f"no {pattern!r} in {self.seen}"
+            self.seen.append(line)
+            if found := re.search(pattern, line):
+                return found
+
+
+class Bridge:
+    def __init__(self, folder: Path, *arguments):
+        self.process = subprocess.Popen(
+            [BRIDGE, "--listen", "127.0.0.1:0", *map(str, arguments)],
+            cwd=folder,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        self.log = Lines(self.process.stderr)
+        self.port = int(self.log.wait_for(r"listening on 127\.0\.0\.1:(\d+)")[1])
+
+    def connect(self) -> socket.socket:
+        client = socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE)
+        self.line_of(client)
+        return client
+
+    @staticmethod
+    def line_of(client: socket.socket) -> str:
+        line = b""
+        while not line.endswith(b"\n"):
+            byte = client.recv(1)
+            if not byte:
+                break
+            line += byte
+        return line.decode().rstrip("\r\n")
+
+    def ask(self, client: socket.socket, line: str) -> str:
+        client.sendall(line.encode() + b"\n")
+        return self.line_of(client)
+
+    def stop(self) -> int:
+        self.process.send_signal(signal.SIGTERM)
+        return self.process.wait(timeout=PATIENCE)
+
+
+@pytest.fixture
+def start(tmp_path):
+    started = []
+
+    def one(*arguments) -> Bridge:
+        started.append(Bridge(tmp_path, *arguments))
+        return started[-1]
+
+    yield one
+    for bridge in started:
+        if bridge.process.poll() is None:
+            bridge.process.kill()
+            bridge.process.wait()
+
+
+def typed(program: list, text: bytes) -> subprocess.Popen:
+    """A program that gets the text, and keeps its standard input open."""
+    process = subprocess.Popen(program, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=False)
+    process.stdin.write(text)
+    process.stdin.flush()
+    return process
+
+
+def refusal(*arguments) -> str:
+    done = subprocess.run(
+        [BRIDGE, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE
+    )
+    assert done.returncode == 2, done.stderr
+    assert done.stderr.count("\n") == 1
+    return done.stderr
+
+
+def telnet(port: int, text: bytes) -> str:
+    """What telnet shows until the bridge ends the connection."""
+    process = typed([shutil.which("telnet"), "127.0.0.1", str(port)], text)
+    out = process.stdout.read()
+    process.stdin.close()
+    process.wait(timeout=PATIENCE)
+    return out.decode().replace("\r", "")
+
+
+def netcat(port: int, text: bytes) -> str:
+    done = subprocess.run(
+        [shutil.which("nc"), "127.0.0.1", str(port)],
+        input=text,
+        capture_output=True,
+        timeout=PATIENCE,
+    )
+    return done.stdout.decode().replace("\r", "")
+
+
+def test_a_script_moves_the_wind_and_a_subscriber_sees_it(start, tmp_path):
+    (tmp_path / "script").write_text("0.5 board0/a1 128\n0.7 board0/a1 255\n")
+    bridge = start("--dummy", "script")
+    client = bridge.connect()
+    assert bridge.ask(client, "SUBSCRIBE wind_speed") == "OK"
+    assert bridge.line_of(client).startswith("VAL wind_speed ")
+    lines = [bridge.line_of(client) for _ in range(3)]
+    assert lines == [
+        "UPD wind_speed 15.0588",
+        "EVT WRITER wind_speed board0/a1",
+        "UPD wind_speed 30",
+    ]
+
+
+def test_a_map_and_a_sea_of_ones_own(start, tmp_path):
+    (tmp_path / "sea.toml").write_text(
+        'libocean = 1\n[[waves]]\nspectrum = "jonswap"\nfetch = 5e4\n'
+    )
+    (tmp_path / "map.toml").write_text(
+        '[[map]]\nfrom = "board0/a2"\nto = "fetch"\nout = [1e4, 2e4]\nhysteresis = 0\n'
+    )
+    bridge = start("sea.toml", "--map", "map.toml", "--dummy")
+    client = bridge.connect()
+    assert bridge.ask(client, "GET waves.0.fetch") == "VAL waves.0.fetch 50000"
+    assert bridge.ask(client, "OUT board0/a2 255") == "OK"
+    assert bridge.ask(client, "GET fetch") == "VAL fetch 20000"
+    (tmp_path / "map.toml").write_text('[[map]]\nfrom = "board0/a2"\n')
+    bridge.log.wait_for(r"MAP stays as it was: map\.toml:1: to is missing")
+
+
+def test_telnet_types_commands(start):
+    bridge = start("--dummy")
+    shown = telnet(bridge.port, b"GET choppiness\nFLY\nset choppiness 0.5\nGET choppiness\nQUIT\n")
+    begin = shown.index("OBP 1 ")
+    assert shown[begin:].splitlines()[1:6] == [
+        "VAL choppiness 1",
+        "ERR UNKNOWN-COMMAND 'FLY'; HELP lists them",
+        "OK",
+        "VAL choppiness 0.5",
+        "OK",
+    ]
+    peer = bridge.log.wait_for(r"(127\.0\.0\.1:\d+) connected")[1]
+    bridge.log.wait_for(re.escape(peer) + ": set choppiness 0.5$")
+    bridge.log.wait_for(re.escape(peer) + " ended")
+
+
+def test_netcat_pipes_a_script_and_loses_no_line(start):
+    bridge = start()
+    shown = netcat(bridge.port, b"PING\n" * 300 + b"QUIT\n")
+    assert shown.count("OK\n") == 301
+
+
+def test_who_has_asked_for_the_last_time_gets_all_answers(start):
+    bridge = start()
+    client = socket.socket()
+    client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 2048)
+    client.connect(("127.0.0.1", bridge.port))
+    client.sendall(b"LIST\n" * 150)
+    client.shutdown(socket.SHUT_WR)
+    shown = b""
+    while block := client.recv(256):
+        shown += block
+    assert shown.count(b"END LIST\r\n") == 150
+
+
+def test_bad_half_and_binary_lines_end_nobody(start):
+    bridge = start()
+    hostile = [
+        b"SET wind_speed 1e309\n",
+        b"SET wind_speed nan\n",
+        b"A" * 100_000 + b"\n",
+        bytes(range(255)) + b"\n",
+        b"\xff\xfd\x06\xff\xfa\x18\x01\xff\xf0PING\r\0",
+        b"SET file /etc/passwd\n",
+        b"RECORD START ../../x\n",
+        b"\n\n \t\n",
+    ]
+    shown = netcat(bridge.port, b"".join(hostile) + b"QUIT\n")
+    codes = re.findall(r"^(?:ERR (\S+)|(OK))", shown, re.M)
+    assert ["".join(code) for code in codes] == [
+        "RANGE",
+        "RANGE",
+        "TOO-LONG",
+        "BAD-UTF8",  # up to its own LF
+        "BAD-UTF8",
+        "OK",
+        "READONLY",
+        "RANGE",
+        "OK",
+    ]
+    half = bridge.connect()
+    half.sendall(b"SET wind_spe")
+    client = bridge.connect()
+    assert bridge.ask(client, "PING") == "OK"
+    half.sendall(b"ed 12\r\n")
+    assert bridge.line_of(half) == "OK"
+    assert bridge.ask(client, "GET wind_speed") == "VAL wind_speed 12"
+
+
+def test_floods_and_slow_readers_keep_nobody_else_waiting(start):
+    bridge = start("--dummy")
+    flood = bridge.connect()
+    flood.setblocking(False)
+    slow = bridge.connect()
+    assert bridge.ask(slow, "SUBSCRIBE") == "OK"
+    for _ in range(2000):
+        try:
+            flood.send(b"LIST\n" * 1000)
+        except BlockingIOError:
+            break
+    client = bridge.connect()
+    assert bridge.ask(client, "SUBSCRIBE app.time") == "OK"
+    assert bridge.line_of(client) == "VAL app.time 0"
+    for i in range(1, 51):
+        assert bridge.ask(client, f"SET app.time {i}") == "OK"
+        assert bridge.line_of(client) == f"UPD app.time {i}"
+        if i == 1:
+            assert bridge.line_of(client).startswith("EVT WRITER app.time 127.0.0.1:")
+
+
+def test_a_take_is_recorded_and_read(start, tmp_path, ocean):
+    bridge = start("--dummy")
+    client = bridge.connect()
+    assert bridge.ask(client, "RECORD START storm.take") == "OK"
+    for wind in (12, 14, 16):
+        assert bridge.ask(client, f"SET wind_speed {wind}") == "OK"
+    assert bridge.ask(client, "RECORD STOP") == "OK"
+    bridge.log.wait_for("TAKE storm.take")
+    (tmp_path / "sea.toml").write_text(
+        'libocean = 1\n[time]\ntake = "storm.take"\n[[waves]]\nspectrum = "jonswap"\n'
+    )
+    ocean.good("info", tmp_path / "sea.toml")
+    assert (tmp_path / "storm.take").read_text().endswith(" waves.0.wind_speed 16\n")
+
+
+def test_an_interrupt_saves_the_take_and_lets_all_go(start, tmp_path):
+    bridge = start("--dummy")
+    client = bridge.connect()
+    assert bridge.ask(client, "RECORD START") == "OK"
+    assert bridge.ask(client, "SET wind_speed 12") == "OK"
+    assert bridge.stop() == 130
+    assert bridge.line_of(client) == "EVT STOP"
+    assert bridge.line_of(client) == ""
+    bridge.log.wait_for("stopped")
+    assert "waves.0.wind_speed 12" in (tmp_path / "take_1.take").read_text()
+
+
+def test_a_log_that_nobody_reads_stops_nobody(tmp_path):
+    read, write = os.pipe()
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    process = subprocess.Popen([BRIDGE, "--listen", f"127.0.0.1:{port}"], stderr=write)
+    os.close(write)
+    try:
+        end = time.monotonic() + PATIENCE
+        while True:
+            try:
+                client = socket.create_connection(("127.0.0.1", port), timeout=PATIENCE)
+                break
+            except ConnectionRefusedError:
+                assert time.monotonic() < end
+        Bridge.line_of(client)
+        for _ in range(150):  # of a pipe's 64 KiB
+            client.sendall(b"X" * 1000 + b"\n")
+            assert Bridge.line_of(client).startswith("ERR UNKNOWN-COMMAND")
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(timeout=PATIENCE) == 130
+    finally:
+        process.kill()
+        process.wait()
+        os.close(read)
+
+
+def test_a_token_guards_it(start, tmp_path):
+    (tmp_path / "token").write_text(TOKEN + "\n")
+    (tmp_path / "token").chmod(0o600)
+    bridge = start("--token-file", "token")
+    client = bridge.connect()
+    assert bridge.ask(client, "LIST").startswith("ERR AUTH ")
+    assert bridge.ask(client, f"AUTH {TOKEN}") == "OK"
+    assert bridge.ask(client, "GET choppiness") == "VAL choppiness 1"
+    assert bridge.stop() == 130
+    bridge.log.wait_for("stopped")
+    assert TOKEN not in "".join(bridge.log.seen)
+
+
+def test_the_terminal_client(start):
+    bridge = start("--dummy")
+    done = subprocess.run(
+        [BRIDGE, "--client", f"127.0.0.1:{bridge.port}"],
+        input="SET wind_speed 14\nGET wind_speed\nLIST\nFLY\n",
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "waves.0.wind_speed = 14\n" in done.stdout
+    assert "END LIST\n" in done.stdout
+    assert "ERR UNKNOWN-COMMAND 'FLY'; HELP lists them\n" in done.stdout
+
+
+def test_the_terminal_client_at_a_terminal(start):
+    bridge = start("--dummy")
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(
+        [BRIDGE, "--client", f"127.0.0.1:{bridge.port}"], stdin=theirs, stdout=theirs, stderr=theirs
+    )
+    os.close(theirs)
+    try:
+        screen = Lines(os.fdopen(os.dup(ours), errors="replace"))
+        os.write(ours, b"SUBSCRIBE choppiness\n")
+        screen.wait_for("surface.choppiness = 1")
+        other = bridge.connect()
+        assert bridge.ask(other, "SET choppiness 0.5") == "OK"
+        screen.wait_for("surface.choppiness = 0.5")
+        screen.wait_for(r"surface\.choppiness is moved by 127\.0\.0\.1:")
+        os.write(ours, b"QUIT\n")
+        assert process.wait(timeout=PATIENCE) == 0
+    finally:
+        process.kill()
+        process.wait()
+        os.close(ours)
+
+
+def test_the_terminal_client_where_no_bridge_is():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    done = subprocess.run(
+        [BRIDGE, "--client", f"127.0.0.1:{port}"],
+        input="PING\n",
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert done.returncode == 1
+    assert done.stderr == f"ocean-bridge: 127.0.0.1:{port}: Connection refused\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--listen", "0.0.0.0:0"], "only with --token-file"),
+        (["--listen", "127.0.0.1:99999"], "allowed is HOST:PORT"),
+        (["--map", "no.toml"], "no.toml: no such file"),
+        (["--dummy", "no.txt"], "no.txt: no such file"),
+        (["--replay", "no.txt"], "no.txt: no such file"),
+        (["--clients", "0"], "--clients"),
+        (["--set", "wind_speed=3"], "there is none"),
+        (["no.toml"], "no such file"),
+    ],
+)
+def test_wrong_uses_are_named(arguments, says):
+    assert says in refusal(*arguments)
+
+
+def test_more_clients_than_descriptors_are_refused_at_the_start():
+    done = subprocess.run(
+        ["bash", "-c", 'ulimit -n 100; exec "$0" --listen 127.0.0.1:0 --clients 64', BRIDGE],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert done.returncode == 2
+    assert "64 clients need 128 descriptors; this system allows 100" in done.stderr
+
+
+def test_a_port_that_is_taken_is_named(start):
+    bridge = start()
+    done = subprocess.run(
+        [BRIDGE, "--listen", f"127.0.0.1:{bridge.port}"],
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert done.returncode == 1
+    assert f"cannot listen on 127.0.0.1:{bridge.port}: Address already in use" in done.stderr

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Any bytes as the script of a board: lines in order of time with channels and finite values, or
+// one Error whose message is safe to print.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "ocean/bridge/script_sources.hpp"
+#include "ocean/error.hpp"
+
+namespace {
+
+void require(bool condition) {
+    if (!condition) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ocean;
+    try {
+        double before = 0.0;
+        const auto script =
+            bridge::parse_script({reinterpret_cast<const char*>(data), size}, "fuzz.txt");
+        for (const bridge::ScriptLine& line : script) {
+            require(line.seconds >= before && std::isfinite(line.value));
+            require(bridge::is_channel_name(line.channel));
+            before = line.seconds;
+        }
+        bridge::make_replay_source(script);
+        bridge::make_dummy_source(script);
+    } catch (const Error& error) {
+        const std::string_view message = error.what();
+        require(!message.empty() && message.size() < 4096);
+        for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+    }
+    return 0;
+}
