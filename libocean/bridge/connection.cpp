@@ -69,12 +69,11 @@ void Connection::end(std::string_view why) {
     host_.ended(*this);
 }
 
-void Connection::dismiss(std::string_view line) {
-    if (!open_) return;
-    asio::error_code ignored;
-    socket_.non_blocking(true, ignored);
-    if (writing_.empty()) socket_.send(asio::buffer(std::string(line) + "\r\n"), 0, ignored);
-    end("");
+void Connection::leave(std::string_view line) {
+    if (!open_ || leaving_) return;
+    put(line);
+    leaving_ = true;
+    flush();
 }
 
 void Connection::read() {
@@ -309,7 +308,7 @@ void Connection::look_around(Clock::time_point now) {
         return end("it reads nothing");
     }
     if (listens_to_ == 0 && now - heard_ > host_.options.idle) {
-        dismiss(refusal_line({"IDLE", "nothing was said for too long"}));
+        leave(refusal_line({"IDLE", "nothing was said for too long"}));
     }
 }
 

@@ -45,8 +45,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void look_around(Clock::time_point now);
     /// `why` is for the log.
     void end(std::string_view why);
-    /// A last line as far as it goes at once, and the end.
-    void dismiss(std::string_view line);
+    /// A last line, and the end when it is written.
+    void leave(std::string_view line);
 
   private:
     void read();

@@ -23,6 +23,8 @@ using asio::ip::tcp;
 /// beat against them.
 constexpr auto kLeastUpdateInterval = std::chrono::milliseconds(2);
 constexpr auto kLookAround = std::chrono::milliseconds(500);
+/// What clients have to take the last line in.
+constexpr auto kLastWords = std::chrono::milliseconds(50);
 constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kMostClients = 100'000;
 /// Of boards, while this thread is busy.
@@ -67,7 +69,8 @@ class LineServer::Core {
           update_timer_(io_),
           advance_timer_(io_),
           second_timer_(io_),
-          accept_timer_(io_) {
+          accept_timer_(io_),
+          last_timer_(io_) {
         listen();
         accept();
         look_around();
@@ -86,6 +89,7 @@ class LineServer::Core {
         if (!thread_.joinable()) return;
         asio::post(io_, [this] { end_all(); });
         thread_.join();
+        log("stopped");
     }
 
   private:
@@ -132,7 +136,7 @@ class LineServer::Core {
             } else {
                 log(connection->peer() + " refused: " + std::to_string(options_.clients) +
                     " clients are there");
-                connection->dismiss(refusal_line({"BUSY", "no more clients are taken"}));
+                connection->leave(refusal_line({"BUSY", "no more clients are taken"}));
             }
             accept();
         });
@@ -142,6 +146,7 @@ class LineServer::Core {
         hub_.client_left(gone.peer());
         connections_.erase(gone.shared_from_this());
         count_ = connections_.size();
+        if (ending_ && connections_.empty()) last_timer_.cancel();
         changed();
     }
 
@@ -238,11 +243,15 @@ class LineServer::Core {
              {&update_timer_, &advance_timer_, &second_timer_, &accept_timer_}) {
             timer->cancel();
         }
-        for (const auto& connection : all()) connection->dismiss(event_line("STOP"));
+        for (const auto& connection : all()) connection->leave(event_line("STOP"));
+        last_timer_.expires_after(kLastWords);
+        last_timer_.async_wait([this](asio::error_code) {
+            for (const auto& connection : all()) connection->end("");
+        });
+        if (connections_.empty()) last_timer_.cancel();
         hub_.stop();
         hub_.finish();
         for (const std::string& event : hub_.events()) log(event);
-        log("stopped");
     }
 
     const ServerOptions options_;
@@ -254,6 +263,7 @@ class LineServer::Core {
     asio::steady_timer advance_timer_;
     asio::steady_timer second_timer_;
     asio::steady_timer accept_timer_;
+    asio::steady_timer last_timer_;
     std::set<std::shared_ptr<Connection>> connections_;
     std::atomic<std::size_t> count_ = 0;
     Endpoint endpoint_;
