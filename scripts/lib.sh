@@ -14,14 +14,15 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     build_packages=(
         cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libcli11-dev libopenexr-dev
         libpng-dev zlib1g-dev libcairo2-dev libnetcdf-dev libssl-dev nlohmann-json3-dev libepoxy-dev
-        libglm-dev libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libasio-dev libedit-dev)
+        libglm-dev libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libasio-dev libedit-dev
+        libusb-1.0-0-dev liblo-dev librtmidi-dev)
     demo_packages=("${build_packages[@]}" povray povray-includes)
     lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio openexr clang
         libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri xvfb xauth xdotool
-        telnet netcat-openbsd)
+        telnet netcat-openbsd python3-meshio umockdev libumockdev-dev liblo-tools)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)
@@ -34,8 +35,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     # Long-term releases and what came between; those that the index drops are dropped here.
     bpy_versions=(4.2.23 4.5.15 5.0.1 5.2.3)
     cross_packages=("${build_packages[@]}" "${lint_packages[@]}" wine wine64)
+    vm_packages=(qemu-system-x86 busybox-static cpio kmod udev binutils)
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
+    usd_tool=usd_core==26.11  # judges our USD
     ziglang_tool=ziglang==0.17.0
     mkl_tool=mkl-static==2026.2.0
     mkl_headers_tool=mkl-include==2026.2.0

@@ -40,14 +40,15 @@ bool Endpoint::is_loopback() const {
     return host == "localhost";
 }
 
-Endpoint parse_endpoint(std::string_view text, const std::string& what) {
+Endpoint parse_endpoint(std::string_view text, const std::string& what, unsigned short usual_port) {
     constexpr std::size_t kLongestHost = 255;
     const auto refused = [&] {
-        return Error(ErrorKind::invalid_value,
-                     what + " " + text::printable(text) +
-                         ": allowed is HOST:PORT, such as 127.0.0.1:4747 or [::1]:4747");
+        return Error(ErrorKind::invalid_value, what + " " + text::printable(text) +
+                                                   ": allowed is HOST:PORT, such as " +
+                                                   Endpoint{"127.0.0.1", usual_port}.text() +
+                                                   " or " + Endpoint{"::1", usual_port}.text());
     };
-    Endpoint endpoint;
+    Endpoint endpoint{.port = usual_port};
     std::string_view rest = text;
     if (rest.starts_with('[')) {
         const std::size_t end = rest.find(']');

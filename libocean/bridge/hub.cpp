@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "ocean/bridge/devices.hpp"
+#include "ocean/bridge/line_protocol.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
@@ -19,16 +21,9 @@ Error refused(const std::string& message) {
     return Error(ErrorKind::invalid_value, message);
 }
 
-/// Clients name files, and none outside the folder of takes.
-void require_plain_name(const std::string& file) {
-    constexpr std::size_t kLongestName = 64;
-    const bool plain = file.size() <= kLongestName && !file.starts_with('.') &&
-                       std::ranges::all_of(file, [](char c) {
-                           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-                                  (c >= 'A' && c <= 'Z') || c == '_' || c == '-' || c == '.';
-                       });
-    if (plain) return;
-    throw refused("'" + text::printable(file) +
+void require_take_name(const std::string& name) {
+    if (is_take_name(name)) return;
+    throw refused("'" + text::printable(name) +
                   "' is no name for a take; allowed: letters, digits, '_', '-' and '.', no folder");
 }
 
@@ -72,6 +67,17 @@ Hub::Hub(HubOptions options, std::vector<std::unique_ptr<Source>> sources)
                                         : read_map(options_.map, values_);
     std::error_code unknown;
     map_time_ = std::filesystem::last_write_time(utf8_path(options_.map), unknown);
+    const auto& devices = file.devices.empty() ? options_.devices : file.devices;
+    for (const DeviceRule& device : devices) {
+        for (const Channel& channel : channels()) {
+            if (!channel.name.starts_with(device.id + "/")) continue;
+            throw refused("two boards are named " + device.id + ": one by the map's [[device]]");
+        }
+    }
+    for (auto& source : make_sources(devices)) {
+        sources_.push_back(std::move(source));
+    }
+    map_devices_ = file.devices;
     mapping_ = std::make_unique<Mapping>(std::move(file), values_);
 }
 
@@ -132,28 +138,32 @@ void Hub::out(const std::string& channel, double value) {
 
 void Hub::start_recording(const std::string& file, std::string_view writer) {
     if (values_.number(record_) == 1.0) throw refused("a take is being recorded; stop it first");
-    require_plain_name(file);
+    require_take_name(file);
     take_name_ = file;
     set("app.record", "1", writer);
 }
 
 void Hub::stop_recording(const std::string& file, std::string_view writer) {
     if (values_.number(record_) == 0.0) throw refused("nothing is being recorded");
-    require_plain_name(file);
+    require_take_name(file);
     if (!file.empty()) take_name_ = file;
     set("app.record", "0", writer);
 }
 
 void Hub::follow_recording(Clock::time_point now) {
     const bool wanted = values_.number(record_) == 1.0;
-    if (!wanted) return save_take();
-    const std::string& shower = values_[frame_rate_].writer;
-    if (!shower.empty()) {
-        say("RECORD by " + shower + ", in its sea time");
+    const std::string name = take_name_.empty() ? "-" : take_name_;
+    if (!wanted) {
+        say("RECORD STOP " + name);
+        save_take();
+        take_name_.clear();
         return;
     }
-    recorder_.emplace(options_.sea.parameters.time.start, now);
-    say("RECORD by the bridge, on its own clock");
+    const std::string& shower = values_[frame_rate_].writer;
+    if (shower.empty()) recorder_.emplace(options_.sea.parameters.time.start, now);
+    say("RECORD START " + name +
+        (shower.empty() ? " by the bridge on its own clock"
+                        : " by " + shower + " in its sea time"));
 }
 
 std::string Hub::free_take_name(const std::string& asked) const {
@@ -173,7 +183,7 @@ void Hub::save_take() {
     if (!recorder_) return;
     const std::string text = std::exchange(recorder_, std::nullopt)->text();
     try {
-        const std::string path = free_take_name(std::exchange(take_name_, ""));
+        const std::string path = free_take_name(take_name_);
         io::write_file_atomically(path, text);
         say("TAKE " + path);
     } catch (const Error& error) {
@@ -187,6 +197,19 @@ void Hub::finish() {
 
 void Hub::report(const Report& report) {
     apply(mapping_->report(report, values_), report.time);
+}
+
+void Hub::board_event(const std::string& event) {
+    say(event);
+    const std::size_t board_end = event.find(' ');
+    const std::string_view board = std::string_view(event).substr(0, board_end);
+    const std::string_view what = std::string_view(event).substr(board.size());
+    if (what.starts_with(kConnected)) {
+        mapping_->board_connected(board);
+        light_lamps();
+    } else if (what.starts_with(kLost)) {
+        apply(mapping_->board_lost(board), Clock::now());
+    }
 }
 
 void Hub::advance(Clock::time_point now) {
@@ -222,8 +245,10 @@ void Hub::look_around() {
     if (gone || time == map_time_) return;
     map_time_ = time;
     try {
-        mapping_ = std::make_unique<Mapping>(read_map(options_.map, values_), values_);
-        say("MAP " + options_.map + " is read again");
+        MapFile file = read_map(options_.map, values_);
+        say("MAP " + options_.map + " is read again" +
+            (file.devices == map_devices_ ? "" : "; its boards are others from the next start on"));
+        mapping_ = std::make_unique<Mapping>(std::move(file), values_);
         light_lamps();
     } catch (const Error& error) {
         say("MAP stays as it was: " + std::string(error.what()));

@@ -239,7 +239,9 @@ class LineClient::Core {
         }
         delay_ = kFirstRetry;
         last_loss_.clear();
-        deliver({Kind::connected, "", line});
+        asio::error_code gone;
+        const tcp::endpoint own = socket_.local_endpoint(gone);
+        deliver({Kind::connected, Endpoint{own.address().to_string(), own.port()}.text(), line});
         if (!options_.token.empty()) ask("AUTH " + options_.token, kSilent);
         // What was set while nobody listened goes first: the snapshot has it.
         flush();

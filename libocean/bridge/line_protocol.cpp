@@ -170,6 +170,15 @@ std::string refusal_line(const Refusal& refusal) {
     return joined("ERR", refusal.code, text::printable(refusal.text, kLongestLine / 2));
 }
 
+bool is_take_name(std::string_view name) {
+    constexpr std::size_t kLongestName = 64;
+    return name.size() <= kLongestName && !name.starts_with('.') &&
+           std::ranges::all_of(name, [](char c) {
+               return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                      c == '_' || c == '-' || c == '.';
+           });
+}
+
 ServerLine parse_server_line(std::string_view line) {
     ServerLine parts;
     parts.word = take_word(line);

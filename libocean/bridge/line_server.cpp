@@ -5,13 +5,17 @@
 #include <asio.hpp>
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "address.hpp"
 #include "connection.hpp"
 #include "ocean/error.hpp"
+#include "osc_port.hpp"
 
 namespace ocean::bridge {
 namespace {
@@ -27,20 +31,10 @@ constexpr auto kLookAround = std::chrono::milliseconds(500);
 constexpr auto kLastWords = std::chrono::milliseconds(50);
 constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kMostClients = 100'000;
+/// A report, or an event. Their order counts.
+using BoardNews = std::variant<Report, std::string>;
 /// Of boards, while this thread is busy.
 constexpr std::size_t kMostReports = 65536;
-
-tcp::endpoint tcp_endpoint(const Endpoint& listen) {
-    asio::error_code wrong;
-    const auto address =
-        asio::ip::make_address(listen.host == "localhost" ? "127.0.0.1" : listen.host, wrong);
-    if (wrong) {
-        throw Error(ErrorKind::invalid_value, "--listen " + listen.text() +
-                                                  ": is no address of this machine; allowed: one "
-                                                  "in numbers, or localhost");
-    }
-    return {address, listen.port};
-}
 
 const ServerOptions& checked(const ServerOptions& options) {
     if (!options.listen.is_loopback() && options.token.empty()) {
@@ -52,6 +46,7 @@ const ServerOptions& checked(const ServerOptions& options) {
         throw Error(ErrorKind::invalid_value,
                     "--clients " + std::to_string(options.clients) + ": allowed: 1 .. 100000");
     }
+    require_valid(options.osc);
     require_descriptors(options.clients);
     return options;
 }
@@ -72,6 +67,7 @@ class LineServer::Core {
           accept_timer_(io_),
           last_timer_(io_) {
         listen();
+        open_osc();
         accept();
         look_around();
         hub_.start({[this](Report report) { take(std::move(report)); },
@@ -82,6 +78,7 @@ class LineServer::Core {
     ~Core() { stop(); }
 
     Endpoint endpoint() const { return endpoint_; }
+    std::optional<Endpoint> osc_endpoint() const { return osc_ ? osc_->endpoint() : std::nullopt; }
     std::size_t clients() const { return count_; }
 
     void stop() {
@@ -98,7 +95,8 @@ class LineServer::Core {
     }
 
     void listen() {
-        const tcp::endpoint wanted = tcp_endpoint(options_.listen);
+        const tcp::endpoint wanted(parse_address(options_.listen.host, "--listen"),
+                                   options_.listen.port);
         try {
             acceptor_.open(wanted.protocol());
             acceptor_.set_option(tcp::acceptor::reuse_address(true));
@@ -115,6 +113,11 @@ class LineServer::Core {
             interfaces += (interfaces.empty() ? "" : ", ") + name;
         }
         log(interfaces.empty() ? "no network interface is up" : "interfaces: " + interfaces);
+    }
+
+    void open_osc() {
+        if (options_.osc == OscOptions()) return;
+        osc_.emplace(io_, options_.osc, OscPort::Host{hub_, host_.log, host_.changed});
     }
 
     void accept() {
@@ -156,32 +159,27 @@ class LineServer::Core {
     }
 
     // From the boards' threads.
-    void take(Report report) {
+    void take(BoardNews news) {
         const std::lock_guard lock(mutex_);
-        if (reports_.size() < kMostReports) reports_.push_back(std::move(report));
-        wake();
-    }
-    void take(std::string event) {
-        const std::lock_guard lock(mutex_);
-        if (board_events_.size() < kMostReports) board_events_.push_back(std::move(event));
-        wake();
-    }
-    void wake() {
+        if (news_.size() < kMostReports) news_.push_back(std::move(news));
         if (std::exchange(woken_, true)) return;
         asio::post(io_, [this] { work_off(); });
     }
 
     void work_off() {
-        std::vector<Report> reports;
-        std::vector<std::string> events;
+        std::vector<BoardNews> all;
         {
             const std::lock_guard lock(mutex_);
             woken_ = false;
-            reports.swap(reports_);
-            events.swap(board_events_);
+            all.swap(news_);
         }
-        for (const Report& report : reports) hub_.report(report);
-        for (const std::string& event : events) tell(event);
+        for (BoardNews& news : all) {
+            if (const auto* report = std::get_if<Report>(&news)) {
+                hub_.report(*report);
+            } else {
+                hub_.board_event(std::get<std::string>(news));
+            }
+        }
         changed();
     }
 
@@ -213,6 +211,7 @@ class LineServer::Core {
             updated_ = Clock::now();
             for (const auto& connection : all()) connection->update();
         }
+        if (osc_) osc_->update();
         const auto next = hub_.next();
         if (!next) return;
         advance_timer_.expires_at(*next);
@@ -230,6 +229,7 @@ class LineServer::Core {
             hub_.look_around();
             const auto now = Clock::now();
             for (const auto& connection : all()) connection->look_around(now);
+            if (osc_) osc_->look_around(now);
             changed();
             look_around();
         });
@@ -243,6 +243,7 @@ class LineServer::Core {
              {&update_timer_, &advance_timer_, &second_timer_, &accept_timer_}) {
             timer->cancel();
         }
+        if (osc_) osc_->close();
         for (const auto& connection : all()) connection->leave(event_line("STOP"));
         last_timer_.expires_after(kLastWords);
         last_timer_.async_wait([this](asio::error_code) {
@@ -264,6 +265,7 @@ class LineServer::Core {
     asio::steady_timer second_timer_;
     asio::steady_timer accept_timer_;
     asio::steady_timer last_timer_;
+    std::optional<OscPort> osc_;
     std::set<std::shared_ptr<Connection>> connections_;
     std::atomic<std::size_t> count_ = 0;
     Endpoint endpoint_;
@@ -273,8 +275,7 @@ class LineServer::Core {
     std::uint64_t told_ = 0;
 
     std::mutex mutex_;  // of what boards brought
-    std::vector<Report> reports_;
-    std::vector<std::string> board_events_;
+    std::vector<BoardNews> news_;
     bool woken_ = false;
 
     std::mutex stop_mutex_;
@@ -288,6 +289,10 @@ LineServer::~LineServer() = default;
 
 Endpoint LineServer::endpoint() const {
     return core_->endpoint();
+}
+
+std::optional<Endpoint> LineServer::osc_endpoint() const {
+    return core_->osc_endpoint();
 }
 
 std::size_t LineServer::clients() const {

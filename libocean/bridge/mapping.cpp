@@ -23,15 +23,19 @@ constexpr auto kSettling = std::chrono::milliseconds(250);
 constexpr double kArrived = 1e-3;
 
 /// Six digits are more than a board has, and fit a line that people read.
-double rounded(double value) {
+double rounded(double value, const char* format = "%.6g") {
     double short_one = value;
-    const std::string digits = format_text("%.6g", value);
+    const std::string digits = format_text(format, value);
     std::from_chars(digits.data(), digits.data() + digits.size(), short_one);
     return short_one;
 }
 
 Clock::duration duration_of(double seconds) {
     return std::chrono::duration_cast<Clock::duration>(Seconds(seconds));
+}
+
+bool is_of(std::string_view board, std::string_view channel) {
+    return channel.starts_with(board) && channel.substr(board.size()).starts_with('/');
 }
 
 double position(double value, const std::array<double, 2>& range) {
@@ -88,6 +92,8 @@ class Mapping::Knob {
         if (shown_ == target_) return std::nullopt;
         return at_ + kSmoothingStep;
     }
+
+    void forget_place() { held_.reset(); }
 
   private:
     /// A step larger than noise moves the knob; for a moment afterwards every step counts, so that
@@ -170,8 +176,7 @@ class Mapping::Button {
         const bool pressed = high != inverted;
         if (!known_) {
             known_ = true;
-            pressed_ = seen_ = pressed;
-            return std::nullopt;
+            pressed_ = seen_ = pressed != report.moved;
         }
         seen_ = pressed;
         return settle(report.time, values);
@@ -184,6 +189,13 @@ class Mapping::Button {
     std::optional<Clock::time_point> next() const {
         if (seen_ == pressed_) return std::nullopt;
         return rests_from_;
+    }
+
+    void forget_place() { known_ = false; }
+    std::optional<Setting> let_go() {
+        if (rule_.mode != Mode::momentary || !pressed_) return std::nullopt;
+        pressed_ = seen_ = false;
+        return setting(rule_.out[0]);
     }
 
   private:
@@ -207,6 +219,40 @@ class Mapping::Button {
     Clock::time_point rests_from_{};
 };
 
+/// A channel that counts, and goes round when it is full.
+class Mapping::Counter {
+  public:
+    Counter(MapRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
+
+    const std::string& channel() const { return rule_.from; }
+
+    std::optional<Setting> report(const Report& report, const ValueTable& values) {
+        const double before = std::exchange(count_, report.value).value_or(report.value);
+        const double round = rule_.in[1] - rule_.in[0] + 1.0;
+        const double counts = std::remainder(report.value - before, round);
+        if (counts == 0.0) return std::nullopt;
+        const double value = inside(values.number(entry_) + rule_.step * counts);
+        return Setting{entry_, rounded(value, "%.12g"), rule_.from};  // whole ones stay whole
+    }
+
+    std::optional<Setting> advance(Clock::time_point, const ValueTable&) { return std::nullopt; }
+    std::optional<Clock::time_point> next() const { return std::nullopt; }
+
+    void forget_place() { count_.reset(); }
+
+  private:
+    double inside(double value) const {
+        const auto [lowest, highest] = rule_.out;
+        if (!rule_.wrap) return std::clamp(value, lowest, highest);
+        const double width = highest - lowest;
+        return value - width * std::floor((value - lowest) / width);
+    }
+
+    MapRule rule_;
+    std::size_t entry_;
+    std::optional<double> count_;
+};
+
 struct Mapping::State {
     struct Out {
         OutRule rule;
@@ -215,12 +261,14 @@ struct Mapping::State {
     };
     std::vector<Knob> knobs;
     std::vector<Button> buttons;
+    std::vector<Counter> counters;
     std::vector<Out> outs;
 
     template <typename Function>
     void for_each(const Function& function) {
         for (Knob& knob : knobs) function(knob);
         for (Button& button : buttons) function(button);
+        for (Counter& counter : counters) function(counter);
     }
 };
 
@@ -229,6 +277,8 @@ Mapping::Mapping(MapFile file, const ValueTable& values) : state_(std::make_uniq
         const std::size_t entry = values.find(rule.to);
         if (rule.mode == Mode::range) {
             state_->knobs.emplace_back(std::move(rule), entry);
+        } else if (rule.mode == Mode::increment) {
+            state_->counters.emplace_back(std::move(rule), entry);
         } else {
             state_->buttons.emplace_back(std::move(rule), entry);
         }
@@ -282,8 +332,22 @@ std::vector<Lamp> Mapping::lamps(const ValueTable& values) {
     return lamps;
 }
 
-void Mapping::forget_lamps() {
-    for (State::Out& out : state_->outs) out.told.reset();
+void Mapping::board_connected(std::string_view board) {
+    state_->for_each([&](auto& control) {
+        if (is_of(board, control.channel())) control.forget_place();
+    });
+    for (State::Out& out : state_->outs) {
+        if (is_of(board, out.rule.to)) out.told.reset();
+    }
+}
+
+std::vector<Setting> Mapping::board_lost(std::string_view board) {
+    std::vector<Setting> settings;
+    for (Button& button : state_->buttons) {
+        if (!is_of(board, button.channel())) continue;
+        if (auto setting = button.let_go()) settings.push_back(*setting);
+    }
+    return settings;
 }
 
 }  // namespace ocean::bridge

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "ocean/bridge/k8055_source.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/line_reader.hpp"
@@ -81,11 +82,7 @@ class ScriptSource : public Source {
         if (channel == nullptr || !has_places_) {
             throw Error(ErrorKind::invalid_value, name + ": cannot be told");
         }
-        if (!(value >= channel->lowest && value <= channel->highest)) {
-            throw Error(ErrorKind::invalid_value, name + " = " + plain_text(value) +
-                                                      ": allowed: " + plain_text(channel->lowest) +
-                                                      " .. " + plain_text(channel->highest));
-        }
+        require_in_range(*channel, value);
         {
             const std::lock_guard lock(mutex_);
             if (stopped_ || !listener_.report) return;
@@ -118,21 +115,6 @@ class ScriptSource : public Source {
     std::thread thread_;
 };
 
-std::vector<Channel> dummy_channels() {
-    std::vector<Channel> channels;
-    const auto add = [&](const std::string& letters, int count, double highest, bool output) {
-        for (int i = 1; i <= count; ++i) {
-            channels.push_back({"board0/" + letters + std::to_string(i), 0.0, highest, output});
-        }
-    };
-    add("a", 2, 255.0, false);
-    add("d", 5, 1.0, false);
-    add("c", 2, 65535.0, false);
-    add("o", 8, 1.0, true);
-    add("dac", 2, 255.0, true);
-    return channels;
-}
-
 }  // namespace
 
 std::vector<ScriptLine> parse_script(std::string_view content, const std::string& name) {
@@ -155,7 +137,7 @@ std::vector<ScriptLine> read_script(const std::string& path) {
 }
 
 std::unique_ptr<Source> make_dummy_source(std::vector<ScriptLine> script) {
-    std::vector<Channel> channels = dummy_channels();
+    std::vector<Channel> channels = k8055_channels("board0");
     for (const ScriptLine& line : script) {
         const Channel* channel = find_channel(channels, line.channel);
         if (channel == nullptr || channel->output || line.value < channel->lowest ||

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+
 namespace ocean::bridge {
 
 bool is_channel_name(std::string_view name) {
@@ -23,6 +26,23 @@ bool is_channel_name(std::string_view name) {
 const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name) {
     const auto found = std::ranges::find(channels, name, &Channel::name);
     return found == channels.end() ? nullptr : &*found;
+}
+
+void require_in_range(const Channel& channel, double value) {
+    if (value >= channel.lowest && value <= channel.highest) return;
+    throw Error(ErrorKind::invalid_value, channel.name + " = " + plain_text(value) +
+                                              ": allowed: " + plain_text(channel.lowest) + " .. " +
+                                              plain_text(channel.highest));
+}
+
+std::size_t output_index(const std::vector<Channel>& channels, const std::string& name,
+                         double value) {
+    const Channel* channel = find_channel(channels, name);
+    if (channel == nullptr || !channel->output) {
+        throw Error(ErrorKind::invalid_value, name + ": cannot be told");
+    }
+    require_in_range(*channel, value);
+    return static_cast<std::size_t>(channel - channels.data());
 }
 
 }  // namespace ocean::bridge

@@ -82,9 +82,19 @@ std::size_t ValueTable::find(std::string_view name) const {
                     (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?"));
 }
 
+/// They stand behind the parameters.
+const AppValue& ValueTable::app_value(std::size_t entry) const {
+    return kAppValues[entry + kAppValues.size() - entries_.size()];
+}
+
 bool ValueTable::is_number(std::size_t entry) const {
     const ParameterInfo* info = refs_[entry].info;
     return info == nullptr || info->type() == "float" || info->type() == "int";
+}
+
+bool ValueTable::is_whole(std::size_t entry) const {
+    if (refs_[entry].info != nullptr) return refs_[entry].info->type() == "int";
+    return app_value(entry).whole;
 }
 
 double ValueTable::number(std::size_t entry) const {
@@ -95,13 +105,13 @@ double ValueTable::number(std::size_t entry) const {
 
 std::string ValueTable::allowed(std::size_t entry) const {
     if (refs_[entry].info != nullptr) return allowed_values(*refs_[entry].info);
-    const AppValue& app = kAppValues[entry + kAppValues.size() - entries_.size()];
+    const AppValue& app = app_value(entry);
     if (app.whole) return plain_text(app.lowest) + " or " + plain_text(app.highest);
     return plain_text(app.lowest) + " .. " + plain_text(app.highest);
 }
 
 std::string ValueTable::checked_app_value(std::size_t entry, std::string_view value) const {
-    const AppValue& app = kAppValues[entry + kAppValues.size() - entries_.size()];
+    const AppValue& app = app_value(entry);
     const std::optional<double> number = text::parse_number(value);
     if (!number || !(*number >= app.lowest && *number <= app.highest) ||
         (app.whole && *number != std::floor(*number))) {

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <mutex>
 
+#include "helpers.hpp"
 #include "ocean/bridge/endpoint.hpp"
 #include "ocean/bridge/script_sources.hpp"
 #include "ocean/error.hpp"
@@ -157,9 +158,16 @@ TEST(Hub, WhoShowsTheSeaRecordsIt) {
     const Folder folder;
     Hub hub({.take_folder = folder.text()}, {});
     hub.set("app.frame_rate", "60", "127.0.0.1:9");
-    hub.start_recording("", "test");
+    hub.start_recording("storm.take", "test");
     hub.stop_recording("", "test");
+    hub.start_recording("", "test");
+    hub.stop_recording("calm.take", "test");
     EXPECT_TRUE(std::filesystem::is_empty(folder.text()));
+    EXPECT_EQ(
+        hub.events(),
+        (std::vector<std::string>{
+            "RECORD START storm.take by 127.0.0.1:9 in its sea time", "RECORD STOP storm.take",
+            "RECORD START - by 127.0.0.1:9 in its sea time", "RECORD STOP calm.take"}));
     hub.client_left("127.0.0.1:9");
     hub.start_recording("", "test");
     hub.finish();
@@ -172,6 +180,90 @@ TEST(Hub, ATakesNameIsNoPath) {
         EXPECT_THROW(hub.start_recording(name, "test"), Error) << name;
     }
     EXPECT_EQ(hub.values().number(hub.values().find("app.record")), 0.0);
+}
+
+TEST(Hub, ABoardThatComesBackMovesNothingAndIsToldItsLamps) {
+    const auto board = std::make_shared<test::Board>();
+    std::vector<std::unique_ptr<Source>> sources;
+    sources.push_back(std::make_unique<test::TestSource>(board));
+    Hub hub({.map_text = R"(
+[[map]]
+from = "board0/a1"
+to = "wind_speed"
+in = [0, 10]
+out = [0, 10]
+hysteresis = 0
+[[out]]
+from = "wind_speed"
+to = "board0/dac1"
+in = [0, 10]
+[[out]]
+from = "app.pause"
+to = "board1/o1"
+out = [0, 1]
+)"},
+            std::move(sources));
+    const auto wind = [&] { return hub.values().number(hub.values().find("wind_speed")); };
+    const auto turn = [&](double raw) { hub.report({Clock::now(), "board0/a1", raw}); };
+    turn(3);
+    turn(4);
+    EXPECT_EQ(wind(), 4.0);
+    hub.board_event("board0 LOST: unplugged");
+    hub.board_event("board0 CONNECTED: again");
+    const std::vector<std::pair<std::string, double>> told = {{"board0/dac1", 102.0},
+                                                              {"board0/dac1", 102.0}};
+    EXPECT_EQ(board->told, told);
+    turn(9);  // where the knob was left
+    EXPECT_EQ(wind(), 4.0);
+    turn(8);
+    EXPECT_EQ(wind(), 8.0);
+    hub.board_event("board1 CONNECTED: another");
+    turn(7);
+    EXPECT_EQ(wind(), 7.0);
+    EXPECT_EQ(hub.events(),
+              (std::vector<std::string>{"board0 LOST: unplugged", "board0 CONNECTED: again",
+                                        "board1 CONNECTED: another"}));
+}
+
+TEST(Hub, AButtonOfABoardThatIsLostIsLetGo) {
+    Hub hub({.map_text = R"(
+[[map]]
+from = "board0/d1"
+to = "app.pause"
+mode = "momentary"
+[[map]]
+from = "board0/d2"
+to = "app.record"
+mode = "toggle"
+)"},
+            {});
+    const auto value = [&](const char* name) {
+        return hub.values().number(hub.values().find(name));
+    };
+    for (const double raw : {0.0, 1.0}) {
+        hub.report({Clock::now(), "board0/d1", raw});
+        hub.report({Clock::now(), "board0/d2", raw});
+    }
+    ASSERT_EQ(value("app.pause"), 1.0);
+    hub.board_event("board1 LOST: another");
+    EXPECT_EQ(value("app.pause"), 1.0);
+    hub.board_event("board0 LOST: unplugged");
+    EXPECT_EQ(value("app.pause"), 0.0);
+    EXPECT_EQ(value("app.record"), 1.0);  // it was switched, and not held
+    hub.board_event("board0 CONNECTED: again");
+    hub.report({Clock::now() + 1s, "board0/d1", 1.0});  // it is held
+    EXPECT_EQ(value("app.pause"), 0.0);
+    hub.report({Clock::now() + 2s, "board0/d1", 0.0});
+    hub.report({Clock::now() + 3s, "board0/d1", 1.0});
+    EXPECT_EQ(value("app.pause"), 1.0);
+}
+
+TEST(Hub, ABoardHasOneName) {
+    const std::string device = "[[device]]\nid = \"board0\"\ndriver = \"k8055\"\n";
+    std::vector<std::unique_ptr<Source>> dummy;
+    dummy.push_back(make_dummy_source());
+    EXPECT_THROW(Hub({.map_text = device}, std::move(dummy)), Error);
+    EXPECT_THROW(Hub({.map_text = device + device}, {}), Error);
 }
 
 TEST(Hub, AMapIsReadAgainWhenItChanges) {

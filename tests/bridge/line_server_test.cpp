@@ -31,8 +31,11 @@ std::size_t open_descriptors() {
 template <typename Condition>
 bool comes_true(const Condition& condition) {
     const auto end = Clock::now() + std::chrono::milliseconds(kPatience);
-    while (!condition() && Clock::now() < end) std::this_thread::sleep_for(1ms);
-    return condition();
+    do {
+        if (condition()) return true;
+        std::this_thread::sleep_for(1ms);
+    } while (Clock::now() < end);
+    return false;
 }
 
 TEST(LineServer, GreetsAndAnswersEachCommand) {
@@ -171,6 +174,7 @@ TEST(LineServer, WhoNeverReadsIsLetGo) {
     const Served served({.stalled = 200ms}, kKnob);
     RawClient stalled(served.server.endpoint(), 4096);
     stalled.send("SUBSCRIBE\n");
+    ASSERT_TRUE(comes_true([&] { return served.server.clients() == 1; }));
     served.turn(0);
     double wind = 0.0;
     EXPECT_TRUE(comes_true([&] {

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the bridge reaches on this machine, over loopback: from a board's report to a client's
-// receive, with 1 and 100 clients, beside a reader that has stalled; 1000 clients held, and how
-// long it takes to stop with them. Prints a line for each; exits with 1 if a count is wrong, or a
-// stalled reader is felt.
-// usage: bridge_load [--quick]
+// receive, with 1 and 100 clients, beside a reader that has stalled; the same from and to OSC; 1000
+// clients held, and how long it takes to stop with them. Prints a line for each; exits with 1 if a
+// count is wrong, or a stalled reader is felt. usage: bridge_load [--quick]
 #include <sys/epoll.h>
 #include <sys/resource.h>
 
@@ -99,6 +98,77 @@ Latencies measure(Served& served, int clients, int hertz, double seconds) {
     return latencies;
 }
 
+/// Open Sound Control beside the lines, one value after the other: a message until a client has it,
+/// and a client's line until a target has its bundle.
+class OscPath {
+  public:
+    OscPath() : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+        sockaddr_in local = loopback(0);
+        ::bind(socket_, reinterpret_cast<sockaddr*>(&local), sizeof local);
+        socklen_t size = sizeof local;
+        ::getsockname(socket_, reinterpret_cast<sockaddr*>(&local), &size);
+        served_.emplace(ServerOptions{.commands_per_second = 1e6,
+                                      .osc = {.listen = Endpoint{"127.0.0.1", 0},
+                                              .to = {{"127.0.0.1", ntohs(local.sin_port)}}}});
+        client_.emplace(served_->client());
+        client_->ask("SUBSCRIBE app.time");
+        client_->line_with("VAL");
+        // A snapshot's last value is that of frame_rate; then each bundle holds a change alone.
+        while (received().find("frame_rate") == std::string::npos) {
+        }
+    }
+    ~OscPath() { ::close(socket_); }
+
+    Latencies to_client(int count) {
+        const sockaddr_in bridge = loopback(served_->server.osc_endpoint()->port);
+        return measure(count, [&](int i) {
+            char message[] = "/ocean/app/time\0,i\0\0\0\0\0";
+            message[22] = static_cast<char>(i >> 8);
+            message[23] = static_cast<char>(i);
+            ::sendto(socket_, message, 24, 0, reinterpret_cast<const sockaddr*>(&bridge),
+                     sizeof bridge);
+            return client_->line_with("UPD") == "UPD app.time " + std::to_string(i);
+        });
+    }
+    Latencies to_target(int count) {
+        return measure(count, [&](int i) {
+            client_->send("SET app.time " + std::to_string(i + 100'000) + "\n");
+            return received().find("/ocean/app/time") != std::string::npos;
+        });
+    }
+
+  private:
+    static sockaddr_in loopback(unsigned short port) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_port = htons(port);
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        return address;
+    }
+    std::string received() const {
+        char block[4096];
+        const auto count = ::recv(socket_, block, sizeof block, 0);
+        return {block, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+    }
+    template <typename Pass>
+    static Latencies measure(int count, const Pass& pass) {
+        Latencies latencies;
+        for (int i = 1; i <= count; ++i) {
+            // Beyond the interval of the bundles, or that would be measured.
+            std::this_thread::sleep_for(std::chrono::milliseconds(18));
+            const auto start = Clock::now();
+            if (!pass(i)) break;
+            latencies.all.push_back(Milliseconds(Clock::now() - start).count());
+        }
+        latencies.least_of_a_client = latencies.all.size();
+        return latencies;
+    }
+
+    int socket_;
+    std::optional<Served> served_;
+    std::optional<RawClient> client_;
+};
+
 void print(const char* what, Latencies& latencies, double seconds) {
     std::printf("%-44s p50 %.3f ms, p99 %.3f ms, max %.1f ms, %.1f updates/s\n", what,
                 latencies.quantile(0.5), latencies.quantile(0.99), latencies.quantile(1.0),
@@ -152,6 +222,18 @@ int run(bool quick) {
         Latencies fast = measure(served, 1, 1000, seconds);
         print("1 client, 1000 reports/s", fast, seconds);
     }
+#ifdef OCEAN_HAVE_LIBLO
+    {
+        OscPath path;
+        const int count = quick ? 50 : 1000;
+        Latencies in = path.to_client(count);
+        print("OSC message to a client", in, count * 0.018);
+        Latencies out = path.to_target(count);
+        print("a client's SET to an OSC target", out, count * 0.018);
+        good &= check(in.all.size() + out.all.size() == 2 * static_cast<std::size_t>(count),
+                      "OSC messages are missing");
+    }
+#endif
     {
         const int count = 1000;
         Served served({.clients = count}, kCounter);

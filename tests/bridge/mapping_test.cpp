@@ -24,9 +24,10 @@ class Desk {
         : mapping_(parse_map(map, "test.toml", values_), values_) {}
 
     /// How many values were set.
-    std::size_t turn(double raw, const std::string& channel = "board0/a1") {
-        return take(mapping_.report({now_, channel, raw}, values_));
+    std::size_t turn(double raw, const std::string& channel = "board0/a1", bool moved = false) {
+        return take(mapping_.report({now_, channel, raw, moved}, values_));
     }
+    void plug(const std::string& board = "board0") { mapping_.board_connected(board); }
     std::size_t pass(Clock::duration time, Clock::duration step = 1ms) {
         std::size_t count = 0;
         for (const auto end = now_ + time; now_ < end;) {
@@ -193,6 +194,73 @@ TEST(Mapping, ScaledTakeoverMeetsTheKnobAtTheEnd) {
     EXPECT_NEAR(desk.value(), 10.0, 1e-6);
 }
 
+/// As of a MIDI fader, whose place is not known before it is moved.
+TEST(Mapping, AKnobThatIsPickedUpNeedsToBeSeenOnBothSides) {
+    Desk desk(knob("takeover = \"pickup\"\nin = [0, 127]\nhysteresis = 0\n"));
+    desk.write("wind_speed", "15");
+    EXPECT_EQ(desk.turn(100, "board0/a1", true), 0u);  // far above, and from nobody knows where
+    EXPECT_EQ(desk.turn(90, "board0/a1", true), 0u);
+    EXPECT_EQ(desk.turn(63, "board0/a1", true), 1u);
+    EXPECT_NEAR(desk.value(), 30.0 * 63 / 127, 1e-4);
+}
+
+TEST(Mapping, ABoardThatIsBackSetsNothing) {
+    Desk desk(knob("hysteresis = 0\n"));
+    desk.turn(0);
+    EXPECT_EQ(desk.turn(100), 1u);
+    desk.plug("board1");
+    EXPECT_EQ(desk.turn(101), 1u);
+    desk.plug();
+    EXPECT_EQ(desk.turn(200), 0u);  // turned while it was away
+    EXPECT_EQ(desk.turn(201), 1u);
+    EXPECT_NEAR(desk.value(), 30.0 * 201 / 255, 1e-4);
+}
+
+std::string counter(const std::string& more) {
+    return "[[map]]\nfrom = \"board0/c1\"\nto = \"wind_direction\"\nmode = \"increment\"\n" + more;
+}
+
+TEST(Mapping, EachCountIsAStep) {
+    Desk desk(counter("in = [0, 65535]\nout = [0, 90]\nstep = 5\n"));
+    desk.write("wind_direction", "10");
+    const auto count = [&](double raw) {
+        const std::size_t settings = desk.turn(raw, "board0/c1");
+        return settings == 0 ? -1.0 : desk.value("wind_direction");
+    };
+    EXPECT_EQ(count(65534), -1.0);  // where it stands
+    EXPECT_EQ(count(65534), -1.0);
+    EXPECT_EQ(count(65535), 15.0);
+    EXPECT_EQ(count(1), 25.0);  // past its end
+    EXPECT_EQ(count(65535), 15.0);
+    desk.write("wind_direction", "80");
+    EXPECT_EQ(count(2), 90.0);  // the end of out
+    EXPECT_EQ(count(1), 85.0);
+    desk.plug();
+    EXPECT_EQ(count(7), -1.0);
+}
+
+TEST(Mapping, CountsGoRoundInsideOut) {
+    Desk desk(counter("in = [0, 127]\nout = [0, 360]\nstep = -50\nwrap = true\n"));
+    desk.write("wind_direction", "70");
+    desk.turn(0, "board0/c1");
+    desk.turn(2, "board0/c1");
+    EXPECT_EQ(desk.value("wind_direction"), 330.0);
+    desk.turn(126, "board0/c1");
+    EXPECT_EQ(desk.value("wind_direction"), 170.0);
+    desk.turn(0, "board0/c1");
+    desk.turn(100, "board0/c1");  // 28 back is shorter than 100 forth
+    EXPECT_EQ(desk.value("wind_direction"), 30.0);
+}
+
+TEST(Mapping, LargeWholeNumbersAreCountedToo) {
+    Desk desk(
+        "[[map]]\nfrom = \"board0/c1\"\nto = \"seed\"\nmode = \"increment\"\nout = [0, 9999999]\n");
+    desk.write("seed", "1234567");
+    desk.turn(0, "board0/c1");
+    desk.turn(1, "board0/c1");
+    EXPECT_EQ(desk.value("seed"), 1234568.0);
+}
+
 std::string button(const std::string& mode, const std::string& more = "") {
     return "[[map]]\nfrom = \"board0/d1\"\nto = \"app.pause\"\nmode = \"" + mode + "\"\n" + more;
 }
@@ -219,6 +287,25 @@ TEST(Mapping, ButtonsToggleHoldAndTrigger) {
     EXPECT_EQ(press(trigger, 1), 0.0);
     EXPECT_EQ(press(trigger, 0), 1.0);
     EXPECT_EQ(press(trigger, 1), 1.0);
+}
+
+/// A board that does not say where its buttons rest says when they are pressed.
+TEST(Mapping, TheFirstPressCountsWhereAHandIsSeen) {
+    Desk desk(button("toggle"));
+    desk.turn(127, "board0/d1", true);
+    EXPECT_EQ(desk.value("app.pause"), 1.0);
+    desk.pass(100ms);
+    desk.turn(0, "board0/d1", true);
+    desk.pass(100ms);
+    desk.turn(127, "board0/d1", true);
+    EXPECT_EQ(desk.value("app.pause"), 0.0);
+    desk.pass(100ms);
+    desk.plug();
+    desk.turn(127, "board0/d1", true);  // let go while it was away
+    EXPECT_EQ(desk.value("app.pause"), 1.0);
+    Desk known(button("toggle"));
+    known.turn(1, "board0/d1");
+    EXPECT_EQ(known.value("app.pause"), 0.0);
 }
 
 TEST(Mapping, AContactThatBouncesIsOnePress) {
@@ -278,7 +365,14 @@ INSTANTIATE_TEST_SUITE_P(
     Each, MapMistake,
     testing::Values(
         Mistake{"[[map\n", "test.toml:1: is not TOML"},
-        Mistake{"x = 1\n", "test.toml:1: unknown key 'x'; allowed: [[map]], [[out]]"},
+        Mistake{"x = 1\n", "test.toml:1: unknown key 'x'; allowed: [[device]], [[map]], [[out]]"},
+        Mistake{"[[device]]\nid = \"b\"\n", "test.toml:1: driver is missing"},
+        Mistake{"[[device]]\ndriver = \"k8055\"\n", "test.toml:1: id is missing"},
+        Mistake{"[[device]]\nid = \"b 0\"\n", "test.toml:2: id = \"b 0\": allowed: small"},
+        Mistake{"[[device]]\ndriver = \"k8061\"\n",
+                "test.toml:2: driver = \"k8061\": allowed: k8055"},
+        Mistake{"[[device]]\naddress = 4\n", "test.toml:2: address = 4: allowed: 0 .. 3"},
+        Mistake{"[[device]]\naddress = 1.5\n", "test.toml:2: address = 1.5: allowed: whole"},
         Mistake{"map = 3\n", "test.toml:1: map = 3"},
         Mistake{knob("colour = 1\n"), "test.toml:5: unknown key 'colour'"},
         Mistake{knob("curve = \"wavy\"\n"), "test.toml:5: curve = \"wavy\": allowed: linear"},
@@ -289,6 +383,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{knob("in = 5\n"), "test.toml:5: in = 5: allowed: two numbers"},
         Mistake{knob("smooth_ms = -1\n"), "test.toml:5: smooth_ms = -1: allowed: 0 .. 60000"},
         Mistake{knob("invert = 1\n"), "test.toml:5: invert = 1: allowed: true or false"},
+        Mistake{knob("wrap = 1\n"), "test.toml:5: wrap = 1: allowed: true or false"},
+        Mistake{knob("step = true\n"), "test.toml:5: step = true: allowed: -1000000000 .. "},
+        Mistake{counter(""), "test.toml:1: out is missing or empty"},
+        Mistake{counter("out = [5, 5]\n"), "test.toml:1: out is missing or empty"},
         Mistake{knob("deadzone = 200\n"), "test.toml:1: deadzone or hysteresis leaves nothing"},
         Mistake{"[[map]]\nfrom = \"a1\"\n", "test.toml:2: from = \"a1\": allowed: a channel"},
         Mistake{"[[map]]\nfrom = \"board0/a1\"\n", "test.toml:1: to is missing"},

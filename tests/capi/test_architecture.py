@@ -105,14 +105,26 @@ LIBRARIES = {
     "bridge": Library(
         below=("core", "seafile", "io/file"),
         foreign={
-            # No header that others include knows the network library.
+            # No header that others include knows the network library, nor a library of boards.
+            "address.hpp": ("asio",),
             "connection.cpp": ("asio",),
             "connection.hpp": ("asio",),
             "endpoint.cpp": (*SYSTEM, "arpa/", "ifaddrs.h", "net/", "netinet/"),
+            "firmata_source.cpp": ("poll.h",),
+            "k8055_source.cpp": ("libusb.h",),
             "line_client.cpp": ("asio",),
             "line_server.cpp": ("asio",),
+            "osc_message.cpp": ("lo/",),
+            "osc_port.hpp": ("asio",),
+            "rtmidi_ports.cpp": (*SYSTEM, "RtMidi.h"),
+            "serial_port.cpp": (*SYSTEM, "termios.h"),
         },
-        links=("Threads::Threads",),
+        links=(
+            "PkgConfig::liblo",
+            "PkgConfig::libusb",
+            "PkgConfig::rtmidi",
+            "Threads::Threads",
+        ),
         banned=STREAMS,
     ),
     "netcdf": Library(
@@ -208,8 +220,18 @@ def include_breaches(library: str, file_name: str, text: str) -> list[str]:
 TARGET_LIBRARY = {"app_common": "apps", "c": "capi", "commands": "apps"}
 
 
+def unrolled(text: str) -> str:
+    """A CMakeLists.txt whose loops over items are written out."""
+
+    def each(loop: re.Match) -> str:
+        name, items, body = loop.groups()
+        return "".join(body.replace("${" + name + "}", item) for item in items.split())
+
+    return re.sub(r"foreach\s*\((\w+) IN ITEMS([^)]*)\)(.*?)endforeach\(\)", each, text, flags=re.S)
+
+
 def link_breaches(library: str, text: str) -> list[str]:
-    text = re.sub(r"#.*", "", text)
+    text = unrolled(re.sub(r"#.*", "", text))
     calls = re.findall(r"target_link_libraries\s*\(\S+([^)]*)\)", text)
     calls += re.findall(r"\bLIBRARIES\s([^)]*)\)", text)  # of ocean_io_library()
     breaches = []
@@ -318,6 +340,8 @@ def test_private_folders_stay_private(library):
         ("bridge", "server.cpp", '#include "ocean/gl/maps.hpp"'),
         ("bridge", "mapping.cpp", "#include <toml++/toml.h>"),
         ("bridge", "hub.cpp", "#include <asio.hpp>"),
+        ("bridge", "devices.cpp", "#include <libusb.h>"),
+        ("bridge", "osc_port.hpp", "#include <lo/lo.h>"),
         ("netcdf", "cf_units.cpp", "#include <netcdf.h>"),
         ("netcdf", "cf_units.cpp", '#include "take.hpp"'),
         ("netcdf", "cf_units.cpp", '#include "ocean/io/image.hpp"'),
@@ -367,6 +391,12 @@ def test_a_bridge_writes_files_and_no_images():
 )
 def test_a_wrong_link_is_a_breach(library, target):
     assert link_breaches(library, f"target_link_libraries(t\n  PUBLIC ocean::core {target})")
+
+
+def test_a_loop_hides_no_link():
+    link = "target_link_libraries(t PRIVATE PkgConfig::${m})"
+    loop = f"foreach(m IN ITEMS libusb zlib)\n {link}\nendforeach()"
+    assert link_breaches("bridge", loop) == ["bridge/CMakeLists.txt links PkgConfig::zlib"]
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@
 import hashlib
 import json
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -104,3 +105,18 @@ def ocean(tmp_path) -> Program:
     program.write("sea.toml", SMALL_SEA)
     program.write("buoy.toml", f'libocean = 1\n[[waves]]\nspectrum = "measured"\nfile = "{BUOY}"\n')
     return program
+
+
+@pytest.fixture
+def display():
+    """The name of a screen of 1280 x 800, on which there is nothing."""
+    if shutil.which("Xvfb") is None:
+        pytest.fail("Xvfb is needed")
+    read, write = os.pipe()
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as pipe:
+        yield ":" + pipe.readline().strip()
+    server.terminate()
+    server.wait()

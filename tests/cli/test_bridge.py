@@ -52,12 +52,13 @@ class Lines:
 
 
 class Bridge:
-    def __init__(self, folder: Path, *arguments):
+    def __init__(self, folder: Path, *arguments, **options):
         self.process = subprocess.Popen(
             [BRIDGE, "--listen", "127.0.0.1:0", *map(str, arguments)],
             cwd=folder,
             stderr=subprocess.PIPE,
             text=True,
+            **options,
         )
         self.log = Lines(self.process.stderr)
         self.port = int(self.log.wait_for(r"listening on 127\.0\.0\.1:(\d+)")[1])
@@ -386,6 +387,7 @@ def test_the_terminal_client_where_no_bridge_is():
         (["--listen", "127.0.0.1:99999"], "allowed is HOST:PORT"),
         (["--map", "no.toml"], "no.toml: no such file"),
         (["--dummy", "no.txt"], "no.txt: no such file"),
+        (["--dummy", "storm.toml"], "a SEA stands before"),
         (["--replay", "no.txt"], "no.txt: no such file"),
         (["--clients", "0"], "--clients"),
         (["--set", "wind_speed=3"], "there is none"),

@@ -66,6 +66,8 @@ def test_what_is_read_is_not_written_over(lot, command, file):
         ("s.png", ()),
         ("s.png.txt", ()),
         ("s.inc", ()),
+        ("s.ply", ()),
+        ("s.obj", ()),
     ],
 )
 def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
@@ -78,7 +80,7 @@ def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
     assert ocean.files(".") == sorted(["buoy.toml", name, "sea.toml"])
 
 
-@pytest.mark.parametrize("extension", ["exr", "df3", "png", "inc"])
+@pytest.mark.parametrize("extension", ["exr", "df3", "png", "inc", "ply", "obj"])
 def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension):
     command = ("bake", "sea.toml", "-o", f"s.{extension}")
     ocean.good(*command)

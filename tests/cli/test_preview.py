@@ -6,7 +6,7 @@ import json
 import os
 import re
 import shutil
-import signal
+import socket
 import subprocess
 import sys
 import time
@@ -491,15 +491,9 @@ class Hand:
 
 
 @pytest.fixture
-def hand(folder):
-    if shutil.which("Xvfb") is None or shutil.which("xdotool") is None:
-        pytest.fail("Xvfb and xdotool are needed")
-    read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"]
-    server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
-    os.close(write)
-    with os.fdopen(read) as pipe:
-        display = ":" + pipe.readline().strip()
+def hand(folder, display):
+    if shutil.which("xdotool") is None:
+        pytest.fail("xdotool is needed")
     used = None
     try:
         used = Hand(folder, display)
@@ -508,15 +502,18 @@ def hand(folder):
         if used is not None and used.program.poll() is None:
             used.program.kill()
             used.program.wait()
-        server.send_signal(signal.SIGTERM)
-        server.wait()
 
 
 # Places in the panel of a window of 1000 x 700.
-WIND_SPEED = (90, 636)
-COMPUTED_BY = (90, 567)
+WIND_SPEED = (90, 659)
+COMPUTED_BY = (90, 590)
 SAVE_SEA = (48, 218)
-SEARCH = (90, 521)
+SEARCH = (90, 544)
+BRIDGE = (60, 517)
+BRIDGE_ADDRESS = (90, 540)
+DUMMY_BOARD = (25, 586)
+BRIDGE_START = (145, 586)  # and restart
+BRIDGE_STOP = (207, 586)
 
 
 def test_a_hand_uses_the_window(hand):
@@ -658,3 +655,50 @@ def test_a_hand_compares_backends(hand):
     # What was recorded is not lost with the window.
     take = tomllib.loads((hand.folder / "sea-performed-1.toml").read_text())["take"]
     assert take["lines"]
+
+
+def test_a_hand_starts_and_stops_a_bridge(hand):
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        address = free.getsockname()
+
+    def join():
+        """A client that has been greeted; None while nobody is there."""
+        try:
+            return socket.create_connection(address, timeout=10).makefile("rw", newline="\r\n")
+        except ConnectionRefusedError:
+            return None
+
+    def ask(client, line: str) -> str:
+        client.write(f"{line}\n")
+        client.flush()
+        return client.readline().strip()
+
+    hand.click(*BRIDGE)
+    hand.click(*BRIDGE_ADDRESS)
+    hand.key("ctrl+a")
+    hand.do("type", f"127.0.0.1:{address[1]}")
+    hand.key("Return")
+    hand.click(*DUMMY_BOARD)
+    assert join() is None
+    hand.click(*BRIDGE_START)
+    client = hand.wait_for(join)
+    assert client.readline().startswith("OBP 1 ")
+    # The window is a client of its own, which tells how fast it draws.
+    hand.wait_for(lambda: float(ask(client, "GET app.frame_rate").split()[2]) > 0.0)
+    wind = ask(client, "GET wind_speed").split()[2]
+    for value in (100, 200):
+        assert ask(client, f"OUT board0/a1 {value}") == "OK"
+    assert ask(client, "GET wind_speed").split()[2] not in (wind, "unset")
+    others = [join() for _ in range(20)]
+    assert ask(client, "SUBSCRIBE wind_speed") == "OK"
+    for button in (BRIDGE_START, BRIDGE_STOP):  # the first one starts it anew
+        hand.click(*button)
+        told = [line.strip() for line in client]
+        assert told[-1] == "EVT STOP"
+        if button == BRIDGE_START:
+            client = hand.wait_for(join)
+    hand.wait_for(lambda: join() is None)
+    assert all(list(other)[-1].strip() == "EVT STOP" for other in others)
+    hand.key("Escape")
+    assert hand.program.wait(timeout=20) == 0

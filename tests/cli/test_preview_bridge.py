@@ -5,8 +5,6 @@
 import os
 import random
 import re
-import shutil
-import signal
 import socket
 import subprocess
 import threading
@@ -159,15 +157,13 @@ def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, backend
         assert abs(heights - baked).max() < 1e-5 * 4 * baked.std()
 
 
-def test_a_window_that_is_joined_writes_the_take(folder, bridge):
-    if shutil.which("xvfb-run") is None:
-        pytest.fail("xvfb-run is needed")
-    program = ["xvfb-run", "-a", PREVIEW, "sea.toml", "--size", "320x200"]
-    # A session of its own: what is started by a script does not end with it.
+def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
     window = subprocess.Popen(
-        [*program, "--bridge", bridge.address], cwd=folder, start_new_session=True,
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-    )  # fmt: skip
+        [PREVIEW, "sea.toml", "--size", "320x200", "--bridge", bridge.address],
+        cwd=folder,
+        env=os.environ | {"DISPLAY": display},
+        stderr=subprocess.DEVNULL,
+    )
     try:
         hand = bridge.say()
         reader = hand.makefile("r", encoding="utf-8")
@@ -186,7 +182,7 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge):
 
         # It says how fast it draws, and where its clock is.
         wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0)
-        assert ask("RECORD START") == "OK"
+        assert ask("RECORD START storm.take") == "OK"
         ask("OUT board0/a1 10")
         for value in (60, 120, 180):
             assert ask(f"OUT board0/a1 {value}") == "OK"
@@ -194,7 +190,7 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge):
         # Another sea is shown too, and is in no take.
         assert ask("SET random.seed 12") == "OK"
         assert ask("RECORD STOP") == "OK"
-        saved = folder / "sea-performed-1.toml"
+        saved = folder / "storm.toml"
         wait_for(saved.exists)
         sea = tomllib.loads(saved.read_text())
         assert {line.split()[1] for line in sea["take"]["lines"]} == {"waves.0.wind_speed"}
@@ -209,8 +205,51 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge):
         assert ask("SET app.pause 0") == "OK"
         wait_for(lambda: float(ask("GET app.time").split()[2]) > 100.5)
     finally:
-        os.killpg(window.pid, signal.SIGTERM)
+        window.terminate()
         window.wait(timeout=10)
+
+
+def test_of_two_windows_one_has_the_clock_and_both_follow_it(folder, bridge, display):
+    def open_window() -> subprocess.Popen:
+        return subprocess.Popen(
+            [PREVIEW, "sea.toml", "--size", "64x64", "--bridge", bridge.address],
+            cwd=folder,
+            env=os.environ | {"DISPLAY": display},
+            stderr=subprocess.DEVNULL,
+        )
+
+    hand = bridge.say()
+    reader = hand.makefile("r", encoding="utf-8")
+
+    def tell(line: str):
+        hand.sendall(f"{line}\r\n".encode())
+
+    def clock_of(pattern: str) -> re.Match:
+        while True:
+            found = re.search(pattern, reader.readline())
+            if found:
+                return found
+
+    windows = [open_window()]
+    try:
+        tell("SUBSCRIBE app.time")
+        first = clock_of(r"EVT WRITER app.time (\S+)")[1]
+        windows.append(open_window())
+        time.sleep(3.0)
+        tell("SET app.time 500")
+        clock_of(r"EVT WRITER app.time (?!" + first + ")")
+        clock_of(r"EVT WRITER app.time " + first)
+        # From now on nobody but the first window tells it, until that is closed.
+        times = [float(clock_of("UPD app.time (.*)")[1]) for _ in range(4)]
+        assert times == sorted(times) and 500.0 < times[0] < times[-1] < 510.0
+        windows[0].terminate()
+        second = clock_of(r"EVT WRITER app.time (\S+)")[1]
+        assert second != first
+        assert 500.0 < float(clock_of("UPD app.time (.*)")[1]) < 530.0
+    finally:
+        for window in windows:
+            window.terminate()
+            window.wait(timeout=10)
 
 
 def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
@@ -242,6 +281,8 @@ def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
         (("--bridge", "127.0.0.1:1"), 1, "127.0.0.1:1"),
         (("--bridge", "nowhere:70000"), 2, "--bridge"),
         (("--follow", "3"), 2, "--bridge"),
+        (("--serve", "127.0.0.1:0"), 2, "--serve is for the window"),
+        (("--serve", "127.0.0.1:0", "--bridge", "127.0.0.1:1"), 2, "--serve is a bridge"),
         (("--bridge", "127.0.0.1:1", "--token-file", "none"), 2, "none"),
     ],
 )

@@ -39,7 +39,7 @@ def entries(folder):
 
 def test_help_lists_them():
     text = " ".join(run("bake", "--help").stdout.split())
-    assert ".png (height_field), .inc (mesh2) or .stats" in text
+    assert ".inc (mesh2), .ply, .obj, .usda or .stats" in text
     assert "Statistics:" in text and "--digits N Decimals of a number" in text
     assert "foam, velocity, derivatives, steepness; default" in text
 

@@ -10,6 +10,8 @@
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
+#include "ocean/io/mesh_files.hpp"
+#include "ocean/io/usd.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -20,13 +22,18 @@ namespace {
 
 constexpr std::string_view kPresetPrefix = "preset:";
 
-/// By content, not by name.
-bool is_exr(const std::string& path) {
-    return text::first_bytes(path, 4) == "\x76\x2f\x31\x01";
+/// By content, not by name: the strings of a file that was baked; null for any other.
+std::vector<io::HeaderString> (*header_reader(const std::string& path))(const std::string&) {
+    const std::string head = text::first_bytes(path, 16);
+    if (head.starts_with("\x76\x2f\x31\x01")) return io::read_exr_header;
+    if (head.starts_with("PXR-USDC")) return io::read_usd_header;
+    if (head.starts_with("ply\n")) return io::read_ply_header;
+    if (head.starts_with("# The surface of")) return io::read_obj_header;
+    return nullptr;
 }
 
-Sea sea_of_exr(const std::string& path) {
-    for (const auto& [key, value] : io::read_exr_header(path)) {
+Sea baked_sea(const std::string& path, const std::vector<io::HeaderString>& header) {
+    for (const auto& [key, value] : header) {
         if (key == "ocean:sea") return parse_sea(value, path, "", read_any_spectra);
     }
     throw Error(ErrorKind::bad_file,
@@ -47,7 +54,9 @@ Sea read_source(const std::string& source) {
         const std::string content = text::read_file_or_pipe(source, kMaxSeaFileBytes);
         return parse_sea(content, source, "", read_any_spectra);
     }
-    return is_exr(source) ? sea_of_exr(source) : read_sea(source, read_any_spectra);
+    const auto read_header = header_reader(source);
+    return read_header != nullptr ? baked_sea(source, read_header(source))
+                                  : read_sea(source, read_any_spectra);
 }
 
 void assign(Parameters& parameters, const std::string& name, std::string value) {

@@ -17,8 +17,10 @@ namespace {
 
 constexpr char kFooter[] =
     R"(SEA says what the parameters are at the start; without it they are the defaults.
-Without --map the dummy board's knob a1 is wind_speed, a2 choppiness, its button
-d1 app.pause and d2 app.record; the map is read again when its file changes.
+Boards are those of the map's [[device]]; without any, and without --dummy and --replay,
+each Velleman K8055 that is plugged in: board0 to board3, as its jumpers say.
+Without --map the knob a1 of board0 is wind_speed, a2 choppiness, its button d1 app.pause
+and d2 app.record; the map is read again when its file changes.
 A script and a replay are lines SECONDS CHANNEL VALUE, such as 0.5 board0/a1 128.
 Try it: ocean-bridge --dummy, then telnet 127.0.0.1 4747 and HELP.
 Exit codes: 0 done, 1 failed at run time, 2 wrong usage or bad file, 130 interrupted.)";
@@ -53,6 +55,15 @@ Command bridge_command() {
            "One line that clients must know, in a file of its owner's alone", kOptional,
            NotEmpty{}},
           {"--clients", &serve.clients, "N", "Clients at a time", kOptional, Within{1, 100000}},
+          {"--osc", &serve.osc, "HOST:PORT",
+           "Where OSC messages come by UDP, such as 127.0.0.1:9100; PORT alone is on this machine",
+           kOptional, NotEmpty{}},
+          {"--osc-allow", &serve.osc_allow, "ADDRESS",
+           "Who may send to --osc, in numbers; needed beyond this machine; may be repeated",
+           kOptional, NotEmpty{}},
+          {"--osc-to", &serve.osc_to, "HOST:PORT",
+           "Who is told each change by OSC, but for its own; may be repeated", kOptional,
+           NotEmpty{}},
           {"--client", &words->client, "HOST:PORT", "Be a client: lines typed, values live",
            kOptional, NotEmpty{}}}});
     groups.push_back(run_options(""));

@@ -13,6 +13,7 @@
 
 #include "console.hpp"
 #include "interrupt.hpp"
+#include "ocean/bridge/devices.hpp"
 #include "ocean/bridge/hub.hpp"
 #include "ocean/bridge/line_server.hpp"
 #include "ocean/bridge/script_sources.hpp"
@@ -91,6 +92,11 @@ class Log {
 std::vector<std::unique_ptr<bridge::Source>> sources_of(const ServeWords& words) {
     std::vector<std::unique_ptr<bridge::Source>> sources;
     if (words.dummy) {
+        if (words.dummy->ends_with(".toml")) {
+            throw Error(ErrorKind::invalid_value, "--dummy " + *words.dummy +
+                                                      ": would be its script; a SEA stands before "
+                                                      "--dummy");
+        }
         std::vector<bridge::ScriptLine> script;
         if (!words.dummy->empty()) script = bridge::read_script(*words.dummy);
         sources.push_back(bridge::make_dummy_source(std::move(script)));
@@ -99,6 +105,21 @@ std::vector<std::unique_ptr<bridge::Source>> sources_of(const ServeWords& words)
         sources.push_back(bridge::make_replay_source(bridge::read_script(words.replay)));
     }
     return sources;
+}
+
+bridge::OscOptions osc_of(const ServeWords& words) {
+    constexpr unsigned short kBridge = 9100;
+    constexpr unsigned short kTablet = 9000;
+    bridge::OscOptions options{.allow = words.osc_allow};
+    if (!words.osc.empty()) {
+        const bool is_port = words.osc.find_first_not_of("0123456789") == std::string::npos;
+        options.listen = bridge::parse_endpoint(is_port ? "127.0.0.1:" + words.osc : words.osc,
+                                                "--osc", kBridge);
+    }
+    for (const std::string& to : words.osc_to) {
+        options.to.push_back(bridge::parse_endpoint(to, "--osc-to", kTablet));
+    }
+    return options;
 }
 
 }  // namespace
@@ -110,6 +131,7 @@ void serve(const ServeWords& words, const std::string& token, const Context& con
     } else if (!words.sea.assignments.empty()) {
         throw Error(ErrorKind::invalid_value, "--set changes a SEA; there is none");
     }
+    if (!words.dummy && words.replay.empty()) hub_options.devices = bridge::usual_devices();
     hub_options.map = words.map;
     if (words.map.empty()) hub_options.map_text = bridge::kDefaultMap;
     bridge::Hub hub(std::move(hub_options), sources_of(words));
@@ -119,9 +141,9 @@ void serve(const ServeWords& words, const std::string& token, const Context& con
     options.listen = bridge::parse_endpoint(words.listen, "--listen");
     options.token = token;
     options.clients = static_cast<std::size_t>(words.clients);
+    options.osc = osc_of(words);
     options.log = [&log](std::string line) { log.add(std::move(line)); };
     bridge::LineServer server(std::move(options), hub);
-    if (!words.dummy && words.replay.empty()) log.add("no board: --dummy and --replay are some");
     const InterruptWatch::LastAct last(context.interrupts, [&] {
         server.stop();
         // Who does not read the log does not hear a farewell either.

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "sea_argument.hpp"
@@ -20,6 +21,9 @@ struct ServeWords {
     std::string listen = "127.0.0.1:4747";
     std::string token_file;
     int clients = 64;
+    std::string osc;  // "" without
+    std::vector<std::string> osc_allow;
+    std::vector<std::string> osc_to;
 };
 
 /// Does not return. Throws Error.

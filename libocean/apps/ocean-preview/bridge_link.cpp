@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge_link.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
+#include "ocean/line_reader.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/text.hpp"
 
@@ -18,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 /// The snapshot comes in one piece; who wrote a value stands behind it.
 constexpr std::chrono::milliseconds kSnapshot{300};
 constexpr std::chrono::milliseconds kClockStep{500};
+/// Two clocks that differ by less run together, s.
+constexpr double kSameTime = 0.25;
 
 bool is_of_the_sea(const std::string& name) {
     return !name.starts_with("app.");
@@ -47,6 +51,7 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
         switch (event.kind) {
             case Kind::connected:
                 say("joined: " + event.text);
+                own_name_ = event.name;
                 values_.clear();
                 movers_.clear();
                 joined_ = Clock::now();
@@ -64,6 +69,9 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
                 touched.insert(event.name);
                 break;
             case Kind::notice:
+                hear_of_recording(event.text);
+                say(event.text);
+                break;
             case Kind::refused:
                 say(event.text);
                 break;
@@ -104,10 +112,13 @@ bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::st
     }
     if (name == "app.record") {
         const bool record = number() != 0.0;
-        if (record != sea.recording()) wishes_.record(record);
+        if (record != sea.recording() && !another_shows()) wishes_.record(record, take_name_);
         return true;
     }
     if (name == "app.time") {
+        // Another window's clock runs as ours does.
+        const bool told_by_shower = another_shows() && mover(name) == mover("app.frame_rate");
+        if (told_by_shower && std::abs(number() - sea.time()) < kSameTime) return false;
         sea.go_to(number());
         return true;
     }
@@ -122,6 +133,16 @@ bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::st
         say(name + ": makes another sea; applied, and in no take");
     }
     return true;
+}
+
+/// "RECORD START storm.take by ...", "RECORD STOP -": it comes before app.record does.
+void BridgeLink::hear_of_recording(const std::string& event) {
+    std::string_view words = event;
+    if (take_word(words) != "RECORD") return;
+    const std::string_view what = take_word(words);
+    const std::string_view name = take_word(words);
+    if (what == "START") take_name_.clear();
+    if (name != "-" && bridge::is_take_name(name)) take_name_ = name;
 }
 
 void BridgeLink::tell_values(const LiveSea& sea, bool moved_too) {
@@ -147,8 +168,19 @@ void BridgeLink::tell(const std::string& name, const std::string& value) {
     client_.set(name, value);
 }
 
+std::string BridgeLink::mover(const std::string& name) const {
+    const auto found = movers_.find(name);
+    return found == movers_.end() ? "" : found->second;
+}
+
+bool BridgeLink::another_shows() const {
+    const std::string shower = mover("app.frame_rate");
+    const auto rate = values_.find("app.frame_rate");
+    return !shower.empty() && shower != own_name_ && rate != values_.end() && rate->second != "0";
+}
+
 void BridgeLink::tell_clock(const LiveSea& sea, double frame_rate) {
-    if (!connected() || Clock::now() - clock_told_ < kClockStep) return;
+    if (!joined() || another_shows() || Clock::now() - clock_told_ < kClockStep) return;
     clock_told_ = Clock::now();
     tell("app.frame_rate", format_text("%.1f", frame_rate));
     tell("app.time", format_text("%.3f", sea.time()));

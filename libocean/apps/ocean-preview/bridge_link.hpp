@@ -19,7 +19,8 @@ namespace ocean::app {
 
 /// What the bridge's app.* ask for, beside the clock, which is the sea's.
 struct BridgeWishes {
-    std::function<void(bool on)> record;
+    /// `name` is what the take is to be called, "" anything.
+    std::function<void(bool on, const std::string& name)> record;
 };
 
 class BridgeLink {
@@ -36,7 +37,8 @@ class BridgeLink {
     void tell(const std::string& name, const std::string& value);
     /// All of the sea's that the bridge has otherwise; those too that somebody there has moved.
     void tell_values(const LiveSea& sea, bool moved_too);
-    /// Its clock, and how many frames a second are shown: some times a second.
+    /// Its clock, and how many frames a second are shown: some times a second. Of several windows
+    /// the one that came first tells it, and the others' clocks follow.
     void tell_clock(const LiveSea& sea, double frame_rate);
 
     bool connected() const { return client_.connected(); }
@@ -44,6 +46,8 @@ class BridgeLink {
     bool joined() const { return connected() && values_known_; }
     /// "waves.0.wind_speed": "board0/a1".
     const std::map<std::string, std::string>& movers() const { return movers_; }
+    /// This program among them, "" before it was joined.
+    const std::string& own_name() const { return own_name_; }
     /// What it said and what was refused, the newest last; at most kMostLines.
     const std::vector<std::string>& log() const { return log_; }
     std::vector<std::string> take_log() { return std::exchange(log_, {}); }
@@ -53,6 +57,10 @@ class BridgeLink {
   private:
     bool take(LiveSea& sea, const std::vector<bridge::ClientEvent>& events);
     bool take_value(LiveSea& sea, const std::string& name, const std::string& value);
+    std::string mover(const std::string& name) const;
+    /// The bridge's clock is that of another window.
+    bool another_shows() const;
+    void hear_of_recording(const std::string& event);
     void say(std::string text);
 
     bridge::LineClient client_;
@@ -60,6 +68,8 @@ class BridgeLink {
     std::map<std::string, std::string> values_;  // as the bridge has them
     std::map<std::string, std::string> told_;    // as it was told them last
     std::map<std::string, std::string> movers_;
+    std::string own_name_;
+    std::string take_name_;
     std::vector<std::string> log_;
     bool applying_ = false;
     bool told_of_rebuild_ = false;

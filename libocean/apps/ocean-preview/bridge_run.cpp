@@ -23,7 +23,7 @@ double milliseconds_since(Clock::time_point start) {
 
 void run_with_bridge(const bridge::LineClientOptions& options, double seconds, LiveSea& sea,
                      Console& console, const std::function<void(double milliseconds)>& changed) {
-    BridgeLink link(options, {.record = [](bool) {}});
+    BridgeLink link(options, {.record = [](bool, const std::string&) {}});
     const Clock::time_point start = Clock::now();
     while (!link.joined() && Clock::now() - start < kLongestJoin) {
         link.wait_and_apply(sea, kStep);

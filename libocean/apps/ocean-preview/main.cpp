@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command_line.hpp"
+#include "ocean/error.hpp"
 #include "ocean/version.hpp"
 #include "offscreen_run.hpp"
 #include "preview_options.hpp"
@@ -32,6 +33,9 @@ void run(const PreviewWords& words, const Context& context) {
     require_fit(options, sea);
     const bool in_window = options.offscreen.empty() && options.record.empty() &&
                            options.probes.empty() && options.budget == 0;
+    if (options.serve && !in_window) {
+        throw Error(ErrorKind::invalid_value, "--serve is for the window; --bridge joins a bridge");
+    }
     if (in_window) {
         run_window(options, sea, words.sea, context);
     } else {

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -351,14 +352,49 @@ void camera_rows(CameraControl& camera, PanelState& state) {
     ImGui::TextDisabled("W A S D, Q E: move   Shift: fast\ndrag: turn   wheel: zoom");
 }
 
+void text_row(const char* label, std::string& text, const char* help) {
+    std::array<char, 512> typed{};
+    text.copy(typed.data(), typed.size() - 1);
+    ImGui::SetNextItemWidth(150.0f);
+    if (ImGui::InputText(label, typed.data(), typed.size())) text = typed.data();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+}
+
+/// Starts and stops a bridge of its own.
+void own_bridge(BridgeRows& bridge) {
+    ImGui::BeginDisabled(bridge.is_running);
+    text_row("Address", bridge.host.listen, "Where clients come: HOST:PORT");
+    text_row("Map of knobs", bridge.host.map, "A file; without one a1 is the wind's speed");
+    ImGui::Checkbox("Dummy board", &bridge.host.dummy);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Instead of a K8055 on USB: OUT board0/a1 128");
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (ImGui::Button(bridge.is_running ? "Restart" : "Start")) {
+        bridge.asked = BridgeRows::Asked::start;
+    }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!bridge.is_running);
+    if (ImGui::Button("Stop")) bridge.asked = BridgeRows::Asked::stop;
+    ImGui::EndDisabled();
+}
+
 /// Who moves what, and what was said.
-void bridge(const BridgeLink& link) {
-    ImGui::TextUnformatted(link.connected() ? "joined" : "not there; it is tried again");
-    for (const auto& [name, mover] : link.movers()) {
-        ImGui::Text("%s: %s", name.c_str(), mover.c_str());
+void show_bridge(BridgeRows& bridge) {
+    if (bridge.is_own) {
+        own_bridge(bridge);
+    } else {
+        ImGui::TextUnformatted(bridge.link->connected() ? "joined"
+                                                        : "not there; it is tried again");
+    }
+    if (bridge.link != nullptr) {
+        for (const auto& [name, mover] : bridge.link->movers()) {
+            const bool here = mover == bridge.link->own_name();
+            if (here && name.starts_with("app.")) continue;  // its clock, which it always tells
+            ImGui::Text("%s: %s", name.c_str(), here ? "this window" : mover.c_str());
+        }
     }
     ImGui::BeginChild("log", {0.0f, 120.0f}, true);
-    for (const std::string& line : link.log()) ImGui::TextWrapped("%s", line.c_str());
+    for (const std::string& line : bridge.log) ImGui::TextWrapped("%s", line.c_str());
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1.0f);
     ImGui::EndChild();
 }
@@ -503,7 +539,7 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("The sea file, as it is now (Ctrl R)");
         if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) picture(state);
         if (ImGui::CollapsingHeader("Camera")) camera_rows(camera, state);
-        if (state.link != nullptr && ImGui::CollapsingHeader("Bridge")) bridge(*state.link);
+        if (ImGui::CollapsingHeader("Bridge")) show_bridge(state.bridge);
         ImGui::Separator();
         char search[64] = {};
         std::strncpy(search, state.search.c_str(), sizeof search - 1);

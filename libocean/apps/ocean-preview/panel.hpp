@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge_host.hpp"
 #include "bridge_link.hpp"
 #include "camera_control.hpp"
 #include "live_sea.hpp"
@@ -39,6 +40,18 @@ struct Change {
     std::optional<Sea> sea = {};
 };
 
+/// The bridge: one that was joined, or one of its own.
+struct BridgeRows {
+    enum class Asked { nothing, start, stop };
+
+    const BridgeLink* link = nullptr;  // where there is one
+    bool is_own = true;                // it is not joined somewhere else
+    bool is_running = false;
+    BridgeHostOptions host;
+    std::vector<std::string> log;
+    Asked asked = Asked::nothing;
+};
+
 /// What the panel changes beside the sea, and what it says.
 struct PanelState {
     preview::Look look;
@@ -55,8 +68,8 @@ struct PanelState {
     std::vector<BackendRow> backends;
     std::string backend;  // of them
     FrameTimes times;
-    const BridgeLink* link = nullptr;  // where there is one
-    std::vector<Change> changes;       // the last one last
+    BridgeRows bridge;
+    std::vector<Change> changes;  // the last one last
 
     // What a person asked for in this frame.
     bool save_sea = false;

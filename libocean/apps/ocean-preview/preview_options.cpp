@@ -84,13 +84,21 @@ void place_camera(const PreviewWords& words, preview::Camera& camera) {
 }
 
 void join_bridge(const PreviewWords& words, PreviewOptions& options) {
+    std::string token;
+    if (!words.token_file.empty()) token = bridge::read_token(words.token_file);
+    options.serve = !words.serve.empty();
+    options.host = {.token = token, .map = words.board_map, .dummy = words.dummy};
+    if (options.serve) options.host.listen = words.serve;
+    if (options.serve && !words.bridge.empty()) {
+        throw Error(ErrorKind::invalid_value, "--serve is a bridge, and --bridge joins another");
+    }
     if (words.bridge.empty()) {
-        if (words.token_file.empty() && !words.follow) return;
-        throw Error(ErrorKind::invalid_value, "--token-file and --follow are for --bridge");
+        if (!words.follow) return;
+        throw Error(ErrorKind::invalid_value, "--follow is for --bridge");
     }
     options.bridge.emplace();
     options.bridge->server = bridge::parse_endpoint(words.bridge, "--bridge");
-    if (!words.token_file.empty()) options.bridge->token = bridge::read_token(words.token_file);
+    options.bridge->token = token;
     if (!words.follow) return;
     if (words.probes.empty()) throw Error(ErrorKind::invalid_value, "--follow is for --probe");
     options.follow = within(*words.follow, "--follow", 0.0, 1e6);
@@ -175,7 +183,13 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
         {"Bridge",
          {{"--bridge", &words.bridge, "HOST:PORT",
            "Join an ocean-bridge: its knobs and clients move the sea, and hear what moves here"},
-          {"--token-file", &words.token_file, "FILE", "What that bridge asks for"},
+          {"--serve", &words.serve, "HOST:PORT",
+           "Be a bridge: boards and clients come to this window; the panel starts and stops it too",
+           kOptional, NotEmpty{}},
+          {"--board-map", &words.board_map, "FILE", "Which knob of its boards turns what",
+           kOptional, NotEmpty{}},
+          {"--dummy", &words.dummy, "", "Its board is one that is not there"},
+          {"--token-file", &words.token_file, "FILE", "What the bridge asks for"},
           {"--follow", &words.follow, "S",
            "For S seconds print the probes again whenever the bridge has moved the sea, behind "
            "the milliseconds since that was heard"}}},

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bridge_host.hpp"
 #include "command.hpp"
 #include "ocean/bridge/line_client.hpp"
 #include "ocean/preview/picture.hpp"
@@ -25,7 +26,8 @@ struct PreviewWords {
                                    backend = "auto";
     std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
     std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
-    std::string water, offscreen, record, frames, environment, bridge, token_file;
+    std::string water, offscreen, record, frames, environment, bridge, token_file, serve, board_map;
+    bool dummy = false;
     std::optional<double> follow;
     std::vector<std::string> probes;
     bool wireframe = false;
@@ -52,6 +54,8 @@ struct PreviewOptions {
     std::optional<int> cascade;                       // alone
     std::optional<bridge::LineClientOptions> bridge;  // to join
     double follow = 0.0;                              // s
+    BridgeHostOptions host;                           // of a bridge of its own
+    bool serve = false;                               // it runs from the start on
 };
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words);

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "bridge_host.hpp"
 #include "bridge_link.hpp"
 #include "console.hpp"
 #include "gamepad.hpp"
@@ -187,14 +188,16 @@ class Preview {
                      .computing = [this](const Sea& of) { return computing(of); },
                      .most_cascades = renderer_.most_cascades()}),
           camera_(options.camera) {
-        if (options.bridge) {
-            link_.emplace(*options.bridge, BridgeWishes{.record = [this](bool on) { record(on); }});
-            sea_.after_set = [this](const std::string& name, const std::string& value) {
-                link_->tell(name, value);
-            };
-            sea_.after_open = [this] { link_->tell_values(sea_, true); };
-            state_.link = &*link_;
-        }
+        sea_.after_set = [this](const std::string& name, const std::string& value) {
+            if (link_) link_->tell(name, value);
+        };
+        sea_.after_open = [this] {
+            if (link_) link_->tell_values(sea_, true);
+        };
+        state_.bridge.host = options.host;
+        state_.bridge.is_own = !options.bridge;
+        if (options.bridge) join(*options.bridge);
+        if (options.serve) serve();
         if (options.time) sea_.go_to(*options.time);
         if (options.frame) sea_.go_to(sea.time_of(*options.frame));
         kept_take_ = write_take(sea.take);
@@ -366,6 +369,7 @@ class Preview {
         state_.reload = state_.record = false;
         state_.backend_asked.reset();
         show_stage();
+        show_bridge();
         guarded([&] { draw_panel(sea_, shown_, camera_, state_); });
         Gui::end();
         state_.times.panel = milliseconds_since(start);
@@ -375,11 +379,39 @@ class Preview {
         if (link_) link_->tell_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
     }
 
+    void join(const bridge::LineClientOptions& bridge) {
+        link_.emplace(bridge, BridgeWishes{.record = [this](bool on, const std::string& name) {
+                          record(on, name);
+                      }});
+        state_.bridge.link = &*link_;
+    }
+
+    /// Starts a bridge of its own, or the one that there is anew, and joins it.
+    void serve() {
+        leave();
+        host_.start(state_.bridge.host, sea_.sea());
+        join({.server = host_.endpoint(), .token = state_.bridge.host.token});
+        context_.console.note("a bridge at " + host_.endpoint().text());
+    }
+
+    void leave() {
+        state_.bridge.link = nullptr;
+        link_.reset();
+        host_.stop();
+    }
+
+    void show_bridge() {
+        state_.bridge.asked = BridgeRows::Asked::nothing;
+        state_.bridge.is_running = host_.is_running();
+        if (link_) host_.leave_out_clock_of(link_->own_name());
+        state_.bridge.log = state_.bridge.is_own ? host_.log() : link_->log();
+    }
+
     /// As the bridge asks: what was recorded is written when it ends.
-    void record(bool on) {
+    void record(bool on, const std::string& name) {
         if (on == sea_.recording()) return;
         toggle_recording(sea_, state_);
-        if (!on) save_sea();
+        if (!on) save_sea(name.substr(0, name.find('.')));
         frames_to_draw_ = 3;
     }
 
@@ -388,6 +420,8 @@ class Preview {
         if (state_.reset_camera) camera_.reset(options_.camera);
         if (state_.record) toggle_recording(sea_, state_);
         if (state_.reload) reload();
+        if (state_.bridge.asked == BridgeRows::Asked::start) guarded([&] { serve(); });
+        if (state_.bridge.asked == BridgeRows::Asked::stop) leave();
         if (state_.backend_asked) {
             backend_ = preview_backend(*state_.backend_asked).value_or(backend_);
             guarded([&] {
@@ -512,10 +546,16 @@ class Preview {
                         sample.normal[2], drawn ? drawn->cover : 0.0);
     }
 
-    void save_sea() {
+    /// Under a name that is free, if possible the one that was asked for.
+    void save_sea(const std::string& asked = "") {
         write([&] {
-            const std::string name =
-                free_name(stem_ + (sea_.sea().take.empty() ? "-changed" : "-performed"), ".toml");
+            std::string name = asked + ".toml";
+            if (asked.empty()) {
+                const char* what = sea_.sea().take.empty() ? "-changed" : "-performed";
+                name = free_name(stem_ + what, ".toml");
+            } else if (std::filesystem::exists(utf8_path(name))) {
+                name = free_name(asked, ".toml");
+            }
             io::write_file_atomically(name, write_sea(sea_.sea()));
             kept_take_ = write_take(sea_.sea().take);
             return name;
@@ -590,6 +630,7 @@ class Preview {
     preview::ShownSea shown_;
     CameraControl camera_;
     Gamepad gamepad_;
+    BridgeHost host_;
     std::optional<BridgeLink> link_;
     Clock::time_point drawn_ = Clock::now();
     StageTimer sea_timer_, draw_timer_;

@@ -21,10 +21,12 @@ struct Endpoint {
     std::string text() const;
     /// 127.x.x.x, ::1 or localhost.
     bool is_loopback() const;
+    bool operator==(const Endpoint&) const = default;
 };
 
-/// "HOST:PORT", "[::1]:4747", or HOST alone. Throws Error invalid_value.
-Endpoint parse_endpoint(std::string_view text, const std::string& what);
+/// "HOST:PORT", "[::1]:4747", or HOST alone with the usual port. Throws Error invalid_value.
+Endpoint parse_endpoint(std::string_view text, const std::string& what,
+                        unsigned short usual_port = Endpoint().port);
 
 /// "lo 127.0.0.1", "eth0 192.168.1.7": those that are up.
 std::vector<std::string> network_interfaces();

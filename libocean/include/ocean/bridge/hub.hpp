@@ -44,11 +44,13 @@ struct HubOptions {
     std::string map = {};  // a file, read again when it changes; "" = map_text
     std::string map_text = {};
     std::string take_folder = {};  // where recordings go; "" = the current one
+    /// Boards of a map that has no [[device]].
+    std::vector<DeviceRule> devices = {};
 };
 
 class Hub {
   public:
-    /// Throws Error for a map that is wrong.
+    /// With the map's boards beside `sources`. Throws Error for a map that is wrong.
     Hub(HubOptions options, std::vector<std::unique_ptr<Source>> sources);
     ~Hub();
 
@@ -71,6 +73,8 @@ class Hub {
 
     // Events of the world; nothing is thrown.
     void report(const Report& report);
+    /// What a board says; it is one of the next events().
+    void board_event(const std::string& event);
     void advance(Clock::time_point now);
     std::optional<Clock::time_point> next() const { return mapping_->next(); }
     /// Every second or so: the map's file may have changed.
@@ -93,6 +97,7 @@ class Hub {
     ValueTable values_;
     std::unique_ptr<Mapping> mapping_;
     std::filesystem::file_time_type map_time_{};
+    std::vector<DeviceRule> map_devices_;
     std::vector<std::unique_ptr<Source>> sources_;
     std::vector<std::string> events_;
     std::optional<TakeRecorder> recorder_;

@@ -25,7 +25,7 @@ struct LineClientOptions {
 /// What the bridge said, or what became of it. Names are full paths, whatever they were asked by.
 struct ClientEvent {
     enum class Kind {
-        connected,  // text: the greeting; values follow
+        connected,  // name: this client, as the bridge names it; text: the greeting; values follow
         lost,       // text: why; what there is holds, and it tries again
         value,      // name, text: of a snapshot or a change
         writer,     // name, text: who moves it now

@@ -79,6 +79,11 @@ std::string event_line(std::string_view text);
 /// `text` becomes printable, and no longer than a line may be.
 std::string refusal_line(const Refusal& refusal);
 
+/// Whether clients may name a take so, and programs of theirs write it: letters, digits, '_', '-'
+/// and
+/// '.', 64 at most, no folder. "" leaves the name to whoever writes it.
+bool is_take_name(std::string_view name);
+
 /// A line that a server sent, taken apart: "UPD", "waves.0.wind_speed", "12".
 struct ServerLine {
     std::string word;

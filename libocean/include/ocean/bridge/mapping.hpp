@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ocean/bridge/map_file.hpp"
@@ -41,7 +42,7 @@ class Mapping {
     Mapping& operator=(Mapping&&) noexcept;
 
     /// The first report of a channel says where it is and sets nothing, so that joining a board
-    /// does not change the sea.
+    /// does not change the sea; but a button that was just pressed counts.
     std::vector<Setting> report(const Report& report, const ValueTable& values);
     /// What time alone brings: smoothed values on their way, buttons that have come to rest.
     std::vector<Setting> advance(Clock::time_point now, const ValueTable& values);
@@ -50,12 +51,17 @@ class Mapping {
 
     /// The outputs that are another since the last call.
     std::vector<Lamp> lamps(const ValueTable& values);
-    /// All again, for a board that came back.
-    void forget_lamps();
+
+    /// A board that came back: its knobs are where they are, which the next reports say; its lamps
+    /// are told again.
+    void board_connected(std::string_view board);
+    /// Whoever held its buttons down holds them no more.
+    std::vector<Setting> board_lost(std::string_view board);
 
   private:
     class Knob;
     class Button;
+    class Counter;
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -27,12 +28,19 @@ struct Channel {
 /// "BOARD/LETTERSdigits", such as "board0/a1": small letters, digits and '_', 32 bytes a part.
 bool is_channel_name(std::string_view name);
 
+// What stands behind the board's name in the event of a board that is there from now on, and of one
+// that is there no more.
+inline constexpr std::string_view kConnected = " CONNECTED";
+inline constexpr std::string_view kLost = " LOST";
+
 /// What a channel was at a time, in the board's own units. Whether a channel that rests is reported
 /// again and again or only when it moves is the board's business.
 struct Report {
     Clock::time_point time;
     std::string channel;
     double value = 0.0;
+    /// A hand did it just now, on a board that does not say where its controls rest.
+    bool moved = false;
 };
 
 class Source {
@@ -40,7 +48,8 @@ class Source {
     /// Called from any thread of the source; neither function waits.
     struct Listener {
         std::function<void(Report)> report;
-        /// "board0 LOST", "board0 BACK": what clients are told.
+        /// "board0 CONNECTED ...", "board0 LOST ...", "board0 BUSY ...": what clients are told. A
+        /// board that connects knows nothing of its lamps.
         std::function<void(std::string)> event;
     };
 
@@ -58,5 +67,12 @@ class Source {
 
 /// Of `channels` the one of that name; nullptr if it is not there.
 const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name);
+
+/// Throws Error invalid_value for a value out of the channel's range.
+void require_in_range(const Channel& channel, double value);
+/// Which of `channels` is the output of that name, for a value that it takes. Throws Error
+/// invalid_value.
+std::size_t output_index(const std::vector<Channel>& channels, const std::string& name,
+                         double value);
 
 }  // namespace ocean::bridge

@@ -53,7 +53,9 @@ class ValueTable {
     ParameterRef ref(std::size_t entry) const { return refs_[entry]; }
     /// A number that knobs may turn, not a word, text or list.
     bool is_number(std::size_t entry) const;
-    /// Of one that is, what is in effect if it is unset.
+    /// A number without a fraction.
+    bool is_whole(std::size_t entry) const;
+    /// Of a number, what is in effect if it is unset.
     double number(std::size_t entry) const;
     /// "0 .. 75 m/s", "one of ...".
     std::string allowed(std::size_t entry) const;
@@ -68,6 +70,7 @@ class ValueTable {
     const Parameters& parameters() const { return parameters_; }
 
   private:
+    const AppValue& app_value(std::size_t entry) const;
     std::string checked_app_value(std::size_t entry, std::string_view value) const;
 
     Parameters parameters_;

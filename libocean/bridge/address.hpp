@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a command line says of an address, as asio has it.
+#pragma once
+
+#include <asio.hpp>
+#include <string>
+
+#include "ocean/checked_text.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::bridge {
+
+/// Throws Error invalid_value for names but localhost: of them others decide.
+inline asio::ip::address parse_address(const std::string& host, const std::string& what) {
+    asio::error_code wrong;
+    const auto address = asio::ip::make_address(host == "localhost" ? "127.0.0.1" : host, wrong);
+    if (!wrong) return address;
+    throw Error(ErrorKind::invalid_value,
+                what + " " + text::printable(host) +
+                    ": is no address; allowed: one in numbers, or localhost");
+}
+
+}  // namespace ocean::bridge

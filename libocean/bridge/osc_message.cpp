@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "osc_message.hpp"
+
+#include <algorithm>
+
+#include "ocean/checked_text.hpp"
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+
+#ifdef OCEAN_HAVE_LIBLO
+#include <lo/lo_lowlevel.h>
+
+#include <cstring>
+#include <limits>
+#include <memory>
+#endif
+
+namespace ocean::bridge {
+namespace {
+
+constexpr std::string_view kPrefix = "/ocean/";
+
+}  // namespace
+
+std::string osc_text(const OscArgument& argument) {
+    if (const auto* text = std::get_if<std::string>(&argument)) return *text;
+    if (const auto* whole = std::get_if<std::int64_t>(&argument)) return std::to_string(*whole);
+    if (const auto* yes = std::get_if<bool>(&argument)) return *yes ? "1" : "0";
+    if (const auto* number = std::get_if<double>(&argument)) return plain_text(*number);
+    // 0.1f is meant as 0.1, not as the double of its bits.
+    const std::string digits = shortest_text(std::get<float>(argument));
+    const auto number = text::parse_number(digits);
+    return number ? plain_text(*number) : digits;
+}
+
+std::optional<std::string> osc_name(std::string_view address) {
+    if (!address.starts_with(kPrefix)) return std::nullopt;
+    std::string name(address.substr(kPrefix.size()));
+    std::ranges::replace(name, '/', '.');
+    return name;
+}
+
+std::string osc_address(std::string_view name) {
+    std::string address = std::string(kPrefix) + std::string(name);
+    std::ranges::replace(address, '.', '/');
+    return address;
+}
+
+#ifdef OCEAN_HAVE_LIBLO
+namespace {
+
+constexpr std::string_view kBundleTag{"#bundle\0", 8};
+constexpr std::string_view kAtOnce{"\0\0\0\0\0\0\0\1", 8};
+constexpr std::size_t kBundleHead = kBundleTag.size() + kAtOnce.size();
+/// Ethernet's 1500 bytes without the heads of IPv6 and UDP, and some to spare for tunnels.
+constexpr std::size_t kOnePiece = 1400;
+
+struct FreeMessage {
+    void operator()(lo_message message) const { lo_message_free(message); }
+};
+using Message = std::unique_ptr<void, FreeMessage>;
+
+Error refused(const std::string& why) {
+    return Error(ErrorKind::invalid_value, why);
+}
+
+/// The type tags of a message, which stand behind its address. liblo 0.31 reads the length of a
+/// blob before it knows that four bytes are left (lo_validate_blob): what we have no use for does
+/// not get there.
+std::string_view checked_types(std::string_view bytes) {
+    constexpr std::string_view kTaken = "ihfdsSTF";
+    const std::string_view types = bytes.substr(0, bytes.find('\0'));
+    if (!types.starts_with(',')) throw refused("the types of its arguments are missing");
+    if (types.size() > 1 + kMostOscArguments) throw refused("it has too many arguments");
+    if (types.find_first_not_of(kTaken, 1) != std::string_view::npos) {
+        throw refused("its arguments are of the types " + text::printable(types.substr(1)) +
+                      "; allowed: i, h, f, d, s, S, T, F");
+    }
+    return types.substr(1);
+}
+
+/// Arguments stand at multiples of four, where a lo_arg may not.
+template <typename Value>
+Value read(const lo_arg* argument) {
+    Value value;
+    std::memcpy(&value, argument, sizeof value);
+    return value;
+}
+
+OscArgument argument_of(char type, const lo_arg* argument) {
+    switch (type) {
+        case LO_INT32:
+            return std::int64_t{read<std::int32_t>(argument)};
+        case LO_INT64:
+            return read<std::int64_t>(argument);
+        case LO_FLOAT:
+            return read<float>(argument);
+        case LO_DOUBLE:
+            return read<double>(argument);
+        case LO_TRUE:
+        case LO_FALSE:
+            return type == LO_TRUE;
+        default: {
+            std::string text(reinterpret_cast<const char*>(argument));
+            if (text.size() > kLongestOscText) throw refused("its text is too long");
+            return text;
+        }
+    }
+}
+
+OscMessage parse_message(std::string_view bytes) {
+    const std::size_t end = bytes.find('\0');
+    if (!bytes.starts_with('/') || end == std::string_view::npos || end > kLongestOscAddress) {
+        throw refused("no message of OSC begins so: " + text::printable(bytes.substr(0, end)));
+    }
+    OscMessage message{std::string(bytes.substr(0, end)), {}};
+    const std::string_view rest = bytes.substr(std::min(end / 4 * 4 + 4, bytes.size()));
+    if (rest.empty()) return message;  // old senders have no types where they have no arguments
+    const std::string_view types = checked_types(rest);
+    std::string copy(bytes);
+    const Message parsed(lo_message_deserialise(copy.data(), copy.size(), nullptr));
+    if (!parsed) throw refused(message.address + ": its bytes are not what its types say");
+    lo_arg* const* arguments = lo_message_get_argv(parsed.get());
+    for (const char type : types) message.arguments.push_back(argument_of(type, *arguments++));
+    return message;
+}
+
+std::size_t take_size(std::string_view& bytes) {
+    std::size_t size = 0;
+    for (const char byte : bytes.substr(0, 4)) size = size << 8 | static_cast<unsigned char>(byte);
+    bytes.remove_prefix(std::min<std::size_t>(4, bytes.size()));
+    if (size > bytes.size() || size % 4 != 0) throw refused("a bundle's sizes do not fit");
+    return size;
+}
+
+std::string size_bytes(std::size_t size) {
+    std::string bytes;
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(size >> shift & 0xFF);
+    return bytes;
+}
+
+/// A message or a bundle.
+void parse_element(std::string_view bytes, int depth, std::vector<OscMessage>& messages) {
+    if (!bytes.starts_with(kBundleTag)) {
+        if (messages.size() == kMostOscMessages) throw refused("it has too many messages");
+        messages.push_back(parse_message(bytes));
+        return;
+    }
+    if (depth == kDeepestOscBundle) throw refused("its bundles are too deep");
+    if (bytes.size() < kBundleHead) throw refused("a bundle ends in its time");
+    bytes.remove_prefix(kBundleHead);
+    while (!bytes.empty()) {
+        const std::size_t size = take_size(bytes);
+        parse_element(bytes.substr(0, size), depth + 1, messages);
+        bytes.remove_prefix(size);
+    }
+}
+
+void add(lo_message message, const OscArgument& argument) {
+    if (const auto* whole = std::get_if<std::int64_t>(&argument)) {
+        const auto narrow = static_cast<std::int32_t>(*whole);
+        if (narrow == *whole) {
+            lo_message_add_int32(message, narrow);
+        } else {
+            lo_message_add_int64(message, *whole);
+        }
+    } else if (const auto* yes = std::get_if<bool>(&argument)) {
+        *yes ? lo_message_add_true(message) : lo_message_add_false(message);
+    } else if (const auto* single = std::get_if<float>(&argument)) {
+        lo_message_add_float(message, *single);
+    } else if (const auto* number = std::get_if<double>(&argument)) {
+        lo_message_add_double(message, *number);
+    } else {
+        lo_message_add_string(message, std::get<std::string>(argument).c_str());
+    }
+}
+
+}  // namespace
+
+void require_osc() {}
+
+std::vector<OscMessage> parse_osc_packet(std::string_view bytes) {
+    if (bytes.size() % 4 != 0) throw refused("its length is no multiple of four");
+    std::vector<OscMessage> messages;
+    parse_element(bytes, 0, messages);
+    return messages;
+}
+
+std::string osc_packet(const OscMessage& message) {
+    const Message built(lo_message_new());
+    for (const OscArgument& argument : message.arguments) add(built.get(), argument);
+    const char* address = message.address.c_str();
+    std::string bytes(lo_message_length(built.get(), address), '\0');
+    lo_message_serialise(built.get(), address, bytes.data(), nullptr);
+    return bytes;
+}
+
+std::vector<std::string> osc_bundles(std::span<const OscMessage> messages) {
+    std::vector<std::string> bundles;
+    for (const OscMessage& message : messages) {
+        const std::string bytes = osc_packet(message);
+        if (bundles.empty() || bundles.back().size() + 4 + bytes.size() > kOnePiece) {
+            bundles.emplace_back(kBundleTag) += kAtOnce;
+        }
+        bundles.back() += size_bytes(bytes.size()) + bytes;
+    }
+    return bundles;
+}
+
+#else
+
+void require_osc() {
+    throw Error(ErrorKind::unsupported, "this build is without liblo, which OSC needs");
+}
+
+std::vector<OscMessage> parse_osc_packet(std::string_view) {
+    require_osc();
+    return {};
+}
+
+std::string osc_packet(const OscMessage&) {
+    require_osc();
+    return {};
+}
+
+std::vector<std::string> osc_bundles(std::span<const OscMessage>) {
+    require_osc();
+    return {};
+}
+
+#endif
+
+}  // namespace ocean::bridge

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "section_reader.hpp"
+
+#include <cmath>
+#include <variant>
+
+#include "ocean/checked_text.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+constexpr double kLargest = 1e9;
+
+}  // namespace
+
+bool SectionReader::next() {
+    if (next_ >= section_.keys.size()) return false;
+    key_ = &section_.keys[next_++];
+    return true;
+}
+
+Error SectionReader::fail(const std::string& message) const {
+    return text::error_at(ErrorKind::bad_file, file_, section_.line, message);
+}
+
+Error SectionReader::fail_here(const std::string& message) const {
+    return text::error_at(ErrorKind::bad_file, file_, key_->line, given() + ": " + message);
+}
+
+Error SectionReader::refused(const std::string& allowed) const {
+    return fail_here("allowed: " + allowed);
+}
+
+Error SectionReader::unknown(const std::string& allowed) const {
+    return text::error_at(ErrorKind::bad_file, file_, key_->line,
+                          "unknown key '" + text::printable(key_->name) + "' of [[" +
+                              section_.name + "]]; allowed: " + allowed);
+}
+
+std::string SectionReader::given() const {
+    const auto& value = key_->value;
+    std::string text = text::printable(key_->name) + " = ";
+    if (const bool* flag = std::get_if<bool>(&value)) return text + (*flag ? "true" : "false");
+    if (const double* number = std::get_if<double>(&value)) return text + plain_text(*number);
+    if (const auto* word = std::get_if<std::string>(&value)) {
+        return text + '"' + text::printable(*word) + '"';
+    }
+    return text + "a list of " + std::to_string(std::get<std::vector<double>>(value).size());
+}
+
+const std::string& SectionReader::text() const {
+    const auto* text = std::get_if<std::string>(&key_->value);
+    if (text == nullptr) throw refused("a text in quotes");
+    return *text;
+}
+
+bool SectionReader::flag() const {
+    const bool* flag = std::get_if<bool>(&key_->value);
+    if (flag == nullptr) throw refused("true or false");
+    return *flag;
+}
+
+double SectionReader::number(double lowest, double highest) const {
+    const double* number = std::get_if<double>(&key_->value);
+    if (number == nullptr || !(*number >= lowest && *number <= highest)) {
+        throw refused(plain_text(lowest) + " .. " + plain_text(highest));
+    }
+    return *number;
+}
+
+int SectionReader::whole(int lowest, int highest) const {
+    const double value = number(lowest, highest);
+    if (value == std::round(value)) return static_cast<int>(value);
+    throw refused("whole numbers " + std::to_string(lowest) + " .. " + std::to_string(highest));
+}
+
+std::array<double, 2> SectionReader::range(bool rising) const {
+    const auto* list = std::get_if<std::vector<double>>(&key_->value);
+    if (list == nullptr || list->size() != 2 ||
+        !std::ranges::all_of(*list, [](double x) { return std::abs(x) <= kLargest; })) {
+        throw refused("two numbers within -1e9 .. 1e9, such as [0, 30]");
+    }
+    if (rising && (*list)[0] >= (*list)[1]) throw refused("[LOWEST, HIGHEST]");
+    return {(*list)[0], (*list)[1]};
+}
+
+std::vector<int> SectionReader::whole_list(int lowest, int highest) const {
+    const auto refusal = [&] {
+        return refused("a list of whole numbers " + std::to_string(lowest) + " .. " +
+                       std::to_string(highest) + ", each once");
+    };
+    const auto* list = std::get_if<std::vector<double>>(&key_->value);
+    if (list == nullptr) throw refusal();
+    std::vector<int> numbers;
+    for (const double value : *list) {
+        if (!(value >= lowest && value <= highest) || value != std::round(value)) throw refusal();
+        const int number = static_cast<int>(value);
+        if (std::ranges::find(numbers, number) != numbers.end()) throw refusal();
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
+}  // namespace ocean::bridge

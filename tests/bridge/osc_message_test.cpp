@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Open Sound Control as bytes, against those that its specification writes out: both ways, and what
+// no sender should send.
+#include "osc_message.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ocean/error.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+template <std::size_t size>
+std::string bytes(const char (&text)[size]) {
+    return {text, size - 1};
+}
+
+// [OSC 1.0] "OSC Message Examples".
+const std::string kOscillator = bytes("/oscillator/4/frequency\0,f\0\0\x43\xdc\0\0");
+const std::string kFoo = bytes(
+    "/foo\0\0\0\0,"
+    "iisff\0\0\0\0\x03\xe8\xff\xff\xff\xffhello\0\0\0\x3f\x9d\xf3\xb6\x40\xb5\xb2\x2d");
+
+std::string bundle_of(const std::vector<std::string>& elements) {
+    std::string bundle = bytes("#bundle\0\0\0\0\0\0\0\0\1");
+    for (const std::string& element : elements) {
+        bundle += bytes("\0\0");
+        bundle += static_cast<char>(element.size() >> 8);
+        bundle += static_cast<char>(element.size() & 0xFF);
+        bundle += element;
+    }
+    return bundle;
+}
+
+std::string refusal_of(const std::string& packet) {
+    try {
+        parse_osc_packet(packet);
+        return "nothing";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+TEST(OscMessage, TheSpecificationsExamplesAreReadAndWritten) {
+    const auto oscillator = parse_osc_packet(kOscillator);
+    ASSERT_EQ(oscillator.size(), 1u);
+    EXPECT_EQ(oscillator[0].address, "/oscillator/4/frequency");
+    ASSERT_EQ(oscillator[0].arguments.size(), 1u);
+    EXPECT_EQ(oscillator[0].arguments[0], OscArgument(440.0f));
+    EXPECT_EQ(osc_packet(oscillator[0]), kOscillator);
+    const auto foo = parse_osc_packet(kFoo);
+    ASSERT_EQ(foo.size(), 1u);
+    const std::vector<OscArgument> arguments = {std::int64_t{1000}, std::int64_t{-1},
+                                                std::string("hello"), 1.234f, 5.678f};
+    EXPECT_EQ(foo[0].arguments, arguments);
+    EXPECT_EQ(osc_packet(foo[0]), kFoo);
+}
+
+TEST(OscMessage, EachTypeThatIsTaken) {
+    const auto messages =
+        parse_osc_packet(bytes("/a\0\0,hdSTF\0\0\0\0\0\1\0\0\0\0\xbf\xe0\0\0\0\0\0\0four\0\0\0\0"));
+    ASSERT_EQ(messages.size(), 1u);
+    const std::vector<OscArgument> expected = {std::int64_t{1} << 32, -0.5, std::string("four"),
+                                               true, false};
+    EXPECT_EQ(messages[0].arguments, expected);
+    // `S` comes back as `s`, and is the same.
+    EXPECT_EQ(parse_osc_packet(osc_packet(messages[0]))[0].arguments, expected);
+}
+
+TEST(OscMessage, NoArgumentsWithAndWithoutTypes) {
+    for (const std::string& packet :
+         {bytes("/ocean/fetch\0\0\0\0,\0\0\0"), bytes("/ocean/fetch\0\0\0\0")}) {
+        const auto messages = parse_osc_packet(packet);
+        ASSERT_EQ(messages.size(), 1u);
+        EXPECT_EQ(messages[0].address, "/ocean/fetch");
+        EXPECT_TRUE(messages[0].arguments.empty());
+    }
+}
+
+TEST(OscMessage, BundlesAreReadInTheirOrderAndWritten) {
+    const std::string packet =
+        bundle_of({kFoo, bundle_of({kOscillator, bundle_of({})}), kOscillator});
+    const auto messages = parse_osc_packet(packet);
+    ASSERT_EQ(messages.size(), 3u);
+    EXPECT_EQ(messages[0].address, "/foo");
+    EXPECT_EQ(messages[1].address, "/oscillator/4/frequency");
+    EXPECT_EQ(osc_bundles(messages),
+              std::vector<std::string>{bundle_of({kFoo, kOscillator, kOscillator})});
+    EXPECT_TRUE(osc_bundles({}).empty());
+}
+
+/// A packet that is larger than a network's piece is lost when any piece of it is.
+TEST(OscMessage, ManyMessagesAreMoreThanOneBundle) {
+    const std::vector<OscMessage> many(100, {"/ocean/a/name/of/thirty/bytes", {1.0f}});
+    const auto bundles = osc_bundles(many);
+    EXPECT_EQ(bundles.size(), 4u);
+    std::size_t messages = 0;
+    for (const std::string& bundle : bundles) {
+        EXPECT_LE(bundle.size(), 1400u);
+        messages += parse_osc_packet(bundle).size();
+    }
+    EXPECT_EQ(messages, many.size());
+}
+
+TEST(OscMessage, BrokenBytesAreRefused) {
+    for (const auto& [packet, says] : std::vector<std::pair<std::string, std::string>>{
+             {"", "no message"},
+             {"/a", "multiple of four"},
+             {"/abc", "no message"},
+             {bytes("abc\0,\0\0\0"), "no message"},
+             {bytes("\0\0\0\0,\0\0\0"), "no message"},
+             {bytes("/a\0\0f\0\0\0\0\0\0\0"), "types of its arguments are missing"},
+             {bytes("/a\0\0,f\0\0"), "not what its types say"},
+             {bytes("/a\0\0,f\0\0\0\0\0\0\0\0\0\0"), "not what its types say"},
+             {bytes("/a\0\0,d\0\0\0\0\0\0"), "not what its types say"},
+             {bytes("/a\0\0,s\0\0abcd"), "not what its types say"},
+             {bytes("/a\0\0,s\0\0ab\0x"), "not what its types say"},
+             {bytes("/a\0x,\0\0\0"), "not what its types say"},
+             {bytes("/a\0\0,fff"), "not what its types say"},
+             // liblo would read behind these.
+             {bytes("/a\0\0,b\0\0"), "of the types b; allowed"},
+             {bytes("/a\0\0,b\0\0\0\0\0\4abcd"), "of the types b; allowed"},
+             {bytes("/a\0\0,r\0\0\0\0\0\0"), "of the types r; allowed"},
+             {bytes("/a\0\0,[i]\0\0\0\0\0\0\0\1"), "of the types [i]; allowed"},
+             {bytes("/a\0\0,") + std::string(17, 'T') + bytes("\0\0"), "too many arguments"},
+             {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "no message"},
+             {bytes("/a\0\0,s\0\0") + std::string(1025, 'a') + bytes("\0\0\0"), "too long"},
+             {bytes("#bundle\0\0\0\0\0"), "ends in its time"},
+             {bundle_of({}) + bytes("\0\0\0\4"), "do not fit"},
+             {bundle_of({}) + bytes("\xff\xff\xff\xfc/a\0\0"), "do not fit"},
+             {bundle_of({}) + bytes("\0\0\0\3/a\0\0"), "do not fit"},
+             {bundle_of({}) + bytes("\0\0\0\0"), "no message"},
+             {bundle_of({bytes("/a\0\0"), bytes("a\0\0\0")}), "no message"},
+             {bundle_of(std::vector<std::string>(257, bytes("/a\0\0"))), "too many messages"}}) {
+        EXPECT_NE(refusal_of(packet).find(says), std::string::npos)
+            << testing::PrintToString(packet) << ": " << refusal_of(packet);
+    }
+}
+
+/// A packet of 60 kB could hold three thousand bundles in each other.
+TEST(OscMessage, BundlesInBundlesHaveAnEnd) {
+    std::string packet = kFoo;
+    for (int depth = 0; depth < kDeepestOscBundle; ++depth) packet = bundle_of({packet});
+    EXPECT_EQ(parse_osc_packet(packet).size(), 1u);
+    EXPECT_EQ(refusal_of(bundle_of({packet})), "its bundles are too deep");
+}
+
+TEST(OscMessage, EveryPieceOfAPacketIsRefusedOrRead) {
+    const std::string packet = bundle_of({kFoo, kOscillator});
+    for (std::size_t size = 0; size < packet.size(); ++size) {
+        // In memory of its own, where a sanitizer sees each byte behind it.
+        const std::string piece = packet.substr(0, size);
+        EXPECT_TRUE(size == 16 || size == 20 + kFoo.size() || refusal_of(piece) != "nothing")
+            << size;
+    }
+}
+
+TEST(OscMessage, AnArgumentIsAValueAsPeopleWriteIt) {
+    EXPECT_EQ(osc_text(0.1f), "0.1");
+    EXPECT_EQ(osc_text(300000.0f), "300000");
+    EXPECT_EQ(osc_text(-1.25), "-1.25");
+    EXPECT_EQ(osc_text(512.0f), "512");
+    EXPECT_EQ(osc_text(std::int64_t{4294967295}), "4294967295");
+    EXPECT_EQ(osc_text(true), "1");
+    EXPECT_EQ(osc_text(false), "0");
+    EXPECT_EQ(osc_text(std::string("jonswap")), "jonswap");
+    EXPECT_EQ(osc_text(std::numeric_limits<float>::infinity()), "inf");
+    EXPECT_EQ(osc_text(std::numeric_limits<float>::quiet_NaN()), "nan");
+}
+
+TEST(OscMessage, AddressesAreNamesWithSlashes) {
+    EXPECT_EQ(osc_name("/ocean/wind_speed"), "wind_speed");
+    EXPECT_EQ(osc_name("/ocean/waves/0/wind_speed"), "waves.0.wind_speed");
+    EXPECT_EQ(osc_name("/ocean/waves.0.wind_speed"), "waves.0.wind_speed");
+    EXPECT_EQ(osc_name("/sea/wind_speed"), std::nullopt);
+    EXPECT_EQ(osc_name("/ocean"), std::nullopt);
+    EXPECT_EQ(osc_address("app.pause"), "/ocean/app/pause");
+}
+
+}  // namespace
+}  // namespace ocean::bridge

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""A board on a bus that umockdev makes, and the programs that users start."""
+
+import os
+import time
+from pathlib import Path
+
+import pytest
+from chain import MAP, SEA, MockedBoard, measure
+
+BUILD = Path(os.environ["OCEAN_BUILD"]).resolve()
+if not (BUILD / "tests/bridge/mock_k8055_program").exists():
+    pytest.skip("umockdev or libusb was not there", allow_module_level=True)
+
+
+@pytest.fixture
+def board(tmp_path):
+    (tmp_path / "sea.toml").write_text(SEA)
+    (tmp_path / "map.toml").write_text(MAP)
+    started = MockedBoard(BUILD, tmp_path, "sea.toml", "--map", "map.toml")
+    started.folder = tmp_path
+    yield started
+    if started.program.poll() is None:
+        assert started.end() == 130
+
+
+def test_the_whole_chain():
+    times = measure(BUILD, steps=20, rate=100)
+    for name, values in times.items():
+        print(f"{name}, ms:", [round(value, 1) for value in sorted(values)])
+        assert len(values) == 20
+
+
+def test_clients_hear_of_a_board_that_comes_and_goes(board):
+    _connection, client = board.client("SUBSCRIBE wind_speed", "LIST")
+    client.wait_for("END LIST")
+    board.tell("plug")
+    client.wait_for("EVT board0 CONNECTED: K8055 on bus 1, device 2")
+    board.step(10)
+    board.step(150)
+    client.wait_for(r"UPD wind_speed 19\.7")
+    board.tell("unplug")
+    client.wait_for("EVT board0 LOST: unplugged")
+    connection, asks = board.client("OUT board0/o1 1", "GET wind_speed")
+    asks.wait_for("ERR .*no board has 'board0/o1'")
+    asks.wait_for(r"VAL wind_speed 19\.7")  # it holds
+    board.tell("plug")
+    client.wait_for("EVT board0 CONNECTED: K8055 on bus 1, device 3")
+    # Another knob position than before moves nothing until it is turned.
+    board.step(77)
+    connection.sendall(b"GET wind_speed\r\n")
+    asks.wait_for(r"VAL wind_speed 19\.7")
+    board.step(90)
+    client.wait_for("UPD wind_speed")
+
+
+def test_a_value_drives_an_output(board):
+    board.tell("plug")
+    board.log.wait_for("CONNECTED")
+    board.bus.wait_for("out 0500000000000000")
+    _connection, client = board.client("SET app.frame_rate 60")
+    client.wait_for("OK")
+    board.bus.wait_for("out 0500800000000000")
+    _connection, client = board.client("OUT board0/o3 1")
+    client.wait_for("OK")
+    board.bus.wait_for("out 0504800000000000")
+    board.program.stdin.close()
+    board.bus.wait_for("out 0500000000000000")  # nothing stays lit
+    board.bus.wait_for("driver on")
+    board.bus.wait_for("exit 130")
+
+
+def test_a_knob_at_rest_is_still(board):
+    board.tell("plug")
+    board.log.wait_for("CONNECTED")
+    board.step(128)
+    _connection, client = board.client("SUBSCRIBE wind_speed")
+    client.wait_for("VAL wind_speed")
+    for step in range(100):
+        board.step(128 + step % 2)
+    board.step(200)
+    when, found = client.wait_for("UPD wind_speed")
+    assert float(found.string.split()[2]) > 24.0  # the first that came
+
+
+def test_a_board_that_reports_costs_little(board):
+    def seconds() -> float:
+        fields = Path(f"/proc/{board.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    board.tell("plug")
+    board.log.wait_for("CONNECTED")
+    before = seconds()
+    time.sleep(3)
+    share = (seconds() - before) / 3
+    print(f"a board at 100 Hz takes {100 * share:.2f} % of a core")
+    assert share < 0.05

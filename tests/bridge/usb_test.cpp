@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The K8055's source, the real libusb, and a board in umockdev's test bed: whatever happens to a
+// board on a bus. Runs under umockdev-wrapper.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "mock_k8055.hpp"
+#include "ocean/bridge/k8055_source.hpp"
+#include "ocean/error.hpp"
+
+namespace ocean::bridge {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Far beyond what anything takes: a test that runs into it has failed.
+constexpr auto kPatience = 20s;
+
+std::size_t open_descriptors() {
+    const std::filesystem::directory_iterator all("/proc/self/fd");
+    return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
+/// What both sides saw, in its order.
+class Seen {
+  public:
+    void report(const Report& report) {
+        add([&] {
+            values[report.channel] = report.value;
+            if (report.channel == "board0/c1") counted.push_back(report.value);
+        });
+    }
+    void event(const std::string& text) {
+        add([&] { events.push_back(text); });
+    }
+    void out(const MockK8055::Bytes& bytes) {
+        add([&] { outs.push_back(bytes); });
+    }
+    void sent() {
+        add([&] { ++states_sent; });
+    }
+    void kernel_driver(bool is_bound) {
+        add([&] { bound.push_back(is_bound); });
+    }
+
+    /// False if it does not come true.
+    template <typename Condition>
+    bool wait(const Condition& condition, std::chrono::milliseconds longest = kPatience) {
+        std::unique_lock lock(mutex_);
+        return changed_.wait_for(lock, longest, [&] { return condition(); });
+    }
+    template <typename Function>
+    auto look(const Function& function) {
+        const std::lock_guard lock(mutex_);
+        return function();
+    }
+    std::size_t events_with(const std::string& word) const {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            events, [&](const std::string& text) { return text.find(word) != std::string::npos; }));
+    }
+
+    std::map<std::string, double> values;
+    std::vector<double> counted;
+    std::vector<std::string> events;
+    std::vector<MockK8055::Bytes> outs;
+    std::vector<bool> bound;
+    std::size_t states_sent = 0;
+
+  private:
+    template <typename Change>
+    void add(const Change& change) {
+        const std::lock_guard lock(mutex_);
+        change();
+        changed_.notify_all();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+};
+
+/// A board on the bus, and a source that looks for it.
+class Usb : public testing::Test {
+  protected:
+    ~Usb() override {
+        source_->stop();
+        ticking_ = false;
+        if (clock_.joinable()) clock_.join();
+    }
+
+    void start() {
+        source_->start({[this](const Report& report) { seen_.report(report); },
+                        [this](const std::string& event) { seen_.event(event); }});
+        clock_ = std::thread([this] {
+            while (ticking_) {
+                std::this_thread::sleep_for(1ms);
+                board_.tick();
+            }
+        });
+    }
+    bool wait_for(const std::string& word, std::size_t times = 1) {
+        return seen_.wait([&] { return seen_.events_with(word) >= times; });
+    }
+    MockK8055::Bytes last_out() {
+        return seen_.look(
+            [&] { return seen_.outs.empty() ? MockK8055::Bytes{} : seen_.outs.back(); });
+    }
+    bool wait_for_out(const MockK8055::Bytes& bytes) {
+        return seen_.wait([&] { return !seen_.outs.empty() && seen_.outs.back() == bytes; });
+    }
+
+    Seen seen_;
+    MockK8055 board_{{.out = [this](const auto& bytes) { seen_.out(bytes); },
+                      .sent = [this](auto) { seen_.sent(); },
+                      .kernel_driver = [this](bool is_bound) { seen_.kernel_driver(is_bound); },
+                      .error = [](const std::string& what) { ADD_FAILURE() << what; }}};
+    std::unique_ptr<Source> source_ =
+        make_k8055_source({{"board0", {0}}, {"board1", {1}}, {"left", {3}}});
+    std::atomic<bool> ticking_ = true;
+    std::thread clock_;
+};
+
+TEST_F(Usb, ABoardThatIsThereIsTakenFromTheKernelAndTellsWhereItIs) {
+    board_.set(k8055_report(10, 20, 0b10001, 300, 65535));
+    board_.plug();
+    start();
+    ASSERT_TRUE(wait_for("board0 CONNECTED: K8055 on bus 1, device 2"));
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values.size() == 9; }));
+    EXPECT_EQ(seen_.values["board0/a1"], 10);
+    EXPECT_EQ(seen_.values["board0/a2"], 20);
+    EXPECT_EQ(seen_.values["board0/d1"], 1);
+    EXPECT_EQ(seen_.values["board0/d2"], 0);
+    EXPECT_EQ(seen_.values["board0/d5"], 1);
+    EXPECT_EQ(seen_.values["board0/c1"], 300);
+    EXPECT_EQ(seen_.values["board0/c2"], 65535);
+    EXPECT_EQ(source_->channels().size(), 19);
+    EXPECT_EQ(seen_.look([&] { return seen_.bound; }), std::vector<bool>{false});
+    source_->stop();
+    EXPECT_EQ(seen_.bound, (std::vector<bool>{false, true}));  // as it was found
+    EXPECT_EQ(seen_.events.size(), 1);
+}
+
+TEST_F(Usb, EveryReportOfAThousandASecondArrivesOnceAndInOrder) {
+    board_.plug();
+    start();
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values.size() == 9; }));
+    constexpr std::size_t kReports = 3000;
+    for (unsigned i = 1; i <= kReports; ++i) {
+        const std::size_t before = seen_.look([&] { return seen_.states_sent; });
+        board_.set(k8055_report(0, 0, 0, i, 0));
+        ASSERT_TRUE(seen_.wait([&] { return seen_.states_sent > before; }));
+    }
+    ASSERT_TRUE(seen_.wait([&] { return seen_.counted.size() == kReports + 1; }));
+    for (std::size_t i = 0; i <= kReports; ++i) ASSERT_EQ(seen_.counted[i], i);
+}
+
+TEST_F(Usb, AStateThatStaysIsReportedOnce) {
+    board_.plug();
+    start();
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values.size() == 9; }));
+    std::this_thread::sleep_for(200ms);  // some hundred reports
+    EXPECT_EQ(seen_.look([&] { return seen_.counted.size(); }), 1);
+}
+
+TEST_F(Usb, OutputsAreWhatTheyWereToldAlsoWhereTheBoardComesLater) {
+    start();
+    source_->put("board0/dac1", 12);
+    source_->put("board0/o1", 1);
+    board_.plug();
+    ASSERT_TRUE(wait_for("CONNECTED"));
+    ASSERT_TRUE(wait_for_out({5, 1, 12, 0, 0, 0, 0, 0}));
+    source_->put("board0/o8", 1);
+    source_->put("board0/dac2", 255);
+    ASSERT_TRUE(wait_for_out({5, 0x81, 12, 255, 0, 0, 0, 0}));
+    board_.unplug();
+    ASSERT_TRUE(wait_for("board0 LOST: unplugged"));
+    EXPECT_TRUE(source_->channels().empty());
+    const std::size_t before = seen_.look([&] { return seen_.outs.size(); });
+    board_.plug();
+    ASSERT_TRUE(wait_for("CONNECTED", 2));
+    ASSERT_TRUE(seen_.wait([&] { return seen_.outs.size() == before + 1; }));
+    EXPECT_EQ(last_out(), (MockK8055::Bytes{5, 0x81, 12, 255, 0, 0, 0, 0}));
+    board_.unplug();
+    ASSERT_TRUE(wait_for("board0 LOST", 2));
+    source_->put("board0/o1", 0);
+    board_.plug();
+    ASSERT_TRUE(wait_for_out({5, 0x80, 12, 255, 0, 0, 0, 0}));
+    EXPECT_EQ(seen_.look([&] { return seen_.outs.size(); }), before + 2);
+    source_->stop();
+    EXPECT_EQ(last_out(), (MockK8055::Bytes{5, 0, 0, 0, 0, 0, 0, 0}));  // nothing stays lit
+}
+
+TEST_F(Usb, ManyChangesAreFewReportsAndTheLastOneCounts) {
+    board_.plug();
+    start();
+    ASSERT_TRUE(wait_for("CONNECTED"));
+    for (int i = 0; i <= 255; ++i) source_->put("board0/dac1", i);
+    ASSERT_TRUE(wait_for_out({5, 0, 255, 0, 0, 0, 0, 0}));
+    EXPECT_LE(seen_.look([&] { return seen_.outs.size(); }), 258);
+}
+
+TEST_F(Usb, WhatNoOutputTakesIsRefused) {
+    start();
+    for (const auto& [channel, value] :
+         std::vector<std::pair<std::string, double>>{{"board0/dac1", 256},
+                                                     {"board0/dac1", -1},
+                                                     {"board0/o1", 2},
+                                                     {"board0/a1", 1},
+                                                     {"board0/dac1", NAN},
+                                                     {"board0/dac3", 1},
+                                                     {"other/dac1", 1}}) {
+        try {
+            source_->put(channel, value);
+            ADD_FAILURE() << channel << ' ' << value;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::invalid_value);
+            EXPECT_NE(std::string(error.what()).find(channel), std::string::npos);
+        }
+    }
+}
+
+TEST_F(Usb, ABoardIsNamedByItsJumpersAndOthersAreLeftAlone) {
+    start();
+    board_.plug(2);
+    std::this_thread::sleep_for(100ms);
+    EXPECT_TRUE(seen_.look([&] { return seen_.bound.empty() && seen_.events.empty(); }));
+    board_.unplug();
+    board_.plug(3);
+    ASSERT_TRUE(wait_for("left CONNECTED"));
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values.contains("left/c2"); }));
+    EXPECT_EQ(source_->channels().front().name, "left/a1");
+}
+
+TEST_F(Usb, ABoardOfAnotherProgramIsSaidOnceAndTakenWhenItIsFree) {
+    board_.refuse(true);
+    board_.plug();
+    start();
+    ASSERT_TRUE(wait_for("board0 BUSY: another program has it"));
+    std::this_thread::sleep_for(2500ms);  // it has tried again
+    EXPECT_EQ(seen_.look([&] { return seen_.events.size(); }), 1);
+    board_.refuse(false);
+    EXPECT_TRUE(wait_for("board0 CONNECTED"));
+}
+
+TEST_F(Usb, ATransferThatFailsLosesTheBoardUntilItIsOpenedAnew) {
+    board_.plug();
+    start();
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values.size() == 9; }));
+    // The clock's thread may have taken the one that flew.
+    for (int i = 0; i < 1000 && !seen_.wait([&] { return seen_.events.size() == 2; }, 5ms); ++i) {
+        board_.stall();
+    }
+    EXPECT_EQ(seen_.look([&] { return seen_.events.at(1); }),
+              "board0 LOST: it refuses the transfer");
+    EXPECT_TRUE(wait_for("CONNECTED", 2));
+}
+
+TEST_F(Usb, AReportOfAnotherLengthIsLeftOut) {
+    board_.plug();
+    start();
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values.size() == 9; }));
+    const std::size_t before = seen_.look([&] { return seen_.states_sent; });
+    board_.set({0, 1, 77});
+    ASSERT_TRUE(seen_.wait([&] { return seen_.states_sent > before; }));
+    board_.set(k8055_report(99, 0, 0, 0, 0));
+    ASSERT_TRUE(seen_.wait([&] { return seen_.values["board0/a1"] == 99; }));
+    EXPECT_EQ(seen_.look([&] { return seen_.events.size(); }), 1);
+}
+
+TEST_F(Usb, TheEndIsPrompt) {
+    board_.plug();
+    start();
+    ASSERT_TRUE(wait_for("CONNECTED"));
+    const auto before = Clock::now();
+    source_->stop();
+    EXPECT_LT(Clock::now() - before, 1s);
+    source_->put("board0/o1", 1);  // of a source that has stopped: nothing
+    source_->stop();
+}
+
+class UsbReplug : public Usb {};
+
+TEST_F(UsbReplug, LeavesNothingBehindAndLosesNothing) {
+    constexpr unsigned kCycles = 200;
+    board_.plug();
+    start();
+    ASSERT_TRUE(wait_for("CONNECTED"));
+    const std::size_t before = open_descriptors();
+    for (unsigned i = 1; i <= kCycles; ++i) {
+        board_.unplug();
+        ASSERT_TRUE(wait_for("LOST", i));
+        board_.set(k8055_report(0, 0, 0, i, 0));
+        board_.plug();
+        ASSERT_TRUE(wait_for("CONNECTED", i + 1));
+        ASSERT_TRUE(seen_.wait([&] { return seen_.values["board0/c1"] == i; }));
+    }
+    EXPECT_LE(open_descriptors(), before + 2);  // umockdev closes a socket of its own some ms late
+    EXPECT_EQ(seen_.look([&] { return seen_.events.size(); }), 2 * kCycles + 1);
+}
+
+TEST_F(UsbReplug, AStormEndsWithABoardThatWorks) {
+    board_.plug();
+    start();
+    for (int i = 0; i < 30; ++i) {
+        board_.unplug(std::chrono::milliseconds(i % 3));
+        std::this_thread::sleep_for(std::chrono::milliseconds(i % 7));
+        board_.plug();
+        std::this_thread::sleep_for(std::chrono::milliseconds(i % 5));
+    }
+    board_.set(k8055_report(200, 0, 0, 0, 0));
+    EXPECT_TRUE(seen_.wait([&] { return seen_.values["board0/a1"] == 200; }));
+}
+
+}  // namespace
+}  // namespace ocean::bridge
