@@ -32,6 +32,21 @@ std::string Catalogue::extensions(std::string_view conjunction) const {
     return listing(words, conjunction);
 }
 
+const BakeFormat* Catalogue::find_format(std::string_view extension) const {
+    for (const BakeFormat* format : formats) {
+        if (format->extension == extension) return format;
+    }
+    return nullptr;
+}
+
+const BakeFormat* Catalogue::find_format_of_frame(std::string_view extension) const {
+    for (const BakeFormat* format : formats) {
+        const bool own = !format->frame_extension.empty();
+        if ((own ? format->frame_extension : format->extension) == extension) return format;
+    }
+    return nullptr;
+}
+
 std::string Catalogue::product_names() const {
     std::string text;
     for (const Product& product : products) {
@@ -49,10 +64,8 @@ std::string Catalogue::backend_names() const {
 
 const Catalogue& standard_catalogue() {
     static constexpr const BakeFormat* kFormats[] = {
-        &kExrFormat,
-        &kDf3Format,
-        &kHeightFieldFormat,
-        &kMesh2Format,
+        &kExrFormat, &kDf3Format, &kHeightFieldFormat, &kMesh2Format,
+        &kPlyFormat, &kObjFormat, &kUsdFormat,
     };
     static const Catalogue catalogue{kFormats, product_table(), core_backends()};
     return catalogue;

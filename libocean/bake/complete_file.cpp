@@ -49,18 +49,16 @@ bool is_regular(const BakeFile& file) {
 }
 
 void require_own_files(const BakePlan& plan, const Manifest& manifest) {
-    for (const int frame : plan.frames) {
-        for (const BakeFile& file : plan.format->files(plan, frame)) {
-            if (!is_regular(file)) continue;
-            std::error_code error;
-            const bool empty = std::filesystem::file_size(native(file), error) == 0;
-            if (empty || plan.format->is_baked(file)) continue;
-            if (manifest.find(native(file).filename().string()) != nullptr) continue;
-            throw Error(ErrorKind::invalid_value,
-                        "'" + file.path +
-                            "' is there and was not written by a bake: it is not replaced; move "
-                            "it or choose another --output");
-        }
+    for (const BakeFile& file : all_files(plan)) {
+        if (!is_regular(file)) continue;
+        std::error_code error;
+        const bool empty = std::filesystem::file_size(native(file), error) == 0;
+        if (empty || plan.format->is_baked(file)) continue;
+        if (manifest.find(native(file).filename().string()) != nullptr) continue;
+        throw Error(ErrorKind::invalid_value,
+                    "'" + file.path +
+                        "' is there and was not written by a bake: it is not replaced; move it or "
+                        "choose another --output");
     }
 }
 

@@ -64,8 +64,7 @@ BakeForecast forecast_bake(const BakePlan& plan) {
     require_own_files(plan, manifest);
     io::require_folder(plan.pattern.folder());
     BakeForecast forecast;
-    for (const int frame : plan.frames) {
-        const std::vector<BakeFile> files = plan.format->files(plan, frame);
+    const auto add = [&](const std::vector<BakeFile>& files) {
         const bool keep =
             plan.skip_existing && std::all_of(files.begin(), files.end(), [&](const auto& file) {
                 return find_complete(plan, file, manifest, share.threads_each).has_value();
@@ -74,7 +73,9 @@ BakeForecast forecast_bake(const BakePlan& plan) {
             forecast.files.push_back({file.path, keep});
             if (!keep) forecast.bytes += plan.format->most_bytes(plan, file);
         }
-    }
+    };
+    if (plan.format->shared_files != nullptr) add(plan.format->shared_files(plan));
+    for (const int frame : plan.frames) add(plan.format->files(plan, frame));
     forecast.free_bytes = io::free_bytes(plan.pattern.folder());
     forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);
     return forecast;

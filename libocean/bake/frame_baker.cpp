@@ -37,10 +37,11 @@ bool FrameBaker::keep(const std::vector<BakeFile>& files) {
 
 void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
     const std::vector<Surface> maps = make_maps(bake_.plan.sea.time_of(frame));
-    bake_.plan.format->write(
-        {bake_.plan, frame, maps, threads_,
-         [this](const BakeFile& file, const std::function<void()>& write) { put(file, write); }},
-        files);
+    bake_.plan.format->write({bake_.plan, frame, maps, threads_,
+                              [this](const BakeFile& file, const std::function<void()>& write) {
+                                  put_file(bake_, file, threads_, write);
+                              }},
+                             files);
 }
 
 std::vector<Surface> FrameBaker::make_maps(double time) {
@@ -73,13 +74,14 @@ static void remove_link(const BakeFile& file) {
     }
 }
 
-void FrameBaker::put(const BakeFile& file, const std::function<void()>& write) {
-    bake_.host.whole([&] {
+void put_file(const Bake& bake, const BakeFile& file, int threads,
+              const std::function<void()>& write) {
+    bake.host.whole([&] {
         remove_link(file);
         write();
         if (!is_regular(file)) return;
         try {
-            bake_.manifest.add(inspect(bake_.plan, file, threads_));
+            bake.manifest.add(inspect(bake.plan, file, threads));
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::bad_file) throw;
             throw Error(

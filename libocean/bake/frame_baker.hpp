@@ -21,6 +21,10 @@ struct Bake {
     BakeHost& host;
 };
 
+/// Writes a file, undisturbed by an interrupt, and reads it back for the manifest.
+void put_file(const Bake& bake, const BakeFile& file, int threads,
+              const std::function<void()>& write);
+
 /// Several of them bake side by side.
 class FrameBaker {
   public:
@@ -33,7 +37,6 @@ class FrameBaker {
 
   private:
     std::vector<Surface> make_maps(double time);
-    void put(const BakeFile& file, const std::function<void()>& write);
 
     const Bake& bake_;
     int threads_;

@@ -94,11 +94,18 @@ void Manifest::add(ManifestEntry entry) {
     added_.insert_or_assign(std::move(name), std::move(entry));
 }
 
+void Manifest::set_missing(std::vector<int> frames) {
+    const std::lock_guard lock(mutex_);
+    missing_ = std::move(frames);
+}
+
 void Manifest::save() {
     ManifestEntries merged;
+    std::vector<int> missing;
     {
         const std::lock_guard lock(mutex_);
         merged = added_;
+        missing = missing_;
     }
     if (merged.empty()) return;
     std::filesystem::path folder = utf8_path(path_).parent_path();
@@ -112,7 +119,7 @@ void Manifest::save() {
         // Replaced, as the run has warned at its start.
     }
     drop_missing_files(merged, folder);
-    const std::string text = manifest_text(merged);
+    const std::string text = manifest_text(merged, missing);
     if (text != before) io::write_file_atomically(path_, text);
 }
 

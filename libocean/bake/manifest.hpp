@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ocean {
 
@@ -31,7 +33,8 @@ inline constexpr const char* kManifestKey = "libocean_manifest";
 /// By name.
 using ManifestEntries = std::map<std::string, ManifestEntry>;
 
-std::string manifest_text(const ManifestEntries& entries);
+/// `missing` are frames that a reader would fill without a word.
+std::string manifest_text(const ManifestEntries& entries, std::span<const int> missing = {});
 /// Throws Error bad_file with the reason; safe on hostile text.
 ManifestEntries parse_manifest(std::string_view text);
 
@@ -47,6 +50,8 @@ class Manifest {
 
     /// Any thread.
     void add(ManifestEntry entry);
+    /// Frames that are named as not there.
+    void set_missing(std::vector<int> frames);
     /// Merges what was added into the file; entries without a file are dropped. Any thread, one at
     /// a time. Throws Error output.
     void save();
@@ -57,6 +62,7 @@ class Manifest {
     ManifestEntries found_;
     std::mutex mutex_;
     ManifestEntries added_;
+    std::vector<int> missing_;
 };
 
 }  // namespace ocean

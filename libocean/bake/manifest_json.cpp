@@ -18,6 +18,7 @@ using nlohmann::json;
 
 constexpr int kManifestVersion = 1;
 constexpr const char* kFilesKey = "files";
+constexpr const char* kMissingKey = "missing";
 
 bool is_hash(const std::string& text) {
     return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == text.npos;
@@ -77,8 +78,9 @@ class ManifestReader final : public nlohmann::json_sax<json> {
         return true;
     }
     bool start_array(std::size_t) override {
-        if (place_ != Place::top || key_ != kFilesKey) return refuse("a list is not expected");
-        return place_ = Place::list, true;
+        if (place_ == Place::top && key_ == kFilesKey) return place_ = Place::list, true;
+        if (place_ == Place::top && key_ == kMissingKey) return place_ = Place::missing, true;
+        return refuse("a list is not expected");
     }
     bool end_array() override { return place_ = Place::top, true; }
 
@@ -88,7 +90,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
     }
 
   private:
-    enum class Place { outside, top, list, entry };
+    enum class Place { outside, top, list, entry, missing };
 
     bool refuse(std::string reason) {
         if (fault.empty()) fault = std::move(reason);
@@ -97,6 +99,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
 
     template <typename Whole>
     bool number(Whole value) {
+        if (place_ == Place::missing) return true;  // it is found out anew
         if (place_ == Place::top && key_ == kManifestKey) {
             version_known = value == static_cast<Whole>(kManifestVersion);
             return version_known || refuse("it is of another version");
@@ -119,7 +122,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
 
 }  // namespace
 
-std::string manifest_text(const ManifestEntries& entries) {
+std::string manifest_text(const ManifestEntries& entries, std::span<const int> missing) {
     std::string text = "{\n\"" + std::string(kManifestKey) +
                        "\": " + std::to_string(kManifestVersion) + ",\n\"" + kFilesKey + "\": [";
     const char* separator = "\n";
@@ -133,7 +136,11 @@ std::string manifest_text(const ManifestEntries& entries) {
         text += separator + line.dump(-1, ' ', false, json::error_handler_t::replace);
         separator = ",\n";
     }
-    return text + "\n]\n}\n";
+    text += "\n]";
+    if (!missing.empty()) {
+        text += ",\n\"" + std::string(kMissingKey) + "\": " + json(missing).dump();
+    }
+    return text + "\n}\n";
 }
 
 ManifestEntries parse_manifest(std::string_view text) {

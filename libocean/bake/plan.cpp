@@ -5,6 +5,7 @@
 #include "ocean/bake/plan.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
@@ -34,18 +35,10 @@ std::string decimal_rate(const std::string& text) {
     return shortest_text(part(text.substr(0, slash)) / part(text.substr(slash + 1)));
 }
 
-/// By the extension of the output; null if there is none of it.
-const BakeFormat* find_format(const Catalogue& catalogue, const std::string& extension) {
-    for (const BakeFormat* format : catalogue.formats) {
-        if (format->extension == extension) return format;
-    }
-    return nullptr;
-}
-
 [[noreturn]] void refuse_extension(const Catalogue& catalogue, const std::string& output,
                                    const std::string& extension) {
     const std::string allowed = "allowed are " + catalogue.extensions("and");
-    for (const char* later : {".vdb", ".obj", ".ply", ".pc2"}) {
+    for (const char* later : {".vdb"}) {
         if (extension == later) {
             throw Error(ErrorKind::unsupported,
                         "-o " + output + ": " + later + " comes with a later version; " + allowed);
@@ -162,12 +155,17 @@ double BakePlan::shortest_wave() const {
 
 std::vector<std::string> output_paths(const BakePlan& plan) {
     std::vector<std::string> paths = {plan.pattern.manifest()};
-    for (const int frame : plan.frames) {
-        for (BakeFile& file : plan.format->files(plan, frame)) {
-            paths.push_back(std::move(file.path));
-        }
-    }
+    for (BakeFile& file : all_files(plan)) paths.push_back(std::move(file.path));
     return paths;
+}
+
+std::vector<BakeFile> all_files(const BakePlan& plan) {
+    std::vector<BakeFile> files;
+    if (plan.format->shared_files != nullptr) files = plan.format->shared_files(plan);
+    for (const int frame : plan.frames) {
+        std::ranges::move(plan.format->files(plan, frame), std::back_inserter(files));
+    }
+    return files;
 }
 
 io::FrameLabel frame_label(const BakePlan& plan, int frame) {
@@ -197,7 +195,7 @@ std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format
 BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     BakePlan plan;
     plan.pattern = OutputPattern(typed.output);
-    plan.format = find_format(catalogue, plan.pattern.extension());
+    plan.format = catalogue.find_format(plan.pattern.extension());
     const BakeOptions options = with_source(typed, catalogue, plan.format);
     if (plan.format == nullptr) {
         refuse_extension(catalogue, options.output, plan.pattern.extension());
@@ -221,6 +219,7 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
         set_parameter(plan.sea.parameters, "time.fps", decimal_rate(options.fps));
     }
     if (plan.frames.empty()) plan.frames = {plan.sea.parameters.time.first_frame};
+    plan.all_frames = plan.frames;
     plan.resolution = find_resolution(options, plan.sea.parameters.grid);
     FormatPlan settled = plan.format->settle(plan);
     settle_names(settled, plan);

@@ -139,6 +139,38 @@ class Report {
     std::optional<Error> first_error_;
 };
 
+/// The stage and the like, which are there before the first frame.
+void bake_shared(const Bake& bake) {
+    const BakePlan& plan = bake.plan;
+    if (plan.format->shared_files == nullptr) return;
+    for (const BakeFile& file : plan.format->shared_files(plan)) {
+        auto there = plan.skip_existing ? find_complete(plan, file, bake.manifest, plan.threads)
+                                        : std::nullopt;
+        if (there) {
+            bake.manifest.add(std::move(*there));
+        } else {
+            put_file(bake, file, plan.threads, [&] { plan.format->write_shared(plan, file); });
+        }
+    }
+}
+
+/// Of a format whose readers do not tell: the frames that no shard has written yet.
+void tell_gaps(const Bake& bake) {
+    const BakePlan& plan = bake.plan;
+    if (!plan.format->hides_gaps) return;
+    std::vector<int> missing;
+    for (const int frame : plan.all_frames) {
+        const std::vector<BakeFile> files = plan.format->files(plan, frame);
+        if (!std::ranges::all_of(files, is_regular)) missing.push_back(frame);
+    }
+    bake.manifest.set_missing(missing);
+    if (missing.empty()) return;
+    bake.host.warning(
+        "frames that are not there yet, which readers fill with a mean of their "
+        "neighbours: " +
+        ranges_text(missing));
+}
+
 void bake_frames(const Bake& bake, const WorkShare& share, ManifestKeeper& keeper) {
     const BakePlan& plan = bake.plan;
     std::vector<std::unique_ptr<FrameBaker>> bakers;
@@ -208,7 +240,9 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     ManifestKeeper keeper(bake);
     const InterruptedManifest last_act(manifest, host);
     try {
+        bake_shared(bake);
         bake_frames(bake, share, keeper);
+        tell_gaps(bake);
     } catch (...) {
         keeper.save_if_possible();
         throw;

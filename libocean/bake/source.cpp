@@ -9,6 +9,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/seafile.hpp"
@@ -32,11 +33,20 @@ void refuse_source(const std::string& path, const std::string& reason) {
     throw Error(ErrorKind::bad_file, "--from " + path + ": " + reason);
 }
 
-BakedHeader::BakedHeader(const std::string& path) : path_(path) {
-    for (io::HeaderString& string : io::read_exr_header(path)) {
+BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : path_(path) {
+    const BakeFormat* format = catalogue.find_format_of_frame(OutputPattern(path).extension());
+    if (format == nullptr) format = &kExrFormat;  // which says what is wrong
+    if (format->read_header == nullptr) {
+        refuse_source(path, "a file of type " + std::string(format->extension) + " says no sea");
+    }
+    for (io::HeaderString& string : format->read_header(path)) {
         strings_[string.name] = std::move(string.text);
     }
-    layout_ = io::read_exr_layout(path);
+    if (format == &kExrFormat) layout_ = io::read_exr_layout(path);
+}
+
+int BakedHeader::resolution() const {
+    return layout_ ? layout_->resolution : whole_number("resolution");
 }
 
 const std::string& BakedHeader::text(const std::string& name) const {
@@ -71,12 +81,12 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     }
     if (options.from.empty()) return options;
     options.source = options.from;
-    const BakedHeader header(options.from);
+    const BakedHeader header(options.from, catalogue);
     const Sea sea = parse_sea(header.text("sea"), options.from, "");
     check_time(sea, header, options.from);
     take(options.frames, std::to_string(header.whole_number("frame")));
     // Where the sea's own resolution was used, a changed sea may change it.
-    const int resolution = header.layout().resolution;
+    const int resolution = header.resolution();
     if (resolution != default_map_resolution(sea.parameters.grid)) {
         take(options.resolution, std::to_string(resolution));
     }

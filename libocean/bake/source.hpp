@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "ocean/bake/plan.hpp"
@@ -19,14 +20,17 @@ namespace ocean {
 class BakedHeader {
   public:
     /// Throws Error bad_file.
-    explicit BakedHeader(const std::string& path);
+    BakedHeader(const std::string& path, const Catalogue& catalogue);
 
     /// Of ocean:NAME. Throws Error bad_file where it is missing, or no number.
     const std::string& text(const std::string& name) const;
     double number(const std::string& name) const;
     int whole_number(const std::string& name) const;
     bool has(const std::string& name) const { return strings_.contains("ocean:" + name); }
-    const io::ExrLayout& layout() const { return layout_; }
+    /// Samples along a side.
+    int resolution() const;
+    /// Of an EXR file.
+    const io::ExrLayout& layout() const { return *layout_; }
 
   private:
     template <typename Number>
@@ -34,7 +38,7 @@ class BakedHeader {
 
     const std::string& path_;
     std::map<std::string, std::string> strings_;
-    io::ExrLayout layout_;
+    std::optional<io::ExrLayout> layout_;
 };
 
 /// The options with SEA or --from settled. With --from those that are not given are taken from the

@@ -68,12 +68,24 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
     };
 }
 
-OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalogue& catalogue) {
+/// The option of that name that another format has too.
+Option* find_option(std::vector<OptionGroup>& groups, const std::string& name) {
+    for (OptionGroup& group : groups) {
+        const auto found = std::ranges::find(group.options, name, &Option::names);
+        if (found != group.options.end()) return &*found;
+    }
+    return nullptr;
+}
+
+OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalogue& catalogue,
+                           std::vector<OptionGroup>& before) {
     OptionGroup group{std::string(format.family), {}};
     if (format.options == nullptr) return group;
     for (const FormatOption& option : format.options(catalogue)) {
         const std::string name = "--" + option.name;
-        if (option.value.empty()) {
+        if (Option* same = find_option(before, name)) {
+            same->help += ". Of " + std::string(format.extension) + ": " + option.help;
+        } else if (option.value.empty()) {
             group.options.push_back({name, &typed.flags[option.name], "", option.help});
         } else {
             std::string& value = typed.bake.of_format[option.name];
@@ -86,7 +98,8 @@ OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalog
 std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
     std::vector<OptionGroup> groups = common_options(typed, catalogue);
     for (const BakeFormat* format : catalogue.formats) {
-        groups.push_back(format_options(typed, *format, catalogue));
+        OptionGroup group = format_options(typed, *format, catalogue, groups);
+        if (!group.options.empty()) groups.push_back(std::move(group));
     }
     for (OptionGroup& group : std::span(groups).subspan(1)) {
         for (Option& option : group.options) {
@@ -157,7 +170,7 @@ Command bake_command(const Catalogue& catalogue) {
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
     return {
         .name = "bake",
-        .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh",
+        .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD",
         .options = std::move(groups),
         .footer = kFooter,
         .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },

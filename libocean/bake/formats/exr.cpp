@@ -11,7 +11,6 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
@@ -54,20 +53,6 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "none, rle, zips, zip, piz or pxr24; default rle for slope, whitecap and foam and for "
          "halves of normal, jacobian and derivatives, none for the rest"},
     };
-}
-
-std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue) {
-    std::vector<const Product*> products;
-    for (const std::string& part : split(list, ',')) {
-        const std::string name(csv::trimmed(part));
-        const Product* product = &find_product(name, catalogue.products);
-        if (std::find(products.begin(), products.end(), product) != products.end()) {
-            throw Error(ErrorKind::invalid_value,
-                        "--products " + list + ": " + name + " is there twice");
-        }
-        products.push_back(product);
-    }
-    return products;
 }
 
 /// Run lengths where they leave less than 0.9 of the bytes, for at most 1.4 times the CPU of a
@@ -259,6 +244,7 @@ const BakeFormat kExrFormat = {
     .write = write,
     .read_pixels = read_pixels,
     .tells_its_recipe = true,
+    .read_header = io::read_exr_header,
     .adopt = adopt,
 };
 

@@ -4,8 +4,10 @@
 // The formats of this folder, and what several of them need.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/format.hpp"
 
 namespace ocean {
@@ -14,6 +16,12 @@ extern const BakeFormat kExrFormat;
 extern const BakeFormat kDf3Format;
 extern const BakeFormat kHeightFieldFormat;
 extern const BakeFormat kMesh2Format;
+extern const BakeFormat kPlyFormat;
+extern const BakeFormat kObjFormat;
+extern const BakeFormat kUsdFormat;
+
+/// "normal, foam". Throws Error invalid_value for a name that is unknown or there twice.
+std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue);
 
 /// R, R/2, ... 32.
 std::vector<int> halving_resolutions(int resolution);

@@ -121,15 +121,11 @@ std::vector<HeaderString> header_strings(std::span<const Product* const> product
         vectors = vectors || product->vector;
     }
     // What is no vector is the same in all axes: x east and y north, as in zup.
-    return {{"ocean:sea", std::string(label.sea_text)},
-            {"ocean:frame", std::to_string(label.number)},
-            {"ocean:time", shortest_text(label.time)},
-            {"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))},
-            {"ocean:period", shortest_text(label.period)},
-            {"ocean:field", names},
-            {"ocean:unit", units},
-            {"ocean:backend", std::string(label.backend)},
-            {"ocean:version", OCEAN_VERSION}};
+    std::vector<HeaderString> strings = label_strings(label);
+    strings.push_back({"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))});
+    strings.push_back({"ocean:field", names});
+    strings.push_back({"ocean:unit", units});
+    return strings;
 }
 
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,

@@ -4,7 +4,9 @@
 // One period of the sea as triangles. The maps have N x N samples and no seam; the mesh has the
 // seam's vertices twice, a period apart, so that copies of it tile the plane.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "ocean/io/mesh.hpp"
 #include "require_channels.hpp"
@@ -47,17 +49,24 @@ std::vector<int> patch_triangles(int n) {
 }
 
 Mesh make_patch_mesh(const Surface& surface) {
-    require_channels(surface, {Channel::dx, Channel::dy, Channel::height, Channel::nx, Channel::ny,
-                               Channel::nz});
+    require_channels(surface, {Channel::dx, Channel::dy, Channel::height});
     const auto n = static_cast<std::size_t>(surface.resolution());
     const double cell = surface.period() / static_cast<double>(n);
     const double step = grid_step(surface.period() + largest_offset(surface));
     const auto snap = [step](double value) { return std::nearbyint(value / step) * step; };
 
-    const bool foam = surface.has(Channel::foam);
+    constexpr std::array kNormal = {Channel::nx, Channel::ny, Channel::nz};
+    constexpr std::array kVelocity = {Channel::vx, Channel::vy, Channel::vz};
+    const auto has = [&](const auto& channels) {
+        return std::ranges::all_of(channels, [&](Channel c) { return surface.has(c); });
+    };
+    const bool normal = has(kNormal), velocity = has(kVelocity), foam = surface.has(Channel::foam);
     Mesh mesh;
-    mesh.positions.reserve(3 * (n + 1) * (n + 1));
-    mesh.normals.reserve(3 * (n + 1) * (n + 1));
+    const std::size_t vertices = (n + 1) * (n + 1);
+    mesh.positions.reserve(3 * vertices);
+    if (normal) mesh.normals.reserve(3 * vertices);
+    if (velocity) mesh.velocities.reserve(3 * vertices);
+    if (foam) mesh.foam.reserve(vertices);
     for (std::size_t j = 0; j <= n; ++j) {
         for (std::size_t i = 0; i <= n; ++i) {
             const std::size_t at = (j % n) * n + i % n;
@@ -70,14 +79,24 @@ Mesh make_patch_mesh(const Surface& surface) {
             mesh.positions.push_back(static_cast<float>(x + (i == n ? surface.period() : 0.0)));
             mesh.positions.push_back(static_cast<float>(y + (j == n ? surface.period() : 0.0)));
             mesh.positions.push_back(static_cast<float>(z));
-            for (const Channel channel : {Channel::nx, Channel::ny, Channel::nz}) {
-                mesh.normals.push_back(surface.channel(channel)[at]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (normal) mesh.normals.push_back(surface.channel(kNormal[c])[at]);
+                if (velocity) mesh.velocities.push_back(surface.channel(kVelocity[c])[at]);
             }
             if (foam) mesh.foam.push_back(surface.channel(Channel::foam)[at]);
         }
     }
     mesh.triangles = patch_triangles(surface.resolution());
     return mesh;
+}
+
+void turn_y_up(Mesh& mesh) {
+    for (std::vector<float>* vectors : {&mesh.positions, &mesh.normals, &mesh.velocities}) {
+        for (std::size_t at = 0; at < vectors->size(); at += 3) {
+            std::swap((*vectors)[at + 1], (*vectors)[at + 2]);
+            (*vectors)[at + 2] = -(*vectors)[at + 2];
+        }
+    }
 }
 
 }  // namespace ocean::io

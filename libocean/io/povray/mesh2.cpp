@@ -6,7 +6,6 @@
 // vertices which met still meet.
 #include "ocean/io/mesh2.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -14,53 +13,26 @@
 #include "ocean/grid.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
+#include "ocean/io/text_writer.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::io {
 namespace {
 
-// Collects text; with a file, hands it on in large pieces.
-class TextWriter {
-  public:
-    TextWriter() = default;
-    explicit TextWriter(OutputFile& file) : file_(&file) { buffer_.reserve(kPiece + 4096); }
-
-    TextWriter& operator<<(std::string_view text) {
-        buffer_ += text;
-        if (file_ != nullptr && buffer_.size() >= kPiece) flush();
-        return *this;
+// -1 .. 1. Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves a tenth of the file.
+TextWriter& write_unit(TextWriter& out, float value) {
+    const long scaled = std::lround(value * 10000.0f);
+    if (scaled < 0) out << "-";
+    const long magnitude = std::labs(scaled);
+    if (magnitude >= 10000) return out << "1";
+    char text[] = {'.', '0', '0', '0', '0'};
+    long digits = magnitude;
+    for (int place = 4; place > 0; --place, digits /= 10) {
+        text[place] = static_cast<char>('0' + digits % 10);
     }
-    template <typename Number>
-    TextWriter& number(Number value) {
-        char text[48];
-        return *this << std::string_view(text, std::to_chars(text, text + sizeof text, value).ptr);
-    }
-    // -1 .. 1. Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves a tenth of the
-    // file.
-    TextWriter& unit_number(float value) {
-        const long scaled = std::lround(value * 10000.0f);
-        if (scaled < 0) *this << "-";
-        const long magnitude = std::labs(scaled);
-        if (magnitude >= 10000) return *this << "1";
-        char text[] = {'.', '0', '0', '0', '0'};
-        long digits = magnitude;
-        for (int place = 4; place > 0; --place, digits /= 10) {
-            text[place] = static_cast<char>('0' + digits % 10);
-        }
-        return *this << std::string_view(text, sizeof text);
-    }
-    void flush() {
-        file_->write(buffer_);
-        buffer_.clear();
-    }
-    const std::string& text() const { return buffer_; }
-
-  private:
-    static constexpr std::size_t kPiece = std::size_t{1} << 20;
-    OutputFile* file_ = nullptr;
-    std::string buffer_;
-};
+    return out << std::string_view(text, sizeof text);
+}
 
 void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label,
                 const std::string& file_name) {
@@ -102,18 +74,16 @@ void write_vectors(TextWriter& out, const Mesh& mesh) {
     out.number(count);
     for (std::size_t v = 0; v < count; ++v) {
         const float* n = &mesh.normals[3 * v];
-        out << ",\n<";
-        out.unit_number(n[0]) << ",";
-        out.unit_number(n[2]) << ",";
-        out.unit_number(n[1]) << ">";
+        write_unit(out << ",\n<", n[0]) << ",";
+        write_unit(out, n[2]) << ",";
+        write_unit(out, n[1]) << ">";
     }
     out << "\n}\n";
     if (mesh.foam.empty()) return;
     out << "uv_vectors { ";
     out.number(count);
     for (const float foam : mesh.foam) {
-        out << ",\n<";
-        out.unit_number(foam) << ",0>";
+        write_unit(out << ",\n<", foam) << ",0>";
     }
     out << "\n}\n";
 }

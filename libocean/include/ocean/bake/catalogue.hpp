@@ -25,6 +25,10 @@ struct Catalogue {
 
     /// ".exr, .df3, .png (height_field) or .inc (mesh2)", with the last conjunction.
     std::string extensions(std::string_view conjunction) const;
+    /// By an extension in lower case, ".exr"; null if there is none of it.
+    const BakeFormat* find_format(std::string_view extension) const;
+    /// By that of a frame's own file.
+    const BakeFormat* find_format_of_frame(std::string_view extension) const;
     /// "height, displacement, ...".
     std::string product_names() const;
     /// "cpu, radix2, dft or auto".

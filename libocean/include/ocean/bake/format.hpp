@@ -74,9 +74,10 @@ io::FrameLabel frame_label(const BakePlan& plan, int frame);
 /// Functions get plans whose format they are. Those without a default every format has, or it does
 /// not compile; the others are null where it has no such thing.
 struct BakeFormat {
-    std::string_view name;       // "height_field"
-    std::string_view extension;  // in lower case with its dot, ".png"
-    std::string_view family;     // heading of its options in a help text, "EXR files"
+    std::string_view name;                  // "height_field"
+    std::string_view extension;             // in lower case with its dot, ".png"
+    std::string_view frame_extension = {};  // of a frame's own file, where it is another
+    std::string_view family;                // heading of its options in a help text, "EXR files"
 
     std::vector<FormatOption> (*options)(const Catalogue& catalogue) = nullptr;
     /// The settings that the options ask for, before there is a sea. Throws Error.
@@ -85,6 +86,11 @@ struct BakeFormat {
     FormatPlan (*settle)(const BakePlan& begun);
     /// In the order in which they are written. Cheap: a bake asks for all its frames at its start.
     std::vector<BakeFile> (*files)(const BakePlan& plan, int frame);
+    /// Beside the frames what all of them share: the same bytes from each shard. With write_shared.
+    std::vector<BakeFile> (*shared_files)(const BakePlan& plan) = nullptr;
+    void (*write_shared)(const BakePlan& plan, const BakeFile& file) = nullptr;
+    /// Whether a reader of the frames fills one that is missing without a word.
+    bool hides_gaps = false;
     /// SHA-256 of all that decides the content of a file.
     std::string (*recipe)(const BakePlan& plan, const BakeFile& file);
     /// Whether a file that is there may be one that a bake wrote, of any sea: others are the
@@ -101,6 +107,8 @@ struct BakeFormat {
                         const io::ByteSink& sink) = nullptr;
     /// read_pixels tells by itself whether a file is the plan's; others need a manifest.
     bool tells_its_recipe = false;
+    /// What a baked file says of itself. Throws Error bad_file.
+    std::vector<io::HeaderString> (*read_header)(const std::string& path) = nullptr;
     /// --from: takes what was not typed from the header of a baked file.
     void (*adopt)(const BakedHeader& header, const Catalogue& catalogue,
                   BakeOptions& options) = nullptr;

@@ -47,6 +47,7 @@ struct BakePlan {
     FrameMaps maps;
     OutputPattern pattern;
     std::vector<int> frames;       // of this shard
+    std::vector<int> all_frames;   // of all shards
     std::string shard;             // as typed; "" = all
     bool product_in_name = false;  // of each file
     Backend backend;
@@ -63,6 +64,8 @@ struct BakePlan {
     double shortest_wave() const;
 };
 
+/// Of this shard, those that frames share first.
+std::vector<BakeFile> all_files(const BakePlan& plan);
 /// All files of a bake, the manifest too.
 std::vector<std::string> output_paths(const BakePlan& plan);
 

@@ -4,7 +4,10 @@
 // What files of all formats say of the moment of a sea that they show.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ocean::io {
 
@@ -19,5 +22,19 @@ struct FrameLabel {
     /// A short name of the sea on its map: others have another.
     std::string_view sea_id = "";
 };
+
+/// A text of a file's header.
+struct HeaderString {
+    std::string name;
+    std::string text;
+};
+
+/// ocean:sea, frame, time, period, backend and version: what re-makes a frame.
+std::vector<HeaderString> label_strings(const FrameLabel& label);
+
+/// For files whose header is made of comments: "PREFIX NAME LINE" for each line of each text.
+std::string comment_lines(std::span<const HeaderString> strings, std::string_view prefix);
+/// The strings again, of all lines that begin so; other lines are left out.
+std::vector<HeaderString> parse_comment_lines(std::string_view text, std::string_view prefix);
 
 }  // namespace ocean::io

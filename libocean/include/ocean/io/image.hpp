@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/io/frame_label.hpp"
+
 namespace ocean::io {
 
 /// How a sample is stored.
@@ -24,12 +26,6 @@ struct ImagePlane {
         {};  // width * height, row-major, the bottom row first; or none
     float factor = 1.0f;
     float constant = 0.0f;  // everywhere, where there are no samples
-};
-
-/// A text of the header.
-struct HeaderString {
-    std::string name;
-    std::string text;
 };
 
 struct Image {

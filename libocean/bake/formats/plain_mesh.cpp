@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/plain_mesh.hpp"
+
+#include <algorithm>
+
+#include "formats/formats.hpp"
+#include "ocean/checked_text.hpp"
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+#include "source.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::string_view kNormalAlone = "normal";
+constexpr std::string_view kNothing = "position";
+
+std::string names_of(const PlainMesh& mesh) {
+    std::string names;
+    for (const Product* product : mesh.products) {
+        names += (names.empty() ? "" : ",") + std::string(product->name);
+    }
+    return names.empty() ? std::string(kNothing) : names;
+}
+
+}  // namespace
+
+std::uint64_t PlainMesh::floats() const {
+    std::uint64_t count = 3;
+    for (const Product* product : products) count += static_cast<std::uint64_t>(product->count);
+    return count;
+}
+
+std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all) {
+    return {{"products", "LIST",
+             "Of " + std::string(products) + ", or position for no more than that; default " +
+                 (all ? "all" : std::string(kNormalAlone))},
+            {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
+}
+
+PlainMesh read_plain_mesh(const BakeOptions& options, const Catalogue& catalogue,
+                          std::string_view products, bool all) {
+    PlainMesh mesh;
+    const std::string allowed(products);
+    std::string list = options.format_option("products");
+    if (list.empty()) list = all ? allowed : std::string(kNormalAlone);
+    if (list != kNothing) mesh.products = find_products(list, catalogue);
+    const std::vector<const Product*> possible = find_products(allowed, catalogue);
+    for (const Product* product : mesh.products) {
+        if (std::ranges::find(possible, product) != possible.end()) continue;
+        throw Error(ErrorKind::invalid_value, "--products " + list + ": a mesh has no " +
+                                                  std::string(product->name) +
+                                                  "; allowed are position, " + allowed);
+    }
+    if (const std::string& axes = options.format_option("axes"); !axes.empty()) {
+        mesh.axes = io::find_axes(axes);
+        if (mesh.axes == io::Axes::tnb) {
+            throw Error(ErrorKind::invalid_value, "--axes tnb: of a mesh allowed are zup and yup");
+        }
+    }
+    return mesh;
+}
+
+const PlainMesh& plain_mesh_of(const BakePlan& plan) {
+    return std::any_cast<const PlainMesh&>(plan.settings);
+}
+
+FormatPlan settle_plain_mesh(const BakePlan& begun) {
+    using enum Channel;
+    FrameMaps maps{{dx, dy, height}, {begun.resolution}};
+    for (const Product* product : plain_mesh_of(begun).products) {
+        maps.channels = maps.channels | product->set();
+    }
+    return {maps, begun.settings};
+}
+
+std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, int frame) {
+    return {{plan.pattern.file(frame), frame, 0, "mesh"}};
+}
+
+std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, int frame) {
+    std::vector<io::HeaderString> strings = io::label_strings(frame_label(plan, frame));
+    const PlainMesh& mesh = plain_mesh_of(plan);
+    strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
+    strings.push_back({"ocean:axes", std::string(io::axes_name(mesh.axes))});
+    strings.push_back({"ocean:field", names_of(mesh)});
+    return strings;
+}
+
+std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file) {
+    const PlainMesh& mesh = plain_mesh_of(plan);
+    return bake_recipe(
+        plan, file.frame,
+        "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + "\n");
+}
+
+bool is_plain_mesh(const BakeFile& file) {
+    return text::first_bytes(file.path, 1000).find(" ocean:sea ") != std::string::npos;
+}
+
+std::uint64_t plain_mesh_vertices(const BakePlan& plan) {
+    const auto side = static_cast<std::uint64_t>(plan.resolution) + 1;
+    return side * side;
+}
+
+std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
+    const auto side = static_cast<std::uint64_t>(plan.resolution);
+    return 2 * side * side;
+}
+
+std::uint64_t plain_mesh_bytes(const BakePlan& plan) {
+    return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float) +
+           plain_mesh_triangles(plan) * 3 * sizeof(int);
+}
+
+io::Mesh make_plain_mesh(const FrameWork& work) {
+    io::Mesh mesh = io::make_patch_mesh(work.maps.front());
+    if (plain_mesh_of(work.plan).axes == io::Axes::yup) io::turn_y_up(mesh);
+    return mesh;
+}
+
+void adopt_plain_mesh(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
+    options.take("products", header.text("field"));
+    options.take("axes", header.text("axes"));
+}
+
+}  // namespace ocean

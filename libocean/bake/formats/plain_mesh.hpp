@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// One period of the sea as a mesh file whose header says by comments what it is: what the formats
+// of such files share.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/bake/format.hpp"
+#include "ocean/bake/plan.hpp"
+#include "ocean/io/mesh.hpp"
+#include "ocean/io/product_image.hpp"
+
+namespace ocean {
+
+/// --products and --axes of a mesh.
+struct PlainMesh {
+    std::vector<const Product*> products;
+    io::Axes axes = io::Axes::zup;
+
+    /// Numbers of a vertex.
+    std::uint64_t floats() const;
+};
+
+/// `products` are those that the format can hold, its default if `all`, else normals alone.
+std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all);
+PlainMesh read_plain_mesh(const BakeOptions& options, const Catalogue& catalogue,
+                          std::string_view products, bool all);
+const PlainMesh& plain_mesh_of(const BakePlan& plan);
+
+FormatPlan settle_plain_mesh(const BakePlan& begun);
+std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, int frame);
+std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, int frame);
+std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file);
+bool is_plain_mesh(const BakeFile& file);
+std::uint64_t plain_mesh_vertices(const BakePlan& plan);
+std::uint64_t plain_mesh_triangles(const BakePlan& plan);
+std::uint64_t plain_mesh_bytes(const BakePlan& plan);
+io::Mesh make_plain_mesh(const FrameWork& work);
+void adopt_plain_mesh(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options);
+
+}  // namespace ocean

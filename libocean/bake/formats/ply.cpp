@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Binary PLY: normals, foam and velocity at each vertex.
+#include "formats/formats.hpp"
+#include "formats/plain_mesh.hpp"
+#include "ocean/io/mesh_files.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::string_view kProducts = "normal,foam,velocity";
+constexpr bool kAll = true;  // unless some are asked for
+
+std::vector<FormatOption> list_options(const Catalogue&) {
+    return plain_mesh_options(kProducts, kAll);
+}
+
+std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
+    return read_plain_mesh(options, catalogue, kProducts, kAll);
+}
+
+std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
+    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
+    return comments + io::ply_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats(),
+                                    plain_mesh_triangles(plan));
+}
+
+void write(const FrameWork& work, std::span<const BakeFile> files) {
+    const io::Mesh mesh = make_plain_mesh(work);
+    const auto strings = plain_mesh_strings(work.plan, work.frame);
+    work.put(files.front(), [&] { io::write_ply(mesh, strings, files.front().path); });
+}
+
+}  // namespace
+
+const BakeFormat kPlyFormat = {
+    .name = "ply",
+    .extension = ".ply",
+    .family = "Mesh files PLY",
+    .options = list_options,
+    .read_options = read_options,
+    .settle = settle_plain_mesh,
+    .files = list_plain_mesh,
+    .recipe = plain_mesh_recipe,
+    .is_baked = is_plain_mesh,
+    .frame_bytes = plain_mesh_bytes,
+    .most_bytes = most_bytes,
+    .write = write,
+    .read_header = io::read_ply_header,
+    .adopt = adopt_plain_mesh,
+};
+
+}  // namespace ocean

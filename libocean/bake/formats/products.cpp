@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "formats/formats.hpp"
+#include "ocean/csv_rows.hpp"
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+
+std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue) {
+    std::vector<const Product*> products;
+    for (const std::string& part : split(list, ',')) {
+        const std::string name(csv::trimmed(part));
+        const Product* product = &find_product(name, catalogue.products);
+        if (std::find(products.begin(), products.end(), product) != products.end()) {
+            throw Error(ErrorKind::invalid_value,
+                        "--products " + list + ": " + name + " is there twice");
+        }
+        products.push_back(product);
+    }
+    return products;
+}
+
+}  // namespace ocean

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A USD stage of text, sea.usda; beside it a crate file a frame, sea.0001.usdc, one with the faces,
+// sea.topology.usdc, and what tells readers the attributes of the frames, sea.clips.usda.
+#include "ocean/io/usd.hpp"
+
+#include "formats/formats.hpp"
+#include "formats/plain_mesh.hpp"
+#include "ocean/checked_text.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr std::string_view kProducts = "normal,foam,velocity";
+constexpr bool kAll = true;
+constexpr std::string_view kStageEnding = ".usda";
+constexpr std::string_view kFrameEnding = ".usdc";
+
+enum Shared : std::size_t { kStage, kClips, kTopology };
+
+std::vector<FormatOption> list_options(const Catalogue&) {
+    return plain_mesh_options(kProducts, kAll);
+}
+
+std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
+    return read_plain_mesh(options, catalogue, kProducts, kAll);
+}
+
+/// Of frames FIRST-LASTxSTEP.
+int step_of(const std::vector<int>& frames) {
+    if (frames.size() < 2) return 1;
+    const int step = frames[1] - frames[0];
+    bool even = step > 0;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        even = even && frames[i] - frames[i - 1] == step;
+    }
+    if (even) return step;
+    throw Error(ErrorKind::invalid_value,
+                "a USD stage has frames at even steps: allowed is --frames FIRST-LAST or "
+                "FIRST-LASTxSTEP");
+}
+
+FormatPlan settle(const BakePlan& begun) {
+    step_of(begun.all_frames);
+    if (begun.all_frames.front() < 0) {
+        throw Error(ErrorKind::invalid_value,
+                    "a USD stage names its frames by ####, which has no sign: allowed are frames "
+                    "from 0 on");
+    }
+    return settle_plain_mesh(begun);
+}
+
+/// "out/sea" of "out/sea.####.usda".
+std::string stem_of(const BakePlan& plan) {
+    constexpr std::string_view kManifest = ".manifest.json";
+    const std::string path = plan.pattern.manifest();
+    if (path.ends_with(kManifest)) return path.substr(0, path.size() - kManifest.size());
+    return path.substr(0, path.size() - (kManifest.size() - 1)) + "sea";
+}
+
+std::string with_ending(const std::string& path, std::string_view ending) {
+    return path.substr(0, path.rfind('.')) + std::string(ending);
+}
+
+std::string frame_path(const BakePlan& plan, int frame) {
+    return with_ending(plan.pattern.with_token().file(frame), kFrameEnding);
+}
+
+std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+    return {{frame_path(plan, frame), frame, 0, "mesh"}};
+}
+
+std::vector<BakeFile> list_shared(const BakePlan& plan) {
+    const int first = plan.all_frames.front();
+    const std::string stem = stem_of(plan);
+    return {{stem + std::string(kStageEnding), first, kStage, "stage"},
+            {stem + ".clips" + std::string(kStageEnding), first, kClips, "clips"},
+            {stem + ".topology" + std::string(kFrameEnding), first, kTopology, "topology"}};
+}
+
+bool is_shared(const BakeFile& file) {
+    return file.product != "mesh";
+}
+
+std::string file_name(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+/// The name of a frame with # in the place of its digits.
+std::string frame_template(const BakePlan& plan) {
+    std::string name = file_name(frame_path(plan, 0));
+    const std::size_t end = name.rfind('0', name.rfind('.'));
+    std::size_t start = end;
+    while (start > 0 && name[start - 1] == '0') --start;
+    for (std::size_t i = start; i <= end; ++i) name[i] = '#';
+    return name;
+}
+
+io::UsdSequence sequence_of(const BakePlan& plan) {
+    const PlainMesh& mesh = plain_mesh_of(plan);
+    const auto has = [&](std::string_view name) {
+        return std::ranges::any_of(mesh.products,
+                                   [&](const Product* product) { return product->name == name; });
+    };
+    const std::vector<BakeFile> shared = list_shared(plan);
+    return {.topology = file_name(shared[kTopology].path),
+            .manifest = file_name(shared[kClips].path),
+            .frames = frame_template(plan),
+            .first = plan.all_frames.front(),
+            .last = plan.all_frames.back(),
+            .step = step_of(plan.all_frames),
+            .rate = plan.sea.parameters.time.fps,
+            .y_up = mesh.axes == io::Axes::yup,
+            .normals = has("normal"),
+            .foam = has("foam"),
+            .velocities = has("velocity")};
+}
+
+std::string shared_text(const BakePlan& plan, const BakeFile& file) {
+    const io::UsdSequence sequence = sequence_of(plan);
+    if (file.part == kClips) return io::usd_clip_manifest(sequence);
+    return io::usd_stage(sequence, plain_mesh_strings(plan, plan.all_frames.front()));
+}
+
+void write_shared(const BakePlan& plan, const BakeFile& file) {
+    if (file.part == kTopology) return io::write_usd_topology(plan.resolution, file.path);
+    io::write_file_atomically(file.path, shared_text(plan, file));
+}
+
+std::string recipe(const BakePlan& plan, const BakeFile& file) {
+    if (!is_shared(file)) return plain_mesh_recipe(plan, file);
+    const std::string text = file.part == kTopology ? "" : shared_text(plan, file);
+    return bake_recipe(plan, file.frame, file.product + "\n" + text);
+}
+
+bool is_baked(const BakeFile& file) {
+    if (!is_shared(file) || file.part == kTopology) {
+        try {
+            return !io::read_usd_header(file.path).empty();
+        } catch (const Error&) {
+            return false;
+        }
+    }
+    const std::string head = text::first_bytes(file.path, 400);
+    const char* mark = file.part == kStage ? "\"ocean:sea\"" : "by libocean";
+    return head.starts_with("#usda") && head.find(mark) != std::string::npos;
+}
+
+std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
+    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
+    const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
+    if (file.part == kTopology && is_shared(file)) return comments + faces * 5 * sizeof(int);
+    if (is_shared(file)) return comments;
+    return comments + plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
+}
+
+void write(const FrameWork& work, std::span<const BakeFile> files) {
+    const io::Mesh mesh = make_plain_mesh(work);
+    const auto strings = plain_mesh_strings(work.plan, work.frame);
+    work.put(files.front(),
+             [&] { io::write_usd_frame(mesh, strings, work.frame, files.front().path); });
+}
+
+}  // namespace
+
+const BakeFormat kUsdFormat = {
+    .name = "usda",
+    .extension = kStageEnding,
+    .frame_extension = kFrameEnding,
+    .family = "USD stages",
+    .options = list_options,
+    .read_options = read_options,
+    .settle = settle,
+    .files = list_files,
+    .shared_files = list_shared,
+    .write_shared = write_shared,
+    .hides_gaps = true,
+    .recipe = recipe,
+    .is_baked = is_baked,
+    .frame_bytes = plain_mesh_bytes,
+    .most_bytes = most_bytes,
+    .write = write,
+    .read_header = io::read_usd_header,
+    .adopt = adopt_plain_mesh,
+};
+
+}  // namespace ocean

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sea as a USD mesh over time: a stage of text that names value clips, a crate file with the
+// points of each frame, and one with the faces that all share. Metres; velocities are m/s.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/io/frame_label.hpp"
+#include "ocean/io/mesh.hpp"
+
+namespace ocean::io {
+
+/// What a stage says of its clips. Names are those of files beside it.
+struct UsdSequence {
+    std::string topology;  // "sea.topology.usdc"
+    std::string manifest;  // "sea.clips.usda"
+    std::string frames;    // "sea.####.usdc"
+    int first = 1;
+    int last = 1;
+    int step = 1;
+    double rate = 24.0;  // frames a second
+    bool y_up = false;
+    bool normals = false, foam = false, velocities = false;
+};
+
+/// The text of the stage, with `strings` as customLayerData.
+std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString> strings);
+/// The text that says which attributes clips have, so that a reader need not open them all.
+std::string usd_clip_manifest(const UsdSequence& sequence);
+
+/// Points, and normals, foam and velocities where the mesh has them, at a time code. Throws Error
+/// output.
+void write_usd_frame(const Mesh& mesh, std::span<const HeaderString> strings, double time_code,
+                     const std::string& path);
+/// The quads of a patch mesh. Throws Error output.
+void write_usd_topology(int resolution, const std::string& path);
+/// The strings of a frame; of a topology its resolution. Throws Error bad_file.
+std::vector<HeaderString> read_usd_header(const std::string& path);
+
+}  // namespace ocean::io

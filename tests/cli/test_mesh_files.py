@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""PLY and OBJ of a sea, read by meshio, beside the EXR of the same frame, read by OpenImageIO."""
+
+import time
+
+import meshio
+import numpy
+import OpenImageIO as oiio
+import pytest
+
+N = 64
+PERIOD = 200.0
+
+
+def with_seam(values):
+    """Samples of one period, and the first of the next."""
+    return numpy.pad(values, ((0, 1), (0, 1)) + ((0, 0),) * (values.ndim - 2), mode="wrap")
+
+
+@pytest.fixture
+def maps(ocean):
+    """Of frame 3: displacement, normal, foam, velocity, the bottom row first, z up."""
+    products = "displacement,normal,foam,velocity"
+    ocean.good(
+        "bake", "sea.toml", "-o", "map.exr", "--frames", "3", "--products", products,
+        "--type", "float", "--axes", "zup", "--layout", "separate",
+    )  # fmt: skip
+
+    found = sorted(path.name for path in ocean.folder.glob("*.exr"))
+    names = {product: next(n for n in found if product in n) for product in products.split(",")}
+
+    def read(product: str):
+        image = oiio.ImageBuf(str(ocean.folder / names[product]))
+        return with_seam(image.get_pixels(oiio.FLOAT)[::-1])
+
+    return read
+
+
+def expected_points(displacement):
+    cell = PERIOD / N
+    x, y = numpy.meshgrid(numpy.arange(N + 1) * cell, numpy.arange(N + 1) * cell)
+    return numpy.dstack([x, y, 0 * x]) + displacement
+
+
+def bake(ocean, *arguments) -> None:
+    ocean.good("bake", "sea.toml", "--frames", "3", *arguments)
+
+
+def test_a_ply_has_what_the_maps_have(ocean, maps):
+    bake(ocean, "-o", "a.ply")
+    mesh = meshio.read(ocean.folder / "a.ply")
+    points = mesh.points.reshape(N + 1, N + 1, 3)
+    assert abs(points - expected_points(maps("displacement")[..., :3])).max() < 2e-5
+
+    def attribute(*names):
+        columns = [mesh.point_data[name] for name in names]
+        return numpy.stack(columns, -1).reshape(N + 1, N + 1, len(names))
+
+    assert (attribute("nx", "ny", "nz") == maps("normal")[..., :3]).all()
+    assert (attribute("vx", "vy", "vz") == maps("velocity")[..., :3]).all()
+    assert (attribute("foam")[..., 0] == maps("foam")[..., 0]).all()
+    assert maps("velocity").std() > 0.1
+    # Closed: the last column is the first of the next period, to the bit.
+    assert (points[:, -1] == points[:, 0] + [PERIOD, 0, 0]).all()
+    assert (points[-1] == points[0] + [0, PERIOD, 0]).all()
+    triangles = mesh.cells_dict["triangle"]
+    assert triangles.shape == (2 * N * N, 3)
+    # Every inner edge belongs to two triangles, and all faces look up.
+    edges = numpy.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    counts = numpy.unique(edges, axis=0, return_counts=True)[1]
+    assert (counts == 1).sum() == 4 * N and (counts <= 2).all()
+    a, b, c = (mesh.points[triangles[:, i]] for i in range(3))
+    assert (numpy.cross(b - a, c - a)[:, 2] > 0).mean() > 0.99
+
+
+def test_an_obj_has_the_same_vertices(ocean, maps):
+    bake(ocean, "-o", "a.ply")
+    bake(ocean, "-o", "a.obj", "--products", "normal,foam")
+    ply = meshio.read(ocean.folder / "a.ply")
+    lines = (ocean.folder / "a.obj").read_text().splitlines()
+    vertices = numpy.array([line.split()[1:] for line in lines if line.startswith("v ")], "f4")
+    assert (vertices[:, :3] == ply.points).all()
+    assert (vertices[:, 3] == ply.point_data["foam"]).all()
+    normals = numpy.array([line.split()[1:] for line in lines if line.startswith("vn ")], "f4")
+    assert (normals[:, 0] == ply.point_data["nx"]).all()
+    bake(ocean, "-o", "b.obj")
+    mesh = meshio.read(ocean.folder / "b.obj")
+    assert abs(mesh.points - ply.points).max() < 1e-5
+    assert (mesh.cells_dict["triangle"] == ply.cells_dict["triangle"]).all()
+
+
+def test_y_up_turns_every_vector(ocean):
+    bake(ocean, "-o", "z.ply")
+    bake(ocean, "-o", "y.ply", "--axes", "yup")
+    z, y = (meshio.read(ocean.folder / name) for name in ("z.ply", "y.ply"))
+    assert (y.points == z.points[:, [0, 2, 1]] * [1, 1, -1]).all()
+    for names in (("nx", "ny", "nz"), ("vx", "vy", "vz")):
+        assert (y.point_data[names[1]] == z.point_data[names[2]]).all()
+        assert (y.point_data[names[2]] == -z.point_data[names[1]]).all()
+    # Faces still look outwards.
+    a, b, c = (y.points[y.cells_dict["triangle"][:, i]] for i in range(3))
+    assert (numpy.cross(b - a, c - a)[:, 1] > 0).mean() > 0.99
+
+
+def test_only_what_is_asked_for(ocean):
+    bake(ocean, "-o", "a.ply", "--products", "foam")
+    assert set(meshio.read(ocean.folder / "a.ply").point_data) == {"foam"}
+    bake(ocean, "-o", "b.ply", "--products", "position")
+    assert not meshio.read(ocean.folder / "b.ply").point_data
+    said = ocean.bad("bake", "sea.toml", "-o", "a.obj", "--products", "velocity")
+    assert "a mesh has no velocity" in said and "normal,foam" in said
+    assert "tnb" in ocean.bad("bake", "sea.toml", "-o", "a.ply", "--axes", "tnb")
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj"])
+def test_a_mesh_remakes_itself(ocean, extension):
+    arguments = ["--axes", "yup", "--products", "normal,foam", "--resolution", "32"]
+    bake(ocean, "-o", f"a.{extension}", *arguments)
+    ocean.good("bake", "--from", f"a.{extension}", "-o", f"b.{extension}")
+    first, second = (ocean.folder / f"{name}.{extension}" for name in "ab")
+    assert first.read_bytes() == second.read_bytes()
+    assert "9 m/s" in ocean.good("info", f"a.{extension}")
+    # One that is cut off says so.
+    ocean.write(f"cut.{extension}", first.read_bytes()[:200])
+    assert f"cut.{extension}" in ocean.bad("info", f"cut.{extension}")
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj"])
+def test_frames_shards_and_resume(ocean, extension):
+    whole = ["bake", "sea.toml", "--frames", "1-4", "-o"]
+    ocean.good(*whole, f"out/sea.####.{extension}")
+    for shard in ("1/2", "2/2"):
+        ocean.good(*whole, f"parts/sea.####.{extension}", "--shard", shard)
+    meshes = [name for name in ocean.hashes("out") if name.endswith(extension)]
+    assert len(meshes) == 4
+    for name in meshes:
+        assert ocean.hashes("out")[name] == ocean.hashes("parts")[name]
+    # What is whole is kept, what is cut off is made again.
+    path = ocean.folder / "out" / meshes[1]
+    wanted = path.read_bytes()
+    path.write_bytes(wanted[:1000])
+    kept = (ocean.folder / "out" / meshes[0]).stat().st_mtime_ns
+    ocean.good(*whole, f"out/sea.####.{extension}", "--skip-existing")
+    assert path.read_bytes() == wanted
+    assert (ocean.folder / "out" / meshes[0]).stat().st_mtime_ns == kept
+    # A file of the user's is not replaced.
+    ocean.write(f"mine.{extension}", "ply\nmine\n")
+    assert "not written by a bake" in ocean.bad("bake", "sea.toml", "-o", f"mine.{extension}")
+    said = ocean.good(*whole, f"dry/sea.####.{extension}", "-n")
+    assert f"sea.0004.{extension}" in said and not (ocean.folder / "dry").exists()
+
+
+def test_a_mesh_of_512_squared_takes_less_than_two_seconds(ocean):
+    start = time.monotonic()
+    bake(ocean, "-o", "a.obj", "--resolution", "512")
+    seconds = time.monotonic() - start
+    print(f"OBJ of 512 x 512 in {seconds:.2f} s")
+    assert seconds < 2.0

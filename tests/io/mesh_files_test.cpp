@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: comments hold any text of several lines; a mesh turns as a whole; what is no mesh file of
+// ours is refused by name.
+#include "ocean/io/mesh_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ocean/error.hpp"
+#include "ocean/io/usd.hpp"
+#include "sample_surface.hpp"
+
+namespace ocean {
+namespace {
+
+TEST(CommentLines, HoldTextsOfSeveralLines) {
+    const std::vector<io::HeaderString> strings = {
+        {"ocean:sea", "a = 1\n\n[b]\n  c = \"x y\""}, {"ocean:empty", ""}, {"ocean:time", "0.5"}};
+    const std::string lines = io::comment_lines(strings, "comment");
+    EXPECT_EQ(lines,
+              "comment ocean:sea a = 1\ncomment ocean:sea \ncomment ocean:sea [b]\n"
+              "comment ocean:sea   c = \"x y\"\ncomment ocean:empty \ncomment ocean:time 0.5\n");
+    const auto read = io::parse_comment_lines(
+        "ply\n" + lines + "element vertex 3\ncomment\n" + "comment x\ncommentocean:sea y\n",
+        "comment");
+    ASSERT_EQ(read.size(), strings.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        EXPECT_EQ(read[i].name, strings[i].name);
+        EXPECT_EQ(read[i].text, strings[i].text);
+    }
+}
+
+TEST(MeshFiles, SayWhichSeaTheyAre) {
+    const test::TemporaryFolder folder;
+    const io::Mesh mesh = io::make_patch_mesh(test::sample_surface(16));
+    ASSERT_EQ(mesh.velocities.size(), mesh.positions.size());
+    const std::vector<io::HeaderString> strings = {{"ocean:sea", "libocean = 1\n[grid]"}};
+    io::write_ply(mesh, strings, folder.file("a.ply"));
+    io::write_obj(mesh, strings, folder.file("a.obj"));
+    EXPECT_EQ(io::read_ply_header(folder.file("a.ply")).front().text, strings.front().text);
+    EXPECT_EQ(io::read_obj_header(folder.file("a.obj")).front().text, strings.front().text);
+    EXPECT_THROW(io::read_ply_header(folder.file("a.obj")), Error);
+    EXPECT_THROW(io::read_obj_header(folder.file("a.ply")), Error);
+    io::write_ply(mesh, {}, folder.file("b.ply"));
+    EXPECT_THROW(io::read_ply_header(folder.file("b.ply")), Error);
+    const std::uint64_t vertices = mesh.positions.size() / 3;
+    const std::uint64_t triangles = mesh.triangles.size() / 3;
+    const auto size = [&](const char* name) {
+        return std::filesystem::file_size(folder.file(name));
+    };
+    EXPECT_LE(size("b.ply"), io::ply_bytes(vertices, 10, triangles));
+    EXPECT_GE(size("b.ply") + 1024, io::ply_bytes(vertices, 10, triangles));
+    io::write_obj(mesh, {}, folder.file("b.obj"));
+    EXPECT_THROW(io::read_obj_header(folder.file("b.obj")), Error);
+    EXPECT_LE(size("b.obj"), io::most_obj_bytes(vertices, 7, triangles));
+}
+
+TEST(UsdFiles, SayWhatTheyAreAndSurviveNoMutationOfTheirTable) {
+    const test::TemporaryFolder folder;
+    const io::Mesh mesh = io::make_patch_mesh(test::sample_surface(16));
+    const std::vector<io::HeaderString> strings = {{"ocean:sea", "libocean = 1\n[grid]"}};
+    const std::string path = folder.file("a.usdc");
+    io::write_usd_frame(mesh, strings, 3.0, path);
+    EXPECT_EQ(io::read_usd_header(path).front().text, strings.front().text);
+    EXPECT_THROW(io::read_usd_header(folder.file("none.usdc")), Error);
+    const std::string whole = test::read_bytes(path);
+    // Any byte of what says where things are may be another: an Error, or the strings.
+    std::mt19937 random(5);
+    for (int i = 0; i < 3000; ++i) {
+        std::string changed = whole;
+        const std::size_t tail = std::min<std::size_t>(whole.size(), 2000);
+        const bool head = random() % 4 == 0;
+        const std::size_t at = head ? random() % 88 : whole.size() - 1 - random() % tail;
+        changed[at] = static_cast<char>(random());
+        if (random() % 8 == 0) changed.resize(random() % changed.size());
+        std::ofstream(folder.file("b.usdc"), std::ios::binary) << changed;
+        try {
+            io::read_usd_header(folder.file("b.usdc"));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::bad_file);
+        }
+    }
+}
+
+TEST(UsdStage, QuotesWhatStandsInTheSea) {
+    const std::vector<io::HeaderString> strings = {{"ocean:sea", "a = \"b\"\\\n"}};
+    const std::string stage = io::usd_stage(io::UsdSequence(), strings);
+    EXPECT_NE(stage.find("\"\"\"a = \\\"b\\\"\\\\\n\"\"\""), std::string::npos) << stage;
+}
+
+TEST(MeshFiles, TurnAsAWhole) {
+    io::Mesh mesh;
+    mesh.positions = {1, 2, 3, 4, 5, 6};
+    mesh.normals = {0, 0, 1, 0, 1, 0};
+    mesh.velocities = {7, 8, 9, -1, -2, -3};
+    io::turn_y_up(mesh);
+    EXPECT_EQ(mesh.positions, (std::vector<float>{1, 3, -2, 4, 6, -5}));
+    EXPECT_EQ(mesh.normals, (std::vector<float>{0, 1, 0, 0, 0, -1}));
+    EXPECT_EQ(mesh.velocities, (std::vector<float>{7, 9, -8, -1, -3, 2}));
+}
+
+}  // namespace
+}  // namespace ocean
