@@ -88,6 +88,12 @@ class MockedBoard:
         self.program.stdin.write(command + "\n")
         self.program.stdin.flush()
 
+    def plug(self, a1: int = 0):
+        """With the knob there: the first report says so and moves nothing."""
+        self.tell(f"set {a1} 0 0 0 0")
+        self.tell("plug")
+        self.bus.wait_for("sent")
+
     def step(self, a1: int) -> float:
         """The knob is there; when the report went out."""
         self.tell(f"set {a1} 0 0 0 0")
@@ -120,12 +126,11 @@ def measure(build: Path, steps: int, rate: int) -> dict[str, list[float]]:
         (folder / "sea.toml").write_text(SEA)
         (folder / "map.toml").write_text(MAP)
         board = MockedBoard(build, folder, "sea.toml", "--map", "map.toml")
-        board.tell("plug")
+        board.plug(10)
         board.tell(f"rate {rate}")
         board.log.wait_for("board0 CONNECTED")
         _connection, client = board.client("SUBSCRIBE wind_speed")
         client.wait_for("VAL wind_speed")
-        board.step(10)  # where the knob is
         preview = subprocess.Popen(
             [str(build / "bin/ocean-preview"), "sea.toml", "--offscreen", "sea.png"]
             + ["--size", "64x36", "--bridge", board.address, "--probe", "3,4", "--follow", "3600"],

@@ -35,9 +35,8 @@ def test_the_whole_chain():
 def test_clients_hear_of_a_board_that_comes_and_goes(board):
     _connection, client = board.client("SUBSCRIBE wind_speed", "LIST")
     client.wait_for("END LIST")
-    board.tell("plug")
+    board.plug(10)
     client.wait_for("EVT board0 CONNECTED: K8055 on bus 1, device 2")
-    board.step(10)
     board.step(150)
     client.wait_for(r"UPD wind_speed 19\.7")
     board.tell("unplug")
@@ -45,10 +44,9 @@ def test_clients_hear_of_a_board_that_comes_and_goes(board):
     connection, asks = board.client("OUT board0/o1 1", "GET wind_speed")
     asks.wait_for("ERR .*no board has 'board0/o1'")
     asks.wait_for(r"VAL wind_speed 19\.7")  # it holds
-    board.tell("plug")
+    board.plug(77)
     client.wait_for("EVT board0 CONNECTED: K8055 on bus 1, device 3")
     # Another knob position than before moves nothing until it is turned.
-    board.step(77)
     connection.sendall(b"GET wind_speed\r\n")
     asks.wait_for(r"VAL wind_speed 19\.7")
     board.step(90)
@@ -72,9 +70,8 @@ def test_a_value_drives_an_output(board):
 
 
 def test_a_knob_at_rest_is_still(board):
-    board.tell("plug")
+    board.plug(128)
     board.log.wait_for("CONNECTED")
-    board.step(128)
     _connection, client = board.client("SUBSCRIBE wind_speed")
     client.wait_for("VAL wind_speed")
     for step in range(100):
@@ -89,7 +86,7 @@ def test_a_board_that_reports_costs_little(board):
         fields = Path(f"/proc/{board.pid}/stat").read_text().rsplit(")", 1)[1].split()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
-    board.tell("plug")
+    board.plug()
     board.log.wait_for("CONNECTED")
     before = seconds()
     time.sleep(3)

@@ -11,9 +11,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -87,26 +89,59 @@ Window open_window(int width, int height, const std::string& title) {
                 "no window with OpenGL 4.1 can be opened (" + Windows::last_error() + ")");
 }
 
+/// What a hand did, and where the mouse was then.
+struct HandAct {
+    double x;
+    double y;
+    std::array<bool, 3> buttons;  // that are down since
+    std::function<void(GLFWwindow* window)> tell_gui;
+};
+
 /// What happened in a window since it was last looked at: a key may be down for less than a frame.
 struct Events {
     bool any = false;
     std::vector<int> keys;       // that went down
     std::vector<int> with_ctrl;  // of them
+    double wheel = 0.0;
+    std::vector<HandAct> acts;  // of buttons, keys and wheel, one after another
 
-    /// Before Gui, which then calls these too.
+    /// Gui is told of the acts, and sets no callbacks itself.
     void listen_to(GLFWwindow* window) {
         glfwSetWindowUserPointer(window, this);
-        glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int modifiers) {
+        glfwGetCursorPos(window, &x_, &y_);
+        glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int code, int action, int mods) {
             Events& all = events(of);
-            all.any = true;
+            all.add([=](GLFWwindow* window) {
+                ImGui_ImplGlfw_KeyCallback(window, key, code, action, mods);
+            });
             if (action != GLFW_PRESS) return;
             all.keys.push_back(key);
-            if ((modifiers & GLFW_MOD_CONTROL) != 0) all.with_ctrl.push_back(key);
+            if ((mods & GLFW_MOD_CONTROL) != 0) all.with_ctrl.push_back(key);
         });
-        glfwSetCursorPosCallback(window, [](GLFWwindow* of, double, double) { happened(of); });
-        glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int, int, int) { happened(of); });
-        glfwSetScrollCallback(window, [](GLFWwindow* of, double, double) { happened(of); });
-        glfwSetCharCallback(window, [](GLFWwindow* of, unsigned) { happened(of); });
+        glfwSetCharCallback(window, [](GLFWwindow* of, unsigned letter) {
+            events(of).add(
+                [=](GLFWwindow* window) { ImGui_ImplGlfw_CharCallback(window, letter); });
+        });
+        glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int button, int action, int mods) {
+            Events& all = events(of);
+            const auto at = static_cast<std::size_t>(button);
+            if (at < all.buttons_.size()) all.buttons_[at] = action == GLFW_PRESS;
+            all.add([=](GLFWwindow* window) {
+                ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
+            });
+        });
+        glfwSetScrollCallback(window, [](GLFWwindow* of, double x, double y) {
+            events(of).wheel += y;
+            events(of).add([=](GLFWwindow* window) { ImGui_ImplGlfw_ScrollCallback(window, x, y); });
+        });
+        glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
+            Events& all = events(of);
+            all.any = true;
+            all.x_ = x;
+            all.y_ = y;
+        });
+        glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
+        glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
         glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { happened(of); });
         glfwSetWindowRefreshCallback(window, [](GLFWwindow* of) { happened(of); });
     }
@@ -115,6 +150,8 @@ struct Events {
         any = false;
         keys.clear();
         with_ctrl.clear();
+        wheel = 0.0;
+        acts.clear();
     }
 
   private:
@@ -122,6 +159,14 @@ struct Events {
         return *static_cast<Events*>(glfwGetWindowUserPointer(window));
     }
     static void happened(GLFWwindow* window) { events(window).any = true; }
+    void add(std::function<void(GLFWwindow* window)> tell_gui) {
+        any = true;
+        acts.push_back({x_, y_, buttons_, std::move(tell_gui)});
+    }
+
+    double x_ = 0.0;
+    double y_ = 0.0;
+    std::array<bool, 3> buttons_{};
 };
 
 /// Dear ImGui in a window.
@@ -133,7 +178,8 @@ class Gui {
         ImGui::GetIO().IniFilename = nullptr;  // it leaves no file where it is started
         ImGui::StyleColorsDark();
         ImGui::GetStyle().WindowRounding = 4.0f;
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
+        constexpr bool kSetsCallbacks = false;
+        ImGui_ImplGlfw_InitForOpenGL(window, kSetsCallbacks);
         ImGui_ImplOpenGL3_Init("#version 410");
     }
     ~Gui() {
@@ -144,18 +190,17 @@ class Gui {
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// Keys that were pressed since the last frame count, even if they are up again.
-    static void begin(GLFWwindow* window, const std::vector<int>& pressed) {
+    /// At an act of the hand, or as everything is now.
+    static void begin(GLFWwindow* window, const HandAct* act = nullptr) {
         ImGui_ImplOpenGL3_NewFrame();
+        if (act != nullptr) act->tell_gui(window);
         ImGui_ImplGlfw_NewFrame();
-        ImGuiIO& io = ImGui::GetIO();
-        for (const int key : pressed) {
-            if (key >= 0) io.KeysDown[key] = true;
+        if (act != nullptr) {
+            ImGuiIO& io = ImGui::GetIO();
+            io.MousePos = {static_cast<float>(act->x), static_cast<float>(act->y)};
+            std::ranges::copy(act->buttons, io.MouseDown);
         }
         ImGui::NewFrame();
-        for (const int key : pressed) {
-            if (key >= 0) io.KeysDown[key] = glfwGetKey(window, key) == GLFW_PRESS;
-        }
     }
     static void end() {
         ImGui::Render();
@@ -309,7 +354,7 @@ class Preview {
                 input.turn_left = degrees * (x - mouse_x_);
                 input.turn_up = degrees * (y - mouse_y_);
             }
-            input.closer = static_cast<double>(io.MouseWheel);
+            input.closer = events_.wheel;
         }
         mouse_x_ = x;
         mouse_y_ = y;
@@ -363,7 +408,24 @@ class Preview {
 
         const auto start = Clock::now();
         guarded([&] { look_under_mouse(); });
-        Gui::begin(window_, events_.keys);
+        // Frames may be slow, and a hand is not: each thing that it did is done where it did it.
+        for (const HandAct& act : std::exchange(events_.acts, {})) {
+            Gui::begin(window_, &act);
+            lay_out_panel();
+            ImGui::EndFrame();
+            do_what_was_asked();
+        }
+        Gui::begin(window_);
+        lay_out_panel();
+        Gui::end();
+        state_.times.panel = milliseconds_since(start);
+        glfwSwapBuffers(window_);
+        do_what_was_asked();
+        const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
+        if (link_) link_->tell_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
+    }
+
+    void lay_out_panel() {
         state_.touched = state_.save_sea = state_.reset_camera = false;
         state_.save_picture.clear();
         state_.reload = state_.record = false;
@@ -371,12 +433,6 @@ class Preview {
         show_stage();
         show_bridge();
         guarded([&] { draw_panel(sea_, shown_, camera_, state_); });
-        Gui::end();
-        state_.times.panel = milliseconds_since(start);
-        glfwSwapBuffers(window_);
-        do_what_was_asked();
-        const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
-        if (link_) link_->tell_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
     }
 
     void join(const bridge::LineClientOptions& bridge) {
