@@ -173,7 +173,7 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
             return reader.readline().strip()
 
         def wait_for(condition):
-            for _ in range(200):
+            for _ in range(600):
                 if condition():
                     return
                 assert window.poll() is None
@@ -197,10 +197,14 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
         assert float(sea["take"]["lines"][0].split()[0]) > 0.0
         # Its clock is heard and set.
         assert ask("SET app.pause 1") == "OK"
-        time.sleep(1.5)
-        before = ask("GET app.time")
-        time.sleep(1.5)
-        assert ask("GET app.time") == before
+
+        def stands() -> bool:
+            before = ask("GET app.time")
+            time.sleep(1.5)
+            return ask("GET app.time") == before
+
+        wait_for(stands)
+        assert stands()
         assert ask("SET app.time 100") == "OK"
         assert ask("SET app.pause 0") == "OK"
         wait_for(lambda: float(ask("GET app.time").split()[2]) > 100.5)
@@ -235,7 +239,12 @@ def test_of_two_windows_one_has_the_clock_and_both_follow_it(folder, bridge, dis
         tell("SUBSCRIBE app.time")
         first = clock_of(r"EVT WRITER app.time (\S+)")[1]
         windows.append(open_window())
-        time.sleep(3.0)
+        # It has joined when it has asked for what it will be told.
+        asks = [line for line in bridge.lines if "SUBSCRIBE" in line]
+        while len([line for line in bridge.lines if "SUBSCRIBE" in line]) == len(asks):
+            assert windows[1].poll() is None
+            time.sleep(0.1)
+        time.sleep(1.0)
         tell("SET app.time 500")
         clock_of(r"EVT WRITER app.time (?!" + first + ")")
         clock_of(r"EVT WRITER app.time " + first)
