@@ -15,14 +15,14 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         cmake g++ ninja-build pkg-config python3 libtomlplusplus-dev libcli11-dev libopenexr-dev
         libpng-dev zlib1g-dev libcairo2-dev libnetcdf-dev libssl-dev nlohmann-json3-dev libepoxy-dev
         libglm-dev libglfw3-dev libimgui-dev libstb-dev fonts-dejavu-core libasio-dev libedit-dev
-        libusb-1.0-0-dev liblo-dev librtmidi-dev)
+        libusb-1.0-0-dev liblo-dev librtmidi-dev libopenvdb-dev libboost-iostreams-dev)
     demo_packages=("${build_packages[@]}" povray povray-includes)
     lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
         libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio openexr clang
         libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri xvfb xauth xdotool
-        telnet netcat-openbsd python3-meshio umockdev libumockdev-dev liblo-tools)
+        telnet netcat-openbsd python3-meshio python3-openvdb libopenvdb-tools umockdev libumockdev-dev liblo-tools)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)

@@ -66,6 +66,9 @@ const Catalogue& standard_catalogue() {
     static constexpr const BakeFormat* kFormats[] = {
         &kExrFormat, &kDf3Format, &kHeightFieldFormat, &kMesh2Format,
         &kPlyFormat, &kObjFormat, &kUsdFormat,
+#ifdef OCEAN_HAVE_OPENVDB
+        &kVdbFormat,
+#endif
     };
     static const Catalogue catalogue{kFormats, product_table(), core_backends()};
     return catalogue;

@@ -37,15 +37,17 @@ bool FrameBaker::keep(const std::vector<BakeFile>& files) {
 
 void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
     const std::vector<Surface> maps = make_maps(bake_.plan.sea.time_of(frame));
-    bake_.plan.format->write({bake_.plan, frame, maps, threads_,
+    bake_.plan.format->write({bake_.plan, frame, maps, ocean_, threads_,
                               [this](const BakeFile& file, const std::function<void()>& write) {
                                   put_file(bake_, file, threads_, write);
-                              }},
+                              },
+                              [this](const std::string& message) { bake_.host.warning(message); }},
                              files);
 }
 
 std::vector<Surface> FrameBaker::make_maps(double time) {
     const FrameMaps& maps = bake_.plan.maps;
+    if (maps.channels.empty()) return {};
     if (!maps.by_place) {
         std::vector<Surface> levels = map_levels(ocean_, time, maps.channels, maps.resolutions);
         if (maps.finer > 0) {

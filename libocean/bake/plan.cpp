@@ -38,11 +38,9 @@ std::string decimal_rate(const std::string& text) {
 [[noreturn]] void refuse_extension(const Catalogue& catalogue, const std::string& output,
                                    const std::string& extension) {
     const std::string allowed = "allowed are " + catalogue.extensions("and");
-    for (const char* later : {".vdb"}) {
-        if (extension == later) {
-            throw Error(ErrorKind::unsupported,
-                        "-o " + output + ": " + later + " comes with a later version; " + allowed);
-        }
+    if (extension == ".vdb") {
+        throw Error(ErrorKind::unsupported,
+                    "-o " + output + ": this build is without OpenVDB; " + allowed);
     }
     refuse("-o " + output + ": the extension names the format; " + allowed);
 }
@@ -176,6 +174,10 @@ io::FrameLabel frame_label(const BakePlan& plan, int frame) {
 
 io::FrameLabel FrameWork::label() const {
     return frame_label(plan, frame);
+}
+
+double FrameWork::time() const {
+    return plan.sea.time_of(frame);
 }
 
 std::vector<int> halving_resolutions(int resolution) {

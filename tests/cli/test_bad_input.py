@@ -107,12 +107,6 @@ def test_a_truncated_baked_file_is_refused(ocean):
         assert "cut.exr" in ocean.bad("info", "cut.exr")
 
 
-@pytest.mark.parametrize("extension", ["vdb"])
-def test_formats_of_later_versions_say_so(ocean, extension):
-    message = ocean.bad("bake", "sea.toml", "-o", f"s.{extension}")
-    assert f".{extension}" in message and "later version" in message
-
-
 @pytest.mark.parametrize(
     ("arguments", "parts"),
     [

@@ -68,6 +68,7 @@ def test_what_is_read_is_not_written_over(lot, command, file):
         ("s.inc", ()),
         ("s.ply", ()),
         ("s.obj", ()),
+        ("s.vdb", ()),
     ],
 )
 def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
@@ -80,7 +81,7 @@ def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
     assert ocean.files(".") == sorted(["buoy.toml", name, "sea.toml"])
 
 
-@pytest.mark.parametrize("extension", ["exr", "df3", "png", "inc", "ply", "obj"])
+@pytest.mark.parametrize("extension", ["exr", "df3", "png", "inc", "ply", "obj", "usda", "vdb"])
 def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension):
     command = ("bake", "sea.toml", "-o", f"s.{extension}")
     ocean.good(*command)

@@ -6,6 +6,7 @@ listed by --help like the library's own."""
 import hashlib
 import json
 import os
+import re
 import subprocess
 
 import numpy as np
@@ -39,7 +40,7 @@ def entries(folder):
 
 def test_help_lists_them():
     text = " ".join(run("bake", "--help").stdout.split())
-    assert ".inc (mesh2), .ply, .obj, .usda or .stats" in text
+    assert re.search(r"\.inc \(mesh2\), \.ply, \.obj, \.usda,? (\.vdb )?or \.stats", text)
     assert "Statistics:" in text and "--digits N Decimals of a number" in text
     assert "foam, velocity, derivatives, steepness; default" in text
 

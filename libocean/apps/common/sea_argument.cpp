@@ -12,6 +12,7 @@
 #include "ocean/io/exr.hpp"
 #include "ocean/io/mesh_files.hpp"
 #include "ocean/io/usd.hpp"
+#include "ocean/io/vdb.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -26,6 +27,7 @@ constexpr std::string_view kPresetPrefix = "preset:";
 std::vector<io::HeaderString> (*header_reader(const std::string& path))(const std::string&) {
     const std::string head = text::first_bytes(path, 16);
     if (head.starts_with("\x76\x2f\x31\x01")) return io::read_exr_header;
+    if (head.starts_with("\x20\x42\x44\x56")) return io::read_vdb_header;
     if (head.starts_with("PXR-USDC")) return io::read_usd_header;
     if (head.starts_with("ply\n")) return io::read_ply_header;
     if (head.starts_with("# The surface of")) return io::read_obj_header;

@@ -132,7 +132,8 @@ struct Events {
         });
         glfwSetScrollCallback(window, [](GLFWwindow* of, double x, double y) {
             events(of).wheel += y;
-            events(of).add([=](GLFWwindow* window) { ImGui_ImplGlfw_ScrollCallback(window, x, y); });
+            events(of).add(
+                [=](GLFWwindow* window) { ImGui_ImplGlfw_ScrollCallback(window, x, y); });
         });
         glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
             Events& all = events(of);

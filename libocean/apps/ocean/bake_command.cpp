@@ -170,7 +170,7 @@ Command bake_command(const Catalogue& catalogue) {
     groups.push_back(run_options("Progress, warnings and errors as JSON lines"));
     return {
         .name = "bake",
-        .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD",
+        .summary = "Write frames of a sea: EXR, DF3, PNG, POV-Ray mesh, PLY, OBJ, USD, VDB",
         .options = std::move(groups),
         .footer = kFooter,
         .run = [typed, &catalogue](const Context& context) { run(*typed, catalogue, context); },

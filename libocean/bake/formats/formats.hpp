@@ -19,6 +19,7 @@ extern const BakeFormat kMesh2Format;
 extern const BakeFormat kPlyFormat;
 extern const BakeFormat kObjFormat;
 extern const BakeFormat kUsdFormat;
+extern const BakeFormat kVdbFormat;
 
 /// "normal, foam". Throws Error invalid_value for a name that is unknown or there twice.
 std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue);

@@ -16,6 +16,7 @@
 
 #include "ocean/io/frame_label.hpp"
 #include "ocean/io/image.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
@@ -62,11 +63,15 @@ struct FrameWork {
     const BakePlan& plan;
     int frame;
     std::span<const Surface> maps;  // as FrameMaps says
+    Ocean& ocean;                   // for what is no map
     int threads;
     /// Has `write` make a file, undisturbed by an interrupt; reads it back for the manifest.
     std::function<void(const BakeFile& file, const std::function<void()>& write)> put;
+    /// Of what the frame lacks.
+    std::function<void(const std::string& message)> warn;
 
     io::FrameLabel label() const;
+    double time() const;
 };
 /// What the files of a frame say of it; refers to the plan.
 io::FrameLabel frame_label(const BakePlan& plan, int frame);

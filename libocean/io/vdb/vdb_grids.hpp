@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What makes OpenVDB grids out of columns of voxels, a leaf of 8^3 voxels after another: the same
+// tree for any number of threads, and no look-up for a voxel. OpenVDB is included in this folder
+// alone.
+#pragma once
+
+#include <openvdb/openvdb.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "ocean/io/vdb.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean::io {
+
+struct VdbGrid::Grid {
+    openvdb::GridBase::ConstPtr grid;
+};
+
+/// Where the voxel (i, j, k) of the sea lies in the file.
+struct FileAxes {
+    bool y_up;
+
+    openvdb::Coord file_of(int i, int j, int k) const {
+        return y_up ? openvdb::Coord(i, k, -j) : openvdb::Coord(i, j, k);
+    }
+    Velocity file_of(const Velocity& v) const { return y_up ? Velocity{v[0], v[2], -v[1]} : v; }
+};
+
+/// Leaves of a tree above the 8 x 8 columns that they have in common.
+class LeafColumns {
+  public:
+    static constexpr int kSide = 8;
+    static_assert(kSide == openvdb::FloatTree::LeafNodeType::DIM);
+    static_assert(kSide == openvdb::Vec3STree::LeafNodeType::DIM);
+
+    LeafColumns(const VoxelRange& voxels, FileAxes axes)
+        : voxels_(voxels),
+          axes_(axes),
+          first_x_(block_of(voxels.first[0])),
+          first_y_(axes.y_up ? block_of(-last(1)) : block_of(voxels.first[1])),
+          count_x_(block_of(last(0)) - first_x_ + 1),
+          count_y_((axes.y_up ? block_of(-voxels.first[1]) : block_of(last(1))) - first_y_ + 1) {}
+
+    int count() const { return count_x_ * count_y_; }
+    int first_block() const { return block_of(voxels_.first[2]); }
+    int last_block() const { return block_of(last(2)); }
+
+    /// Calls body(i, j, column) for the columns of item that there are; column is the index of the
+    /// row-major [j][i].
+    template <typename Body>
+    void for_each_column(int item, const Body& body) const {
+        const int x = kSide * (first_x_ + item % count_x_);
+        const int y = kSide * (first_y_ + item / count_x_);
+        for (int j_file = y; j_file < y + kSide; ++j_file) {
+            const int j = axes_.y_up ? -j_file : j_file;
+            const int row = j - voxels_.first[1];
+            if (row < 0 || row >= voxels_.count[1]) continue;
+            for (int i = x; i < x + kSide; ++i) {
+                const int at = i - voxels_.first[0];
+                if (at < 0 || at >= voxels_.count[0]) continue;
+                body(i, j,
+                     static_cast<std::size_t>(row) * static_cast<std::size_t>(voxels_.count[0]) +
+                         static_cast<std::size_t>(at));
+            }
+        }
+    }
+    /// The corner of the leaf of item and block in the file.
+    openvdb::Coord corner(int item, int block) const {
+        const int x = kSide * (first_x_ + item % count_x_);
+        const int y = kSide * (first_y_ + item / count_x_);
+        const int z = kSide * block;
+        return axes_.y_up ? openvdb::Coord(x, z, y) : openvdb::Coord(x, y, z);
+    }
+
+    /// The block of 8 voxels that one is in.
+    static int block_of(int voxel) { return voxel >> 3; }
+
+  private:
+    int last(int axis) const {
+        const auto a = static_cast<std::size_t>(axis);
+        return voxels_.first[a] + voxels_.count[a] - 1;
+    }
+
+    const VoxelRange& voxels_;
+    FileAxes axes_;
+    int first_x_, first_y_;
+    int count_x_, count_y_;
+};
+
+/// Calls make(item, leaves) for each item, on all threads, and adds the leaves to the tree in the
+/// order of the items.
+template <typename Tree, typename Make>
+void add_leaves(Tree& tree, int items, ThreadPool& pool, const Make& make) {
+    using Leaf = typename Tree::LeafNodeType;
+    std::vector<std::vector<std::unique_ptr<Leaf>>> leaves(static_cast<std::size_t>(items));
+    pool.for_each_item(items,
+                       [&](int item, int) { make(item, leaves[static_cast<std::size_t>(item)]); });
+    for (auto& column : leaves) {
+        for (std::unique_ptr<Leaf>& leaf : column) tree.addLeaf(leaf.release());
+    }
+}
+
+}  // namespace ocean::io

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The texts at the beginning of a VDB file, read without OpenVDB, which trusts the sizes that a
+// file names.
+#include <cstring>
+#include <fstream>
+
+#include "ocean/error.hpp"
+#include "ocean/io/vdb.hpp"
+#include "ocean/platform.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr std::size_t kLongestHeader = std::size_t{8} << 20;  // a sea with its take
+constexpr std::uint64_t kMagic = 0x56444220;                  // "VDB "
+constexpr std::uint32_t kOldestVersion = 222;                 // OpenVDB 3; written by 10: 224
+constexpr std::size_t kIdLength = 36;
+
+/// Little-endian values one after another; whether all of them were there is asked at the end.
+class Bytes {
+  public:
+    explicit Bytes(std::string_view bytes) : rest_(bytes) {}
+
+    template <typename Number>
+    Number number() {
+        Number value{};
+        const std::string_view bytes = take(sizeof value);
+        if (bytes.size() == sizeof value) std::memcpy(&value, bytes.data(), sizeof value);
+        return value;
+    }
+    std::string_view take(std::size_t count) {
+        if (count > rest_.size()) {
+            ends_early_ = true;
+            rest_ = {};
+            return {};
+        }
+        const std::string_view bytes = rest_.substr(0, count);
+        rest_.remove_prefix(count);
+        return bytes;
+    }
+    std::string_view counted() { return take(number<std::uint32_t>()); }
+    bool ends_early() const { return ends_early_; }
+
+  private:
+    std::string_view rest_;
+    bool ends_early_ = false;
+};
+
+}  // namespace
+
+std::vector<HeaderString> read_vdb_header(const std::string& path) {
+    std::ifstream file(utf8_path(path), std::ios::binary);
+    std::string head(kLongestHeader, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+
+    Bytes bytes(head);
+    if (bytes.number<std::uint64_t>() != kMagic) {
+        throw Error(ErrorKind::bad_file, path + ": is no OpenVDB file");
+    }
+    const auto version = bytes.number<std::uint32_t>();
+    bytes.take(2 * sizeof(std::uint32_t));  // of the library
+    bytes.take(1);                          // whether grids have offsets
+    bytes.take(kIdLength);
+    if (version < kOldestVersion) {
+        throw Error(ErrorKind::bad_file, path + ": is of an older version of OpenVDB's files");
+    }
+    std::vector<HeaderString> strings;
+    bool has_sea = false;
+    for (auto count = bytes.number<std::uint32_t>(); count > 0 && !bytes.ends_early(); --count) {
+        const std::string_view name = bytes.counted();
+        const std::string_view type = bytes.counted();
+        const std::string_view value = bytes.counted();
+        if (bytes.ends_early() || type != "string") continue;
+        strings.push_back({std::string(name), std::string(value)});
+        has_sea = has_sea || name == "ocean:sea";
+    }
+    if (bytes.ends_early()) {
+        throw Error(ErrorKind::bad_file, path + ": its header ends early");
+    }
+    if (!has_sea) {
+        throw Error(ErrorKind::bad_file,
+                    path + ": its metadata name no sea; only files that `ocean bake` wrote do");
+    }
+    return strings;
+}
+
+}  // namespace ocean::io

@@ -1,0 +1,283 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Volumes, read by OpenVDB's own Python module and vdb_print."""
+
+import csv
+import io
+import shutil
+import subprocess
+
+import numpy
+import pytest
+from conftest import SMALL_SEA
+
+pyopenvdb = pytest.importorskip("pyopenvdb", reason="python3-openvdb is not installed")
+
+N = 64
+SEAS = {
+    "sea": SMALL_SEA,
+    "pool": """libocean = 1
+[water]
+depth = 1.5
+[grid]
+resolution = 64
+patch_size = 8.0
+[[waves]]
+spectrum = "tma"
+significant_wave_height = 0.2
+peak_period = 1.4
+""",
+    "storm": SMALL_SEA.replace("9.0", "24.0").replace("200.0", "500.0"),
+    # Crests that have folded over.
+    "folded": SMALL_SEA.replace("9.0", "16.0") + "[surface]\nchoppiness = 2.2\n",
+}
+ACROSS = 3  # voxels that the level set knows on either side
+
+
+@pytest.fixture
+def bake(ocean):
+    for name, text in SEAS.items():
+        ocean.write(f"{name}.toml", text)
+
+    def made(sea: str, output: str, *arguments):
+        ocean.good("bake", f"{sea}.toml", "-o", output, *arguments)
+        return ocean.folder / output
+
+    return made
+
+
+def query(ocean, sea: str, points: numpy.ndarray, *arguments) -> dict[str, numpy.ndarray]:
+    ocean.write("points.csv", "x,y\n" + "".join(f"{x!r},{y!r}\n" for x, y in points.tolist()))
+    text = ocean.good("query", f"{sea}.toml", "--points", "points.csv", "--frame", 1, *arguments)
+    rows = list(csv.DictReader(io.StringIO(text)))
+    return {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
+
+
+def dense(grid) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """All values from two voxels before the first active one, and where that is."""
+    low, high = (numpy.array(end) for end in grid.evalActiveVoxelBoundingBox())
+    low -= 2
+    size = high - low + 3
+    vector = not isinstance(grid.background, float)
+    values = numpy.empty((*size, 3) if vector else size, numpy.float32)
+    grid.copyToArray(values, ijk=tuple(int(i) for i in low))
+    return values, low
+
+
+@pytest.mark.parametrize("sea", SEAS)
+def test_the_surface_is_where_the_sea_is(ocean, bake, sea):
+    path = bake(sea, "s.vdb", "--products", "surface")
+    grid = pyopenvdb.read(str(path), "surface")
+    voxel = grid.transform.voxelSize()[0]
+    values, low = dense(grid)
+    inside = values < 0
+    # Of a column the last water has air above: there the distance goes through 0.
+    i, j = (axis.ravel() for axis in numpy.mgrid[2:N, 2:N])
+    columns = inside[i - low[0], j - low[1]]
+    top = columns.shape[1] - 1 - columns[:, ::-1].argmax(axis=1)
+    below, above = (values[i - low[0], j - low[1], top + step] for step in (0, 1))
+    height = voxel * (low[2] + top + below / (below - above))
+    points = numpy.stack([i, j], -1) * voxel
+    some = numpy.random.default_rng(1).choice(len(points), 400, replace=False)
+    asked = query(ocean, sea, points[some], "--exact", "--no-foam")
+    error = abs(height[some] - asked["height"]) / voxel
+    assert error.max() < 0.05
+    assert asked["height"].std() > 0.02  # there are waves
+    # Distances: the gradient's length is 1, but where crests fold.
+    if sea != "folded":
+        near = numpy.abs(values[1:-1, 1:-1, 1:-1]) < 1.5 * voxel
+        near &= (numpy.indices(near.shape)[2] + 1 + low[2]) * voxel > asked["height"].min() - voxel
+        inner = near[8:-8, 8:-8]
+        steps = [(values[2:, 1:-1, 1:-1] - values[:-2, 1:-1, 1:-1])[8:-8, 8:-8]]
+        steps += [(values[1:-1, 2:, 1:-1] - values[1:-1, :-2, 1:-1])[8:-8, 8:-8]]
+        steps += [(values[1:-1, 1:-1, 2:] - values[1:-1, 1:-1, :-2])[8:-8, 8:-8]]
+        length = numpy.sqrt(sum(step**2 for step in steps)) / (2 * voxel)
+        assert abs(numpy.median(length[inner]) - 1.0) < 0.02
+
+
+@pytest.mark.parametrize("sea", SEAS)
+def test_the_level_set_is_closed(bake, sea):
+    grid = pyopenvdb.read(str(bake(sea, "s.vdb", "--products", "surface")), "surface")
+    assert grid.gridClass == "level set"
+    voxel = grid.transform.voxelSize()[0]
+    assert grid.background == pytest.approx(ACROSS * voxel)
+    # From outside one comes to no water without passing a voxel that knows its distance.
+    values, _ = dense(grid)
+    active = numpy.zeros(values.shape, numpy.float32)
+    mask = grid.deepCopy()
+    mask.mapOn(lambda _: 9.0)
+    low = numpy.array(grid.evalActiveVoxelBoundingBox()[0]) - 2
+    mask.copyToArray(active, ijk=tuple(int(i) for i in low))
+    active = active == 9.0
+    outside = numpy.zeros_like(active)
+    outside[0] = outside[-1] = outside[:, 0] = outside[:, -1] = True
+    outside[:, :, 0] = outside[:, :, -1] = True
+    while True:
+        grown = outside.copy()
+        for axis in range(3):
+            grown |= numpy.roll(outside, 1, axis) | numpy.roll(outside, -1, axis)
+        grown &= ~active
+        grown |= outside
+        if (grown == outside).all():
+            break
+        outside = grown
+    assert not (outside & (values < 0)).any()
+    assert (values[~active & ~outside] < 0).all() or sea == "folded"
+    # The mesh that others make of it: the faces of a box, however they are bent.
+    points, quads = grid.convertToQuads()
+    edges = numpy.sort(quads[:, [[0, 1], [1, 2], [2, 3], [3, 0]]].reshape(-1, 2), axis=1)
+    unique, counts = numpy.unique(edges, axis=0, return_counts=True)
+    if sea != "folded":
+        assert (counts == 2).all()
+        assert len(points) - len(unique) + len(quads) == 2
+    assert (counts % 2 == 0).all()  # no hole
+    size = points.max(axis=0) - points.min(axis=0)
+    assert size[:2] == pytest.approx(N * voxel, abs=0.1 * voxel)
+
+
+def test_the_velocity_is_that_of_the_water(ocean, bake):
+    path = bake("sea", "s.vdb")
+    grid = pyopenvdb.read(str(path), "vel")
+    assert grid.vectorType == "contravariant relative"
+    voxel = grid.transform.voxelSize()[0]
+    assert voxel == pytest.approx(2 * 200 / N)
+    values, low = dense(grid)
+    for k in (-1, 0, 1):
+        i, j = (axis.ravel()[::7] for axis in numpy.mgrid[0:32, 0:32])
+        z = min(voxel * k, 0.0)  # above still water there is no more than at it
+        # The waves that the voxels hold.
+        points = numpy.stack([i, j], -1) * voxel
+        ocean.write("coarse.toml", SMALL_SEA.replace(f"= {N}", f"= {N // 2}"))
+        asked = query(ocean, "coarse", points, "--exact", "--no-foam", "--orbital", z)
+        found = values[i - low[0], j - low[1], k - low[2]]
+        there = numpy.abs(found).sum(axis=1) > 0
+        assert there.mean() > 0.3
+        for axis, name in enumerate("xyz"):
+            wanted = asked[f"orbital_velocity_{name}"]
+            assert wanted.std() > 0.1
+            assert abs(found[there, axis] - wanted[there]).max() < 0.01 * wanted.std()
+
+
+def test_the_written_water_keeps_its_volume(bake):
+    # Waves of 16 voxels and more: halved voxels leave a quarter of the divergence.
+    error = []
+    for voxel in (12.5, 6.25):
+        arguments = ["--products", "vel", "--velocity-voxel", voxel, "--set"]
+        path = bake(
+            "sea", f"v{voxel}.vdb", *arguments, "shortest_wavelength=200", "--set",
+            "wind_speed=20", "--set", "grid.patch_size=800", "--set", "grid.resolution=256",
+            "--resolution", "256", "--box", "0,0,-100,800,800,0",
+        )  # fmt: skip
+        grid = pyopenvdb.read(str(path), "vel")
+        values, low = dense(grid)
+        values = values.astype(numpy.float64)
+        k = slice(3, -low[2] - 1 - 1)  # whole neighbours, to one voxel below still water
+        gradient = [
+            (numpy.roll(values[..., a], -1, b) - numpy.roll(values[..., a], 1, b)) / (2 * voxel)
+            for a in range(3)
+            for b in range(3)
+        ]
+        inner = (slice(4, -4), slice(4, -4), k)
+        divergence = (gradient[0] + gradient[4] + gradient[8])[inner]
+        size = numpy.sqrt(sum((g[inner] ** 2).mean() for g in gradient))
+        error.append(numpy.sqrt((divergence**2).mean()) / size)
+    print(f"divergence of its gradient: {error[0]:.4f}, {error[1]:.4f}")
+    assert 3.5 < error[0] / error[1] < 4.5
+
+
+def test_axes_boxes_and_halves(ocean, bake):
+    box = ["--box", "10,20,-12,60,70,crest", "--voxel", "1.5", "--velocity-voxel", "2"]
+    upright = pyopenvdb.read(str(bake("sea", "z.vdb", *box)), "surface")
+    turned, velocity = (
+        pyopenvdb.read(str(bake("sea", "y.vdb", *box, "--axes", "yup")), name)
+        for name in ("surface", "vel")
+    )
+    z, low_z = dense(upright)
+    y, low_y = dense(turned)
+    # (x, y, z) -> (x, z, -y)
+    assert (y == z.transpose(0, 2, 1)[:, :, ::-1]).all()
+    assert low_y[0] == low_z[0] and low_y[1] == low_z[2]
+    still = pyopenvdb.read(str(ocean.folder / "z.vdb"), "vel")
+    v, w = dense(still)[0], dense(velocity)[0]
+    expected = v[..., [0, 2, 1]].transpose(0, 2, 1, 3)[:, :, ::-1] * [1, 1, -1]
+    assert (w == expected).all() and numpy.abs(w).max() > 0.2
+    points, _ = upright.convertToQuads()
+    assert points.min(axis=0) == pytest.approx([10, 20, -12], abs=0.1)
+    assert points.max(axis=0)[:2] == pytest.approx([60, 70], abs=0.1)
+    # A box below the crests is full to its top.
+    deep, _ = pyopenvdb.read(
+        str(bake("sea", "d.vdb", "--box", "0,0,-30,40,40,-10", "--products", "surface")), "surface"
+    ).convertToQuads()
+    assert deep.max(axis=0)[2] == pytest.approx(-10, abs=0.1)
+    half = bake("sea", "h.vdb", *box, "--type", "half")
+    assert half.stat().st_size < 0.8 * (ocean.folder / "z.vdb").stat().st_size
+    rough = dense(pyopenvdb.read(str(half), "surface"))[0]
+    assert abs(rough - z).max() < 2e-3 * ACROSS * 1.5
+    if shutil.which("vdb_print"):
+        told = subprocess.run(["vdb_print", "-l", str(half)], capture_output=True, text=True)
+        assert told.returncode == 0 and "is_saved_as_half_float: true" in told.stdout
+        assert "Name: vel" in told.stdout and "class: level set" in told.stdout
+
+
+def test_it_is_a_bake_like_all_others(ocean, bake):
+    whole = ["bake", "sea.toml", "--frames", "1-4", "-o"]
+    ocean.good(*whole, "out/sea.####.vdb", "--threads", "1")
+    ocean.good(*whole, "again/sea.####.vdb", "--threads", "2")
+    for shard in ("2/2", "1/2"):
+        ocean.good(*whole, "parts/sea.####.vdb", "--shard", shard, "--threads", "3")
+    expected = ocean.hashes("out")
+    assert len([name for name in expected if name.endswith(".vdb")]) == 4
+    assert len(set(expected.values())) == len(expected)
+    assert ocean.hashes("again") == expected and ocean.hashes("parts") == expected
+    # What is cut off, at any place, is made again; nothing else is.
+    second = ocean.folder / "out/sea.0002.vdb"
+    content = second.read_bytes()
+    for size in (0, 10, 60, 1000, len(content) // 2, len(content) - 1):
+        second.write_bytes(content[:size])
+        kept = (ocean.folder / "out/sea.0003.vdb").stat().st_mtime_ns
+        ocean.good(*whole, "out/sea.####.vdb", "--skip-existing")
+        assert second.read_bytes() == content
+        assert (ocean.folder / "out/sea.0003.vdb").stat().st_mtime_ns == kept
+    # A frame makes itself again.
+    ocean.good("bake", "--from", "out/sea.0003.vdb", "-o", "from/sea.####.vdb", "--frames", "3")
+    name = "sea.0003.vdb"
+    assert ocean.hashes("from")[name] == expected[name]
+    told = [ocean.good("info", name).splitlines() for name in ("out/sea.0002.vdb", "sea.toml")]
+    assert [line for line in told[0][1:] if "about" not in line] == [
+        line for line in told[1][1:] if "about" not in line
+    ]
+    grids, told = pyopenvdb.readAllGridMetadata(str(second)), ocean.good(*whole, "n.vdb", "-n")
+    assert {grid["name"] for grid in grids} == {"surface", "vel"} and "n.0004.vdb" in told
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--products", "foam"), "surface and vel, each once"),
+        (("--products", "vel,vel"), "each once"),
+        (("--box", "1,2,3"), "six numbers"),
+        (("--box", "0,0,0,10,10,nan"), "--box"),
+        (("--box", "0,0,0,10,0,5"), "each end is beyond its beginning"),
+        (("--box", "0,0,crest,10,10,5"), "--box"),
+        (("--voxel", "0"), "--voxel"),
+        (("--velocity-voxel", "1e99"), "--velocity-voxel"),
+        (("--axes", "tnb"), "zup and yup"),
+        (("--type", "double"), "float, half"),
+        (("--box", "0,0,-5,1e7,1e7,5", "--voxel", "1e-4"), "voxels"),
+        (("--layout", "layered"), "--layout"),
+    ],
+)
+def test_what_is_wrong_is_said(ocean, arguments, words):
+    assert words in ocean.bad("bake", "sea.toml", "-o", "s.vdb", *arguments)
+
+
+def test_more_than_the_memory_is_refused_at_once(ocean):
+    error = ocean.bad("bake", "sea.toml", "-o", "s.vdb", "--voxel", "0.001", code=1)
+    assert "memory" in error
+
+
+@pytest.mark.parametrize("size", [4, 30, 60, 200])
+def test_headers_that_end_early_are_refused(ocean, bake, size):
+    content = bake("sea", "s.vdb").read_bytes()
+    ocean.write("cut.vdb", content[:size])
+    assert "cut.vdb" in ocean.bad("info", "cut.vdb")
