@@ -20,9 +20,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     lint_packages=(git python3 python3-venv ca-certificates clang-format shellcheck codespell)
     test_packages=(
         "${demo_packages[@]}" "${lint_packages[@]}" binutils libgtest-dev libgmock-dev
-        libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio openexr clang
-        libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri xvfb xauth xdotool
-        telnet netcat-openbsd python3-meshio python3-openvdb libopenvdb-tools umockdev libumockdev-dev liblo-tools)
+        libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio
+        openimageio-tools openexr clang libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1
+        libgl1-mesa-dri xvfb xauth xdotool telnet netcat-openbsd python3-meshio python3-openvdb
+        libopenvdb-tools umockdev libumockdev-dev liblo-tools)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)
@@ -39,6 +40,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
     # One release of each PyPI tool, so that a new one cannot turn a good tree red.
     ruff_tool=ruff==0.17.5
     usd_tool=usd_core==26.11  # judges our USD
+    materialx_tool=materialx==1.39.5  # judges shaders/materialx
     ziglang_tool=ziglang==0.17.0
     mkl_tool=mkl-static==2026.2.0
     mkl_headers_tool=mkl-include==2026.2.0

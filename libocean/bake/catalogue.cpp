@@ -5,6 +5,7 @@
 #include "ocean/bake/catalogue.hpp"
 
 #include "formats/formats.hpp"
+#include "ocean/caustics.hpp"
 
 namespace ocean {
 namespace {
@@ -70,7 +71,12 @@ const Catalogue& standard_catalogue() {
         &kVdbFormat,
 #endif
     };
-    static const Catalogue catalogue{kFormats, product_table(), core_backends()};
+    static const std::vector<Product> products = [] {
+        std::vector<Product> all(product_table().begin(), product_table().end());
+        all.push_back(kCausticsProduct);
+        return all;
+    }();
+    static const Catalogue catalogue{kFormats, products, core_backends()};
     return catalogue;
 }
 

@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include "ocean/caustics.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
@@ -166,6 +167,30 @@ TEST(Exr, RefusesChannelsThatWereNotEvaluated) {
     const Surface surface(Lattice{32, 10.0}, 0.0, {Channel::height});
     EXPECT_THROW(image_of(surface, "normal"), Error);
     EXPECT_THROW(io::product_image({}, {.layered = true}, label_of(surface, 1), surface), Error);
+}
+
+// A product without channels (kCausticsProduct) is a map that somebody made of the surface.
+TEST(Exr, AMapThatWasMadeIsWrittenAsItIs) {
+    const Surface surface = test::sample_surface(32);
+    const Products products{&kCausticsProduct, &find_product("height")};
+    std::vector<float> made(32 * 32, 0.25f);
+    const io::FrameLabel label = label_of(surface, 1);
+    const io::Image alone =
+        io::product_image(std::span(products).first(1), {}, label, surface, made);
+    ASSERT_EQ(alone.planes.size(), 1u);
+    EXPECT_EQ(alone.planes[0].name, "Y");
+    EXPECT_EQ(alone.planes[0].type, io::PixelType::half_float);
+    EXPECT_EQ(alone.planes[0].samples.data(), made.data());
+    EXPECT_EQ(alone.string("ocean:field"), "caustics");
+    EXPECT_EQ(alone.string("ocean:unit"), "1");
+    const io::Image layered = io::product_image(products, {.layered = true}, label, surface, made);
+    ASSERT_EQ(layered.planes.size(), 2u);
+    EXPECT_EQ(layered.planes[0].name, "caustics.V");
+    EXPECT_EQ(io::exr_channels(layered),
+              io::exr_channels(io::product_image(products, {.layered = true}, label, 32)));
+    EXPECT_THROW(io::product_image(products, {.layered = true}, label, surface), Error);
+    made.pop_back();
+    EXPECT_THROW(io::product_image(products, {.layered = true}, label, surface, made), Error);
 }
 
 TEST(Exr, FullDiskIsAnOutputError) {

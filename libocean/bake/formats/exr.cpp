@@ -11,10 +11,13 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/caustics.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/text.hpp"
+#include "ocean/thread_pool.hpp"
 #include "sha256.hpp"
 #include "source.hpp"
 
@@ -22,17 +25,28 @@ namespace ocean {
 namespace {
 
 constexpr const char* kDefaultProducts = "displacement,normal,foam";
+/// m, where there is no floor above it: waves of three metres gather light about here.
+constexpr double kUsualCausticsDepth = 10.0;
+constexpr const char* kUsualSun = "90,0";
+
+bool have_caustics(std::span<const Product* const> products) {
+    return std::ranges::any_of(
+        products, [](const Product* product) { return product->name == kCausticsProduct.name; });
+}
 
 struct Settings {
     std::vector<const Product*> products;
     io::ProductLayout layout;
     std::optional<io::ExrCompression> compression;  // none: what pays for each file
+    std::optional<double> caustics_depth;           // as typed
+    CausticsSettings caustics = {};                 // with what the sea says
 
     /// The products of each file of a frame.
     std::size_t files() const { return layout.layered ? 1 : products.size(); }
     std::span<const Product* const> of_file(std::size_t part) const {
         return layout.layered ? std::span(products) : std::span(products).subspan(part, 1);
     }
+    bool has_caustics() const { return have_caustics(products); }
 };
 
 const Settings& settings_of(const BakePlan& plan) {
@@ -52,6 +66,11 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
         {"compression", "CODEC",
          "none, rle, zips, zip, piz or pxr24; default rle for slope, whitecap and foam and for "
          "halves of normal, jacobian and derivatives, none for the rest"},
+        {"caustics-depth", "METRES",
+         "Of the level plane that caustics fall on; default: the sea's depth, 10 at most"},
+        {"sun", "ALTITUDE,BEARING",
+         "Of caustics, degrees above the horizon and counter-clockwise from +x; default " +
+             std::string(kUsualSun)},
     };
 }
 
@@ -84,6 +103,38 @@ Value choose(const char* option, const std::string& text,
                 std::string(option) + " " + text + ": allowed are " + allowed);
 }
 
+/// --caustics-depth and --sun.
+void read_caustics(const BakeOptions& options, Settings& settings) {
+    const std::string& depth = options.format_option("caustics-depth");
+    const std::string& sun = options.format_option("sun");
+    for (const auto& [name, typed] : {std::pair("--caustics-depth ", &depth), {"--sun ", &sun}}) {
+        if (typed->empty() || settings.has_caustics()) continue;
+        throw Error(ErrorKind::invalid_value,
+                    name + *typed + ": needs caustics among the --products");
+    }
+    if (!depth.empty()) {
+        settings.caustics_depth =
+            parse_number(depth, "--caustics-depth", kLeastCausticsDepth, kMostCausticsDepth);
+    }
+    const std::vector<std::string> angles = split(sun.empty() ? kUsualSun : sun, ',');
+    if (angles.size() != 2) {
+        throw Error(ErrorKind::invalid_value,
+                    "--sun " + sun + ": two numbers are needed, ALTITUDE,BEARING");
+    }
+    settings.caustics.sun_altitude =
+        parse_number(csv::trimmed(angles[0]), "--sun, altitude", kLeastCausticsSun, 90.0);
+    settings.caustics.sun_bearing =
+        parse_number(csv::trimmed(angles[1]), "--sun, bearing", -3600.0, 3600.0);
+}
+
+/// The plane lies no deeper than the water.
+double caustics_depth(const Settings& settings, double water) {
+    const double depth = settings.caustics_depth.value_or(std::min(water, kUsualCausticsDepth));
+    if (depth <= water) return depth;
+    throw Error(ErrorKind::invalid_value, "--caustics-depth " + shortest_text(depth) +
+                                              ": the sea is " + shortest_text(water) + " m deep");
+}
+
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     Settings settings;
     const std::string& products = options.format_option("products");
@@ -103,24 +154,43 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
             "--type", type,
             {{"float", io::PixelType::full_float}, {"half", io::PixelType::half_float}});
     }
+    read_caustics(options, settings);
     return settings;
 }
 
 FormatPlan settle(const BakePlan& begun) {
-    const Settings& settings = settings_of(begun);
-    FormatPlan result{{{}, {begun.resolution}}, begun.settings};
+    Settings settings = settings_of(begun);
+    FormatPlan result{{{}, {begun.resolution}}, {}};
     for (const Product* product : settings.products) {
         result.maps.channels = result.maps.channels | product->set();
         if (!settings.layout.layered) result.named_products.emplace_back(product->name);
     }
+    if (settings.has_caustics()) {
+        result.maps.channels = result.maps.channels | kCausticsChannels;
+        settings.caustics.depth = caustics_depth(settings, begun.sea.parameters.water.depth);
+    }
+    result.settings = std::move(settings);
     return result;
+}
+
+/// What caustics were made with, in the header of their file.
+io::Image labelled(io::Image image, const Settings& settings,
+                   std::span<const Product* const> products) {
+    if (!have_caustics(products)) return image;
+    const CausticsSettings& caustics = settings.caustics;
+    image.strings.push_back({"ocean:caustics_depth", shortest_text(caustics.depth)});
+    image.strings.push_back({"ocean:sun", shortest_text(caustics.sun_altitude) + "," +
+                                              shortest_text(caustics.sun_bearing)});
+    return image;
 }
 
 /// The image of a file, without its samples.
 io::Image image_of(const BakePlan& plan, const BakeFile& file) {
     const Settings& settings = settings_of(plan);
-    return io::product_image(settings.of_file(file.part), settings.layout,
-                             frame_label(plan, file.frame), plan.resolution);
+    const auto products = settings.of_file(file.part);
+    return labelled(io::product_image(products, settings.layout, frame_label(plan, file.frame),
+                                      plan.resolution),
+                    settings, products);
 }
 
 io::ExrCompression compression_of(const BakePlan& plan, const BakeFile& file,
@@ -168,11 +238,22 @@ bool is_baked(const BakeFile& file) {
     }
 }
 
+std::uint64_t frame_bytes(const BakePlan& plan) {
+    return settings_of(plan).has_caustics() ? caustics_bytes(plan.resolution) : 0;
+}
+
 void write(const FrameWork& work, std::span<const BakeFile> files) {
     const Settings& settings = settings_of(work.plan);
+    std::vector<float> caustics;
+    if (settings.has_caustics()) {
+        ThreadPool pool(work.threads);
+        caustics = make_caustics(work.maps.front(), settings.caustics, pool);
+    }
     for (const BakeFile& file : files) {
-        const io::Image image = io::product_image(settings.of_file(file.part), settings.layout,
-                                                  work.label(), work.maps.front());
+        const auto products = settings.of_file(file.part);
+        const io::Image image = labelled(
+            io::product_image(products, settings.layout, work.label(), work.maps.front(), caustics),
+            settings, products);
         const io::ExrCompression compression = compression_of(work.plan, file, image);
         work.put(file, [&] { io::write_exr(image, file.path, compression, work.threads); });
     }
@@ -226,6 +307,11 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
         }
     }
     options.take("products", header.text("field"));
+    if (have_caustics(products) &&
+        have_caustics(find_products(options.format_option("products"), catalogue))) {
+        options.take("caustics-depth", header.text("caustics_depth"));
+        options.take("sun", header.text("sun"));
+    }
 }
 
 }  // namespace
@@ -240,6 +326,7 @@ const BakeFormat kExrFormat = {
     .files = list_files,
     .recipe = recipe,
     .is_baked = is_baked,
+    .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,
     .write = write,
     .read_pixels = read_pixels,

@@ -270,7 +270,7 @@ FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further = {})
 struct Product {
     std::string_view name;
     std::array<Channel, 3> channels;  // the first `count` hold
-    int count;
+    int count;  // 0: one map that is made of a whole surface, not of the channels of a sample
     std::string_view unit;
     bool vector = false;  // x, y and z, which a host may want in other axes
 

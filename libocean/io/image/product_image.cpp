@@ -49,8 +49,8 @@ PixelType pixel_type(const Product& product, const ProductLayout& layout) {
 /// The planes of an image, with the samples of a surface or, without one, none.
 class ProductPlanes {
   public:
-    ProductPlanes(const ProductLayout& layout, const Surface* surface)
-        : layout_(layout), surface_(surface) {}
+    ProductPlanes(const ProductLayout& layout, const Surface* surface, std::span<const float> made)
+        : layout_(layout), surface_(surface), made_(made) {}
 
     std::vector<ImagePlane> of(std::span<const Product* const> products) const {
         if (!layout_.layered) return separate(*products.front());
@@ -62,6 +62,13 @@ class ProductPlanes {
     }
 
   private:
+    std::span<const float> made(const Product& product) const {
+        const auto side = static_cast<std::size_t>(surface_ ? surface_->resolution() : 0);
+        if (made_.size() == side * side) return made_;
+        throw Error(ErrorKind::invalid_value,
+                    "there is no map of '" + std::string(product.name) + "' for the surface");
+    }
+
     std::span<const float> samples(const Product& product, Channel channel) const {
         if (surface_ == nullptr) return {};
         if (surface_->has(channel)) return surface_->channel(channel);
@@ -72,6 +79,7 @@ class ProductPlanes {
 
     /// Named X, Y, Z, or V for a scalar; what is no vector is the same whatever the axes.
     std::vector<ImagePlane> components(const Product& product) const {
+        if (product.count == 0) return {{"V", pixel_type(product, layout_), made(product)}};
         const auto order = component_order(product.vector ? layout_.axes : Axes::zup);
         std::vector<ImagePlane> planes;
         for (int c = 0; c < product.count; ++c) {
@@ -85,7 +93,7 @@ class ProductPlanes {
 
     std::vector<ImagePlane> separate(const Product& product) const {
         std::vector<ImagePlane> planes = components(product);
-        if (product.count == 1) {
+        if (planes.size() == 1) {
             planes[0].name = "Y";
             return planes;
         }
@@ -108,6 +116,7 @@ class ProductPlanes {
 
     const ProductLayout& layout_;
     const Surface* surface_;
+    std::span<const float> made_;
 };
 
 std::vector<HeaderString> header_strings(std::span<const Product* const> products, Axes axes,
@@ -129,11 +138,12 @@ std::vector<HeaderString> header_strings(std::span<const Product* const> product
 }
 
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
-                 const FrameLabel& label, int resolution, const Surface* surface) {
+                 const FrameLabel& label, int resolution, const Surface* surface,
+                 std::span<const float> made = {}) {
     if (products.empty()) {
         throw Error(ErrorKind::invalid_value, "an image needs at least one product");
     }
-    return {resolution, resolution, true, ProductPlanes(layout, surface).of(products),
+    return {resolution, resolution, true, ProductPlanes(layout, surface, made).of(products),
             header_strings(products, layout.axes, label)};
 }
 
@@ -160,8 +170,8 @@ Image product_image(std::span<const Product* const> products, const ProductLayou
 }
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
-                    const FrameLabel& label, const Surface& surface) {
-    return make_image(products, layout, label, surface.resolution(), &surface);
+                    const FrameLabel& label, const Surface& surface, std::span<const float> made) {
+    return make_image(products, layout, label, surface.resolution(), &surface, made);
 }
 
 }  // namespace ocean::io

@@ -35,9 +35,11 @@ struct ProductLayout {
 /// but the samples. Throws Error invalid_value without products.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const FrameLabel& label, int resolution);
-/// The same with the samples of the surface, which must outlive it. Throws Error invalid_value if
-/// it was evaluated without a channel of the products.
+/// The same with the samples of the surface, which must outlive it, and of a product without
+/// channels those that were `made` for it. Throws Error invalid_value if the surface was evaluated
+/// without a channel of the products, or nothing was made.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
-                    const FrameLabel& label, const Surface& surface);
+                    const FrameLabel& label, const Surface& surface,
+                    std::span<const float> made = {});
 
 }  // namespace ocean::io

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean bake --products caustics`: a map of light, with a header that makes it again."""
+
+import numpy as np
+import OpenImageIO
+import pytest
+
+
+def image(ocean, name):
+    buffer = OpenImageIO.ImageBuf(str(ocean.folder / name))
+    assert not buffer.has_error, buffer.geterror()
+    return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
+
+
+def bake(ocean, *arguments):
+    return ocean.good("bake", "sea.toml", *arguments).splitlines()
+
+
+def bytes_of(ocean, name):
+    return (ocean.folder / name).read_bytes()
+
+
+def test_it_is_a_product_beside_others(ocean):
+    names = bake(ocean, "-o", "o/s.####.exr", "--products", "displacement,caustics")
+    assert names == ["o/s.displacement.0001.exr", "o/s.caustics.0001.exr"]
+    spec, pixels = image(ocean, "o/s.caustics.0001.exr")
+    assert spec.channelnames == ("Y",) and str(spec.format) == "half"
+    assert spec.getattribute("ocean:field") == "caustics"
+    assert spec.getattribute("ocean:unit") == "1" and spec.getattribute("wrapmodes") == "periodic"
+    assert spec.getattribute("ocean:caustics_depth") == "10"
+    assert spec.getattribute("ocean:sun") == "90,0"
+    assert abs(pixels.mean() - 1) < 1e-3 and pixels.std() > 0.03 and pixels.min() >= 0
+    assert image(ocean, names[0])[0].getattribute("ocean:sun") is None
+    bake(ocean, "-o", "alone.exr", "--products", "caustics")
+    assert bytes_of(ocean, "alone.exr") == bytes_of(ocean, names[1])
+    bake(ocean, "-o", "l.exr", "--products", "displacement,caustics", "--layout", "layered")
+    spec, layers = image(ocean, "l.exr")
+    assert "caustics.V" in spec.channelnames
+    assert (layers[..., spec.channelnames.index("caustics.V")] == pixels[..., 0]).all()
+
+
+def test_light_is_kept(ocean):
+    bake(ocean, "-o", "s.exr", "--products", "caustics", "--type", "float")
+    assert abs(image(ocean, "s.exr")[1].astype(np.float64).mean() - 1) < 1e-6
+
+
+def test_the_plane_is_the_floor_where_it_is_near(ocean):
+    for depth, shown in (("3.5", "3.5"), ("40", "10"), ("inf", "10")):
+        bake(ocean, "-o", f"{depth}.exr", "--products", "caustics", "--set", f"depth={depth}")
+        assert image(ocean, f"{depth}.exr")[0].getattribute("ocean:caustics_depth") == shown
+    bake(ocean, "-o", "s.exr", "--products", "caustics", "--caustics-depth", "25")
+    assert image(ocean, "s.exr")[0].getattribute("ocean:caustics_depth") == "25"
+
+
+def test_a_file_makes_itself_again(ocean):
+    options = ["--caustics-depth", "4.5", "--sun", "40, 200"]
+    bake(ocean, "-o", "a.exr", "--products", "caustics", *options)
+    bake(ocean, "-o", "l.exr", "--products", "height,caustics", "--layout", "layered", *options)
+    assert image(ocean, "a.exr")[0].getattribute("ocean:sun") == "40,200"
+    for name in ("a", "l"):
+        ocean.good("bake", "--from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
+        assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
+    ocean.good("bake", "--from", "a.exr", "-o", "other.exr", "--sun", "41,200")
+    spec = image(ocean, "other.exr")[0]
+    assert spec.getattribute("ocean:sun") == "41,200"
+    assert spec.getattribute("ocean:caustics_depth") == "4.5"
+    # What is not caustics takes nothing of them along.
+    ocean.good("bake", "--from", "a.exr", "-o", "h.exr", "--products", "height")
+    assert image(ocean, "h.exr")[0].getattribute("ocean:sun") is None
+
+
+def test_what_is_kept_is_what_would_be_written(ocean):
+    frames = ["-o", "o/s.####.exr", "--products", "caustics", "--frames", "1-3", "--skip-existing"]
+    bake(ocean, *frames, "--threads", "1")
+    before = ocean.hashes("o")
+    (ocean.folder / "o/s.caustics.0002.exr").unlink()
+    bake(ocean, *frames, "--threads", "2")
+    assert ocean.hashes("o") == before
+    bake(ocean, *frames, "--sun", "50,0")
+    assert all(ocean.hashes("o")[name] != before[name] for name in before if name.endswith("exr"))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--caustics-depth", "3"], "needs caustics among the --products"),
+        (["--products", "height", "--sun", "30,0"], "needs caustics among the --products"),
+        (["--products", "caustics", "--sun", "30"], "ALTITUDE,BEARING"),
+        (["--products", "caustics", "--sun", "4,0"], "5 .. 90"),
+        (["--products", "caustics", "--sun", "30,x"], "bearing"),
+        (["--products", "caustics", "--caustics-depth", "0"], "0.01 .. 100"),
+        (
+            ["--products", "caustics", "--caustics-depth", "9", "--set", "depth=8"],
+            "the sea is 8 m deep",
+        ),
+    ],
+)
+def test_refusals(ocean, arguments, said):
+    assert said in ocean.bad("bake", "sea.toml", "-o", "s.exr", *arguments)
+    assert not (ocean.folder / "s.exr").exists()
+
+
+def test_other_formats_have_none(ocean):
+    for name, arguments in (("s.ply", ["--products", "caustics"]), ("s.df3", ["--sun", "30,0"])):
+        ocean.bad("bake", "sea.toml", "-o", name, *arguments)
