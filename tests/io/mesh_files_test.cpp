@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ocean/error.hpp"
+#include "ocean/io/points.hpp"
 #include "ocean/io/usd.hpp"
 #include "sample_surface.hpp"
 
@@ -98,6 +99,55 @@ TEST(MeshFiles, TurnAsAWhole) {
     EXPECT_EQ(mesh.positions, (std::vector<float>{1, 3, -2, 4, 6, -5}));
     EXPECT_EQ(mesh.normals, (std::vector<float>{0, 1, 0, 0, 0, -1}));
     EXPECT_EQ(mesh.velocities, (std::vector<float>{7, 9, -8, -1, -3, 2}));
+}
+
+io::Points two_points() {
+    io::Points points;
+    points.positions = {1, 2, 3, 4, 5, 6};
+    points.velocities = {7, 8, 9, -1, -2, -3};
+    points.ages = {0.5f, 0.25f};
+    points.lives = {2, 1};
+    points.radii = {1e-4f, 2e-4f};
+    points.ids = {0x0123456789ABCDEFu, 42u};
+    return points;
+}
+
+TEST(PointFiles, HoldEveryAttributeOfEachPoint) {
+    const test::TemporaryFolder folder;
+    const io::Points points = two_points();
+    const std::string path = folder.file("a.ply");
+    io::write_ply(points, std::vector<io::HeaderString>{{"ocean:sea", "libocean = 1"}}, path);
+    EXPECT_EQ(io::read_ply_header(path).front().text, "libocean = 1");
+    const std::string bytes = test::read_bytes(path);
+    const std::string end = "end_header\n";
+    const std::size_t data = bytes.find(end) + end.size();
+    EXPECT_NE(bytes.find("element vertex 2\nproperty float x\n"), std::string::npos);
+    EXPECT_NE(bytes.find("property uint id_low\nproperty uint id_high\nend"), std::string::npos);
+    ASSERT_EQ(bytes.size() - data, 2 * 44u);
+    const auto value = [&](std::size_t place, auto zero) {
+        std::memcpy(&zero, bytes.data() + data + 44 + place, sizeof zero);
+        return zero;
+    };
+    const float wanted[] = {4, 5, 6, -1, -2, -3, 0.25f, 1, 2e-4f};
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(value(4 * i, 0.0f), wanted[i]);
+    EXPECT_EQ(value(36, 0u), 42u);
+    EXPECT_EQ(value(40, 0u), 0u);
+    const char* first = bytes.data() + data + 36;
+    EXPECT_EQ(static_cast<unsigned char>(first[0]), 0xEF) << "the low half comes first";
+    EXPECT_EQ(static_cast<unsigned char>(first[7]), 0x01);
+    EXPECT_LE(bytes.size(), io::points_ply_bytes(2));
+    EXPECT_EQ(io::points_bytes(2), 2 * 44u);
+    io::write_ply(io::Points(), {}, folder.file("none.ply"));
+    EXPECT_NE(test::read_bytes(folder.file("none.ply")).find("element vertex 0\n"),
+              std::string::npos);
+    EXPECT_THROW(io::write_ply(points, {}, "/dev/full"), Error);
+}
+
+TEST(PointFiles, TurnAsAWhole) {
+    io::Points points = two_points();
+    io::turn_y_up(points);
+    EXPECT_EQ(points.positions, (std::vector<float>{1, 3, -2, 4, 6, -5}));
+    EXPECT_EQ(points.velocities, (std::vector<float>{7, 9, -8, -1, -3, 2}));
 }
 
 }  // namespace

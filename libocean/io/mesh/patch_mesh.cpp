@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "ocean/io/mesh.hpp"
 #include "require_channels.hpp"
+#include "turn_vectors.hpp"
 
 namespace ocean::io {
 namespace {
@@ -92,10 +92,7 @@ Mesh make_patch_mesh(const Surface& surface) {
 
 void turn_y_up(Mesh& mesh) {
     for (std::vector<float>* vectors : {&mesh.positions, &mesh.normals, &mesh.velocities}) {
-        for (std::size_t at = 0; at < vectors->size(); at += 3) {
-            std::swap((*vectors)[at + 1], (*vectors)[at + 2]);
-            (*vectors)[at + 2] = -(*vectors)[at + 2];
-        }
+        turn_vectors_y_up(*vectors);
     }
 }
 

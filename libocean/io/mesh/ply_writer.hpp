@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Binary PLY on its way to a file: meshes and points write it.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+
+#include "ocean/io/frame_label.hpp"
+#include "ocean/io/output_file.hpp"
+
+namespace ocean::io {
+
+static_assert(std::endian::native == std::endian::little);
+
+inline constexpr std::string_view kPlyComment = "comment";
+/// Of a header, at most, without its comments.
+inline constexpr std::uint64_t kMostPlyHead = 1024;
+
+class PlyHeader {
+  public:
+    explicit PlyHeader(std::span<const HeaderString> strings)
+        : text_("ply\nformat binary_little_endian 1.0\n" + comment_lines(strings, kPlyComment)) {}
+
+    void element(const char* name, std::size_t count) {
+        text_ += "element " + std::string(name) + " " + std::to_string(count) + "\n";
+    }
+    /// Of the last element.
+    void properties(const std::string& type, std::initializer_list<const char*> names) {
+        for (const char* name : names) text_ += "property " + type + " " + name + "\n";
+    }
+    std::string text() const { return text_ + "end_header\n"; }
+
+  private:
+    std::string text_;
+};
+
+/// Throws Error output.
+class PlyWriter {
+  public:
+    PlyWriter(const std::string& path, const PlyHeader& header) : file_(path) {
+        file_.write(header.text());
+        buffer_.reserve(kPiece + 64);
+    }
+
+    template <typename Value>
+    void put(const Value* values, std::size_t count) {
+        buffer_.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+        if (buffer_.size() >= kPiece) flush();
+    }
+    void commit() {
+        flush();
+        file_.commit();
+    }
+
+  private:
+    static constexpr std::size_t kPiece = std::size_t{1} << 20;
+
+    void flush() {
+        file_.write(buffer_);
+        buffer_.clear();
+    }
+
+    OutputFile file_;
+    std::string buffer_;
+};
+
+}  // namespace ocean::io

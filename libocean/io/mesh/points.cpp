@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ocean/io/points.hpp"
+
+#include "ply_writer.hpp"
+#include "turn_vectors.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr std::uint64_t kFloats = 9;
+constexpr std::uint64_t kPointBytes = kFloats * sizeof(float) + sizeof(std::uint64_t);
+
+}  // namespace
+
+std::uint64_t points_bytes(std::uint64_t count) {
+    return count * kPointBytes;
+}
+
+void turn_y_up(Points& points) {
+    turn_vectors_y_up(points.positions);
+    turn_vectors_y_up(points.velocities);
+}
+
+void write_ply(const Points& points, std::span<const HeaderString> strings,
+               const std::string& path) {
+    PlyHeader header(strings);
+    header.element("vertex", points.size());
+    header.properties("float", {"x", "y", "z", "vx", "vy", "vz", "age", "life", "radius"});
+    header.properties("uint", {"id_low", "id_high"});
+    PlyWriter out(path, header);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        out.put(&points.positions[3 * i], 3);
+        out.put(&points.velocities[3 * i], 3);
+        const float scalars[] = {points.ages[i], points.lives[i], points.radii[i]};
+        out.put(scalars, std::size(scalars));
+        out.put(&points.ids[i], 1);  // little-endian: the low half first
+    }
+    out.commit();
+}
+
+std::uint64_t points_ply_bytes(std::uint64_t count) {
+    return kMostPlyHead + count * kPointBytes;
+}
+
+}  // namespace ocean::io
