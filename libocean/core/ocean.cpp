@@ -17,6 +17,7 @@
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "parameters/performer.hpp"
+#include "spray/spray_follower.hpp"
 #include "surface/map_writer.hpp"
 
 namespace ocean {
@@ -68,7 +69,10 @@ void Ocean::change(Sea sea) {
     // A take's past may have changed anything.
     const bool performed = !sea_.take.empty() || !sea.take.empty();
     const auto first = first_dirty_stage(sea_.parameters, sea.parameters);
-    if (performed || (first && *first != Stage::clock)) foam_.clear();
+    if (performed || (first && *first != Stage::clock)) {
+        foam_.clear();
+        spray_.reset();
+    }
     if (sea_.parameters.grid != sea.parameters.grid) {
         surface_query_.reset();
         orbital_motion_.reset();
@@ -88,6 +92,7 @@ void Ocean::perform(double time, std::string_view name, std::string_view value) 
     // What the performer lets in breaks no rule, so a long take is not gone through every time.
     if (checked) checked_ = revision_;
     for (auto& [resolution, foam] : foam_) foam.forget_from(from);
+    if (spray_) spray_->forget_from(from);
 }
 
 void Ocean::go_to(double time) {
@@ -266,6 +271,26 @@ FoamLayer Ocean::foam_layer(double time, int resolution) {
         },
         options_.foam_progress};
     return place->second.layer(time, source);
+}
+
+std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settings) {
+    require_time(time);
+    validate(settings);
+    go_to(time);
+    const Lattice lattice = spray_lattice(now().grid);
+    if (!spray_ || spray_->settings() != settings) {
+        spray_.reset();
+        require_map_memory(lattice.resolution, kSprayChannels.size(), kSprayChannels);
+        spray_ = std::make_unique<SprayFollower>(
+            settings, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
+            lattice, sea_.parameters.seed);
+    }
+    return spray_->at(time, {[this](double t, Surface& map) {
+                          go_to(t);
+                          ++runs_.spray_ticks;
+                          write_maps(t, outputs_of(map), map.resolution(), {});
+                          return spray_air(now());
+                      }});
 }
 
 namespace {

@@ -22,6 +22,7 @@
 #include "ocean/query.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
+#include "ocean/spray.hpp"
 #include "ocean/stage_runs.hpp"
 #include "ocean/surface.hpp"
 #include "ocean/thread_pool.hpp"
@@ -31,6 +32,7 @@ namespace ocean {
 class Chain;
 class MapWriter;
 class Performer;
+class SprayFollower;
 
 struct OceanOptions {
     int threads = 0;                    // 0 = the cores this process may use
@@ -102,6 +104,11 @@ class Ocean {
     /// of the lattice.
     void evaluate_cascade_into(std::size_t cascade, double time, std::span<const MapOutput> outputs,
                                int resolution = 0);
+    /// All spray that is alive at a time, in no place's order but always the same one. The first
+    /// call makes a map of spray_lattice for every tick of the foam's clock within the lifetime,
+    /// later ones for new ticks alone: the same bits. Throws Error invalid_value for settings out
+    /// of range, and out_of_memory.
+    std::vector<SprayParticle> spray(double time, const SpraySettings& settings = {});
     /// Ticks of the foam's clock until maps' foam that began empty is what it always is, of the
     /// map that has longest to go.
     std::int64_t foam_settling_ticks() const;
@@ -156,6 +163,7 @@ class Ocean {
     std::vector<std::unique_ptr<MapWriter>> cascade_maps_;
     std::map<int, ChannelSet> made_;  // of each resolution so far: what the backend keeps is there
     std::map<int, FoamState> foam_;   // of each resolution that was asked for
+    std::unique_ptr<SprayFollower> spray_;  // of the settings that were asked for last
     std::unique_ptr<Performer> performer_;
 
     /// What a query was asked for.

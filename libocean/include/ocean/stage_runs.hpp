@@ -9,10 +9,11 @@ namespace ocean {
 struct StageRuns {
     int spectrum = 0;
     int modes = 0;
-    int packing = 0;     // of the modes for one resolution of maps
-    int threshold = 0;   // of the whitecaps
-    int surface = 0;     // maps that were asked for
-    int foam_ticks = 0;  // whitecap maps of the foam's clock
+    int packing = 0;      // of the modes for one resolution of maps
+    int threshold = 0;    // of the whitecaps
+    int surface = 0;      // maps that were asked for
+    int foam_ticks = 0;   // whitecap maps of the foam's clock
+    int spray_ticks = 0;  // maps of the spray's lattice
 
     bool operator==(const StageRuns&) const = default;
 };

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A drop in the air, from its birth alone: position and velocity at any age in closed form.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ocean/spray.hpp"
+
+namespace ocean {
+
+using Vector3 = std::array<double, 3>;  // x, y, z
+
+/// The air over the crests, and what falls in it.
+struct SprayAir {
+    double wind_speed = 0.0;  // m/s, U10
+    double direction = 0.0;   // radians from +x, counter-clockwise
+    double gravity = 9.81;    // m/s^2
+};
+
+/// Of the strongest wind that is known of; calm where none is.
+SprayAir spray_air(const Parameters& parameters);
+/// u* = U10 sqrt(C_d), m/s.
+double friction_velocity(double wind_speed);
+/// The mean wind one metre over the crests, m/s.
+double crest_wind(double wind_speed);
+/// Share of the whitecaps that the wind tears drops from, 0 .. 1.
+double spume_onset(double wind_speed);
+/// Radius of drops, m, for a uniform number of [0, 1): each has its share of the water.
+double spume_radius(double uniform);
+/// tau of dv/dt = -(v - u)/tau - g, s: of a drop that falls as fast as it falls.
+double response_time(double radius, double gravity);
+
+/// All that a particle's flight follows from.
+struct SprayBirth {
+    std::uint64_t id;
+    double since;      // s after its tick
+    Vector3 place;     // m
+    Vector3 velocity;  // m/s
+    Vector3 drift;     // m/s, what its velocity tends to: that of the air, less the fall
+    double response;   // s
+    double radius;     // m
+    double life;       // s
+};
+
+/// Its state at an age, s.
+SprayParticle particle_at(const SprayBirth& birth, double age);
+/// The age, at most `lifetime`, at which it falls through the still water's level or, born below
+/// it, through the height that it was born at. Of a birth whose life is not set yet.
+double life_of(const SprayBirth& birth, double lifetime);
+
+}  // namespace ocean

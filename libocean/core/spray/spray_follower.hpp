@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The spray of a caller that steps: births of the ticks that still count are kept, so that a frame
+// after another pays for new ticks alone and yet has the bits of the frame by itself.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ocean/foam_clock.hpp"
+#include "spray/spray_birth.hpp"
+
+namespace ocean {
+
+/// What spray is made of.
+struct SpraySource {
+    /// Fills the map, kSprayChannels on the spray's lattice, at the time of a tick.
+    std::function<SprayAir(double time, Surface& map)> tick;
+};
+
+class SprayFollower {
+  public:
+    SprayFollower(const SpraySettings& settings, const FoamClock& clock, const Lattice& lattice,
+                  std::uint32_t seed);
+
+    const SpraySettings& settings() const { return settings_; }
+    /// All that are alive at a time, the oldest ticks first. What the source throws leaves a state
+    /// that can go on.
+    std::vector<SprayParticle> at(double time, const SpraySource& source);
+    /// Of ticks from that time on nothing is known any more: the sea has changed there.
+    void forget_from(double time);
+
+  private:
+    void make(std::int64_t tick, const SpraySource& source);
+    void forget_far_from(std::int64_t tick);
+
+    SpraySettings settings_;
+    FoamClock clock_;
+    std::uint32_t seed_;
+    double lifetime_;     // s
+    std::int64_t ticks_;  // that may have living particles, the newest included
+    std::map<std::int64_t, std::vector<SprayBirth>> born_;
+    Surface map_;
+    std::vector<std::uint8_t> white_;         // of the tick that was looked at last
+    std::optional<std::int64_t> white_tick_;  // its number
+};
+
+}  // namespace ocean
