@@ -47,10 +47,10 @@ std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
 
 WorkShare share_work(const BakePlan& plan) {
     require_memory(bake_memory_bytes(plan, 1),
-                   format_text("a bake of %d x %d samples", plan.resolution, plan.resolution));
+                   format_text("a bake of %d x %d samples", plan.finest(), plan.finest()));
     const int all = plan.threads > 0 ? plan.threads : available_cores();
     const int frames = static_cast<int>(plan.frames.size());
-    int at_a_time = plan.has_foam() ? 1 : std::clamp(frames, 1, all);
+    int at_a_time = plan.has_past() ? 1 : std::clamp(frames, 1, all);
     // Half of what is there: the disk's cache and the neighbours want some too.
     while (at_a_time > 1 && bake_memory_bytes(plan, at_a_time) > available_memory() / 2) {
         --at_a_time;

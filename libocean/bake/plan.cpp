@@ -148,7 +148,7 @@ void BakeOptions::take(const std::string& name, std::string_view value) {
 double BakePlan::shortest_wave() const {
     const Parameters& parameters = sea.parameters;
     return std::max(parameters.surface.shortest_wavelength,
-                    ocean::shortest_wave(parameters.grid, resolution));
+                    ocean::shortest_wave(parameters.grid, finest()));
 }
 
 std::vector<std::string> output_paths(const BakePlan& plan) {

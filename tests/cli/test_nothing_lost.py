@@ -67,6 +67,7 @@ def test_what_is_read_is_not_written_over(lot, command, file):
         ("s.png.txt", ()),
         ("s.inc", ()),
         ("s.ply", ()),
+        ("s.ply", ("--products", "spray")),
         ("s.obj", ()),
         ("s.vdb", ()),
     ],
@@ -81,9 +82,19 @@ def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
     assert ocean.files(".") == sorted(["buoy.toml", name, "sea.toml"])
 
 
-@pytest.mark.parametrize("extension", ["exr", "df3", "png", "inc", "ply", "obj", "usda", "vdb"])
-def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension):
-    command = ("bake", "sea.toml", "-o", f"s.{extension}")
+EXTENSIONS = ["exr", "df3", "png", "inc", "ply", "obj", "usda", "vdb"]
+
+
+@pytest.mark.parametrize(
+    ("extension", "spray"),
+    [
+        *((extension, False) for extension in EXTENSIONS),
+        ("ply", True),
+    ],
+)
+def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension, spray):
+    kind = ["--products", "spray"] if spray else []
+    command = ("bake", "sea.toml", "-o", f"s.{extension}", *kind)
     ocean.good(*command)
     expected = ocean.hashes(".")
     (ocean.folder / "s.manifest.json").unlink()

@@ -23,9 +23,9 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
     context_.console.begin(
         frames,
         format_text("%d frame%s of %d x %d samples, period %g m, shortest wave %.3g m, ", frames,
-                    frames == 1 ? "" : "s", plan.resolution, plan.resolution, period, shortest) +
+                    frames == 1 ? "" : "s", plan.finest(), plan.finest(), period, shortest) +
             bytes_text(memory) + " of memory",
-        {{"resolution", plan.resolution},
+        {{"resolution", plan.finest()},
          {"period", Json(period, significant<9>)},
          {"shortest_wave", Json(shortest, significant<9>)},
          {"memory_bytes", memory},

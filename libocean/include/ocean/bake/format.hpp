@@ -41,6 +41,7 @@ struct FrameMaps {
     bool by_place = false;         // the height alone, a function of the place instead of the label
     int finer = 0;                 // one more map of so many samples, after the others; 0 = none
     ChannelSet finer_channels = {};
+    bool has_past = false;  // what is made of no map follows one, frame after frame
 };
 
 /// What a format makes of its options and of the sea.

@@ -58,8 +58,11 @@ struct BakePlan {
     bool skip_existing = false;
     bool keep_going = false;
 
-    /// Foam has a past: frames are made one after another.
     bool has_foam() const { return maps.channels.contains(Channel::foam); }
+    /// Foam and spray have one: frames are made one after another.
+    bool has_past() const { return has_foam() || maps.has_past; }
+    /// Of the finest map, samples along a side.
+    int finest() const { return maps.has_past ? maps.resolutions.front() : resolution; }
     /// The shortest wave of the finest map.
     double shortest_wave() const;
 };

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/spray_points.hpp"
+
+#include <algorithm>
+
+#include "ocean/cascades.hpp"
+#include "ocean/checked_text.hpp"
+#include "ocean/csv_rows.hpp"
+#include "ocean/error.hpp"
+#include "ocean/memory.hpp"
+#include "ocean/text.hpp"
+#include "source.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr const char* kLifetime = "spray-lifetime";
+constexpr const char* kDensity = "spray-density";
+constexpr const char* kMost = "spray-most";
+
+/// The settings as they are typed and as a header says them.
+struct Setting {
+    const char* option;
+    const char* string;
+    std::string value;
+};
+std::vector<Setting> settings_of(const SpraySettings& spray) {
+    return {{kLifetime, "spray_lifetime", shortest_text(spray.lifetime)},
+            {kDensity, "spray_density", shortest_text(spray.density)},
+            {kMost, "spray_most", std::to_string(spray.most)}};
+}
+
+}  // namespace
+
+std::vector<FormatOption> spray_options() {
+    const SpraySettings usual;
+    return {
+        {kLifetime, "SECONDS",
+         "Greatest age of a particle of spray, 0.05 to 10, in a loop at most half of it; default " +
+             shortest_text(usual.lifetime)},
+        {kDensity, "NUMBER",
+         "Particles of spray for each m^2 that turns white, 0 to 1000; default " +
+             shortest_text(usual.density)},
+        {kMost, "COUNT",
+         "Particles of spray that are alive at once, about: a sea that would have more has them "
+         "thinner; default " +
+             std::to_string(usual.most)},
+    };
+}
+
+bool wants_spray(const BakeOptions& options) {
+    const std::string& products = options.format_option("products");
+    if (products == kSprayProduct) return true;
+    for (const std::string& part : split(products, ',')) {
+        if (csv::trimmed(part) != kSprayProduct) continue;
+        throw Error(ErrorKind::invalid_value, "--products " + products +
+                                                  ": spray is points of its own; allowed is "
+                                                  "--products spray alone");
+    }
+    for (const Setting& setting : settings_of({})) {
+        const std::string& value = options.format_option(setting.option);
+        if (value.empty()) continue;
+        throw Error(ErrorKind::invalid_value,
+                    "--" + std::string(setting.option) + " " + value + ": needs --products spray");
+    }
+    return false;
+}
+
+SprayPoints read_spray(const BakeOptions& options) {
+    SprayPoints points;
+    SpraySettings& settings = points.settings;
+    const auto typed = [&](const char* name, auto& value, const auto& parse) {
+        const std::string& text = options.format_option(name);
+        if (!text.empty()) value = parse(text, "--" + std::string(name));
+    };
+    typed(kLifetime, settings.lifetime, [](const std::string& text, const std::string& name) {
+        return parse_number(text, name, 0.05, 10.0);
+    });
+    typed(kDensity, settings.density, [](const std::string& text, const std::string& name) {
+        return parse_number(text, name, 0.0, 1000.0);
+    });
+    typed(kMost, settings.most, [](const std::string& text, const std::string& name) {
+        return parse_whole_number(text, name, 1, 100'000'000);
+    });
+    validate(settings);
+    if (const std::string& axes = options.format_option("axes"); !axes.empty()) {
+        points.axes = io::find_axes(axes);
+        if (points.axes == io::Axes::tnb) {
+            throw Error(ErrorKind::invalid_value, "--axes tnb: of points allowed are zup and yup");
+        }
+    }
+    return points;
+}
+
+const SprayPoints* spray_of(const BakePlan& plan) {
+    return std::any_cast<SprayPoints>(&plan.settings);
+}
+
+FormatPlan settle_spray(const BakePlan& begun) {
+    FrameMaps maps{{}, {spray_lattice(begun.sea.parameters.grid).resolution}};
+    maps.has_past = true;
+    return {maps, begun.settings};
+}
+
+std::vector<BakeFile> list_spray(const BakePlan& plan, int frame) {
+    return {{plan.pattern.file(frame), frame, 0, std::string(kSprayProduct)}};
+}
+
+std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
+    std::vector<io::HeaderString> strings = io::label_strings(frame_label(plan, frame));
+    const SprayPoints& spray = *spray_of(plan);
+    // What is emitted on the sea's own lattice is the same for any --resolution.
+    const int resolution = default_map_resolution(plan.sea.parameters.grid);
+    strings.push_back({"ocean:resolution", std::to_string(resolution)});
+    strings.push_back({"ocean:axes", std::string(io::axes_name(spray.axes))});
+    strings.push_back({"ocean:field", std::string(kSprayProduct)});
+    for (const Setting& setting : settings_of(spray.settings)) {
+        strings.push_back({"ocean:" + std::string(setting.string), setting.value});
+    }
+    return strings;
+}
+
+std::string spray_recipe(const BakePlan& plan, const BakeFile& file) {
+    const SprayPoints& spray = *spray_of(plan);
+    std::string lines = "spray " + std::string(io::axes_name(spray.axes));
+    for (const Setting& setting : settings_of(spray.settings)) lines += " " + setting.value;
+    return bake_recipe(plan, file.frame, lines + "\n");
+}
+
+std::uint64_t most_spray_points(const BakePlan& plan) {
+    return most_spray(plan.sea, spray_of(plan)->settings);
+}
+
+std::uint64_t spray_frame_bytes(const BakePlan& plan) {
+    const std::uint64_t most = most_spray_points(plan);
+    const Grid& grid = plan.sea.parameters.grid;
+    return spray_bytes(most) + io::points_bytes(most) +
+           maps_bytes(plan.finest(), kSprayChannels.size()) +
+           work_bytes(grid, plan.backend, kSprayChannels, plan.finest());
+}
+
+io::Points make_spray_points(const FrameWork& work) {
+    const std::vector<SprayParticle> particles =
+        work.ocean.spray(work.time(), spray_of(work.plan)->settings);
+    io::Points points;
+    const std::size_t count = particles.size();
+    points.positions.reserve(3 * count);
+    points.velocities.reserve(3 * count);
+    points.ages.reserve(count);
+    points.lives.reserve(count);
+    points.radii.reserve(count);
+    points.ids.reserve(count);
+    for (const SprayParticle& particle : particles) {
+        for (const double value : {particle.x, particle.y, particle.z}) {
+            points.positions.push_back(static_cast<float>(value));
+        }
+        for (const double value : {particle.vx, particle.vy, particle.vz}) {
+            points.velocities.push_back(static_cast<float>(value));
+        }
+        points.ages.push_back(static_cast<float>(particle.age));
+        points.lives.push_back(static_cast<float>(particle.life));
+        points.radii.push_back(static_cast<float>(particle.radius));
+        points.ids.push_back(particle.id);
+    }
+    if (spray_of(work.plan)->axes == io::Axes::yup) io::turn_y_up(points);
+    return points;
+}
+
+void adopt_spray(const BakedHeader& header, BakeOptions& options) {
+    if (options.format_option("products") != kSprayProduct) return;
+    for (const Setting& setting : settings_of({})) {
+        if (header.has(setting.string)) options.take(setting.option, header.text(setting.string));
+    }
+}
+
+}  // namespace ocean

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: spray is baked frame after frame, on the sea's own lattice whatever the resolution; a
+// file is kept for its own settings alone; what is announced is enough.
+#include <gtest/gtest.h>
+
+#include "ocean/bake/run.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/mesh_files.hpp"
+#include "ocean/seafile.hpp"
+#include "temporary_folder.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+BakeOptions spray_bake(const TemporaryFolder& folder) {
+    BakeOptions options;
+    options.source = "preset:beaufort_8";
+    options.output = folder.file("s.####.ply");
+    options.frames = "1-2";
+    options.threads = 2;
+    options.of_format = {{"products", "spray"}, {"spray-lifetime", "0.2"}};
+    options.open_sea = [](const std::string&) {
+        Sea sea = parse_sea(find_preset("beaufort_8").toml, "beaufort_8", "");
+        sea.parameters.grid.resolution = 64;
+        sea.parameters.grid.patch_size = 150.0;
+        return sea;
+    };
+    return options;
+}
+
+BakePlan plan_of(const BakeOptions& options) {
+    return make_bake_plan(options, standard_catalogue());
+}
+
+std::string content_of(const BakeOptions& options) {
+    const BakePlan plan = plan_of(options);
+    BakeHost nobody;
+    run_bake(plan, nobody);
+    std::string all;
+    for (const BakeFile& file : all_files(plan)) all += test::read_bytes(file.path);
+    return all;
+}
+
+TEST(SprayBake, IsMadeFrameAfterFrameOnTheSeasOwnLattice) {
+    const TemporaryFolder folder;
+    BakeOptions options = spray_bake(folder);
+    const BakePlan plan = plan_of(options);
+    EXPECT_EQ(share_work(plan).frames_at_a_time, 1);
+    EXPECT_EQ(plan.maps.resolutions, std::vector<int>{64});
+    const std::string expected = content_of(options);
+    for (const char* resolution : {"32", "512"}) {
+        options.resolution = resolution;
+        EXPECT_EQ(content_of(options), expected);
+    }
+    EXPECT_EQ(plan_of(options).maps.resolutions, std::vector<int>{64});
+}
+
+TEST(SprayBake, AFileIsOfItsOwnSettings) {
+    const TemporaryFolder folder;
+    const BakeOptions usual = spray_bake(folder);
+    const auto recipe = [](const BakeOptions& options) {
+        const BakePlan plan = plan_of(options);
+        return plan.format->recipe(plan, plan.format->files(plan, 1).front());
+    };
+    const std::string expected = recipe(usual);
+    EXPECT_EQ(recipe(usual), expected);
+    const std::pair<const char*, const char*> kOther[] = {
+        {"spray-lifetime", "0.3"}, {"spray-density", "2"}, {"spray-most", "10"}, {"axes", "yup"}};
+    for (const auto& [name, value] : kOther) {
+        BakeOptions other = usual;
+        other.of_format[name] = value;
+        EXPECT_NE(recipe(other), expected) << name;
+        EXPECT_NE(content_of(other), content_of(usual)) << name;
+        // The header says all of it.
+        content_of(other);
+        BakeOptions again = spray_bake(folder);
+        again.of_format.clear();
+        again.source.clear();
+        again.from = folder.file("s.0001.ply");
+        again.open_sea = [](const std::string& path) {
+            return parse_sea(io::read_ply_header(path).front().text, path, "");
+        };
+        EXPECT_EQ(recipe(again), recipe(other)) << name;
+    }
+}
+
+TEST(SprayBake, TakesNoMoreThanItSaid) {
+    const TemporaryFolder folder;
+    for (const char* most : {"1000000", "30"}) {
+        BakeOptions options = spray_bake(folder);
+        options.of_format["spray-density"] = "10";
+        options.of_format["spray-most"] = most;
+        const BakeForecast before = forecast_bake(plan_of(options));
+        const std::size_t bytes = content_of(options).size();
+        EXPECT_LE(bytes, before.bytes) << most;
+        EXPECT_GE(8 * bytes, before.bytes) << most;
+    }
+}
+
+TEST(SprayBake, StandsAlone) {
+    const TemporaryFolder folder;
+    const auto refused = [&](const char* products) {
+        BakeOptions options = spray_bake(folder);
+        options.of_format["products"] = products;
+        EXPECT_THROW(plan_of(options), Error) << products;
+    };
+    refused("spray,normal");
+    refused("normal, spray");
+    refused("normal");  // and yet a lifetime of spray
+    BakeOptions mesh = spray_bake(folder);
+    mesh.of_format = {{"products", "normal"}};
+    EXPECT_FALSE(plan_of(mesh).has_past());
+}
+
+}  // namespace
+}  // namespace ocean
