@@ -75,7 +75,8 @@ std::uint64_t most_spray(const Sea& sea, const SpraySettings& settings) {
     const bool by_wind = parameters.surface.foam_coverage == FoamCoverage::monahan &&
                          std::ranges::none_of(sea.take.events, plays_coverage);
     if (by_wind) {
-        // A place is white for longer than this [measured]; a few crests more are chance.
+        // A place is white for longer than this in seas of 9 to 30 m/s; a few crests more are
+        // chance.
         constexpr double kShortestWhite = 0.25;  // s
         const double area = parameters.grid.patch_size * parameters.grid.patch_size;
         const double rate = monahan_coverage(wind) * area / kShortestWhite;

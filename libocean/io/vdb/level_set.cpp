@@ -6,7 +6,9 @@
 // elsewhere in the band.
 #include <openvdb/tools/SignedFloodFill.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "vdb_grids.hpp"
 
@@ -24,14 +26,16 @@ struct Interval {
     bool meets(double a, double b) const { return low <= b && a <= high; }
 };
 
-/// What is below and above 0 along each axis.
-double box_distance(const WorldBox& box, double x, double y, double z) {
-    const double q[3] = {std::max(box.low[0] - x, x - box.high[0]),
-                         std::max(box.low[1] - y, y - box.high[1]),
-                         std::max(box.low[2] - z, z - box.high[2])};
-    const double inside = std::max({q[0], q[1], q[2]});
+/// Distance to a side of the box from inside it, and from outside, where that is above 0.
+double side_distance(const WorldBox& box, std::size_t axis, double at) {
+    return std::max(box.low[axis] - at, at - box.high[axis]);
+}
+
+/// To the box, of the distances to its sides along x, y and z.
+double box_distance(double x, double y, double z) {
+    const double inside = std::max({x, y, z});
     if (inside <= 0.0) return inside;
-    return std::hypot(std::max(q[0], 0.0), std::max(q[1], 0.0), std::max(q[2], 0.0));
+    return std::hypot(std::max(x, 0.0), std::max(y, 0.0), std::max(z, 0.0));
 }
 
 class LevelSet {
@@ -50,7 +54,8 @@ class LevelSet {
         add_leaves(grid->tree(), places_.count(), pool,
                    [this](int item, Leaves& leaves) { make_leaves(item, leaves); });
         constexpr bool kThreaded = false;  // the pool's threads are those that the user allows
-        openvdb::tools::signedFloodFill(grid->tree(), kThreaded);
+        constexpr openvdb::Index kAboveLeaves = 1;  // which have their signs
+        openvdb::tools::signedFloodFill(grid->tree(), kThreaded, 1, kAboveLeaves);
         return grid;
     }
 
@@ -86,35 +91,25 @@ class LevelSet {
         return {std::min(low, box_.high[2] - band_), std::min(high, box_.high[2] + band_)};
     }
 
-    double distance(std::size_t column, const Interval& beside, double z) const {
-        const auto& [height, normal_z] = columns_[column];
-        const double above = z - static_cast<double>(height);
-        const double slanted = above * static_cast<double>(normal_z);
-        // Where a crest has folded over, columns jump: water and air are never farther apart than
-        // the columns, or the level set had a hole.
-        if (above > 0.0) return z < beside.high ? std::min(slanted, voxels_.size) : slanted;
-        return z > beside.low ? std::max(slanted, -voxels_.size) : slanted;
-    }
+    struct Column {
+        int i, j;
+        std::size_t at;
+        Interval beside;
+        double side_x, side_y;  // side_distance
+    };
 
     void make_leaves(int item, Leaves& leaves) const {
-        struct Column {
-            int i, j;
-            std::size_t at;
-            Interval beside;
-        };
         std::vector<Column> here;
         Interval surface{1.0, 0.0};
         bool has_wall = false;
         places_.for_each_column(item, [&](int i, int j, std::size_t at) {
-            here.push_back({i, j, at, neighbours(at)});
+            here.push_back({i, j, at, neighbours(at), side_distance(box_, 0, voxels_.size * i),
+                            side_distance(box_, 1, voxels_.size * j)});
             const Interval band = surface_band(at, here.back().beside);
             surface = here.size() == 1 ? band
                                        : Interval{std::min(surface.low, band.low),
                                                   std::max(surface.high, band.high)};
-            const double x = voxels_.size * i;
-            const double y = voxels_.size * j;
-            has_wall =
-                has_wall || box_distance(box_, x, y, 0.5 * (box_.low[2] + box_.high[2])) > -band_;
+            has_wall = has_wall || std::max(here.back().side_x, here.back().side_y) > -band_;
         });
         const Interval bottom{box_.low[2] - band_, box_.low[2] + band_};
         const Interval wall{bottom.low, has_wall ? surface.high : bottom.high};
@@ -122,26 +117,68 @@ class LevelSet {
             const double low = voxels_.size * LeafColumns::kSide * block;
             const double high = low + voxels_.size * (LeafColumns::kSide - 1);
             if (!surface.meets(low, high) && !wall.meets(low, high)) continue;
-            const auto background = static_cast<float>(band_);
-            auto leaf = std::make_unique<Leaf>(places_.corner(item, block), background);
-            for (const Column& column : here) {
-                for (int k = LeafColumns::kSide * block; k < LeafColumns::kSide * (block + 1);
-                     ++k) {
-                    const double z = voxels_.size * k;
-                    const double d = std::max(
-                        distance(column.at, column.beside, z),
-                        box_distance(box_, voxels_.size * column.i, voxels_.size * column.j, z));
-                    const auto value = std::clamp(static_cast<float>(d), -background, background);
-                    const auto offset = Leaf::coordToOffset(axes_.file_of(column.i, column.j, k));
-                    if (std::abs(value) < background) {
-                        leaf->setValueOn(offset, value);
-                    } else {
-                        leaf->setValueOff(offset, value);
-                    }
-                }
-            }
+            auto leaf = make_leaf(item, block, here);
             if (!leaf->isEmpty()) leaves.push_back(std::move(leaf));
         }
+    }
+
+    using Distances = std::array<float, LeafColumns::kSide>;
+
+    /// Of the voxels from `first` up.
+    void surface_distances(const Column& column, int first, Distances& d) const {
+        const auto size = static_cast<float>(voxels_.size);
+        const auto& [height, normal_z] = columns_[column.at];
+        const double base = voxels_.size * first;
+        const auto above = static_cast<float>(base - static_cast<double>(height));
+        // Where a crest has folded over, columns jump: water and air are never farther apart than
+        // the columns, or the level set had a hole.
+        const auto highest = static_cast<float>(column.beside.high - base);
+        const auto lowest = static_cast<float>(column.beside.low - base);
+        constexpr float kFar = std::numeric_limits<float>::max();
+        for (std::size_t k = 0; k < d.size(); ++k) {
+            const float rise = size * static_cast<float>(k);
+            const float slanted = (above + rise) * normal_z;
+            const float most = rise < highest ? size : kFar;
+            const float least = rise > lowest ? -size : -kFar;
+            d[k] = std::clamp(slanted, least, most);
+        }
+    }
+
+    /// The intersection with the box.
+    void box_distances(const Column& column, int first, Distances& d) const {
+        const double low = voxels_.size * first;
+        const double high = low + voxels_.size * (LeafColumns::kSide - 1);
+        const double side = std::max(column.side_x, column.side_y);
+        const double end = std::max(box_.low[2] - low, high - box_.high[2]);
+        if (std::max(side, end) <= -band_) return;  // nothing of the box is near
+        for (std::size_t k = 0; k < d.size(); ++k) {
+            const double z = voxels_.size * (first + static_cast<int>(k));
+            const double box =
+                box_distance(column.side_x, column.side_y, side_distance(box_, 2, z));
+            d[k] = std::max(d[k], static_cast<float>(box));
+        }
+    }
+
+    std::unique_ptr<Leaf> make_leaf(int item, int block, const std::vector<Column>& here) const {
+        const auto background = static_cast<float>(band_);
+        auto leaf = std::make_unique<Leaf>(places_.corner(item, block), background);
+        float* const values = leaf->buffer().data();
+        Leaf::NodeMaskType active;
+        const int first = LeafColumns::kSide * block;
+        const auto step = Leaf::coordToOffset(axes_.file_of(0, 0, 1));
+        for (const Column& column : here) {
+            std::array<float, LeafColumns::kSide> d{};
+            surface_distances(column, first, d);
+            box_distances(column, first, d);
+            auto offset = Leaf::coordToOffset(axes_.file_of(column.i, column.j, first));
+            for (const float distance : d) {
+                values[offset] = std::clamp(distance, -background, background);
+                if (std::abs(distance) < background) active.setOn(offset);
+                offset += step;
+            }
+        }
+        leaf->setValueMask(active);
+        return leaf;
     }
 
     const WorldBox& box_;
