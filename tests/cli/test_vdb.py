@@ -271,6 +271,11 @@ def test_what_is_wrong_is_said(ocean, arguments, words):
     assert words in ocean.bad("bake", "sea.toml", "-o", "s.vdb", *arguments)
 
 
+def test_a_box_in_the_air_is_told(ocean):
+    done = ocean("bake", "sea.toml", "-o", "s.vdb", "--box", "0,0,20,40,40,30")
+    assert done.returncode == 0 and "no water reaches the box" in done.stderr
+
+
 def test_more_than_the_memory_is_refused_at_once(ocean):
     error = ocean.bad("bake", "sea.toml", "-o", "s.vdb", "--voxel", "0.001", code=1)
     assert "memory" in error

@@ -322,6 +322,10 @@ io::VdbGrid make_surface(const FrameWork& work, io::VolumeAxes axes) {
     }
     const io::WorldBox box =
         world_box(settings, columns.crest + io::kLevelSetBand * settings.voxel);
+    if (columns.crest < box.low[2]) {
+        work.warn(
+            format_text("at %g s no water reaches the box, and its surface is empty", work.time()));
+    }
     return io::make_level_set(box, io::voxels_around(box, settings.voxel, io::kLevelSetBand),
                               columns.surface, axes, work.ocean.pool());
 }
