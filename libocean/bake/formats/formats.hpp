@@ -9,6 +9,7 @@
 
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/format.hpp"
+#include "ocean/io/product_image.hpp"
 
 namespace ocean {
 
@@ -23,6 +24,10 @@ extern const BakeFormat kVdbFormat;
 
 /// "normal, foam". Throws Error invalid_value for a name that is unknown or there twice.
 std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue);
+
+/// --axes of what lies in the world, zup if it is not given. Throws Error invalid_value for tnb,
+/// which is of maps alone: "of a mesh allowed are ...".
+io::Axes read_up_axes(const BakeOptions& options, std::string_view what);
 
 /// R, R/2, ... 32.
 std::vector<int> halving_resolutions(int resolution);

@@ -53,12 +53,7 @@ PlainMesh read_plain_mesh(const BakeOptions& options, const Catalogue& catalogue
                                                   std::string(product->name) +
                                                   "; allowed are position, " + allowed);
     }
-    if (const std::string& axes = options.format_option("axes"); !axes.empty()) {
-        mesh.axes = io::find_axes(axes);
-        if (mesh.axes == io::Axes::tnb) {
-            throw Error(ErrorKind::invalid_value, "--axes tnb: of a mesh allowed are zup and yup");
-        }
-    }
+    mesh.axes = read_up_axes(options, "a mesh");
     return mesh;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/formats.hpp"
+#include "ocean/bake/plan.hpp"
 #include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/text.hpp"
@@ -21,6 +22,15 @@ std::vector<const Product*> find_products(const std::string& list, const Catalog
         products.push_back(product);
     }
     return products;
+}
+
+io::Axes read_up_axes(const BakeOptions& options, std::string_view what) {
+    const std::string& text = options.format_option("axes");
+    if (text.empty()) return io::Axes::zup;
+    const io::Axes axes = io::find_axes(text);
+    if (axes != io::Axes::tnb) return axes;
+    throw Error(ErrorKind::invalid_value,
+                "--axes tnb: of " + std::string(what) + " allowed are zup and yup");
 }
 
 }  // namespace ocean

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/spray_points.hpp"
 
+#include "formats/formats.hpp"
+
 #include <algorithm>
 
 #include "ocean/cascades.hpp"
@@ -84,12 +86,7 @@ SprayPoints read_spray(const BakeOptions& options) {
         return parse_whole_number(text, name, 1, 100'000'000);
     });
     validate(settings);
-    if (const std::string& axes = options.format_option("axes"); !axes.empty()) {
-        points.axes = io::find_axes(axes);
-        if (points.axes == io::Axes::tnb) {
-            throw Error(ErrorKind::invalid_value, "--axes tnb: of points allowed are zup and yup");
-        }
-    }
+    points.axes = read_up_axes(options, "points");
     return points;
 }
 

@@ -133,12 +133,7 @@ std::any read_options(const BakeOptions& options, const Catalogue&) {
             refuse("--type " + type + ": allowed are float, half");
         settings.half_floats = type == "half";
     }
-    if (const std::string& axes = options.format_option("axes"); !axes.empty()) {
-        settings.axes = io::find_axes(axes);
-        if (settings.axes == io::Axes::tnb) {
-            refuse("--axes tnb: of a volume allowed are zup and yup");
-        }
-    }
+    settings.axes = read_up_axes(options, "a volume");
     return settings;
 }
 
