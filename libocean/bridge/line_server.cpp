@@ -3,7 +3,10 @@
 #include "ocean/bridge/line_server.hpp"
 
 #include <asio.hpp>
+#include <algorithm>
 #include <atomic>
+#include <deque>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -166,14 +169,20 @@ class LineServer::Core {
         asio::post(io_, [this] { work_off(); });
     }
 
+    /// Some of it: between them clients are heard and told, however fast a board reports.
     void work_off() {
-        std::vector<BoardNews> all;
+        constexpr std::size_t kAtOnce = 64;
+        std::vector<BoardNews> some;
         {
             const std::lock_guard lock(mutex_);
-            woken_ = false;
-            all.swap(news_);
+            const auto end = news_.begin() +
+                             static_cast<std::ptrdiff_t>(std::min(news_.size(), kAtOnce));
+            some.assign(std::move_iterator(news_.begin()), std::move_iterator(end));
+            news_.erase(news_.begin(), end);
+            woken_ = !news_.empty();
+            if (woken_) asio::post(io_, [this] { work_off(); });
         }
-        for (BoardNews& news : all) {
+        for (BoardNews& news : some) {
             if (const auto* report = std::get_if<Report>(&news)) {
                 hub_.report(*report);
             } else {
@@ -275,7 +284,7 @@ class LineServer::Core {
     std::uint64_t told_ = 0;
 
     std::mutex mutex_;  // of what boards brought
-    std::vector<BoardNews> news_;
+    std::deque<BoardNews> news_;
     bool woken_ = false;
 
     std::mutex stop_mutex_;

@@ -173,6 +173,9 @@ TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
 TEST(LineServer, WhoNeverReadsIsLetGo) {
     const Served served({.stalled = 200ms}, kKnob);
     RawClient stalled(served.server.endpoint(), 4096);
+    // Answers to begin with: of updates alone, which are coalesced, it takes long until nothing more
+    // fits between the two.
+    for (int i = 0; i < 4; ++i) stalled.send("LIST\n");
     stalled.send("SUBSCRIBE\n");
     ASSERT_TRUE(comes_true([&] { return served.server.clients() == 1; }));
     served.turn(0);
@@ -181,6 +184,17 @@ TEST(LineServer, WhoNeverReadsIsLetGo) {
         for (int i = 0; i < 100; ++i) served.turn(wind = wind > 70.0 ? 0.01 : wind + 0.01);
         return served.server.clients() == 0;
     }));
+}
+
+TEST(LineServer, ABoardThatFloodsLeavesClientsTheirTurn) {
+    const Served served({}, kKnob);
+    RawClient raw = served.client();
+    constexpr int kReports = 60'000;
+    for (int i = 1; i <= kReports; ++i) served.turn(70.0 * i / kReports);
+    const std::string answer = raw.ask("GET wind_speed");
+    ASSERT_TRUE(answer.starts_with("VAL wind_speed "));
+    EXPECT_NE(answer, "VAL wind_speed 70") << "first came all that the board said";
+    EXPECT_TRUE(comes_true([&] { return raw.ask("GET wind_speed") == "VAL wind_speed 70"; }));
 }
 
 TEST(LineServer, ATokenComesFirst) {
