@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/bridge/line_server.hpp"
 
-#include <asio.hpp>
 #include <algorithm>
+#include <asio.hpp>
 #include <atomic>
 #include <deque>
 #include <iterator>
@@ -175,8 +175,8 @@ class LineServer::Core {
         std::vector<BoardNews> some;
         {
             const std::lock_guard lock(mutex_);
-            const auto end = news_.begin() +
-                             static_cast<std::ptrdiff_t>(std::min(news_.size(), kAtOnce));
+            const auto end =
+                news_.begin() + static_cast<std::ptrdiff_t>(std::min(news_.size(), kAtOnce));
             some.assign(std::move_iterator(news_.begin()), std::move_iterator(end));
             news_.erase(news_.begin(), end);
             woken_ = !news_.empty();

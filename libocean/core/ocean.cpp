@@ -273,7 +273,7 @@ FoamLayer Ocean::foam_layer(double time, int resolution) {
     return place->second.layer(time, source);
 }
 
-std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settings) {
+SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {
     require_time(time);
     validate(settings);
     go_to(time);
@@ -285,12 +285,21 @@ std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settin
             settings, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
             lattice, sea_.parameters.seed);
     }
-    return spray_->at(time, {[this](double t, Surface& map) {
-                          go_to(t);
-                          ++runs_.spray_ticks;
-                          write_maps(t, outputs_of(map), map.resolution(), {});
-                          return spray_air(now());
-                      }});
+    spray_->go_to(time, {[this](double t, Surface& map) {
+                      go_to(t);
+                      ++runs_.spray_ticks;
+                      write_maps(t, outputs_of(map), map.resolution(), {});
+                      return spray_air(now());
+                  }});
+    return *spray_;
+}
+
+std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settings) {
+    return spray_at(time, settings).particles();
+}
+
+std::vector<MistPuff> Ocean::mist(double time, const SpraySettings& settings) {
+    return spray_at(time, settings).mist();
 }
 
 namespace {

@@ -4,18 +4,26 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea or dusk; PICTURE ends in .jpg or .png.
+The add-on must be installed. SCENE is open_sea, dusk or volume, which also needs the command
+`ocean` (or another by the environment variable OCEAN) and OpenVDB's Python module; PICTURE ends in
+.jpg or .png.
 """
 
+import atexit
 import math
+import os
+import shutil
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import bpy
 from mathutils import Vector
 
 HERE = Path(__file__).parent
-
+sys.path.insert(0, str(HERE))
+import volumes  # noqa: E402
 
 PACKAGES = ("bl_ext.user_default.libocean", "libocean_addon")
 
@@ -180,6 +188,7 @@ def afloat(buoy, ocean, place, heading: float) -> None:
 
 def ocean_of(sea_file: Path, water_type: str = "jerlov_ib"):
     """Rings to the horizon, of this sea."""
+    enable_addon()
     bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_0", water_type=water_type)
     ocean = bpy.context.object
     ocean.libocean.horizon_vertices = 1500000
@@ -205,14 +214,33 @@ def dusk(scene) -> None:
     scene.frame_set(40)
 
 
-SCENES = {"open_sea": open_sea, "dusk": dusk}
+def volume(scene) -> None:
+    """The water of a box as a baked level set, cut open: its velocity dies out with the depth."""
+    volumes.studio(scene)
+    camera(scene, (3.0, -42.0, 13.0), (23.6, 4.0, -2.2), 35.0)
+    baked = bake("volume", "--box", "0,0,-7,48,22,crest", "--voxel", "0.1")
+    volumes.water_block(baked, volumes.cut_water())
+    places, velocities = volumes.velocity_on_a_cut(baked, 0.75)
+    volumes.arrows(places, velocities, 1.15, volumes.speed_paint())
+
+
+def bake(name: str, *arguments: str) -> Path:
+    """The first frame of a sea file beside this script, by the command in OCEAN."""
+    folder = Path(tempfile.mkdtemp(prefix="libocean-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    output = folder / f"{name}.vdb"
+    command = [os.environ.get("OCEAN", "ocean"), "bake", str(HERE / f"{name}.toml"), "-q"]
+    subprocess.run([*command, "-o", str(output), *arguments], check=True)
+    return output
+
+
+SCENES = {"open_sea": open_sea, "dusk": dusk, "volume": volume}
 
 
 def main() -> None:
     name, picture, *more = sys.argv[sys.argv.index("--") + 1 :]
     samples, percent = (int(text) for text in (*more, *("128", "100")[len(more) :]))
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    enable_addon()
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = samples

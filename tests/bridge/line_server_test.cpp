@@ -173,8 +173,8 @@ TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
 TEST(LineServer, WhoNeverReadsIsLetGo) {
     const Served served({.stalled = 200ms}, kKnob);
     RawClient stalled(served.server.endpoint(), 4096);
-    // Answers to begin with: of updates alone, which are coalesced, it takes long until nothing more
-    // fits between the two.
+    // Answers to begin with: of updates alone, which are coalesced, it takes long until nothing
+    // more fits between the two.
     for (int i = 0; i < 4; ++i) stalled.send("LIST\n");
     stalled.send("SUBSCRIBE\n");
     ASSERT_TRUE(comes_true([&] { return served.server.clients() == 1; }));

@@ -7,6 +7,7 @@ import io
 import shutil
 import subprocess
 
+import meshio
 import numpy
 import pytest
 from conftest import SMALL_SEA
@@ -31,12 +32,24 @@ peak_period = 1.4
     # Crests that have folded over.
     "folded": SMALL_SEA.replace("9.0", "16.0") + "[surface]\nchoppiness = 2.2\n",
 }
+GALE = """libocean = 1
+[grid]
+resolution = 128
+patch_size = 160.0
+[surface]
+choppiness = 1.2
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 20.0
+wind_direction = 30.0
+fetch = 100000.0
+"""
 ACROSS = 3  # voxels that the level set knows on either side
 
 
 @pytest.fixture
 def bake(ocean):
-    for name, text in SEAS.items():
+    for name, text in {**SEAS, "gale": GALE}.items():
         ocean.write(f"{name}.toml", text)
 
     def made(sea: str, output: str, *arguments):
@@ -219,6 +232,82 @@ def test_axes_boxes_and_halves(ocean, bake):
         assert "Name: vel" in told.stdout and "class: level set" in told.stdout
 
 
+def test_mist_hangs_over_the_crests(ocean, bake):
+    arguments = ["--products", "density", "--velocity-voxel", "1.25"]
+    box = ["--box", "-20,30,-9,120,150,crest"]
+    path = bake("gale", "m.vdb", *arguments, *box)
+    grid = pyopenvdb.read(str(path), "density")
+    assert grid.gridClass == "fog volume"
+    assert grid.background == 0.0
+    values, low = dense(grid)
+    there = numpy.argwhere(values > 0) + low
+    assert len(there) > 1000
+    voxel = 1.25
+    # None of it more than half a voxel under water, most of it within a few metres above.
+    some = numpy.random.default_rng(2).choice(len(there), 400, replace=False)
+    asked = query(ocean, "gale", there[some, :2] * voxel, "--no-foam")["height"]
+    above = there[some, 2] * voxel - asked
+    assert above.min() > -0.51 * voxel
+    assert (above < 8.0).mean() > 0.8
+    # The period's copies: what is here is there.
+    whole = bake("gale", "w.vdb", *arguments, "--box", "-160,0,-9,160,160,crest")
+    tiles, corner = dense(pyopenvdb.read(str(whole), "density"))
+    n = int(160 / voxel)
+    i = numpy.arange(20, n - 20) - corner[0]
+    assert numpy.allclose(tiles[i], tiles[i - n], rtol=1e-3, atol=1e-6)
+    assert tiles[i].max() > 0.02
+    # Twice as much.
+    path = bake("gale", "2.vdb", *arguments, *box, "--mist", 2)
+    twice = dense(pyopenvdb.read(str(path), "density"))
+    inner = values > 1e-3
+    assert twice[0].shape == values.shape
+    assert numpy.allclose(twice[0][inner], 2 * values[inner], rtol=1e-4)
+    # A frame that follows others, and one that makes itself again.
+    frames = [*arguments, *box, "--frames", "1-3"]
+    ocean.good("bake", "gale.toml", "-o", "seq/m.####.vdb", *frames)
+    ocean.good("bake", "gale.toml", "-o", "one/m.####.vdb", *frames[:-1], "3", "--threads", "1")
+    ocean.good("bake", "--from", "seq/m.0003.vdb", "-o", "from/m.####.vdb", "--frames", "3")
+    expected = ocean.hashes("seq")["m.0003.vdb"]
+    assert ocean.hashes("one")["m.0003.vdb"] == expected == ocean.hashes("from")["m.0003.vdb"]
+    told = ocean("bake", "sea.toml", "-o", "calm.vdb", "--products", "density", "--set",
+                     "wind_speed=5")  # fmt: skip
+    assert told.returncode == 0 and "no spray" in told.stderr
+
+
+def test_spray_is_points(ocean, bake):
+    arguments = ["--products", "spray", "--frames", "1-3"]
+    ocean.good("bake", "gale.toml", "-o", "p/s.####.ply", *arguments)
+    ocean.good("bake", "gale.toml", "-o", "one/s.####.vdb", *arguments, "--threads", "1")
+    ocean.good("bake", "gale.toml", "-o", "two/s.####.vdb", *arguments, "--threads", "2")
+    for shard in ("2/2", "1/2"):
+        ocean.good("bake", "gale.toml", "-o", "parts/s.####.vdb", *arguments, "--shard", shard)
+    expected = ocean.hashes("one")
+    assert ocean.hashes("two") == expected and ocean.hashes("parts") == expected
+    assert len(set(expected.values())) == len(expected) == 4
+    points = meshio.read(ocean.folder / "p/s.0003.ply").points
+    assert len(points) > 100
+    if shutil.which("vdb_print"):
+        told = subprocess.run(
+            ["vdb_print", "-l", str(ocean.folder / "one/s.0003.vdb")],
+            capture_output=True, text=True, check=True,
+        ).stdout  # fmt: skip
+        assert "ptdataidx" in told and "Name: spray" in told
+        cells = len(numpy.unique(numpy.round(points / (160 / 64)), axis=0))
+        assert f"active voxels:       {cells:,}" in told
+    # A file that was cut off is made again, and a frame makes itself.
+    second = ocean.folder / "one/s.0002.vdb"
+    content = second.read_bytes()
+    for size in (0, 60, len(content) // 2, len(content) - 1):
+        second.write_bytes(content[:size])
+        ocean.good("bake", "gale.toml", "-o", "one/s.####.vdb", *arguments, "--skip-existing")
+        assert second.read_bytes() == content
+    ocean.good("bake", "--from", "one/s.0003.vdb", "-o", "from/s.####.vdb", "--frames", "3")
+    assert ocean.hashes("from")["s.0003.vdb"] == expected["s.0003.vdb"]
+    # Another density, other points.
+    path = bake("gale", "d.vdb", "--products", "spray", "--spray-density", "0.1")
+    assert path.stat().st_size < len(content)
+
+
 def test_it_is_a_bake_like_all_others(ocean, bake):
     whole = ["bake", "sea.toml", "--frames", "1-4", "-o"]
     ocean.good(*whole, "out/sea.####.vdb", "--threads", "1")
@@ -253,7 +342,14 @@ def test_it_is_a_bake_like_all_others(ocean, bake):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--products", "foam"), "surface and vel, each once"),
+        (("--products", "foam"), "surface, vel and density, each once"),
+        (("--products", "spray,vel"), "--products spray alone"),
+        (("--products", "spray", "--box", "0,0,-9,9,9,9"), "spray is points"),
+        (("--products", "spray", "--mist", "1"), "spray is points"),
+        (("--mist", "1"), "needs --products density"),
+        (("--spray-density", "1"), "needs --products spray or density"),
+        (("--products", "density", "--mist", "-1"), "--mist -1"),
+        (("--products", "density", "--spray-lifetime", "99"), "--spray-lifetime"),
         (("--products", "vel,vel"), "each once"),
         (("--box", "1,2,3"), "six numbers"),
         (("--box", "0,0,0,10,10,nan"), "--box"),

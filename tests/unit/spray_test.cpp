@@ -458,6 +458,46 @@ TEST(Spray, FliesAsLinearDragHasItAndEndsWhereItSays) {
     EXPECT_EQ(life_of(birth, 10.0), 10.0);
 }
 
+TEST(Mist, DriftsWithItsGustAndSpreadsAndFades) {
+    SprayBirth birth{};
+    birth.place = {1.0, 2.0, 3.0};
+    birth.gust = {12.0, -1.0, 0.5};
+    birth.mixing = 0.8;
+    const MistPuff young = puff_at(birth, 0.0, 4.0);
+    EXPECT_EQ(young.z, 3.0);
+    EXPECT_EQ(young.share, 1.0);
+    const MistPuff puff = puff_at(birth, 2.0, 4.0);
+    EXPECT_EQ(puff.x, 25.0);
+    EXPECT_EQ(puff.y, 0.0);
+    EXPECT_EQ(puff.z, 4.0);
+    EXPECT_LT(puff_at(birth, 4.0 - 1e-9, 4.0).share, 1e-9) << "none breaks off";
+    // At first as fast as the air mixes, in the end as diffusion does.
+    const auto spread = [&](double age) {
+        return std::sqrt(std::pow(puff_at(birth, age, 100.0).deviation, 2) -
+                         std::pow(young.deviation, 2));
+    };
+    EXPECT_NEAR(spread(0.01), 0.8 * 0.01, 1e-4 * 0.8);
+    const double memory = 0.4 * 2.5 / 0.8;  // s
+    EXPECT_NEAR(std::pow(spread(90.0) / spread(40.0), 2), (90.0 - memory) / (40.0 - memory), 1e-9);
+    birth.mixing = 0.0;
+    EXPECT_EQ(puff_at(birth, 3.0, 4.0).deviation, young.deviation);
+}
+
+TEST(Mist, IsThatOfTheSprayFrameByFrame) {
+    const Parameters parameters = windy_sea();
+    Ocean alone(parameters, {.threads = 1});
+    Ocean sequence(parameters, {.threads = 2});
+    for (int frame = 195; frame < 200; ++frame) spray_of(sequence, frame);
+    const double time = alone.sea().time_of(200);
+    const std::vector<MistPuff> mist = alone.mist(time);
+    const std::vector<MistPuff> again = sequence.mist(time);
+    ASSERT_EQ(mist.size(), again.size());
+    EXPECT_EQ(std::memcmp(mist.data(), again.data(), mist.size() * sizeof(MistPuff)), 0);
+    // What has fallen has left its mist.
+    EXPECT_GT(mist.size(), spray_of(alone, 200).size());
+    EXPECT_TRUE(Ocean(windy_sea(5.0), {.threads = 1}).mist(time).empty());
+}
+
 TEST(Spray, FollowsATakeAndWhatIsPerformed) {
     Ocean live(windy_sea(14.0), {.threads = 1});
     spray_of(live, 60);  // beyond what is performed then

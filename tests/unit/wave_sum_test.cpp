@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "ocean/dispersion.hpp"
 #include "test_seas.hpp"
@@ -269,6 +272,45 @@ TEST(WaveSum, WaterAtTheSurfaceMovesAsTheSurfaceDoes) {
     EXPECT_NEAR(water.velocity_y, -label.displacement_y_rate, 1e-6);
     EXPECT_NEAR(water.velocity_z, label.height_rate, 1e-12);
     EXPECT_NEAR(water.pressure, 9810.0 * label.height, 1.0);  // and a little tension
+}
+
+TEST(WaveSum, WaterKeepsItsVolume) {
+    for (const double depth : {std::numeric_limits<double>::infinity(), 30.0, 3.0}) {
+        Parameters parameters = test::wind_sea(64, 200.0);
+        parameters.water.depth = depth;
+        WaveSum sum(sea_modes(parameters), parameters.water);
+        sum.set_time(7.0);
+        // Differences over so little that their own error is (k h)^4/30 = 1e-9.
+        const double h = 0.01 / (kPi * 64 / 200.0);
+        double divergence = 0.0, gradient = 0.0;
+        for (int i = 0; i < 200; ++i) {
+            const double x = std::fmod(i * 61.8034, 200.0);
+            const double y = std::fmod(i * 32.4718, 200.0);
+            const double z = -h * 3.0 - (i % 10) * 0.1 * std::min(depth - 6.0 * h, 20.0);
+            const auto slope = [&](std::size_t axis) {
+                const auto at = [&](double steps) {
+                    std::array<double, 3> p{x, y, z};
+                    p[axis] += steps * h;
+                    return sum.water_motion(p[0], p[1], p[2]);
+                };
+                const WaterMotion a = at(-2.0), b = at(-1.0), c = at(1.0), d = at(2.0);
+                const auto of = [&](double WaterMotion::*v) {
+                    return (8.0 * (c.*v - b.*v) - (d.*v - a.*v)) / (12.0 * h);
+                };
+                return std::array{of(&WaterMotion::velocity_x), of(&WaterMotion::velocity_y),
+                                  of(&WaterMotion::velocity_z)};
+            };
+            double trace = 0.0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto along = slope(axis);
+                trace += along[axis];
+                for (const double part : along) gradient += part * part;
+            }
+            divergence += trace * trace;
+        }
+        EXPECT_GT(gradient, 0.01) << "the water moves";
+        EXPECT_LT(std::sqrt(divergence / gradient), 1e-6) << depth << " m";
+    }
 }
 
 TEST(WaveSum, NoDepthAndNoLevelOverflows) {

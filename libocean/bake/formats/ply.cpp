@@ -22,6 +22,7 @@ std::vector<FormatOption> list_options(const Catalogue&) {
 
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     if (wants_spray(options)) return read_spray(options);
+    refuse_spray_options(options, kSprayProduct);
     return read_plain_mesh(options, catalogue, kProducts, kAll);
 }
 

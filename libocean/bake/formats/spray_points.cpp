@@ -60,18 +60,20 @@ bool wants_spray(const BakeOptions& options) {
                                                   ": spray is points of its own; allowed is "
                                                   "--products spray alone");
     }
-    for (const Setting& setting : settings_of({})) {
-        const std::string& value = options.format_option(setting.option);
-        if (value.empty()) continue;
-        throw Error(ErrorKind::invalid_value,
-                    "--" + std::string(setting.option) + " " + value + ": needs --products spray");
-    }
     return false;
 }
 
-SprayPoints read_spray(const BakeOptions& options) {
-    SprayPoints points;
-    SpraySettings& settings = points.settings;
+void refuse_spray_options(const BakeOptions& options, std::string_view made_of_it) {
+    for (const Setting& setting : settings_of({})) {
+        const std::string& value = options.format_option(setting.option);
+        if (value.empty()) continue;
+        throw Error(ErrorKind::invalid_value, "--" + std::string(setting.option) + " " + value +
+                                                  ": needs --products " + std::string(made_of_it));
+    }
+}
+
+SpraySettings read_spray_settings(const BakeOptions& options) {
+    SpraySettings settings;
     const auto typed = [&](const char* name, auto& value, const auto& parse) {
         const std::string& text = options.format_option(name);
         if (!text.empty()) value = parse(text, "--" + std::string(name));
@@ -86,8 +88,19 @@ SprayPoints read_spray(const BakeOptions& options) {
         return parse_whole_number(text, name, 1, 100'000'000);
     });
     validate(settings);
-    points.axes = read_up_axes(options, "points");
-    return points;
+    return settings;
+}
+
+SprayPoints read_spray(const BakeOptions& options) {
+    return {read_spray_settings(options), read_up_axes(options, "points")};
+}
+
+std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& settings) {
+    std::vector<io::HeaderString> strings;
+    for (const Setting& setting : settings_of(settings)) {
+        strings.push_back({"ocean:" + std::string(setting.string), setting.value});
+    }
+    return strings;
 }
 
 const SprayPoints* spray_of(const BakePlan& plan) {
@@ -112,8 +125,8 @@ std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
     strings.push_back({"ocean:resolution", std::to_string(resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(spray.axes))});
     strings.push_back({"ocean:field", std::string(kSprayProduct)});
-    for (const Setting& setting : settings_of(spray.settings)) {
-        strings.push_back({"ocean:" + std::string(setting.string), setting.value});
+    for (io::HeaderString& string : spray_setting_strings(spray.settings)) {
+        strings.push_back(std::move(string));
     }
     return strings;
 }
@@ -121,7 +134,7 @@ std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
 std::string spray_recipe(const BakePlan& plan, const BakeFile& file) {
     const SprayPoints& spray = *spray_of(plan);
     std::string lines = "spray " + std::string(io::axes_name(spray.axes));
-    for (const Setting& setting : settings_of(spray.settings)) lines += " " + setting.value;
+    for (const auto& string : spray_setting_strings(spray.settings)) lines += " " + string.text;
     return bake_recipe(plan, file.frame, lines + "\n");
 }
 
@@ -165,7 +178,10 @@ io::Points make_spray_points(const FrameWork& work) {
 }
 
 void adopt_spray(const BakedHeader& header, BakeOptions& options) {
-    if (options.format_option("products") != kSprayProduct) return;
+    if (options.format_option("products") == kSprayProduct) adopt_spray_settings(header, options);
+}
+
+void adopt_spray_settings(const BakedHeader& header, BakeOptions& options) {
     for (const Setting& setting : settings_of({})) {
         if (header.has(setting.string)) options.take(setting.option, header.text(setting.string));
     }

@@ -28,12 +28,17 @@ struct SprayPoints {
 
 /// --spray-lifetime, --spray-density, --spray-most.
 std::vector<FormatOption> spray_options();
-/// Whether --products asks for spray. Throws Error invalid_value where it asks for more beside it,
-/// or for something else and yet an option of spray is given.
+/// Whether --products asks for spray. Throws Error invalid_value where it asks for more beside it.
 bool wants_spray(const BakeOptions& options);
+/// Throws Error invalid_value for an option of spray: what is asked for is not `made_of_it`.
+void refuse_spray_options(const BakeOptions& options, std::string_view made_of_it);
+SpraySettings read_spray_settings(const BakeOptions& options);
 SprayPoints read_spray(const BakeOptions& options);
 /// Null where the plan's format makes something else.
 const SprayPoints* spray_of(const BakePlan& plan);
+
+/// As a header and a recipe say them.
+std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& settings);
 
 FormatPlan settle_spray(const BakePlan& begun);
 std::vector<BakeFile> list_spray(const BakePlan& plan, int frame);
@@ -43,6 +48,7 @@ std::string spray_recipe(const BakePlan& plan, const BakeFile& file);
 std::uint64_t most_spray_points(const BakePlan& plan);
 std::uint64_t spray_frame_bytes(const BakePlan& plan);
 io::Points make_spray_points(const FrameWork& work);
+void adopt_spray_settings(const BakedHeader& header, BakeOptions& options);
 void adopt_spray(const BakedHeader& header, BakeOptions& options);
 
 }  // namespace ocean

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// OpenVDB: the water in a box of the world, its surface as a level set and its velocity. All of it
-// is asked for at places of the world: there are no maps.
-#include "ocean/io/vdb.hpp"
+// Volumes of a frame; see volumes.hpp. All of it is asked for at places of the world: there are no
+// maps.
+#include "formats/volumes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +11,14 @@
 #include <optional>
 
 #include "formats/formats.hpp"
+#include "formats/spray_points.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/product_image.hpp"
+#include "ocean/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
@@ -26,6 +28,7 @@ namespace {
 
 constexpr std::string_view kSurface = "surface";
 constexpr std::string_view kVelocity = "vel";
+constexpr std::string_view kDensity = "density";
 constexpr std::string_view kUsualProducts = "surface,vel";
 constexpr std::string_view kCrest = "crest";
 constexpr double kFarthest = 1e7;  // m
@@ -33,6 +36,7 @@ constexpr double kFarthest = 1e7;  // m
 struct Settings {
     bool surface = false;
     bool velocity = false;
+    bool density = false;
     bool half_floats = false;
     io::Axes axes = io::Axes::zup;
     // Settled before the plan is made; what was not typed is NaN or 0 until then.
@@ -40,12 +44,16 @@ struct Settings {
     double voxel = 0.0;                        // m
     double velocity_voxel = 0.0;
     double wave_height = 0.0;  // 4 sqrt(m0), m
+    double mist = 1.0;         // m^2 of cross-section for each m^2 that turns white
+    SpraySettings spray;       // whose births the mist is of
 
     bool to_the_crest() const { return std::isnan(box->back()); }
     std::string products() const {
         std::string names;
-        if (surface) names = kSurface;
-        if (velocity) names += (names.empty() ? "" : ",") + std::string(kVelocity);
+        for (const auto& [name, is_there] :
+             {std::pair(kSurface, surface), {kVelocity, velocity}, {kDensity, density}}) {
+            if (is_there) names += (names.empty() ? "" : ",") + std::string(name);
+        }
         return names;
     }
     std::string box_text() const {
@@ -62,19 +70,29 @@ const Settings& settings_of(const BakePlan& plan) {
     return std::any_cast<const Settings&>(plan.settings);
 }
 
-std::vector<FormatOption> list_options(const Catalogue&) {
-    return {{"products", "LIST",
-             "Of surface (a level set) and vel (the water's velocity); default " +
-                 std::string(kUsualProducts)},
-            {"box", "X0,Y0,Z0,X1,Y1,Z1",
-             "Of the world, m, z up from still water, Z1 a number or crest; default: one period, "
-             "from twice the wave height and at least 4 m below still water, or the bottom, to "
-             "the highest crest"},
-            {"voxel", "METRES", "Of the surface; default the period / the resolution"},
-            {"velocity-voxel", "METRES", "Of the velocity; default twice the voxel"},
-            {"type", "TYPE", "float or half; default float"},
-            {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
+}  // namespace
+
+std::vector<FormatOption> volume_options() {
+    return {
+        {"products", "LIST",
+         "Of surface (a level set), vel (the water's velocity) and density (mist of spray); "
+         "default " +
+             std::string(kUsualProducts) + std::string(kSprayProductHelp)},
+        {"box", "X0,Y0,Z0,X1,Y1,Z1",
+         "Of the world, m, z up from still water, Z1 a number or crest; default: one period, "
+         "from twice the wave height and at least 4 m below still water, or the bottom, to "
+         "the highest crest"},
+        {"voxel", "METRES", "Of the surface; default the period / the resolution"},
+        {"velocity-voxel", "METRES", "Of the velocity and the density; default twice the voxel"},
+        {"mist", "NUMBER",
+         "Of the density: m^2 of cross-section for each m^2 that turns white, 0 to 1000; "
+         "default " +
+             shortest_text(Settings{}.mist)},
+        {"type", "TYPE", "float or half; default float"},
+        {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
 }
+
+namespace {
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ErrorKind::invalid_value, message);
@@ -90,9 +108,11 @@ void read_products(const std::string& list, Settings& settings) {
     for (const std::string_view name : fields_of(text, 3)) {
         bool Settings::*const product = name == kSurface    ? &Settings::surface
                                         : name == kVelocity ? &Settings::velocity
+                                        : name == kDensity  ? &Settings::density
                                                             : nullptr;
         if (product == nullptr || settings.*product) {
-            refuse("--products " + list + ": of a volume allowed are surface and vel, each once");
+            refuse("--products " + list +
+                   ": of a volume allowed are surface, vel and density, each once");
         }
         settings.*product = true;
     }
@@ -120,7 +140,9 @@ double read_voxel(const std::string& option, const std::string& text) {
                         : parse_number(text, "--" + option + " " + text, kSmallest, kFarthest);
 }
 
-std::any read_options(const BakeOptions& options, const Catalogue&) {
+}  // namespace
+
+std::any read_volumes(const BakeOptions& options) {
     Settings settings;
     read_products(options.format_option("products"), settings);
     if (const std::string& box = options.format_option("box"); !box.empty()) {
@@ -134,10 +156,18 @@ std::any read_options(const BakeOptions& options, const Catalogue&) {
         settings.half_floats = type == "half";
     }
     settings.axes = read_up_axes(options, "a volume");
+    const std::string& mist = options.format_option("mist");
+    if (settings.density) {
+        settings.spray = read_spray_settings(options);
+        if (!mist.empty()) settings.mist = parse_number(mist, "--mist " + mist, 0.0, 1000.0);
+    } else {
+        refuse_spray_options(options, "spray or density");
+        if (!mist.empty()) refuse("--mist " + mist + ": needs --products density");
+    }
     return settings;
 }
 
-FormatPlan settle(const BakePlan& begun) {
+FormatPlan settle_volumes(const BakePlan& begun) {
     Settings settings = settings_of(begun);
     const Parameters& parameters = begun.sea.parameters;
     const double variance = make_directional_spectrum(parameters).variance(parameters.water);
@@ -154,8 +184,12 @@ FormatPlan settle(const BakePlan& begun) {
                         parameters.grid.patch_size,
                         std::nan("")};
     }
-    return {{{}, {begun.resolution}}, settings};
+    FrameMaps maps{{}, {begun.resolution}};
+    maps.has_past = settings.density;
+    return {maps, settings};
 }
+
+namespace {
 
 io::WorldBox world_box(const Settings& settings, double crest) {
     const std::array<double, 6>& side = *settings.box;
@@ -164,11 +198,13 @@ io::WorldBox world_box(const Settings& settings, double crest) {
     return {{side[0], side[1], side[2]}, {side[3], side[4], std::max(top, side[2] + 1e-3)}};
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+}  // namespace
+
+std::vector<BakeFile> list_volumes(const BakePlan& plan, int frame) {
     return {{plan.pattern.file(frame), frame, 0, settings_of(plan).products()}};
 }
 
-std::vector<io::HeaderString> strings_of(const BakePlan& plan, int frame) {
+std::vector<io::HeaderString> volume_strings(const BakePlan& plan, int frame) {
     const Settings& settings = settings_of(plan);
     std::vector<io::HeaderString> strings = io::label_strings(frame_label(plan, frame));
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
@@ -178,33 +214,40 @@ std::vector<io::HeaderString> strings_of(const BakePlan& plan, int frame) {
     strings.push_back({"ocean:voxel", shortest_text(settings.voxel)});
     strings.push_back({"ocean:velocity_voxel", shortest_text(settings.velocity_voxel)});
     strings.push_back({"ocean:type", settings.half_floats ? "half" : "float"});
-    strings.push_back({"ocean:units", "m, m/s"});
+    if (settings.density) {
+        strings.push_back({"ocean:mist", shortest_text(settings.mist)});
+        for (auto& string : spray_setting_strings(settings.spray)) {
+            strings.push_back(std::move(string));
+        }
+    }
+    strings.push_back({"ocean:units", settings.density ? "m, m/s, 1/m" : "m, m/s"});
     return strings;
 }
 
-std::string recipe(const BakePlan& plan, const BakeFile& file) {
+std::string volume_recipe(const BakePlan& plan, const BakeFile& file) {
     const Settings& settings = settings_of(plan);
-    return bake_recipe(plan, file.frame,
-                       "vdb " + settings.products() + " " + settings.box_text() + " " +
-                           shortest_text(settings.voxel) + " " +
-                           shortest_text(settings.velocity_voxel) + " " +
-                           (settings.half_floats ? "half " : "float ") +
-                           std::string(io::axes_name(settings.axes)) + "\n");
+    std::string lines =
+        "vdb " + settings.products() + " " + settings.box_text() + " " +
+        shortest_text(settings.voxel) + " " + shortest_text(settings.velocity_voxel) + " " +
+        (settings.half_floats ? "half " : "float ") + std::string(io::axes_name(settings.axes));
+    if (settings.density) {
+        lines += " " + shortest_text(settings.mist);
+        for (const auto& string : spray_setting_strings(settings.spray)) lines += " " + string.text;
+    }
+    return bake_recipe(plan, file.frame, lines + "\n");
 }
 
-bool is_baked(const BakeFile& file) {
-    try {
-        return !io::read_vdb_header(file.path).empty();
-    } catch (const Error&) {
-        return false;
-    }
-}
+namespace {
 
 /// Numbers of all voxels of the box, to crests higher than any that comes.
 struct Numbers {
     std::uint64_t surface = 0;
     std::uint64_t velocity = 0;
+    std::uint64_t density = 0;
     std::uint64_t columns = 0;
+    std::uint64_t puffs = 0;
+
+    std::uint64_t voxels() const { return surface + velocity + density; }
 };
 
 Numbers most_numbers(const BakePlan& plan) {
@@ -222,6 +265,21 @@ Numbers most_numbers(const BakePlan& plan) {
         const auto voxels = io::voxels_around(box, settings.velocity_voxel, kLeaf);
         numbers.velocity = 3 * voxels.voxels();
         numbers.columns = std::max(numbers.columns, voxels.columns());
+    }
+    if (settings.density) {
+        constexpr double kUpwards = 5.0;  // m/s, and as much is spread
+        const double reach = 2.0 * kUpwards * settings.spray.lifetime;
+        const auto voxels =
+            io::voxels_around(world_box(settings, crest + reach), settings.velocity_voxel, kLeaf);
+        numbers.density = voxels.voxels();
+        numbers.columns = std::max(numbers.columns, voxels.columns());
+        const double period = plan.sea.parameters.grid.patch_size;
+        double copies = 1.0;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
+        }
+        numbers.puffs = static_cast<std::uint64_t>(
+            copies * static_cast<double>(most_spray(plan.sea, settings.spray)));
     }
     return numbers;
 }
@@ -241,22 +299,39 @@ QueryOptions velocity_query(const BakePlan& plan) {
     return {.foam = false, .resolution = resolution};
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan) {
+/// Of the mist's puffs and of the spray that they are of.
+std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
+    const Grid& grid = plan.sea.parameters.grid;
+    const SpraySettings& spray = settings_of(plan).spray;
+    const int lattice = spray_lattice(grid).resolution;
+    return spray_bytes(most_spray(plan.sea, spray)) +
+           puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) +
+           maps_bytes(lattice, kSprayChannels.size()) +
+           work_bytes(grid, plan.backend, kSprayChannels, lattice);
+}
+
+}  // namespace
+
+std::uint64_t volume_frame_bytes(const BakePlan& plan) {
     const Numbers numbers = most_numbers(plan);
     constexpr std::uint64_t kOfColumn =
         sizeof(io::SurfaceColumn) + sizeof(float) + 8 * sizeof(io::Velocity);  // a leaf's layers
     const int grid = plan.sea.parameters.grid.resolution;
     // Leaves have a mask too.
-    return (numbers.surface + numbers.velocity) * (sizeof(float) + 1) +
-           numbers.columns * kOfColumn + SurfaceQuery::map_bytes(grid, height_query(plan)) +
+    const std::uint64_t mist =
+        settings_of(plan).density ? mist_bytes(plan, numbers.puffs) : std::uint64_t{0};
+    return mist + numbers.voxels() * (sizeof(float) + 1) + numbers.columns * kOfColumn +
+           SurfaceQuery::map_bytes(grid, height_query(plan)) +
            2 * SurfaceQuery::map_bytes(grid, velocity_query(plan));
 }
 
-std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
+std::uint64_t most_volume_bytes(const BakePlan& plan) {
     const Numbers numbers = most_numbers(plan);
     const std::uint64_t size = settings_of(plan).half_floats ? 2 : sizeof(float);
-    return 2 * plan.sea_text.size() + 8192 + (numbers.surface + numbers.velocity) * size;
+    return 2 * plan.sea_text.size() + 8192 + numbers.voxels() * size;
 }
+
+namespace {
 
 /// Calls take(first, samples) for pieces of the columns.
 template <typename Take>
@@ -283,6 +358,13 @@ struct Columns {
     std::vector<io::SurfaceColumn> surface;
     double crest = -kFarthest;
     std::size_t folded = 0;
+
+    std::vector<float> heights() const {
+        std::vector<float> heights;
+        heights.reserve(surface.size());
+        for (const io::SurfaceColumn& column : surface) heights.push_back(column.height);
+        return heights;
+    }
 };
 
 Columns columns_of(const FrameWork& work, const io::VoxelRange& voxels) {
@@ -331,9 +413,7 @@ io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
     const double size = settings.velocity_voxel;
     const Columns columns = columns_of(work, range_to(settings, size, kBeyond, 0.0));
     const io::VoxelRange voxels = range_to(settings, size, kBeyond, columns.crest);
-    std::vector<float> heights;
-    heights.reserve(columns.surface.size());
-    for (const io::SurfaceColumn& column : columns.surface) heights.push_back(column.height);
+    const std::vector<float> heights = columns.heights();
 
     const QueryOptions query = velocity_query(work.plan);
     const auto width = static_cast<std::size_t>(voxels.count[0]);
@@ -359,44 +439,74 @@ io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
     return io::make_velocity(voxels, heights, layer, axes, work.ocean.pool());
 }
 
-void write(const FrameWork& work, std::span<const BakeFile> files) {
+/// The puffs of all copies of the period that reach into the box.
+std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const Settings& settings) {
+    const double period = work.plan.sea.parameters.grid.patch_size;
+    const std::array<double, 6>& box = *settings.box;
+    const double area = settings.spray.density > 0.0 ? settings.mist / settings.spray.density : 0.0;
+    std::vector<io::DensityPuff> puffs;
+    for (const MistPuff& mist : work.ocean.mist(work.time(), settings.spray)) {
+        io::DensityPuff puff{{mist.x, mist.y, mist.z}, mist.deviation, area * mist.share};
+        const double reach = io::density_reach(puff, settings.velocity_voxel);
+        const auto first = [&](std::size_t axis) {
+            return std::ceil((box[axis] - reach - puff.place[axis]) / period);
+        };
+        const auto last = [&](std::size_t axis) {
+            return std::floor((box[axis + 3] + reach - puff.place[axis]) / period);
+        };
+        const double first_x = first(0), last_x = last(0), first_y = first(1), last_y = last(1);
+        for (double ny = first_y; ny <= last_y; ++ny) {
+            for (double nx = first_x; nx <= last_x; ++nx) {
+                puff.place = {mist.x + nx * period, mist.y + ny * period, mist.z};
+                puffs.push_back(puff);
+            }
+        }
+    }
+    return puffs;
+}
+
+io::VdbGrid make_mist(const FrameWork& work, io::VolumeAxes axes) {
+    const Settings& settings = settings_of(work.plan);
+    const double voxel = settings.velocity_voxel;
+    const std::vector<io::DensityPuff> puffs = puffs_around(work, settings);
+    if (puffs.empty()) {
+        work.warn(
+            format_text("at %g s the sea makes no spray, and its mist is empty", work.time()));
+    }
+    double highest = settings.box->at(2) + voxel;
+    for (const io::DensityPuff& puff : puffs) {
+        highest = std::max(highest, puff.place[2] + io::density_reach(puff, voxel));
+    }
+    const io::VoxelRange voxels = io::voxels_around(world_box(settings, highest), voxel, 0);
+    const std::vector<float> heights = columns_of(work, voxels).heights();
+    return io::make_density(voxels, heights, puffs, axes, work.ocean.pool());
+}
+
+}  // namespace
+
+void write_volumes(const FrameWork& work, std::span<const BakeFile> files) {
     const Settings& settings = settings_of(work.plan);
     const io::VolumeAxes axes{settings.axes == io::Axes::yup};
     std::vector<io::VdbGrid> grids;
     if (settings.surface) grids.push_back(make_surface(work, axes));
     if (settings.velocity) grids.push_back(make_velocity(work, axes));
+    if (settings.density) grids.push_back(make_mist(work, axes));
     work.put(files.front(), [&] {
-        io::write_vdb(grids, strings_of(work.plan, work.frame), settings.half_floats,
+        io::write_vdb(grids, volume_strings(work.plan, work.frame), settings.half_floats,
                       files.front().path);
     });
 }
 
-void adopt(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
+void adopt_volumes(const BakedHeader& header, BakeOptions& options) {
     options.take("products", header.text("field"));
     options.take("axes", header.text("axes"));
     options.take("box", header.text("box"));
     options.take("voxel", header.text("voxel"));
     options.take("velocity-voxel", header.text("velocity_voxel"));
     options.take("type", header.text("type"));
+    if (!header.has("mist")) return;
+    options.take("mist", header.text("mist"));
+    adopt_spray_settings(header, options);
 }
-
-}  // namespace
-
-const BakeFormat kVdbFormat = {
-    .name = "vdb",
-    .extension = ".vdb",
-    .family = "Volumes VDB",
-    .options = list_options,
-    .read_options = read_options,
-    .settle = settle,
-    .files = list_files,
-    .recipe = recipe,
-    .is_baked = is_baked,
-    .frame_bytes = frame_bytes,
-    .most_bytes = most_bytes,
-    .write = write,
-    .read_header = io::read_vdb_header,
-    .adopt = adopt,
-};
 
 }  // namespace ocean

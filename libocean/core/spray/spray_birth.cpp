@@ -75,6 +75,8 @@ class Place {
     std::array<double, 4> weight_;
 };
 
+constexpr double kVerticalGust = 1.25;
+
 /// The gust that tears drops off blows forwards and upwards and then carries them: of each
 /// component the deviation in neutral air near the ground, 2.39, 1.92 and 1.25 u* along, across
 /// and up [Panofsky and Dutton 1984], Gaussian and, along and up, of its positive half. (Nobody has
@@ -85,7 +87,7 @@ Vector3 gust(const SprayAir& air, Draws& draws) {
     const Draws::Normals level = draws.normals();
     const double along = 2.39 * friction * std::abs(level.first);
     const double across = 1.92 * friction * level.second;
-    const double up = 1.25 * friction * std::abs(draws.normals().first);
+    const double up = kVerticalGust * friction * std::abs(draws.normals().first);
     const double c = std::cos(air.direction);
     const double s = std::sin(air.direction);
     return {along * c - across * s, along * s + across * c, up};
@@ -111,9 +113,11 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
                    place(Channel::height)};
     const Vector3 torn = gust(tick.air, draws);
     const double mean = crest_wind(tick.air.wind_speed);
-    birth.drift = {mean * std::cos(tick.air.direction) + torn[0],
-                   mean * std::sin(tick.air.direction) + torn[1],
-                   torn[2] - tick.air.gravity * birth.response};
+    birth.gust = {mean * std::cos(tick.air.direction) + torn[0],
+                  mean * std::sin(tick.air.direction) + torn[1], torn[2]};
+    birth.mixing = kVerticalGust * friction_velocity(tick.air.wind_speed);
+    birth.drift = birth.gust;
+    birth.drift[2] -= tick.air.gravity * birth.response;
     for (std::size_t c = 0; c < 3; ++c) {
         birth.place[c] += birth.velocity[c] * birth.since;
         birth.velocity[c] += torn[c];

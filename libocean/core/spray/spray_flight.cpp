@@ -111,6 +111,24 @@ SprayParticle particle_at(const SprayBirth& birth, double age) {
             velocity[1], velocity[2], age,      birth.life, birth.radius};
 }
 
+// Diffusion by continuous movements [Taylor 1922] whose velocity, of deviation s, forgets itself as
+// exp(-t/T): the deviation of what began in one point is s t at first and s sqrt(2 T t) in the end.
+// T is that of large eddies at the height where mist hangs, kappa z/s with z = 2.5 m.
+MistPuff puff_at(const SprayBirth& birth, double age, double lifetime) {
+    constexpr double kEddy = 0.4 * 2.5;  // m
+    constexpr double kBornWide = 0.5;    // m: a puff is what is torn off in one go
+    double deviation = kBornWide;
+    if (birth.mixing > 0.0) {
+        const double memory = kEddy / birth.mixing;
+        const double spread = 2.0 * kEddy * kEddy * (age / memory + std::expm1(-age / memory));
+        deviation = std::sqrt(kBornWide * kBornWide + spread);
+    }
+    const double gone = age / lifetime;
+    const double left = 1.0 - gone * gone;
+    return {birth.place[0] + birth.gust[0] * age, birth.place[1] + birth.gust[1] * age,
+            birth.place[2] + birth.gust[2] * age, deviation, left * left};
+}
+
 // z is concave or convex for all ages, so that it crosses its level downwards at most once before
 // its least value.
 double life_of(const SprayBirth& birth, double lifetime) {

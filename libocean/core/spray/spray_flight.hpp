@@ -39,7 +39,9 @@ struct SprayBirth {
     double since;      // s after its tick
     Vector3 place;     // m
     Vector3 velocity;  // m/s
-    Vector3 drift;     // m/s, what its velocity tends to: that of the air, less the fall
+    Vector3 gust;      // m/s, the air's velocity
+    double mixing;     // m/s, the deviation of its vertical velocity
+    Vector3 drift;     // m/s, what its own velocity tends to: that of the air, less the fall
     double response;   // s
     double radius;     // m
     double life;       // s
@@ -47,6 +49,8 @@ struct SprayBirth {
 
 /// Its state at an age, s.
 SprayParticle particle_at(const SprayBirth& birth, double age);
+/// What hangs in the air at an age below `lifetime`, s.
+MistPuff puff_at(const SprayBirth& birth, double age, double lifetime);
 /// The age, at most `lifetime`, at which it falls through the still water's level or, born below
 /// it, through the height that it was born at. Of a birth whose life is not set yet.
 double life_of(const SprayBirth& birth, double lifetime);

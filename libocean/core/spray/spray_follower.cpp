@@ -100,23 +100,40 @@ SprayFollower::SprayFollower(const SpraySettings& settings, const FoamClock& clo
       ticks_(living_ticks(clock, lifetime_)),
       map_(lattice, 0.0, kSprayChannels) {}
 
-std::vector<SprayParticle> SprayFollower::at(double time, const SpraySource& source) {
-    const FoamClock::Moment now = clock_.moment(time);
+void SprayFollower::go_to(double time, const SpraySource& source) {
+    now_ = clock_.moment(time);
     for (std::int64_t back = ticks_ - 1; back >= 0; --back) {
-        const std::int64_t tick = clock_.before(now.tick, back);
+        const std::int64_t tick = clock_.before(now_.tick, back);
         if (!born_.contains(tick)) make(tick, source);
     }
-    forget_far_from(now.tick);
+    forget_far_from(now_.tick);
+}
 
-    std::vector<SprayParticle> particles;
+template <typename Take>
+void SprayFollower::for_each_birth(const Take& take) const {
     for (std::int64_t back = ticks_ - 1; back >= 0; --back) {
-        const double since = now.since + static_cast<double>(back) * clock_.step;
-        for (const SprayBirth& birth : born_.at(clock_.before(now.tick, back))) {
+        const double since = now_.since + static_cast<double>(back) * clock_.step;
+        for (const SprayBirth& birth : born_.at(clock_.before(now_.tick, back))) {
             const double age = since - birth.since;
-            if (age >= 0.0 && age < birth.life) particles.push_back(particle_at(birth, age));
+            if (age >= 0.0 && age < lifetime_) take(birth, age);
         }
     }
+}
+
+std::vector<SprayParticle> SprayFollower::particles() const {
+    std::vector<SprayParticle> particles;
+    for_each_birth([&](const SprayBirth& birth, double age) {
+        if (age < birth.life) particles.push_back(particle_at(birth, age));
+    });
     return particles;
+}
+
+std::vector<MistPuff> SprayFollower::mist() const {
+    std::vector<MistPuff> puffs;
+    for_each_birth([&](const SprayBirth& birth, double age) {
+        puffs.push_back(puff_at(birth, age, lifetime_));
+    });
+    return puffs;
 }
 
 void SprayFollower::make(std::int64_t tick, const SpraySource& source) {

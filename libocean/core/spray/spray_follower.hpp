@@ -28,14 +28,19 @@ class SprayFollower {
                   std::uint32_t seed);
 
     const SpraySettings& settings() const { return settings_; }
-    /// All that are alive at a time, the oldest ticks first. What the source throws leaves a state
-    /// that can go on.
-    std::vector<SprayParticle> at(double time, const SpraySource& source);
+    /// To a time, of which the rest tells. What the source throws leaves a state that can go on.
+    void go_to(double time, const SpraySource& source);
+    /// All that are alive, the oldest ticks first.
+    std::vector<SprayParticle> particles() const;
+    std::vector<MistPuff> mist() const;
     /// Of ticks from that time on nothing is known any more: the sea has changed there.
     void forget_from(double time);
 
   private:
     void make(std::int64_t tick, const SpraySource& source);
+    /// Calls take(birth, age) for all that were born within the lifetime.
+    template <typename Take>
+    void for_each_birth(const Take& take) const;
     void forget_far_from(std::int64_t tick);
 
     SpraySettings settings_;
@@ -44,6 +49,7 @@ class SprayFollower {
     double lifetime_;     // s
     std::int64_t ticks_;  // that may have living particles, the newest included
     std::map<std::int64_t, std::vector<SprayBirth>> born_;
+    FoamClock::Moment now_{};
     Surface map_;
     std::vector<std::uint8_t> white_;         // of the tick that was looked at last
     std::optional<std::int64_t> white_tick_;  // its number

@@ -109,6 +109,9 @@ class Ocean {
     /// later ones for new ticks alone: the same bits. Throws Error invalid_value for settings out
     /// of range, and out_of_memory.
     std::vector<SprayParticle> spray(double time, const SpraySettings& settings = {});
+    /// The mist of that spray: a puff for each particle that was born within the lifetime, those
+    /// that have ended since among them. At the cost of the spray.
+    std::vector<MistPuff> mist(double time, const SpraySettings& settings = {});
     /// Ticks of the foam's clock until maps' foam that began empty is what it always is, of the
     /// map that has longest to go.
     std::int64_t foam_settling_ticks() const;
@@ -147,6 +150,7 @@ class Ocean {
     int map_resolution(int asked) const;
     /// For so many maps beside what the channels need.
     void require_map_memory(int resolution, int maps, ChannelSet channels) const;
+    SprayFollower& spray_at(double time, const SpraySettings& settings);
     /// On the map that is shown when nobody says.
     QueryOptions shown(QueryOptions options) const;
     const SurfaceQuery& surface_query(double time, const QueryOptions& options);

@@ -50,6 +50,14 @@ struct SprayParticle {
     double radius;      // m, of each of its drops
 };
 
+/// Mist that the birth of a particle leaves in the air: of drops too small to fall, which go with
+/// the gust that tore them off, and spread. A Gaussian.
+struct MistPuff {
+    double x, y, z;    // m, its middle
+    double deviation;  // m
+    double share;      // 1 .. 0 of what it began with
+};
+
 /// The lattice that spray is emitted on: a power of two by the size of the patch, with cells of at
 /// most 2.5 m as long as 512 a side are enough. Of the sea alone, never of what is asked for.
 Lattice spray_lattice(const Grid& grid);

@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/io/frame_label.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "ocean/platform.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 
@@ -14,6 +21,18 @@ std::vector<HeaderString> label_strings(const FrameLabel& label) {
             {"ocean:period", shortest_text(label.period)},
             {"ocean:backend", std::string(label.backend)},
             {"ocean:version", OCEAN_VERSION}};
+}
+
+std::string read_head(const std::string& path) {
+    constexpr std::uintmax_t kLongest = std::uintmax_t{8} << 20;  // a sea with its take
+    std::error_code missing;
+    const std::uintmax_t size = std::filesystem::file_size(utf8_path(path), missing);
+    if (missing) return {};
+    std::ifstream file(utf8_path(path), std::ios::binary);
+    std::string head(static_cast<std::size_t>(std::min(size, kLongest)), '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return head;
 }
 
 std::string comment_lines(std::span<const HeaderString> strings, std::string_view prefix) {

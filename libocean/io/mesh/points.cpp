@@ -6,16 +6,6 @@
 #include "turn_vectors.hpp"
 
 namespace ocean::io {
-namespace {
-
-constexpr std::uint64_t kFloats = 9;
-constexpr std::uint64_t kPointBytes = kFloats * sizeof(float) + sizeof(std::uint64_t);
-
-}  // namespace
-
-std::uint64_t points_bytes(std::uint64_t count) {
-    return count * kPointBytes;
-}
 
 void turn_y_up(Points& points) {
     turn_vectors_y_up(points.positions);
@@ -40,7 +30,7 @@ void write_ply(const Points& points, std::span<const HeaderString> strings,
 }
 
 std::uint64_t points_ply_bytes(std::uint64_t count) {
-    return kMostPlyHead + count * kPointBytes;
+    return kMostPlyHead + points_bytes(count);
 }
 
 }  // namespace ocean::io

@@ -9,7 +9,10 @@
 #include <openvdb/openvdb.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ocean/io/vdb.hpp"
@@ -66,6 +69,21 @@ class LeafColumns {
                 body(i, j,
                      static_cast<std::size_t>(row) * static_cast<std::size_t>(voxels_.count[0]) +
                          static_cast<std::size_t>(at));
+            }
+        }
+    }
+    /// Calls body(item) for those that have columns in a rectangle of the sea, m.
+    template <typename Body>
+    void for_each_item(double x0, double x1, double y0, double y1, const Body& body) const {
+        if (axes_.y_up) std::tie(y0, y1) = std::pair(-y1, -y0);
+        const auto block = [this](double at) {
+            return static_cast<int>(std::floor(at / (kSide * voxels_.size)));
+        };
+        const int last_x = std::min(block(x1), first_x_ + count_x_ - 1);
+        const int last_y = std::min(block(y1), first_y_ + count_y_ - 1);
+        for (int y = std::max(block(y0), first_y_); y <= last_y; ++y) {
+            for (int x = std::max(block(x0), first_x_); x <= last_x; ++x) {
+                body((y - first_y_) * count_x_ + x - first_x_);
             }
         }
     }

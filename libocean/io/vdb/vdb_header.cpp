@@ -4,18 +4,15 @@
 // The texts at the beginning of a VDB file, read without OpenVDB, which trusts the sizes that a
 // file names.
 #include <cstring>
-#include <fstream>
 
 #include "ocean/error.hpp"
 #include "ocean/io/vdb.hpp"
-#include "ocean/platform.hpp"
 
 namespace ocean::io {
 namespace {
 
-constexpr std::size_t kLongestHeader = std::size_t{8} << 20;  // a sea with its take
-constexpr std::uint64_t kMagic = 0x56444220;                  // "VDB "
-constexpr std::uint32_t kOldestVersion = 222;                 // OpenVDB 3; written by 10: 224
+constexpr std::uint64_t kMagic = 0x56444220;   // "VDB "
+constexpr std::uint32_t kOldestVersion = 222;  // OpenVDB 3; written by 10: 224
 constexpr std::size_t kIdLength = 36;
 
 /// Little-endian values one after another; whether all of them were there is asked at the end.
@@ -51,11 +48,7 @@ class Bytes {
 }  // namespace
 
 std::vector<HeaderString> read_vdb_header(const std::string& path) {
-    std::ifstream file(utf8_path(path), std::ios::binary);
-    std::string head(kLongestHeader, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
-
+    const std::string head = read_head(path);
     Bytes bytes(head);
     if (bytes.number<std::uint64_t>() != kMagic) {
         throw Error(ErrorKind::bad_file, path + ": is no OpenVDB file");

@@ -32,6 +32,10 @@ struct HeaderString {
 /// ocean:sea, frame, time, period, backend and version: what re-makes a frame.
 std::vector<HeaderString> label_strings(const FrameLabel& label);
 
+/// The first bytes of a file, as many as the longest header may have; all of a shorter one, none of
+/// one that cannot be read.
+std::string read_head(const std::string& path);
+
 /// For files whose header is made of comments: "PREFIX NAME LINE" for each line of each text.
 std::string comment_lines(std::span<const HeaderString> strings, std::string_view prefix);
 /// The strings again, of all lines that begin so; other lines are left out.

@@ -25,7 +25,10 @@ struct Points {
     std::size_t size() const { return ids.size(); }
 };
 /// Bytes of so many.
-std::uint64_t points_bytes(std::uint64_t count);
+constexpr std::uint64_t points_bytes(std::uint64_t count) {
+    constexpr std::uint64_t kFloats = 9;
+    return count * (kFloats * sizeof(float) + sizeof(std::uint64_t));
+}
 /// y up instead of z: (x, z, -y).
 void turn_y_up(Points& points);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Volumes of the water in a box of the world as OpenVDB grids, for simulations and renderers: its
-// surface as a level set, its velocity. Voxel (i, j, k) is the point size * (i, j, k) of the world,
-// so that the voxels of neighbouring boxes are the same.
+// surface as a level set, its velocity, the mist above it. Voxel (i, j, k) is the point size * (i,
+// j, k) of the world, so that the voxels of neighbouring boxes are the same.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "ocean/io/frame_label.hpp"
+#include "ocean/io/points.hpp"
 
 namespace ocean {
 
@@ -88,6 +89,27 @@ using VelocityLayer = std::function<void(int k, std::span<Velocity> layer)>;
 /// higher is not there. `heights` are those of the columns. Layers are asked for from below.
 VdbGrid make_velocity(const VoxelRange& voxels, std::span<const float> heights,
                       const VelocityLayer& layer, VolumeAxes axes, ThreadPool& pool);
+
+/// Something thin in the air, a Gaussian.
+struct DensityPuff {
+    std::array<double, 3> place;  // m
+    double deviation;             // m
+    double area;                  // m^2, the cross-section of all of it
+};
+/// How far its density goes along each axis, m.
+double density_reach(const DensityPuff& puff, double voxel);
+
+/// `density`, a fog: 1/m, the cross-section in a cubic metre, of puffs above the water. `heights`
+/// are those of the columns, row-major [j][i]; of a voxel at the surface its dry part counts. The
+/// same voxels for any number of threads.
+VdbGrid make_density(const VoxelRange& voxels, std::span<const float> heights,
+                     std::span<const DensityPuff> puffs, VolumeAxes axes, ThreadPool& pool);
+
+/// `spray`, points for OpenVDB's own readers: attributes P, v (m/s), age, life (s), pscale (the
+/// radius, m) and id, a 64-bit integer; cells of so many metres. They lie as they are given.
+VdbGrid make_points(const Points& points, double cell);
+/// Bytes of a file of so many in so many leaves of 8^3 cells, at most, without its header.
+std::uint64_t points_vdb_bytes(std::uint64_t count, std::uint64_t leaves);
 
 /// The same grids and strings make the same bytes, which the library's own files do not: theirs
 /// have a random number in their header. Throws Error output.
