@@ -4,9 +4,9 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk or volume, which also needs the command
-`ocean` (or another by the environment variable OCEAN) and OpenVDB's Python module; PICTURE ends in
-.jpg or .png.
+The add-on must be installed. SCENE is open_sea, dusk, storm or volume; PICTURE ends in .jpg or
+.png. The last two scenes also need the command `ocean` (or another by the environment variable
+OCEAN), and volume OpenVDB's Python module.
 """
 
 import atexit
@@ -214,27 +214,43 @@ def dusk(scene) -> None:
     scene.frame_set(40)
 
 
+def storm(scene) -> None:
+    """Beaufort 9 from a trough, against a low sun: drops and mist off the crests."""
+    sky(scene, elevation=9.0, azimuth=24.0, strength=0.22, dust=3.0)
+    camera(scene, (782.0, 214.0, 3.0), (882.0, 224.0, 7.0), 38.0)
+    sea = HERE.parent / "povray" / "storm.toml"
+    ocean = ocean_of(sea, "jerlov_iii")
+    ocean.libocean.use_spray = True
+    ocean.libocean.spray_density = 4.0
+    ocean.libocean.spray_size = 40.0
+    box = ("--box", "770,100,-8,1070,400,crest", "--velocity-voxel", "0.75")
+    baked = bake(sea, "--products", "density", "--spray-density", "2", *box)
+    volumes.mist(baked, 1.0)
+    scene.cycles.volume_max_steps = 256
+    scene.cycles.volume_bounces = 1
+
+
 def volume(scene) -> None:
     """The water of a box as a baked level set, cut open: its velocity dies out with the depth."""
     volumes.studio(scene)
     camera(scene, (3.0, -42.0, 13.0), (23.6, 4.0, -2.2), 35.0)
-    baked = bake("volume", "--box", "0,0,-7,48,22,crest", "--voxel", "0.1")
+    baked = bake(HERE / "volume.toml", "--box", "0,0,-7,48,22,crest", "--voxel", "0.1")
     volumes.water_block(baked, volumes.cut_water())
     places, velocities = volumes.velocity_on_a_cut(baked, 0.75)
     volumes.arrows(places, velocities, 1.15, volumes.speed_paint())
 
 
-def bake(name: str, *arguments: str) -> Path:
-    """The first frame of a sea file beside this script, by the command in OCEAN."""
+def bake(sea: Path, *arguments: str) -> Path:
+    """Volumes of a sea's first frame, by the command in OCEAN."""
     folder = Path(tempfile.mkdtemp(prefix="libocean-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    output = folder / f"{name}.vdb"
-    command = [os.environ.get("OCEAN", "ocean"), "bake", str(HERE / f"{name}.toml"), "-q"]
-    subprocess.run([*command, "-o", str(output), *arguments], check=True)
+    output = folder / f"{sea.stem}.vdb"
+    command = [os.environ.get("OCEAN", "ocean"), "-q", "bake", str(sea), "-o", str(output)]
+    subprocess.run([*command, *arguments], check=True)
     return output
 
 
-SCENES = {"open_sea": open_sea, "dusk": dusk, "volume": volume}
+SCENES = {"open_sea": open_sea, "dusk": dusk, "storm": storm, "volume": volume}
 
 
 def main() -> None:

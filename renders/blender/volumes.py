@@ -9,11 +9,6 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-try:
-    import openvdb
-except ImportError:
-    import pyopenvdb as openvdb
-
 
 def load(path: Path, name: str):
     """A baked file as a volume object."""
@@ -64,6 +59,10 @@ def set_material(material):
 
 def velocity_on_a_cut(path: Path, step: float) -> tuple[np.ndarray, np.ndarray]:
     """Places (n, 3) on the plane y = 0 inside the water, and the velocity there, m/s."""
+    try:
+        import openvdb
+    except ImportError:
+        import pyopenvdb as openvdb
     velocity = openvdb.read(str(path), "vel")
     surface = openvdb.read(str(path), "surface")
     low, high = (np.array(end) for end in surface.evalActiveVoxelBoundingBox())
@@ -173,6 +172,13 @@ def studio(scene) -> None:
     ob.rotation_euler = (math.radians(48.0), 0.0, math.radians(-50.0))
     scene.collection.objects.link(ob)
     scene.view_settings.view_transform = "Standard"
+
+
+def mist(path: Path, amount: float):
+    """The fog of a baked file."""
+    ob = load(path, "Mist")
+    ob.data.materials.append(mist_material(amount))
+    return ob
 
 
 def mist_material(amount: float):
