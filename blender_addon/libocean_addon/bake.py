@@ -9,7 +9,7 @@ import threading
 import bpy
 
 from . import baked, changes, compat, exr_files, messages, operators
-from .bake_plan import Bake, BakeError, asked_range
+from .bake_plan import Bake, BakeError, Work, asked_range
 from .compat import tr, tr_label
 
 
@@ -21,7 +21,7 @@ def _words(failure: Exception) -> str:
     return messages.in_words(str(failure)) or type(failure).__name__
 
 
-running: Bake | None = None
+running: Work | None = None
 """The one that a user waits for: there is one status bar."""
 
 
@@ -36,13 +36,11 @@ class _OnOwnOcean(operators.OnOcean):
         return False
 
 
-class BakeOcean(_OnOwnOcean, bpy.types.Operator):
-    """Write the sea of each frame as files, and play those: rendering them takes neither the
-    add-on nor the library. Files of the same sea that are there are kept. ESC stops it"""
+class Frames(_OnOwnOcean):
+    """Of operators that write the frames of a sea: with a window in a thread of its own, and ESC
+    stops it; else at once."""
 
-    bl_idname = "libocean.bake"
-    bl_label = "Bake Ocean"
-    bl_options = {"UNDO"}  # nothing to adjust: that would bake again
+    bl_options = {"UNDO"}  # nothing to adjust: that would write them again
 
     directory: bpy.props.StringProperty(
         name="Folder",
@@ -60,22 +58,24 @@ class BakeOcean(_OnOwnOcean, bpy.types.Operator):
         name="Overwrite", description="Write also the files that are there and of the same sea"
     )
 
-    def _prepare(self, context) -> Bake | None:
-        ob = context.object
-        first, last = asked_range(ob, context.scene)
+    def begin(self, context, shot: tuple[int, int]) -> Work:
+        """The work for the active object, of those frames; raises BakeError."""
+        raise NotImplementedError
+
+    def _prepare(self, context) -> Work | None:
+        first, last = asked_range(context.object, context.scene)
         first = first if self.frame_start < 0 else self.frame_start
         last = last if self.frame_end < 0 else self.frame_end
-        folder = self.directory or baked.asked_folder(ob)
         if running is not None:
             self.report({"ERROR"}, tr("A bake of {} is under way", running.object_name))
             return None
         try:
-            return Bake(context, ob, folder, (first, last), overwrite=self.overwrite)
+            return self.begin(context, (first, last))
         except BakeError as failure:
             self.report({"ERROR"}, str(failure))
             return None
 
-    def _finish(self, bake: Bake) -> set[str]:
+    def _finish(self, bake: Work) -> set[str]:
         job = bake.job
         if job.failure is not None:
             self.report({"ERROR"}, tr("After {} frames: {}", job.done, _words(job.failure)))
@@ -89,6 +89,8 @@ class BakeOcean(_OnOwnOcean, bpy.types.Operator):
         except BakeError as failure:
             self.report({"ERROR"}, str(failure))
             return {"CANCELLED"}
+        if job.warning:
+            self.report({"WARNING"}, messages.in_words(job.warning))
         return {"FINISHED"}
 
     def execute(self, context):
@@ -153,6 +155,19 @@ class BakeOcean(_OnOwnOcean, bpy.types.Operator):
         manager.progress_end()
         if context.workspace is not None:
             context.workspace.status_text_set(None)
+
+
+class BakeOcean(Frames, bpy.types.Operator):
+    """Write the sea of each frame as files, and play those: rendering them takes neither the
+    add-on nor the library. Files of the same sea that are there are kept. ESC stops it"""
+
+    bl_idname = "libocean.bake"
+    bl_label = "Bake Ocean"
+
+    def begin(self, context, shot: tuple[int, int]) -> Bake:
+        ob = context.object
+        folder = self.directory or baked.asked_folder(ob)
+        return Bake(context, ob, folder, shot, overwrite=self.overwrite)
 
 
 class FreeBake(_OnOwnOcean, bpy.types.Operator):

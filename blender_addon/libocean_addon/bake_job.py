@@ -29,18 +29,14 @@ class Frame:
     """A sea file, not resolved."""
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(kw_only=True)
 class Job:
-    """One bake. Whoever runs it in a thread reads the last six fields meanwhile."""
+    """Frames that become files, one after another. Whoever runs it in a thread reads the last five
+    fields meanwhile."""
 
-    folder: Path
     frames: list[Frame]
-    fields: list[str]
-    resolution: int
     base_dir: str | None
     overwrite: bool
-    package: object
-    """The Python package OpenEXR."""
 
     stop: threading.Event = dataclasses.field(default_factory=threading.Event)
     done: int = 0
@@ -48,10 +44,8 @@ class Job:
     written: int = 0
     """Frames of which a file was not there before."""
     failure: Exception | None = None
-    first_sea: str = ""
-    """The resolved sea file of the first frame."""
-    slope_variance: float = 0.0
-    """Of the waves that the first frame's map leaves out."""
+    warning: str = ""
+    """What the user should know of a frame."""
 
     def run(self, tell: Callable[[], None] = lambda: None) -> None:
         """Writes what is missing; tell is called after each frame. What went wrong is in
@@ -70,11 +64,8 @@ class Job:
                         sea.close()
                     sea = libocean.parse(frame.sea, base_dir=self.base_dir)
                     text, resolved = frame.sea, sea.text
-                    self.first_sea = self.first_sea or resolved
                 if not self._bake(sea, resolved, frame):
                     return
-                if self.done == 0:
-                    self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
                 self.done += 1
                 tell()
         finally:
@@ -83,6 +74,28 @@ class Job:
 
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
         """Whether all files of the frame are there now: not where it was told to stop."""
+        raise NotImplementedError
+
+
+@dataclasses.dataclass(kw_only=True)
+class MapJob(Job):
+    """Frames that become maps as EXR files."""
+
+    folder: Path
+    fields: list[str]
+    resolution: int
+    package: object
+    """The Python package OpenEXR."""
+
+    first_sea: str = ""
+    """The resolved sea file of the first frame."""
+    slope_variance: float = 0.0
+    """Of the waves that the first frame's map leaves out."""
+
+    def _bake(self, sea, resolved: str, frame: Frame) -> bool:
+        if self.done == 0:
+            self.first_sea = resolved
+            self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
         label = exr_files.Label(
             resolved,
             frame.number,

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import uuid
+from collections.abc import Callable
 from pathlib import Path
 
 import bpy
@@ -68,10 +69,28 @@ def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -
         )
 
 
+def for_each_frame(context, ob, first: int, last: int, take: Callable[..., None]) -> None:
+    """Calls take(number, frame that is shown, settings of the object as they are there)."""
+    scene = context.scene
+    numbers = range(first, last + 1)
+    if ob.animation_data is None and baked.frame_length(scene) == 1.0:
+        for number in numbers:
+            take(number, float(number), ob.libocean)
+        return
+    now, part = scene.frame_current, scene.frame_subframe
+    try:
+        with live.paused():
+            for number in numbers:
+                scene.frame_set(number)
+                seen = ob.evaluated_get(context.evaluated_depsgraph_get())
+                take(number, scene.frame_current_final, seen.libocean)
+    finally:
+        scene.frame_set(now, subframe=part)
+
+
 def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dict[str, str]]:
     """What is shown at each frame, and the recipes by frame; one, by "", where all are the same."""
     scene = context.scene
-    numbers = range(first, last + 1)
     frames, recipes, maps = [], {}, set()
 
     def add(number: int, at: float, settings) -> None:
@@ -81,32 +100,23 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
         frames.append(bake_job.Frame(number, live.time_at(at, settings, values), text))
         recipes[str(number)] = baked.recipe(settings, values)
 
-    if ob.animation_data is None and baked.frame_length(scene) == 1.0:
-        for number in numbers:
-            add(number, float(number), ob.libocean)
-    else:
-        now, part = scene.frame_current, scene.frame_subframe
-        try:
-            with live.paused():
-                for number in numbers:
-                    scene.frame_set(number)
-                    seen = ob.evaluated_get(context.evaluated_depsgraph_get())
-                    add(number, scene.frame_current_final, seen.libocean)
-        finally:
-            scene.frame_set(now, subframe=part)
+    for_each_frame(context, ob, first, last, add)
     if len(set(recipes.values())) == 1:
         recipes = {"": next(iter(recipes.values()))}
     return frames, recipes
 
 
-def _made_folder(ob, asked: str, recipes: dict[str, str]) -> Path:
-    if asked.startswith("//") and not bpy.data.filepath:
-        raise BakeError(tr("Save the blend file first: the bake's folder is relative to it"))
-    path = baked.absolute(asked)
-    for other in baked.others_in(ob, path):
+def _require_own(ob, asked: str, recipes: dict[str, str]) -> None:
+    for other in baked.others_in(ob, baked.absolute(asked)):
         if json.loads(other.libocean.bake.recipes) != recipes:
             text = tr("The bake of {} is in {}: choose another folder", other.name, asked)
             raise BakeError(text)
+
+
+def make_folder(asked: str) -> Path:
+    if asked.startswith("//") and not bpy.data.filepath:
+        raise BakeError(tr("Save the blend file first: the bake's folder is relative to it"))
+    path = baked.absolute(asked)
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as failure:
@@ -115,13 +125,46 @@ def _made_folder(ob, asked: str, recipes: dict[str, str]) -> Path:
     return path
 
 
-class Bake:
-    """A bake from its plan to the object's record."""
+class Work:
+    """A job for an object, from its plan to what comes of it."""
 
-    def __init__(self, context, ob, folder: str, shot: tuple[int, int], *, overwrite: bool) -> None:
+    job: bake_job.Job
+
+    def __init__(self, ob, folder: str, shot: tuple[int, int]) -> None:
         if shot[1] < shot[0]:
             text = tr("The last frame, {}, comes before the first, {}", *reversed(shot))
             raise BakeError(text)
+        self.object_name, self.folder = ob.name, folder
+        # By which it is found again where it gets another name meanwhile.
+        self.token = ob.libocean.bake.token = uuid.uuid4().hex
+
+    def is_of(self, ob) -> bool:
+        return ob.libocean.bake.token == self.token
+
+    def find(self):
+        """The object; its copies, which were made meanwhile, come after it."""
+        found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
+        ob = min(found, key=lambda ob: ob.name != self.object_name, default=None)
+        if ob is None or not node_group.modifiers(ob):
+            text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
+            raise BakeError(text)
+        return ob
+
+    def finish(self) -> str:
+        """Does what is left when all files are there. Returns what was done, in words."""
+        raise NotImplementedError
+
+    def told(self) -> str:
+        done, written = self.job.done, self.job.written
+        kept = done - written
+        return tr("{} frames in {}: {} written, {} were there", done, self.folder, written, kept)
+
+
+class Bake(Work):
+    """A bake, until the object plays it."""
+
+    def __init__(self, context, ob, folder: str, shot: tuple[int, int], *, overwrite: bool) -> None:
+        super().__init__(ob, folder, shot)
         try:
             package = exr_files.load_package()
         except ImportError as failure:
@@ -132,10 +175,6 @@ class Bake:
                 failure,
             )
             raise BakeError(text) from failure
-        self.object_name = ob.name
-        # By which it is found again where it gets another name meanwhile.
-        self.token = ob.libocean.bake.token = uuid.uuid4().hex
-        self.folder = folder
         self.range = with_margins(*shot)
         self.frame_length = baked.frame_length(context.scene)
         frames, self.recipes = _plan(context, ob, *self.range)
@@ -147,31 +186,20 @@ class Bake:
                 self.samples = live.samples_of(ob.libocean, sea.map_resolution())
         except libocean.Error as failure:
             raise BakeError(messages.in_words(str(failure))) from failure
-        self.job = bake_job.Job(
-            _made_folder(ob, folder, self.recipes),
-            frames,
-            baked.wanted_fields(ob.libocean),
-            resolution,
-            base_dir,
-            overwrite,
-            package,
+        _require_own(ob, folder, self.recipes)
+        self.job = bake_job.MapJob(
+            folder=make_folder(folder),
+            frames=frames,
+            fields=baked.wanted_fields(ob.libocean),
+            resolution=resolution,
+            base_dir=base_dir,
+            overwrite=overwrite,
+            package=package,
         )
 
-    def is_of(self, ob) -> bool:
-        return ob.libocean.bake.token == self.token
-
-    def find(self):
-        """The object; its copies, which were made meanwhile, come after it."""
-        found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
-        return min(found, key=lambda ob: ob.name != self.object_name, default=None)
-
     def finish(self) -> str:
-        """The object plays what was baked. Returns what was done, in words."""
-        job = self.job
-        ob = self.find()
-        if ob is None or not node_group.modifiers(ob):
-            text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
-            raise BakeError(text)
+        """The object plays what was baked."""
+        job, ob = self.job, self.find()
         settings, record = ob.libocean, ob.libocean.bake
         with changes.quiet():
             # Live first: playing, the folder would be that of the bake before.
@@ -187,7 +215,4 @@ class Bake:
             record.recipes = json.dumps(self.recipes)
             settings.use_bake = True
         changes.tell(ob)
-        kept = job.done - job.written
-        return tr(
-            "{} frames in {}: {} written, {} were there", job.done, self.folder, job.written, kept
-        )
+        return self.told()

@@ -10,12 +10,14 @@ Headers are read by hand, since a reader of images would believe the sizes that 
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import importlib
 import os
 import struct
 import sys
 import threading
+from collections.abc import Iterator
 from decimal import Decimal
 from pathlib import Path
 
@@ -252,19 +254,27 @@ def _write_image(package, path: Path, label: Label, field: str, values: np.ndarr
         image.close()
 
 
-def write(package, file_path: Path, label: Label, field: str, values: np.ndarray) -> None:
-    """values: (rows, columns, n) or (rows, columns), the bottom row first, in the order of AXES.
-    All or nothing: whoever reads it meanwhile sees no half file."""
+@contextlib.contextmanager
+def replacing(file_path: Path) -> Iterator[Path]:
+    """A file beside another, which takes its place at the end, or is gone: whoever reads that one
+    meanwhile sees no half file."""
     mark = f"{os.getpid()}-{threading.get_ident()}{_TEMPORARY}"
     temporary = file_path.with_name(f".{file_path.name}.{mark}")
     try:
+        yield temporary
+        os.replace(temporary, file_path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def write(package, file_path: Path, label: Label, field: str, values: np.ndarray) -> None:
+    """values: (rows, columns, n) or (rows, columns), the bottom row first, in the order of AXES.
+    All or nothing."""
+    with replacing(file_path) as temporary:
         _write_image(package, temporary, label, field, values)
         # The package does not say when the disk ends before the file does.
         if not is_there(temporary, label, field):
             raise NotWholeError(file_path)
-        os.replace(temporary, file_path)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def remove(folder: str | Path) -> int:

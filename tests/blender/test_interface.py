@@ -90,7 +90,9 @@ def own_properties(cls) -> list:
     known = cls.bl_rna.properties
     if issubclass(cls, bpy.types.Operator):
         known = operator_of(cls).get_rna_type().properties
-    return [known[name] for name in cls.__dict__.get("__annotations__", ())]
+    ours = [base for base in cls.__mro__ if base.__module__.startswith(libocean_addon.__name__)]
+    names = {name for base in ours for name in base.__dict__.get("__annotations__", ())}
+    return [known[name] for name in sorted(names)]
 
 
 @pytest.mark.only_reads

@@ -39,7 +39,9 @@ def own_properties(cls) -> list:
     known = cls.bl_rna.properties
     if cls in OPERATORS:
         known = getattr(bpy.ops.libocean, cls.bl_idname.split(".")[1]).get_rna_type().properties
-    return [known[name] for name in cls.__dict__.get("__annotations__", ())]
+    ours = [base for base in cls.__mro__ if base.__module__.startswith(libocean_addon.__name__)]
+    names = {name for base in ours for name in base.__dict__.get("__annotations__", ())}
+    return [known[name] for name in sorted(names)]
 
 
 def labels_of(cls) -> set[tuple[str, str]]:
