@@ -47,6 +47,7 @@ def parts() -> list:
         panels,
         properties,
         records,
+        volumes,
     )
 
     return [
@@ -57,6 +58,7 @@ def parts() -> list:
         first_view,
         records,
         bake,
+        volumes,
         hints,
         panels,
         asset_library,

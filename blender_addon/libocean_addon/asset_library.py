@@ -193,6 +193,12 @@ class OceanPreferences(bpy.types.AddonPreferences):
         description="Where the asset library goes; empty: among the user's data files of Blender",
         subtype="DIR_PATH",
     )
+    ocean_command: bpy.props.StringProperty(
+        name="Command ocean",
+        description="What writes volumes; empty: the command ocean of the system, or else "
+        "Blender's own module of OpenVDB",
+        subtype="FILE_PATH",
+    )
 
     def draw(self, _context) -> None:
         layout = self.layout
@@ -202,6 +208,7 @@ class OceanPreferences(bpy.types.AddonPreferences):
             layout.label(text=tr_label("Now: {}", default_folder()), translate=False)
         made = layout.operator(MakeAssetLibrary.bl_idname, icon="ASSET_MANAGER")
         made.directory = self.asset_folder
+        layout.prop(self, "ocean_command")
 
 
 CLASSES = (MakeAssetLibrary, OceanPreferences)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 
-from . import bake, baked, exr_files, live
+from . import bake, baked, exr_files, live, volumes
 from .bake_plan import asked_range, size_estimate, with_margins
 from .compat import tr_label
 
@@ -40,11 +40,25 @@ def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     return lines
 
 
+def _of_what_runs(ob) -> list[tuple[str, str]]:
+    if bake.running is None or not bake.running.is_of(ob):
+        return []
+    job = bake.running.job
+    return [(tr_label("{} of {} frames; ESC stops", job.done, len(job.frames)), "TIME")]
+
+
+def of_volumes(ob, scene) -> list[tuple[str, str]]:
+    """The same about its volumes."""
+    first, last = asked_range(ob, scene)
+    folder = volumes.asked_folder(ob)
+    text = tr_label("Frames {} to {}, in {}", first, last, folder)
+    return _of_what_runs(ob) or [(text, "DISK_DRIVE")]
+
+
 def state(ob, scene) -> list[tuple[str, str]]:
     """Lines of text about the bake of an object, with icons."""
-    if bake.running is not None and bake.running.is_of(ob):
-        job = bake.running.job
-        return [(tr_label("{} of {} frames; ESC stops", job.done, len(job.frames)), "TIME")]
+    if running := _of_what_runs(ob):
+        return running
     lines = _of_the_bake(ob, scene) if baked.exists(ob) else []
     resolution = ob.libocean.render_resolution or live.map_resolution(ob)
     if resolution:

@@ -5,6 +5,9 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
+import importlib
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -169,6 +172,27 @@ def add_asset_library(name: str, folder: Path) -> None:
 def asset_menu():
     """Of the Asset Browser, for what makes assets."""
     return getattr(bpy.types, "ASSETBROWSER_MT_catalog", None) or bpy.types.ASSETBROWSER_MT_edit
+
+
+# Volumes ----------------------------------------------------------------------
+
+
+READS_VOLUMES_ONCE = VERSION >= (4, 1)  # what a file says of its grids is kept by its path
+
+
+def load_openvdb():
+    """Blender's own Python module of OpenVDB, by the name that it has; None where there is none, as
+    in 4.2. The Python module bpy has it in a folder that Python does not look into."""
+    python = f"python{sys.version_info[0]}.{sys.version_info[1]}"
+    own = Path(bpy.utils.resource_path("LOCAL"), "python", "lib", python, "site-packages")
+    sys.path.append(str(own))
+    try:
+        for name in ("openvdb", "pyopenvdb"):
+            with contextlib.suppress(ImportError):
+                return importlib.import_module(name)
+    finally:
+        sys.path.remove(str(own))
+    return None
 
 
 # Languages --------------------------------------------------------------------

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels below the modifiers of an object with a sea: what it is, how it looks, its bake, and
-what few will need. Parameters come from the library's table; what does not apply is not there.
+"""The panels below the modifiers of an object with a sea: what it is, how it looks, its bake, its
+volumes, and what few will need. Parameters come from the library's table; what does not apply is
+not there.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from . import (
     resolutions,
     sea_text,
     translations,
+    volumes,
 )
 from .compat import tr_label
 from .drawing import never_raises, say
@@ -275,6 +277,35 @@ class BakePanel(_Panel, bpy.types.Panel):
             say(layout, text, icon)
 
 
+class VolumesPanel(_Panel, bpy.types.Panel):
+    """The water in a box as OpenVDB files"""
+
+    bl_idname = "LIBOCEAN_PT_volumes"
+    bl_parent_id = OceanPanel.bl_idname
+    bl_label = "Volumes"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        settings = ob.libocean.volumes
+        layout.use_property_split = True
+        layout.prop(settings, "directory")
+        layout.prop(settings, "box")
+        if settings.box == "OBJECT":
+            layout.prop(settings, "box_object")
+        elif settings.box == "CORNERS":
+            layout.prop(settings, "box_low")
+            layout.prop(settings, "box_high")
+        column = layout.column(align=True)
+        column.prop(settings, "voxel")
+        column.prop(settings, "velocity_voxel")
+        layout.prop(settings, "use_half")
+        layout.operator(volumes.WriteVolumes.bl_idname, icon="VOLUME_DATA")
+        for text, icon in bake_state.of_volumes(ob, context.scene):
+            say(layout, text, icon)
+
+
 class AdvancedPanel(_Panel, bpy.types.Panel):
     """Its time, and what few will need"""
 
@@ -296,6 +327,14 @@ class AdvancedPanel(_Panel, bpy.types.Panel):
         _draw_parameters(layout, settings, ADVANCED)
 
 
-CLASSES = (WavesList, OceanPanel, WavesPanel, LookPanel, BakePanel, AdvancedPanel)
+CLASSES = (
+    WavesList,
+    OceanPanel,
+    WavesPanel,
+    LookPanel,
+    BakePanel,
+    VolumesPanel,
+    AdvancedPanel,
+)
 
 register, unregister = bpy.utils.register_classes_factory(CLASSES)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Object.libocean: the parameters of the sea, how it is shown, and its bake.
+"""Object.libocean: the parameters of the sea, how it is shown, its bake and its volumes.
 
 Every parameter goes by the key it has in the sea file; those of a wave system are in `.waves`.
 """
@@ -75,6 +75,70 @@ class OceanBake(bpy.types.PropertyGroup):
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
     token: bpy.props.StringProperty(options={"HIDDEN"})  # of the last bake that was begun
+
+
+class OceanVolumes(bpy.types.PropertyGroup):
+    """What to write as volumes"""
+
+    directory: bpy.props.StringProperty(
+        name="Folder",
+        description="Where the volumes go; empty: ocean_volumes, beside the blend file",
+        subtype="DIR_PATH",
+        options=compat.RELATIVE_PATH,
+    )
+    box: bpy.props.EnumProperty(
+        name="Box",
+        description="Of which water",
+        items=[
+            (
+                "PERIOD",
+                "One period",
+                "From twice the wave height of the first frame, and at least 4 m, below still "
+                "water, or the bottom, to the highest crest",
+            ),
+            ("OBJECT", "Object", "The bounds of an object at the frame that is shown"),
+            ("CORNERS", "Corners", "From one corner to another"),
+        ],
+        options=set(),
+    )
+    box_object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Box object", description="Its bounds are the box"
+    )
+    box_low: bpy.props.FloatVectorProperty(
+        name="Lower corner",
+        description="Of the sea's world, the height from still water",
+        subtype="XYZ",
+        unit="LENGTH",
+        default=(0.0, 0.0, -10.0),
+        options=set(),
+    )
+    box_high: bpy.props.FloatVectorProperty(
+        name="Upper corner",
+        description="Of the sea's world, the height from still water",
+        subtype="XYZ",
+        unit="LENGTH",
+        default=(100.0, 100.0, 10.0),
+        options=set(),
+    )
+    voxel: bpy.props.FloatProperty(
+        name="Voxel",
+        description="Of the surface; 0: the distance of the samples of the map",
+        min=0.0,
+        unit="LENGTH",
+        options=set(),
+    )
+    velocity_voxel: bpy.props.FloatProperty(
+        name="Velocity voxel",
+        description="Of the velocity; 0: twice the voxel",
+        min=0.0,
+        unit="LENGTH",
+        options=set(),
+    )
+    use_half: bpy.props.BoolProperty(
+        name="Half precision",
+        description="Numbers of 16 bits in the files, which are smaller then",
+        options=set(),
+    )
 
 
 def _has_divisors(settings) -> bool:
@@ -207,13 +271,16 @@ class OceanSettings(bpy.types.PropertyGroup):
         "bake": bpy.props.PointerProperty(
             type=OceanBake, name="Bake", description="What to bake, and the bake that there is"
         ),
+        "volumes": bpy.props.PointerProperty(
+            type=OceanVolumes, name="Volumes", description="What to write as volumes"
+        ),
         "problem": bpy.props.StringProperty(
             name="Problem", description="Why the sea is not shown as asked", options={"HIDDEN"}
         ),
     }
 
 
-CLASSES = (OceanWaves, OceanBake, OceanSettings)
+CLASSES = (OceanWaves, OceanBake, OceanVolumes, OceanSettings)
 
 
 def register() -> None:

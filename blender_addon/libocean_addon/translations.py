@@ -113,6 +113,7 @@ GERMAN = {
         "Free Bake": "Gebackenes freigeben",
         "Float on Ocean": "Auf dem Ozean schwimmen",
         "Stop Floating": "Nicht mehr schwimmen",
+        "Write Volumes": "Volumen schreiben",
         "Bake Floating": "Schwimmen backen",
         "Free Floating": "Schwimmen freigeben",
         "Subdivide for Waves": "Für Wellen unterteilen",
@@ -226,6 +227,21 @@ GERMAN = {
             "Gebacken ist eine andere See als die der Parameter: neu backen"
         ),
         "The files of the bake are not in {}": "Die gebackenen Dateien sind nicht in {}",
+        # Volumes.
+        "Volumes": "Volumen",
+        "Box": "Quader",
+        "One period": "Eine Periode",
+        "Object": "Objekt",
+        "Corners": "Ecken",
+        "Box object": "Quaderobjekt",
+        "Lower corner": "Untere Ecke",
+        "Upper corner": "Obere Ecke",
+        "Voxel": "Voxel",
+        "Velocity voxel": "Voxel der Geschwindigkeit",
+        "Half precision": "Halbe Genauigkeit",
+        "Import": "Importieren",
+        "Command ocean": "Befehl ocean",
+        "Frames {} to {}, in {}": "Bilder {} bis {}, in {}",
         # Float.
         "Length": "Länge",
         "Width": "Breite",
@@ -246,6 +262,21 @@ GERMAN = {
         "None of the selected objects floats": "Keines der gewählten Objekte schwimmt",
         "None of the selected objects has baked floating": (
             "Keines der gewählten Objekte hat gebackenes Schwimmen"
+        ),
+        "No object is the box: choose one": "Kein Objekt ist der Quader: wählen Sie eines",
+        "The box is empty: each end is beyond its beginning": (
+            "Der Quader ist leer: jedes Ende liegt jenseits seines Anfangs"
+        ),
+        "This Blender has no OpenVDB module, and there is no command ocean. Where there is one, "
+        "run: {}": (
+            "Dieses Blender hat kein Modul für OpenVDB, und einen Befehl ocean gibt es nicht. Wo "
+            "es ihn gibt: {}"
+        ),
+        "{}, of the preferences, is no command that writes volumes": (
+            "{} aus den Einstellungen ist kein Befehl, der Volumen schreibt"
+        ),
+        "Until it is started again Blender shows the files of before": (
+            "Bis zu seinem nächsten Start zeigt Blender die Dateien von vorher"
         ),
         "No ocean is selected": "Kein Ozean ist gewählt",
         "Select the objects that shall float": "Wählen Sie die Objekte, die schwimmen sollen",

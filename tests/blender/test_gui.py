@@ -13,7 +13,7 @@ import bpy
 import numpy as np
 import pytest
 
-SCREEN = "-screen 0 1920x2200x24 +extension GLX"
+SCREEN = "-screen 0 1920x3200x24 +extension GLX"
 
 STEPS = """
 import os, sys, traceback
@@ -105,7 +105,7 @@ def test_every_panel_is_drawn_without_a_word_in_the_console(tmp_path):
     )
     script.write_text(textwrap.dedent(STEPS))
     command = ["xvfb-run", "-a", "-s", SCREEN, bpy.app.binary_path, "--factory-startup"]
-    command += ["--window-geometry", "0", "0", "1920", "2200", "--python", script, "--", picture]
+    command += ["--window-geometry", "0", "0", "1920", "3200", "--python", script, "--", picture]
     done = subprocess.run(command, capture_output=True, text=True, timeout=200)
     said = done.stdout + done.stderr
     assert done.returncode == 0, said
