@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,18 @@
 #include "libocean.h"
 #include "ocean/ocean.hpp"
 #include "ocean/sea.hpp"
+
+namespace ocean::capi {
+
+/// Spray that a caller has been told the number of, until it is taken.
+struct CountedSpray {
+    std::uint64_t revision;  // of the sea
+    double time;
+    SpraySettings settings;
+    std::vector<SprayParticle> particles;
+};
+
+}  // namespace ocean::capi
 
 struct ocean_sea {
     ocean_sea(ocean::Sea sea, ocean::OceanOptions opened_with, std::string folder)
@@ -32,6 +45,7 @@ struct ocean_sea {
     std::unique_ptr<ocean::Ocean> ocean;  // readers may make it build what they ask for
     std::vector<ocean::MapOutput>
         map_outputs;  // of the request, kept so that frames allocate nothing
+    std::optional<ocean::capi::CountedSpray> counted_spray;
 };
 
 namespace ocean::capi {

@@ -336,6 +336,45 @@ OCEAN_API ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_requ
 OCEAN_API ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                                         float* poses, size_t stride);
 
+/* A particle of spray: a parcel of drops of one size that the wind has torn off where the sea
+ * turned white. Born within one period of the sea; then it may leave it: copies a period on are as
+ * true. */
+typedef struct {
+    uint64_t id;        /* the same from birth to end in every frame, in a loop every time round */
+    double position[3]; /* m */
+    float velocity[3];  /* d/dt of it, m/s */
+    float age;          /* s since its birth */
+    float life;         /* s, the age at which it ends: known from its birth */
+    float radius;       /* m, of each of its drops */
+} ocean_spray_particle;
+
+/* struct_size = sizeof(ocean_spray_request), particle_size = sizeof(ocean_spray_particle): a
+ * smaller one has fewer members filled. lifetime: the greatest age [s], 0.05 .. 10, in a loop at
+ * most half of it; usual is 2. density: particles for each m^2 that turns white, 0 .. 1000; usual
+ * is 0.25. In winds below 11 m/s fewer, below 7 m/s none. most: alive at once, about, 1 .. 100
+ * million: where there would be more they are thinner, all over the sea alike; usual is 1 million.
+ */
+typedef struct {
+    size_t struct_size;
+    double time;
+    double lifetime;
+    double density;
+    int32_t most;
+    int32_t reserved; /* 0 */
+    ocean_spray_particle* particles;
+    size_t particle_count; /* room in particles */
+    size_t particle_size;
+} ocean_spray_request;
+
+/* All spray that is alive at a time, in no place's order but always the same one. *count receives
+ * how many there are; if that is more than there is room for, nothing else is written and
+ * OCEAN_BUFFER_TOO_SMALL returned. particles = NULL asks for the count alone. The sea keeps what
+ * was not taken: the call with room that follows copies it. The first call makes a small map for
+ * every tick of the foam's clock within the lifetime; a later time pays for the ticks that are new
+ * alone, and has the same bits. INVALID_VALUE for settings out of range. */
+OCEAN_API ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request,
+                                   size_t* count);
+
 /* A wave gauge. fixes: four doubles each, time [s], x, y, z [m, up from still water], in order of
  * time; it goes straight from one to the next. A single one is left at `velocity` [m/s]. */
 typedef struct {

@@ -9,3 +9,4 @@ const char* version_seen_by_cpp() {
     return ocean_version();
 }
 static_assert(sizeof(ocean_output::channel) == 16, "four channels");
+static_assert(sizeof(ocean_spray_particle) == 56, "no padding: an array is read as columns");

@@ -43,6 +43,9 @@
     TEST(points_are_described_in_full)                        \
     TEST(water_is_asked_at_any_depths)                        \
     TEST(gauges_read_what_queries_find)                       \
+    TEST(spray_is_counted_then_copied)                        \
+    TEST(spray_goes_on_from_frame_to_frame)                   \
+    TEST(bad_spray_requests_are_refused_and_write_nothing)    \
     TEST(handles_in_two_threads_give_equal_bits)              \
     TEST(a_host_runs_the_jobs_on_its_own_threads)             \
     TEST(errors_are_kept_per_thread)                          \

@@ -68,6 +68,8 @@ class Ocean {
 
     const Sea& sea() const { return sea_; }
     const Parameters& parameters() const { return sea_.parameters; }
+    /// Another number whenever the sea is changed.
+    std::uint64_t revision() const { return revision_; }
     /// Throws and changes nothing if the value is refused. Rules between parameters are checked
     /// when the sea is next asked for anything. Files that are named are for seafile's
     /// resolve_files to read: give it the changed sea, and this the result.

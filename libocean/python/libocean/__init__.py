@@ -27,7 +27,7 @@ from ._library import (
     library,
     text_of,
 )
-from ._sea import FloatPose, Samples, Sea, Surface, Water
+from ._sea import FloatPose, Samples, Sea, Spray, Surface, Water
 
 __all__ = [
     "CancelledError",
@@ -37,6 +37,7 @@ __all__ = [
     "OutOfMemoryError",
     "Samples",
     "Sea",
+    "Spray",
     "Surface",
     "UnsupportedError",
     "Water",

@@ -130,6 +130,20 @@ class GaugeRequest(ctypes.Structure):
     ]
 
 
+class SprayRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("lifetime", c_double),
+        ("density", c_double),
+        ("most", c_int32),
+        ("reserved", c_int32),
+        ("particles", c_void_p),
+        ("particle_count", c_size_t),
+        ("particle_size", c_size_t),
+    ]
+
+
 class Error(Exception):
     """A call that failed. `code` is that of libocean.h, the text is the library's sentence."""
 
@@ -205,6 +219,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_orbital_velocity": [c_void_p, c_double, c_double, *_LISTS],
     "ocean_water_points": [c_void_p, POINTER(WaterRequest)],
     "ocean_gauges": [c_void_p, POINTER(GaugeRequest), POINTER(c_size_t)],
+    "ocean_spray": [c_void_p, POINTER(SprayRequest), POINTER(c_size_t)],
     "ocean_float_pose": [c_void_p, c_double, *_LISTS],
 }
 

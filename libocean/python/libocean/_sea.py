@@ -24,6 +24,7 @@ from ._library import (
     Output,
     QueryRequest,
     Request,
+    SprayRequest,
     WaterRequest,
     call,
     text_of,
@@ -140,6 +141,33 @@ class FloatPose(NamedTuple):
     """(n,), degrees, bow up."""
     roll: Array
     """(n,), degrees, port side up."""
+
+
+# ocean_spray_particle of libocean.h.
+SPRAY_PARTICLE = np.dtype(
+    [
+        *[("id", np.uint64), ("position", np.float64, 3), ("velocity", np.float32, 3)],
+        *[("age", np.float32), ("life", np.float32), ("radius", np.float32)],
+    ]
+)
+
+
+class Spray(NamedTuple):
+    """Particles of spray, each a parcel of drops of one size, as arrays of n rows."""
+
+    position: npt.NDArray[np.float64]
+    """(n, 3), metres: born within one period, then it may leave it. Copies a period on are as
+    true."""
+    velocity: Array
+    """(n, 3), m/s."""
+    age: Array
+    """(n,), s since birth."""
+    life: Array
+    """(n,), s, the age at which it ends."""
+    radius: Array
+    """(n,), metres, of each of its drops."""
+    id: npt.NDArray[np.uint64]
+    """(n,): the same from birth to end in every frame, in a loop every time round."""
 
 
 class _Reporter:
@@ -471,6 +499,30 @@ class Sea:
         request.value_count = values.size
         self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
         return values
+
+    def spray(
+        self,
+        time: float,
+        *,
+        lifetime: float = 2.0,
+        density: float = 0.25,
+        most: int = 1_000_000,
+    ) -> Spray:
+        """All spray that is alive at a time. lifetime: the greatest age, 0.05 .. 10 s. density:
+        particles for each m^2 that turns white, 0 .. 1000; in winds below 11 m/s fewer, below 7
+        none. most: alive at once, about; where there would be more they are thinner. The first call
+        makes a small map for every tick of the foam's clock within the lifetime, one for a later
+        time those that are new."""
+        request = SprayRequest(ctypes.sizeof(SprayRequest), time, lifetime, density, most)
+        count = ctypes.c_size_t()
+        with self._lock:
+            self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))
+            found = np.empty(count.value, dtype=SPRAY_PARTICLE)
+            request.particles = found.ctypes.data
+            request.particle_count = len(found)
+            request.particle_size = found.itemsize
+            self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))
+        return Spray(*(found[name] for name in Spray._fields))
 
     def float_pose(self, bodies: npt.ArrayLike, time: float) -> FloatPose:
         """How floating bodies lie on the sea, each (x, y, heading, length, width): metres and

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Spray through the C API: counted and copied without being computed twice, the same particles from
+// frame to frame, what is refused.
+#include <math.h>
+
+#include "tests.h"
+
+static const double kFrame = 1.0 / 24.0;
+
+static ocean_sea* open_windy_sea(const ocean_options* options) {
+    ocean_sea* sea = open_small_sea(options);
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "20"));
+    return sea;
+}
+
+static ocean_spray_request usual_request(double time) {
+    const ocean_spray_request request = {.struct_size = sizeof(request),
+                                         .time = time,
+                                         .lifetime = 2.0,
+                                         .density = 0.25,
+                                         .most = 1000000,
+                                         .particle_size = sizeof(ocean_spray_particle)};
+    return request;
+}
+
+/* All of a time, to be freed by the caller. */
+static ocean_spray_particle* spray_of(ocean_sea* sea, double time, size_t* count) {
+    ocean_spray_request request = usual_request(time);
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, count));
+    ocean_spray_particle* particles = malloc((*count + 1) * sizeof(*particles));
+    request.particles = particles;
+    request.particle_count = *count;
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, count));
+    return particles;
+}
+
+static void run_jobs(void* user, ocean_job job, void* work, int32_t count) {
+    ++*(int*)user;
+    for (int32_t i = 0; i < count; ++i) job(work, i);
+}
+
+void spray_is_counted_then_copied(void) {
+    int runs = 0;
+    const ocean_options options = {
+        .struct_size = sizeof(options), .threads = 2, .run_jobs = run_jobs, .jobs_user = &runs};
+    ocean_sea* sea = open_windy_sea(&options);
+    ocean_sea* other = open_windy_sea(NULL);
+    ocean_spray_request request = usual_request(3.0);
+    ocean_spray_particle few[2];
+    size_t count = 0;
+    size_t again = 0;
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &count));
+    CHECK(count > 100 && runs > 0);
+    runs = 0;
+    ocean_spray_particle* particles = malloc(2 * count * sizeof(*particles));
+    request.particles = few;
+    request.particle_count = 2;
+    memset(few, 77, sizeof(few));
+    CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_spray(sea, &request, &again));
+    CHECK(again == count && few[0].id == 0x4d4d4d4d4d4d4d4dull);
+    request.particles = particles;
+    request.particle_count = count;
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &again));
+    CHECK(again == count && runs == 0);
+    ocean_spray_particle* alone = spray_of(other, 3.0, &again);
+    CHECK(again == count && memcmp(alone, particles, count * sizeof(*particles)) == 0);
+    /* What was counted of another sea is not taken for this one's. */
+    request.particles = NULL;
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &again));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "seed", "7"));
+    request.particles = particles;
+    request.particle_count = 2 * count;
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &again));
+    CHECK(memcmp(alone, particles, count * sizeof(*particles)) != 0);
+    free(alone);
+    free(particles);
+    ocean_free(other);
+    ocean_free(sea);
+}
+
+void spray_goes_on_from_frame_to_frame(void) {
+    ocean_sea* sea = open_windy_sea(NULL);
+    size_t before_count = 0;
+    size_t after_count = 0;
+    ocean_spray_particle* before = spray_of(sea, 3.0, &before_count);
+    ocean_spray_particle* after = spray_of(sea, 3.0 + kFrame, &after_count);
+    size_t gone_on = 0;
+    for (size_t i = 0; i < before_count; ++i) {
+        const ocean_spray_particle was = before[i];
+        CHECK(was.age >= 0.0f && was.age < was.life && was.life <= 2.0f);
+        CHECK(was.radius > 1e-5f && was.radius < 1e-3f);
+        for (size_t j = 0; j < after_count; ++j) {
+            const ocean_spray_particle is = after[j];
+            if (is.id != was.id) continue;
+            ++gone_on;
+            CHECK(is.life == was.life && is.radius == was.radius);
+            CHECK(fabs(is.age - was.age - kFrame) < 1e-5);
+            for (int c = 0; c < 3; ++c) {
+                const double mean = 0.5 * (was.velocity[c] + is.velocity[c]);
+                const double moved = is.position[c] - was.position[c];
+                CHECK(fabs(moved - mean * kFrame) < 0.05);
+            }
+        }
+    }
+    CHECK(gone_on > before_count * 9 / 10);
+    free(before);
+    free(after);
+    /* A smaller struct has fewer members filled. */
+    ocean_spray_request request = usual_request(3.0);
+    uint64_t* ids = malloc(before_count * sizeof(*ids));
+    request.particles = (ocean_spray_particle*)(void*)ids;
+    request.particle_count = before_count;
+    request.particle_size = sizeof(*ids);
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &after_count));
+    before = spray_of(sea, 3.0, &before_count);
+    CHECK(after_count == before_count);
+    for (size_t i = 0; i < before_count; ++i) CHECK(ids[i] == before[i].id);
+    free(ids);
+    free(before);
+    /* Winds below 7 m/s tear off none. */
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "6"));
+    request = usual_request(3.0);
+    CHECK_RESULT(OCEAN_OK, ocean_spray(sea, &request, &before_count));
+    CHECK(before_count == 0);
+    ocean_free(sea);
+}
+
+void bad_spray_requests_are_refused_and_write_nothing(void) {
+    ocean_sea* sea = open_windy_sea(NULL);
+    ocean_spray_particle particle;
+    ocean_spray_request request = usual_request(3.0);
+    size_t count = 77;
+#define REFUSED(code, assignment)                               \
+    do {                                                        \
+        const ocean_spray_request good = request;               \
+        assignment;                                             \
+        CHECK_RESULT(code, ocean_spray(sea, &request, &count)); \
+        request = good;                                         \
+    } while (0)
+    REFUSED(OCEAN_INVALID_VALUE, request.lifetime = 0.0);
+    CHECK(strstr(ocean_last_error(), "lifetime") != NULL);
+    REFUSED(OCEAN_INVALID_VALUE, request.lifetime = NAN);
+    REFUSED(OCEAN_INVALID_VALUE, request.density = -1.0);
+    REFUSED(OCEAN_INVALID_VALUE, request.most = 0);
+    REFUSED(OCEAN_INVALID_VALUE, request.time = INFINITY);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.reserved = 1);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.struct_size = 16);
+    REFUSED(OCEAN_INVALID_ARGUMENT, request.particles = &particle; request.particle_size = 4);
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_spray(NULL, &request, &count));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_spray(sea, NULL, &count));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_spray(sea, &request, NULL));
+    CHECK(count == 77);
+    ocean_free(sea);
+}
