@@ -47,6 +47,7 @@ def parts() -> list:
         panels,
         properties,
         records,
+        spray,
         volumes,
     )
 
@@ -64,6 +65,7 @@ def parts() -> list:
         asset_library,
         handlers,
         floating,
+        spray,
         manual,
     ]
 

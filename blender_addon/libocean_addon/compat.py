@@ -142,6 +142,17 @@ def refract_in_eevee(material) -> None:
         material.use_screen_refraction = True
 
 
+def fade_in_eevee(material) -> None:
+    """Its transparency is that of each sample; from 4.2 on it always is."""
+    if not hasattr(material, "surface_render_method"):
+        material.blend_method = material.shadow_method = "HASHED"
+
+
+def draws_points(scene) -> bool:
+    """Whether the scene's engine does: Eevee from 4.2 on."""
+    return VERSION >= (4, 2) or scene.render.engine != "BLENDER_EEVEE"
+
+
 # Paths ------------------------------------------------------------------------
 
 RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()

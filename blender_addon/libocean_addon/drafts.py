@@ -64,8 +64,11 @@ class CancelledError(Exception):
 class Job:
     """Makes a clone of a sea ready for the map of one time."""
 
-    def __init__(self, sea, changes: int, at: float, size: int, channel: str) -> None:
+    def __init__(
+        self, sea, changes: int, at: float, size: int, channel: str, spray: dict | None = None
+    ) -> None:
         self.sea, self.changes, self.time, self.size, self.channel = sea, changes, at, size, channel
+        self.spray = spray
         self.share = 0.0
         self.seconds = 0.0
         self.failure: Exception | None = None
@@ -81,6 +84,8 @@ class Job:
         try:
             map_ = np.empty((self.size, self.size, 4), np.float32)
             self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
+            if self.spray is not None:
+                self.sea.spray(self.time, **self.spray)
         except (libocean.Error, MemoryError, CancelledError) as failure:
             self.failure = failure
         finally:

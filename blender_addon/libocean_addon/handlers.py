@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, live, meshes, node_group, open_sea, versions
+from . import changes, compat, live, meshes, node_group, open_sea, spray, versions
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -61,6 +61,11 @@ def _data_replaced(*_) -> None:
 
 
 @persistent
+def _saving(*_) -> None:
+    spray.empty_all()  # which is an update: it comes again
+
+
+@persistent
 def _lock_interface(scene, *_) -> None:
     """Blender may not draw what a render in another thread rewrites."""
     if live.ocean_objects() and not scene.render.use_lock_interface:
@@ -81,6 +86,7 @@ _HANDLERS = {
     "load_post": _data_replaced,
     "undo_post": _data_replaced,
     "redo_post": _data_replaced,
+    "save_pre": _saving,
     "render_init": _lock_interface,
     "render_complete": _unlock_interface,
     "render_cancel": _unlock_interface,

@@ -154,6 +154,11 @@ def _sizes(settings, sea: OpenSea) -> tuple[int, int]:
     return settings.viewport_resolution or own, settings.render_resolution or own
 
 
+def spray_settings(settings) -> dict:
+    """What libocean's spray takes."""
+    return {name: getattr(settings, f"spray_{name}") for name in ("lifetime", "density", "most")}
+
+
 def _channel(settings) -> str:
     return FOAM if settings.use_foam else NO_FOAM
 
@@ -255,7 +260,7 @@ def show_all(
 def follow(depsgraph, scene) -> None:
     """What rides the seas of a scene is put where it belongs."""
     for follower in followers:
-        follower(depsgraph, Moment(scene, rendering=False))
+        follower(depsgraph, Moment(scene, rendering=False, moving=drafts.allowed))
 
 
 def parameters_changed(ob) -> None:
@@ -307,7 +312,8 @@ def _job(name: str) -> drafts.Job | None:
         return None
     settings = ob.libocean
     at = Moment(bpy.context.scene, rendering=False).time(settings, sea.values)
-    return sea.job(at, _sizes(settings, sea)[0], _channel(settings))
+    spray = spray_settings(settings) if settings.use_spray else None
+    return sea.job(at, _sizes(settings, sea)[0], _channel(settings), spray)
 
 
 def _finish(name: str, job: drafts.Job) -> None:

@@ -21,6 +21,8 @@ _SECTIONS = (
     ("bpy.types.oceanpreferences*", "#asset-library"),
     ("bpy.types.oceanbake*", "#bake"),
     ("bpy.types.oceanvolumes*", "#volumes"),
+    ("bpy.types.oceansettings.spray*", "#spray"),
+    ("bpy.types.oceansettings.use_spray*", "#spray"),
     ("bpy.types.oceansettings*", "#use"),
     ("bpy.types.oceanwaves*", "#use"),
     ("bpy.types.floatsettings*", "#use"),

@@ -50,6 +50,7 @@ class OpenSea:
             None  # changes, size, channel of foam, time: of the last whole map
         )
         self.took: tuple | None = None  # what cost how many seconds a sample when it was not ready
+        self.spray_ready: tuple | None = None  # changes, settings, time: of the last spray
         self.pace = drafts.Pace()
 
     def follow(self, values: sea_text.SeaValues) -> None:
@@ -157,9 +158,9 @@ class OpenSea:
             if self._show(at, size, targets, QUICK[channel]):
                 self.pace.note(size, time.perf_counter() - begun, wanted)
 
-    def job(self, at: float, size: int, channel: str) -> drafts.Job:
-        """What makes the whole map of a time ready."""
-        return drafts.Job(self.sea.clone(), self.changes, at, size, channel)
+    def job(self, at: float, size: int, channel: str, spray: dict | None) -> drafts.Job:
+        """What makes the whole map of a time ready, and its spray where there is any."""
+        return drafts.Job(self.sea.clone(), self.changes, at, size, channel, spray)
 
     def take_over(self, job: drafts.Job) -> bool:
         """Goes on with the handle of a job that has ended. False where it is of no use."""
@@ -171,7 +172,22 @@ class OpenSea:
             self.sea = job.sea
             self.took = (self._costs(job.channel), job.seconds / job.size**2)
             self.ready = (job.changes, job.size, job.channel, job.time)
+            self.spray_ready = None if job.spray is None else (job.changes, job.spray, job.time)
         return True
+
+    # Spray ----------------------------------------------------------------------
+
+    def spray(self, at: float, settings: dict):
+        """libocean.Spray of a time."""
+        with self.lock:
+            found = self.sea.spray(at, **settings)
+            self.spray_ready = (self.changes, settings, at)
+        return found
+
+    def is_spray_ready(self, at: float, settings: dict) -> bool:
+        """Whether the library has most of it, as from the frame before."""
+        known = self.spray_ready is not None and self.spray_ready[:2] == (self.changes, settings)
+        return known and abs(at - self.spray_ready[2]) <= _AT_HAND
 
     def _show(self, at: float, size: int, targets: dict, channel: str) -> bool:
         """Whether anything had to be done."""

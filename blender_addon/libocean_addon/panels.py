@@ -23,6 +23,7 @@ from . import (
     records,
     resolutions,
     sea_text,
+    spray,
     translations,
     volumes,
 )
@@ -247,6 +248,29 @@ class LookPanel(_Panel, bpy.types.Panel):
         layout.prop(settings, "follow_world")
 
 
+class SprayPanel(_Panel, bpy.types.Panel):
+    """What the wind tears off"""
+
+    bl_idname = "LIBOCEAN_PT_spray"
+    bl_parent_id = OceanPanel.bl_idname
+    bl_label = "Spray"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @never_raises
+    def draw_header(self, context) -> None:
+        self.layout.prop(context.object.libocean, "use_spray", text="")
+
+    @never_raises
+    def draw(self, context) -> None:
+        layout, ob = self.layout, context.object
+        layout.use_property_split = True
+        layout.active = ob.libocean.use_spray
+        for name in ("lifetime", "density", "most", "size", "material"):
+            layout.prop(ob.libocean, f"spray_{name}")
+        text, icon = spray.state_of(ob)
+        say(layout, text, icon)
+
+
 class BakePanel(_Panel, bpy.types.Panel):
     """The sea as files, which play without the add-on"""
 
@@ -332,6 +356,7 @@ CLASSES = (
     OceanPanel,
     WavesPanel,
     LookPanel,
+    SprayPanel,
     BakePanel,
     VolumesPanel,
     AdvancedPanel,

@@ -262,6 +262,64 @@ class OceanSettings(bpy.types.PropertyGroup):
             default=True,
             update=changed,
         ),
+        "use_spray": bpy.props.BoolProperty(
+            name="Spray",
+            description="Show the drops that the wind tears off where the sea turns white, as "
+            "points with the attributes velocity, age, life, radius and id. Winds of 7 m/s and "
+            "less tear off none",
+            update=changed,
+        ),
+        "spray_lifetime": bpy.props.FloatProperty(
+            name="Lifetime",
+            description="Greatest age of a point of spray, in a loop at most half of the loop",
+            min=0.05,
+            max=10.0,
+            default=2.0,
+            unit="TIME_ABSOLUTE",
+            update=changed,
+        ),
+        "spray_density": bpy.props.FloatProperty(
+            name="Density",
+            description="Points for each square metre that turns white [1/m^2], in winds below "
+            "11 m/s fewer",
+            min=0.0,
+            max=1000.0,
+            soft_max=10.0,
+            default=0.25,
+            update=changed,
+        ),
+        "spray_most": bpy.props.IntProperty(
+            name="At most",
+            description="Points that are alive at once in one period of the sea, about: where "
+            "there would be more they are thinner, all over the sea alike",
+            min=1,
+            max=100000000,
+            soft_min=1000,
+            soft_max=10000000,
+            default=1000000,
+            update=changed,
+        ),
+        "spray_size": bpy.props.FloatProperty(
+            name="Size",
+            description="A point is drawn so many times as large as the drops that it stands for, "
+            "which have radii of 0.02 to 0.6 mm",
+            min=0.0,
+            soft_min=1.0,
+            soft_max=1000.0,
+            default=100.0,
+            update=changed,
+        ),
+        "spray_material": bpy.props.PointerProperty(
+            name="Material",
+            description="Of the points of spray",
+            type=bpy.types.Material,
+            update=changed,
+        ),
+        "spray_problem": bpy.props.StringProperty(
+            name="Problem of the spray",
+            description="Why spray is not shown as asked",
+            options={"HIDDEN"},
+        ),
         "use_bake": bpy.props.BoolProperty(
             name="Play the bake",
             description="Show the files of the bake instead of the live sea",

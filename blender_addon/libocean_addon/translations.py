@@ -136,6 +136,15 @@ GERMAN = {
         "Time": "Zeit",
         "Mesh": "Mesh",
         "Own divisors": "Eigene Teiler",
+        "Spray": "Gischt",
+        "Lifetime": "Lebensdauer",
+        "At most": "Höchstens",
+        "Size": "Größe",
+        "{:,} points": "{:,} Punkte",
+        "There is no spray: it takes a wind of more than 7 m/s": (
+            "Keine Gischt: dazu braucht es mehr als 7 m/s Wind"
+        ),
+        "There is no spray at this time": "Zu dieser Zeit ist keine Gischt da",
         "A draft; the whole sea: {:.0%}": "Ein Entwurf; die ganze See: {:.0%}",
         "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
         # What people should know.

@@ -8,7 +8,7 @@ import time
 import bpy
 import pytest
 from conftest import evaluated_mesh
-from libocean_addon import images, open_sea
+from libocean_addon import images, live, open_sea
 
 FRAMES = range(2, 26)
 LIMIT = 0.35 if bpy.app.version < (4, 2) else 0.20
@@ -74,3 +74,32 @@ def test_a_played_frame_costs_less_than_blenders_own(scene, side, record_propert
     )
     assert ratio <= LIMIT
     assert share <= LIBRARY_SHARE
+
+
+@pytest.mark.parametrize("engine", ["CYCLES", "BLENDER_EEVEE"])
+def test_spray_costs_a_few_times_what_the_library_takes_for_it(scene, engine):
+    """As points and, where Eevee draws none, as spheres. Until the evaluated object is there, its
+    points included; what an engine then does with them is its own."""
+    if engine == "BLENDER_EEVEE" and bpy.app.version >= (4, 2):
+        pytest.skip("Eevee draws points")
+    scene.render.engine = engine
+    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_8", use_material=False)
+    ob = bpy.context.object
+    without, _ = frame_seconds(scene, ob)
+    start = time.perf_counter()
+    ob.libocean.use_spray = True
+    first = time.perf_counter() - start
+    scene.frame_set(1)
+    seconds, _ = frame_seconds(scene, ob)
+    sea, times = open_sea.sea_of(ob), []
+    sea.spray(100 / 24, live.spray_settings(ob.libocean))
+    for frame in FRAMES:
+        start = time.perf_counter()
+        count = len(sea.spray((frame + 100) / 24, live.spray_settings(ob.libocean)).id)
+        times.append(time.perf_counter() - start)
+    library = statistics.median(times)
+    print(
+        f"\n{bpy.app.version_string}, {engine}: {count} points, {1e3 * (seconds - without):.1f} ms "
+        f"more than {1e3 * without:.1f}, {1e3 * library:.1f} the library's; the first {first:.2f} s"
+    )
+    assert seconds - without <= 5 * library
