@@ -87,7 +87,7 @@ LIBRARIES = {
             "mesh": ("wave/",),
             "png": ("png.h",),
             "povray": ("png.h",),
-            "vdb": ("openvdb/",),
+            "vdb": ("openvdb/", "tbb/"),
         },
         links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG"),
     ),
