@@ -216,15 +216,17 @@ def dusk(scene) -> None:
 
 def storm(scene) -> None:
     """Beaufort 9 from a trough, against a low sun: drops and mist off the crests."""
-    sky(scene, elevation=9.0, azimuth=24.0, strength=0.22, dust=3.0)
-    camera(scene, (782.0, 214.0, 3.0), (882.0, 224.0, 7.0), 38.0)
+    sky(scene, elevation=11.0, azimuth=52.0, strength=0.13, dust=2.0)
+    camera(scene, (776.0, 214.0, 4.5), (876.0, 224.0, 4.0), 40.0)
     sea = HERE.parent / "povray" / "storm.toml"
     ocean = ocean_of(sea, "jerlov_iii")
     ocean.libocean.use_spray = True
-    ocean.libocean.spray_density = 4.0
-    ocean.libocean.spray_size = 40.0
+    ocean.libocean.spray_lifetime = 0.8
+    ocean.libocean.spray_density = 5.0
+    ocean.libocean.spray_size = 25.0
+    scene.render.use_motion_blur = True
     box = ("--box", "770,100,-8,1070,400,crest", "--velocity-voxel", "0.75")
-    baked = bake(sea, "--products", "density", "--spray-density", "2", *box)
+    baked = bake(sea, "--products", "density", "--spray-density", "2", "--mist", "0.12", *box)
     volumes.mist(baked, 1.0)
     scene.cycles.volume_max_steps = 256
     scene.cycles.volume_bounces = 1
