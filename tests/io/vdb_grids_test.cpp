@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: points come back from a file as they went into it; a fog has the cross-section of its
-// puffs, none of it under water, the same voxels for any number of threads and either way up.
+// puffs, none of it under water, the same voxels for any number of threads and either way up; a
+// level set has the distance to a slope, and no hole in a cliff.
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
@@ -11,7 +12,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <numbers>
 #include <random>
 
 #include "ocean/io/vdb.hpp"
@@ -183,6 +186,73 @@ TEST(VdbDensity, IsTheSameForAnyThreadsAndEitherWayUp) {
         different += turned->tree().getValue({at[0], at[2], -at[1]}) == *value ? 0u : 1u;
     }
     EXPECT_EQ(different, 0u);
+}
+
+openvdb::FloatGrid::ConstPtr level_set(const std::function<double(double x)>& height,
+                                       double normal_z) {
+    ThreadPool pool(2);
+    const io::WorldBox box{{0.0, 0.0, -20.0}, {24.0, 12.0, 30.0}};
+    const io::VoxelRange voxels = io::voxels_around(box, kVoxel, io::kLevelSetBand);
+    std::vector<io::SurfaceColumn> columns;
+    const auto width = static_cast<std::size_t>(voxels.count[0]);
+    for (std::size_t at = 0; at < voxels.columns(); ++at) {
+        const double x = voxels.place(0, static_cast<int>(at % width));
+        columns.push_back({static_cast<float>(height(x)), static_cast<float>(normal_z)});
+    }
+    const io::VdbGrid grid = io::make_level_set(box, voxels, columns, {}, pool);
+    return openvdb::gridConstPtrCast<openvdb::FloatGrid>(grid.grid().grid);
+}
+
+TEST(VdbLevelSet, HasTheDistanceToASlope) {
+    const auto slope = [](double x) { return 0.75 * x - 8.0; };
+    const auto grid = level_set(slope, 0.8);
+    std::size_t near = 0;
+    for (int k = -30; k < 30; ++k) {
+        for (int i = 6; i < 42; ++i) {
+            const double expected = 0.8 * (kVoxel * k - slope(kVoxel * i));
+            if (std::abs(expected) > 0.99 * io::kLevelSetBand * kVoxel) continue;
+            EXPECT_NEAR(static_cast<double>(grid->tree().getValue({i, 12, k})), expected, 1e-5);
+            ++near;
+        }
+    }
+    EXPECT_GT(near, 200u);
+}
+
+/// Neighbours of which one is water and the other is not, and those among them whose distance is
+/// not known.
+std::pair<std::size_t, std::size_t> changes_and_holes(const openvdb::FloatGrid& grid) {
+    std::size_t changes = 0, holes = 0;
+    const openvdb::Coord steps[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int i = -4; i < 52; ++i) {
+        for (int j = -4; j < 28; ++j) {
+            for (int k = -46; k < 66; ++k) {
+                const openvdb::Coord at(i, j, k);
+                for (const openvdb::Coord& step : steps) {
+                    float a = 0.0f, b = 0.0f;
+                    const bool known = grid.tree().probeValue(at, a);
+                    const bool beyond = grid.tree().probeValue(at + step, b);
+                    if ((a < 0.0f) == (b < 0.0f)) continue;
+                    ++changes;
+                    holes += known && beyond ? 0u : 1u;
+                }
+            }
+        }
+    }
+    return {changes, holes};
+}
+
+TEST(VdbLevelSet, HasNoHoleInACliff) {
+    // As columns jump where a crest has folded over, here by more than two leaves: at the side of a
+    // leaf of 4 m and within one, either way round.
+    for (const double cliff : {11.8, 12.3}) {
+        for (const bool falls : {true, false}) {
+            const auto grid =
+                level_set([&](double x) { return (x < cliff) == falls ? 9.0 : -7.0; }, 1.0);
+            const auto [changes, holes] = changes_and_holes(*grid);
+            EXPECT_GT(changes, 1000u);
+            EXPECT_EQ(holes, 0u) << cliff << falls;
+        }
+    }
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ class LevelSet {
             const float rise = size * static_cast<float>(k);
             const float slanted = (above + rise) * normal_z;
             const float most = rise < highest ? size : kFar;
-            const float least = rise > lowest ? -size : -kFar;
+            const float least = rise >= lowest ? -size : -kFar;
             d[k] = std::clamp(slanted, least, most);
         }
     }
