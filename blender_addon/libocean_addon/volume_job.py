@@ -226,7 +226,7 @@ class _Columns:
         a hole."""
         z = self.size * self.k
         distance = (z - self.height[part, :, None]) * self.normal_z[part, :, None]
-        is_below, is_above = z < highest[part, :, None], z > lowest[part, :, None]
+        is_below, is_above = z < highest[part, :, None], z >= lowest[part, :, None]
         np.minimum(distance, self.size, out=distance, where=is_below)
         np.maximum(distance, -self.size, out=distance, where=is_above)
         return distance.astype(np.float32)

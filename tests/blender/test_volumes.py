@@ -9,6 +9,7 @@ import shlex
 import subprocess
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -218,6 +219,33 @@ def test_the_box_is_that_of_ocean_bake_unless_chosen(sea, way, tmp_path):
     sea.libocean.use_depth, sea.libocean.depth = True, 3.0
     write(frame_start=2, frame_end=2)
     assert float(volume_job._read_header(path)["ocean:box"].split(",")[2]) == -3.0
+
+
+class Cliff:
+    """A sea that falls from 9 m to -7 m, as columns do where a crest has folded over."""
+
+    def samples(self, points, time, *, resolution):
+        high = points[:, 0] < 11.8
+        normal = np.tile([0.0, 0.0, 1.0], (len(points), 1))
+        height = np.where(high, 9.0, -7.0)
+        return SimpleNamespace(height=height, normal=normal, folded=np.zeros(len(points), bool))
+
+
+@needs_openvdb
+def test_the_module_leaves_no_hole_in_a_cliff():
+    settings = volume_job.Settings((0.0, 0.0, -20.0), (24.0, 6.0, 30.0), 0.5, 1.0, False, 64)
+    columns = volume_job._Columns(Cliff(), 0.0, settings, threading.Event(), 0.5, volume_job.BAND)
+    known = volume_job._make_surface(OPENVDB, columns).getConstAccessor()
+    changes = 0
+    for i in range(-2, 50):
+        for k in range(-42, 24):
+            value, is_active = known.probeValue((i, 6, k))
+            for beside in ((i + 1, 6, k), (i, 6, k + 1)):
+                other, is_too = known.probeValue(beside)
+                if (value < 0) != (other < 0):
+                    changes += 1
+                    assert is_active and is_too, (i, k)
+    assert changes > 100
 
 
 @pytest.mark.parametrize("kind", ["EMPTY", "MESH"])
