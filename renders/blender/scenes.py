@@ -83,9 +83,7 @@ def camera(scene, place, target, lens: float):
 
 
 def paint(name: str, color, *, metallic=0.0, roughness=0.4):
-    material = bpy.data.materials.new(name)
-    if bpy.app.version < (5, 0):
-        material.use_nodes = True
+    material = volumes.new_material(name)
     shader = material.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (*color, 1.0)
     shader.inputs["Metallic"].default_value = metallic

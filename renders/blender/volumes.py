@@ -10,6 +10,14 @@ import bpy
 import numpy as np
 
 
+def new_material(name: str):
+    """With the nodes that a new one has."""
+    material = bpy.data.materials.new(name)
+    if bpy.app.version < (5, 0):
+        material.use_nodes = True
+    return material
+
+
 def load(path: Path, name: str):
     """A baked file as a volume object."""
     data = bpy.data.volumes.new(name)
@@ -113,9 +121,7 @@ def arrows(places: np.ndarray, velocities: np.ndarray, length: float, material):
 
 def speed_paint():
     """Blue where the water is slow, red where it is fast."""
-    material = bpy.data.materials.new("Speed")
-    if bpy.app.version < (5, 0):
-        material.use_nodes = True
+    material = new_material("Speed")
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     speed = nodes.new("ShaderNodeAttribute")
@@ -136,9 +142,7 @@ def speed_paint():
 
 def cut_water():
     """Dark and shiny from above, pale on the walls of the box."""
-    material = bpy.data.materials.new("Cut Water")
-    if bpy.app.version < (5, 0):
-        material.use_nodes = True
+    material = new_material("Cut Water")
     nodes, links = material.node_tree.nodes, material.node_tree.links
     shader = nodes["Principled BSDF"]
     normal = nodes.new("ShaderNodeNewGeometry")
@@ -183,9 +187,7 @@ def mist(path: Path, amount: float):
 
 def mist_material(amount: float):
     """Fog of the grid `density`, as it is baked in 1/m."""
-    material = bpy.data.materials.new("Mist")
-    if bpy.app.version < (5, 0):
-        material.use_nodes = True
+    material = new_material("Mist")
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     density = nodes.new("ShaderNodeAttribute")

@@ -27,6 +27,19 @@ spectrum = "jonswap"
 wind_speed = 9.0
 wind_direction = 30.0
 """
+# Enough wind for spray.
+GALE = """libocean = 1
+[grid]
+resolution = 128
+patch_size = 160.0
+[surface]
+choppiness = 1.2
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 20.0
+wind_direction = 30.0
+fetch = 100000.0
+"""
 
 
 class Program:

@@ -10,20 +10,8 @@ import time
 import meshio
 import numpy
 import pytest
-from conftest import OCEAN
+from conftest import GALE, OCEAN
 
-GALE = """libocean = 1
-[grid]
-resolution = 128
-patch_size = 160.0
-[surface]
-choppiness = 1.2
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 20.0
-wind_direction = 30.0
-fetch = 100000.0
-"""
 SPRAY = ("--products", "spray")
 FPS = 24.0
 

@@ -10,7 +10,7 @@ import subprocess
 import meshio
 import numpy
 import pytest
-from conftest import SMALL_SEA
+from conftest import GALE, SMALL_SEA
 
 pyopenvdb = pytest.importorskip("pyopenvdb", reason="python3-openvdb is not installed")
 
@@ -32,18 +32,6 @@ peak_period = 1.4
     # Crests that have folded over.
     "folded": SMALL_SEA.replace("9.0", "16.0") + "[surface]\nchoppiness = 2.2\n",
 }
-GALE = """libocean = 1
-[grid]
-resolution = 128
-patch_size = 160.0
-[surface]
-choppiness = 1.2
-[[waves]]
-spectrum = "jonswap"
-wind_speed = 20.0
-wind_direction = 30.0
-fetch = 100000.0
-"""
 ACROSS = 3  # voxels that the level set knows on either side
 
 

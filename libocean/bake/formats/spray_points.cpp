@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/spray_points.hpp"
 
-#include "formats/formats.hpp"
-
 #include <algorithm>
 
+#include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"

@@ -4,8 +4,6 @@
 // OpenVDB: volumes of the water in a box, or the points of spray.
 #include "ocean/io/vdb.hpp"
 
-#include <cmath>
-
 #include "formats/formats.hpp"
 #include "formats/spray_points.hpp"
 #include "formats/volumes.hpp"
@@ -89,13 +87,13 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
 }
 
 void adopt(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
-    if (header.text("field") != kSprayProduct) {
-        adopt_volumes(header, options);
-        return;
-    }
     options.take("products", header.text("field"));
     options.take("axes", header.text("axes"));
-    adopt_spray(header, options);
+    if (header.text("field") == kSprayProduct) {
+        adopt_spray(header, options);  // unless another product was typed
+    } else {
+        adopt_volumes(header, options);
+    }
 }
 
 }  // namespace

@@ -499,8 +499,6 @@ void write_volumes(const FrameWork& work, std::span<const BakeFile> files) {
 }
 
 void adopt_volumes(const BakedHeader& header, BakeOptions& options) {
-    options.take("products", header.text("field"));
-    options.take("axes", header.text("axes"));
     options.take("box", header.text("box"));
     options.take("voxel", header.text("voxel"));
     options.take("velocity-voxel", header.text("velocity_voxel"));

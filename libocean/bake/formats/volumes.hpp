@@ -24,6 +24,7 @@ std::string volume_recipe(const BakePlan& plan, const BakeFile& file);
 std::uint64_t volume_frame_bytes(const BakePlan& plan);
 std::uint64_t most_volume_bytes(const BakePlan& plan);
 void write_volumes(const FrameWork& work, std::span<const BakeFile> files);
+/// All but the products and the axes.
 void adopt_volumes(const BakedHeader& header, BakeOptions& options);
 
 }  // namespace ocean
