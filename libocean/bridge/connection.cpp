@@ -162,7 +162,7 @@ void Connection::answer(const Request& request) {
             return put(
                 value_line(arguments[0], hub.values()[hub.values().find(arguments[0])].text));
         case Verb::set:
-            hub.set(arguments[0], arguments[1], peer_);
+            set(arguments[0], arguments[1]);
             break;
         case Verb::subscribe:
         case Verb::unsubscribe:
@@ -193,6 +193,18 @@ void Connection::answer(const Request& request) {
     put("OK");
 }
 
+/// Who shows the sea says with app.* how it stands. What it says before it was told of another's
+/// wish is older than the wish, and must not take its place.
+void Connection::set(const std::string& name, const std::string& value) {
+    Hub& hub = host_.hub;
+    const std::size_t entry = hub.values().find(name);
+    const ValueEntry& now = hub.values()[entry];
+    const Subscription& subscription = subscriptions_[entry];
+    const bool knows = subscription.name.empty() || now.writer == peer_ ||
+                       std::max(now.taken, now.changed) <= subscription.told;
+    if (knows || !hub.is_told_by(entry, peer_)) hub.set(name, value, peer_);
+}
+
 void Connection::authenticate(const std::string& guess) {
     if (host_.options.token.empty() || same_token(guess, host_.options.token)) {
         trusted_ = true;
@@ -218,10 +230,10 @@ void Connection::subscribe(const std::vector<std::string>& names, bool wanted) {
         subscription = {wanted ? name : "", values.revision()};
         if (!wanted) continue;
         ++listens_to_;
-        put(value_line(name, values[entry].text));
         if (!values[entry].writer.empty()) {
             put(event_line("WRITER " + name + ' ' + values[entry].writer));
         }
+        put(value_line(name, values[entry].text));
     }
 }
 
@@ -252,10 +264,10 @@ void Connection::update() {
         if (subscription.name.empty()) continue;
         const ValueEntry& entry = values[i];
         const std::uint64_t told = std::exchange(subscription.told, values.revision());
-        if (entry.changed > told) put(update_line(subscription.name, entry.text));
         if (entry.taken > told && !entry.writer.empty()) {
             put(event_line("WRITER " + subscription.name + ' ' + entry.writer));
         }
+        if (entry.changed > told) put(update_line(subscription.name, entry.text));
     }
     flush();
 }

@@ -55,6 +55,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void handle(const LineSplitter::Line& line);
     void answer(const Request& request);
     void subscribe(const std::vector<std::string>& names, bool wanted);
+    void set(const std::string& name, const std::string& value);
     void authenticate(const std::string& guess);
     void list();
     void help();

@@ -255,6 +255,10 @@ void Hub::look_around() {
     }
 }
 
+bool Hub::is_told_by(std::size_t entry, std::string_view client) const {
+    return values_.ref(entry).info == nullptr && values_[frame_rate_].writer == client;
+}
+
 void Hub::client_left(std::string_view writer) {
     if (values_[frame_rate_].writer == writer) values_.set(frame_rate_, "0", "");
 }

@@ -75,20 +75,45 @@ TEST(LineServer, AKnobReachesWhoSubscribes) {
     EXPECT_EQ(raw.line(), "VAL wind_speed unset");
     served.turn(0);
     served.turn(14);
-    EXPECT_EQ(raw.line(), "UPD wind_speed 14");
     EXPECT_EQ(raw.line(), "EVT WRITER wind_speed board0/a1");
+    EXPECT_EQ(raw.line(), "UPD wind_speed 14");
     RawClient other = served.client();
     EXPECT_EQ(other.ask("SET wind_speed 20"), "OK");
-    EXPECT_EQ(raw.line(), "UPD wind_speed 20");
     EXPECT_TRUE(raw.line().starts_with("EVT WRITER wind_speed 127.0.0.1:"));
+    EXPECT_EQ(raw.line(), "UPD wind_speed 20");
     // A snapshot is what is now, and is not told again.
     EXPECT_EQ(other.ask("SUBSCRIBE waves.0.wind_speed"), "OK");
-    EXPECT_EQ(other.line(), "VAL waves.0.wind_speed 20");
     EXPECT_TRUE(other.line().starts_with("EVT WRITER waves.0.wind_speed 127.0.0.1:"));
+    EXPECT_EQ(other.line(), "VAL waves.0.wind_speed 20");
     EXPECT_EQ(raw.ask("UNSUBSCRIBE"), "OK");
     served.turn(30);
+    EXPECT_EQ(other.line(), "EVT WRITER waves.0.wind_speed board0/a1");
     EXPECT_EQ(other.line(), "UPD waves.0.wind_speed 30");
     EXPECT_EQ(raw.ask("PING"), "OK");
+}
+
+TEST(LineServer, WhoShowsTheSeaIsToldOfEachWish) {
+    const Served served({}, kKnob);
+    RawClient shows = served.client();
+    RawClient hand = served.client();
+    EXPECT_EQ(shows.ask("SET app.frame_rate 60"), "OK");
+    EXPECT_EQ(shows.ask("SET app.time 1"), "OK");
+    EXPECT_EQ(shows.ask("SUBSCRIBE app.time"), "OK");
+    for (int wish = 100; wish < 150; ++wish) {
+        // It tells its clock while the wish is on its way.
+        EXPECT_EQ(hand.ask("SET app.time " + std::to_string(wish)), "OK");
+        shows.send("SET app.time 1\n");
+        EXPECT_EQ(shows.line_with("UPD app.time " + std::to_string(wish)),
+                  "UPD app.time " + std::to_string(wish));
+    }
+    // What the program does not tell is the last writer's, as ever.
+    RawClient both = served.client();
+    EXPECT_EQ(both.ask("SUBSCRIBE choppiness"), "OK");
+    for (int i = 0; i < 50; ++i) {
+        EXPECT_EQ(hand.ask("SET choppiness 0.5"), "OK");
+        both.send("SET choppiness 1.5\nGET choppiness\n");
+        EXPECT_EQ(both.line_with("VAL choppiness 1.5"), "VAL choppiness 1.5");
+    }
 }
 
 TEST(LineServer, ALampFollowsAValue) {

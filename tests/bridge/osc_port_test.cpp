@@ -119,15 +119,16 @@ TEST(OscPort, AMessageSetsAValueAndIsItsWriter) {
     for (int i = 0; i < 3; ++i) client.line_with("VAL");
     const OscPeer peer;
     peer.send("/ocean/wind_speed", {14.1f}, served);
-    EXPECT_EQ(client.line(), "UPD wind_speed 14.1");
     EXPECT_EQ(client.line(), "EVT WRITER wind_speed osc:127.0.0.1");
+    EXPECT_EQ(client.line(), "UPD wind_speed 14.1");
     // Another port of the same address is the same writer.
     OscPeer().send("/ocean/waves.0.wind_speed", {std::int64_t{15}}, served);
     EXPECT_EQ(client.line(), "UPD wind_speed 15");
     peer.send("/ocean/waves/0/spectrum", {std::string("jonswap")}, served);
-    EXPECT_EQ(client.line(), "UPD spectrum jonswap");
     EXPECT_EQ(client.line(), "EVT WRITER spectrum osc:127.0.0.1");
+    EXPECT_EQ(client.line(), "UPD spectrum jonswap");
     peer.send("/ocean/app/pause", {true}, served);
+    EXPECT_EQ(client.line(), "EVT WRITER app.pause osc:127.0.0.1");
     EXPECT_EQ(client.line(), "UPD app.pause 1");
 }
 
@@ -259,8 +260,8 @@ TEST(OscPort, AnAddressIsTheSameAtASocketOfIpv6) {
     client.line();
     OscPeer("127.0.0.2").send("/ocean/choppiness", {0.7f}, *served);
     OscPeer("127.0.0.1").send("/ocean/choppiness", {0.5f}, *served);
-    EXPECT_EQ(client.line(), "UPD choppiness 0.5");
     EXPECT_EQ(client.line(), "EVT WRITER choppiness osc:127.0.0.1");
+    EXPECT_EQ(client.line(), "UPD choppiness 0.5");
 }
 
 TEST(OscPort, WhatCannotBeIsRefusedAtTheStart) {

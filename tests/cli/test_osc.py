@@ -76,8 +76,8 @@ def test_what_oscsend_sets_a_client_gets(start):
         (("/ocean/random/seed", "h", "4294967295"), "seed 4294967295"),
     ]:
         oscsend(port, *words)
-        assert bridge.line_of(client) == f"UPD {update}"
         assert bridge.line_of(client) == f"EVT WRITER {update.split()[0]} osc:127.0.0.1"
+        assert bridge.line_of(client) == f"UPD {update}"
     assert bridge.ask(client, "GET waves.0.wind_speed") == "VAL waves.0.wind_speed 14.1"
 
 
@@ -103,8 +103,8 @@ def test_no_echo_comes_back_to_the_address_that_set_a_value(start, dump):
     assert bridge.ask(client, "SUBSCRIBE wind_speed") == "OK"
     assert bridge.line_of(client).startswith("VAL ")
     oscsend(port, "/ocean/wind_speed", "f", "14")
-    assert bridge.line_of(client) == "UPD wind_speed 14"
     assert bridge.line_of(client).startswith("EVT WRITER ")
+    assert bridge.line_of(client) == "UPD wind_speed 14"
     assert bridge.ask(client, "SET choppiness 0.5") == "OK"
     dump.lines.wait_for("/ocean/surface/choppiness f 0.5")
     assert not [line for line in dump.lines.seen if "wind_speed f" in line]
@@ -163,6 +163,7 @@ def test_only_the_allowed_are_heard(start):
         for _ in range(5):
             stranger.sendto(b"/ocean/wind_speed\0\0\0,i\0\0\0\0\0\x20", ("127.0.0.1", port))
     oscsend(port, "/ocean/wind_speed", "i", "14")
+    assert bridge.line_of(client) == "EVT WRITER wind_speed osc:127.0.0.1"
     assert bridge.line_of(client) == "UPD wind_speed 14"
     bridge.log.wait_for(r"osc 127\.0\.0\.2 is not allowed; its packets are dropped$")
     assert bridge.stop() == 130

@@ -208,6 +208,12 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
         assert ask("SET app.time 100") == "OK"
         assert ask("SET app.pause 0") == "OK"
         wait_for(lambda: float(ask("GET app.time").split()[2]) > 100.5)
+        # A button that is held for a moment only.
+        time.sleep(1.0)
+        assert ask("SET app.pause 1") == "OK"
+        time.sleep(0.2)
+        assert ask("SET app.pause 0") == "OK"
+        wait_for(lambda: float(ask("GET app.time").split()[2]) > 103.0)
     finally:
         window.terminate()
         window.wait(timeout=10)

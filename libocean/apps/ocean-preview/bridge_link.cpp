@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bridge_link.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
@@ -46,12 +46,12 @@ bool BridgeLink::wait_and_apply(LiveSea& sea, std::chrono::milliseconds longest)
 }
 
 bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& events) {
-    std::set<std::string> touched;
+    std::map<std::string, std::string> asked;  // by others
     for (const bridge::ClientEvent& event : events) {
         switch (event.kind) {
             case Kind::connected:
                 say("joined: " + event.text);
-                own_name_ = event.name;
+                own_names_ = {own_name(), event.name};
                 values_.clear();
                 movers_.clear();
                 joined_ = Clock::now();
@@ -62,11 +62,15 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
                 break;
             case Kind::value:
                 values_[event.name] = event.text;
-                touched.insert(event.name);
+                if (is_own(mover(event.name))) {
+                    // Of the clock what was asked before stands: this is how it was.
+                    if (is_of_the_sea(event.name)) asked.erase(event.name);
+                } else if (movers_.contains(event.name)) {
+                    asked[event.name] = event.text;
+                }
                 break;
             case Kind::writer:
                 movers_[event.name] = event.text;
-                touched.insert(event.name);
                 break;
             case Kind::notice:
                 hear_of_recording(event.text);
@@ -81,13 +85,9 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
     }
     bool changed = false;
     applying_ = true;
-    for (const std::string& name : touched) {
-        const auto value = values_.find(name);
-        if (value == values_.end() || !movers_.contains(name)) continue;
-        const auto told = told_.find(name);
-        if (told != told_.end() && told->second == value->second) continue;  // an echo
+    for (const auto& [name, value] : asked) {
         try {
-            changed = take_value(sea, name, value->second) || changed;
+            changed = take_value(sea, name, value) || changed;
         } catch (const Error& error) {
             say(error.what());
         }
@@ -173,10 +173,14 @@ std::string BridgeLink::mover(const std::string& name) const {
     return found == movers_.end() ? "" : found->second;
 }
 
+bool BridgeLink::is_own(const std::string& writer) const {
+    return !writer.empty() && std::ranges::find(own_names_, writer) != own_names_.end();
+}
+
 bool BridgeLink::another_shows() const {
     const std::string shower = mover("app.frame_rate");
     const auto rate = values_.find("app.frame_rate");
-    return !shower.empty() && shower != own_name_ && rate != values_.end() && rate->second != "0";
+    return !shower.empty() && !is_own(shower) && rate != values_.end() && rate->second != "0";
 }
 
 void BridgeLink::tell_clock(const LiveSea& sea, double frame_rate) {

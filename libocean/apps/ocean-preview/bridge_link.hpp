@@ -5,6 +5,7 @@
 // person moves here is told there.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -47,7 +48,7 @@ class BridgeLink {
     /// "waves.0.wind_speed": "board0/a1".
     const std::map<std::string, std::string>& movers() const { return movers_; }
     /// This program among them, "" before it was joined.
-    const std::string& own_name() const { return own_name_; }
+    const std::string& own_name() const { return own_names_.back(); }
     /// What it said and what was refused, the newest last; at most kMostLines.
     const std::vector<std::string>& log() const { return log_; }
     std::vector<std::string> take_log() { return std::exchange(log_, {}); }
@@ -58,6 +59,7 @@ class BridgeLink {
     bool take(LiveSea& sea, const std::vector<bridge::ClientEvent>& events);
     bool take_value(LiveSea& sea, const std::string& name, const std::string& value);
     std::string mover(const std::string& name) const;
+    bool is_own(const std::string& writer) const;
     /// The bridge's clock is that of another window.
     bool another_shows() const;
     void hear_of_recording(const std::string& event);
@@ -68,7 +70,7 @@ class BridgeLink {
     std::map<std::string, std::string> values_;  // as the bridge has them
     std::map<std::string, std::string> told_;    // as it was told them last
     std::map<std::string, std::string> movers_;
-    std::string own_name_;
+    std::array<std::string, 2> own_names_;  // of the connection that was lost, and of this one
     std::string take_name_;
     std::vector<std::string> log_;
     bool applying_ = false;

@@ -79,6 +79,9 @@ class Hub {
     std::optional<Clock::time_point> next() const { return mapping_->next(); }
     /// Every second or so: the map's file may have changed.
     void look_around();
+    /// Whether the value is of the program, such as the clock, and that client the one that shows
+    /// the sea: it tells how the value stands, where others say how it shall.
+    bool is_told_by(std::size_t entry, std::string_view client) const;
     void client_left(std::string_view writer);
     /// A recording that runs is written.
     void finish();
