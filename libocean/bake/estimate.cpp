@@ -27,7 +27,7 @@ constexpr std::uint64_t kProgramBytes = 24 << 20;
 /// Its maps, what makes them, and what the format makes of them.
 std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
-    const int maps = plan.maps.channels.size() + (plan.has_foam() ? kFoamMaps : 0);
+    const int maps = plan.maps.channels.size() + (plan.follows_foam() ? kFoamMaps : 0);
     const auto add = [&](int resolution, int maps_there, ChannelSet channels) {
         bytes +=
             maps_bytes(resolution, maps_there) +

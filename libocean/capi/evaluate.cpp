@@ -49,6 +49,7 @@ constexpr NamedChannel kNamed[] = {
     {OCEAN_DX_X, "dx_x"},
     {OCEAN_DY_Y, "dy_y"},
     {OCEAN_DX_Y, "dx_y"},
+    {OCEAN_COVER, "cover"},
 };
 static_assert(std::ranges::equal(kNamed, kChannels,
                                  [number = 0](const NamedChannel& ours,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "modes/mode_lattice.hpp"
+#include "ocean/foam.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 
@@ -87,6 +88,19 @@ const SurfaceSettings& Chain::shown_settings(int resolution, ThreadPool& pool, S
         shown.revision = revision(Stage::foam);
     }
     return shown.value;
+}
+
+double Chain::shown_cover_power(int resolution, ThreadPool& pool, StageRuns& runs) {
+    Made<double>& power = cover_powers_[resolution];
+    if (power.revision != revision(Stage::foam)) {
+        Parameters shown = parameters_;
+        shown.surface = shown_settings(resolution, pool, runs);
+        ++runs.cover_power;
+        power.value = cover_power({spectrum(pool, runs), shown, resolution},
+                                  modes(pool, runs).gradient_covariance(resolution), pool);
+        power.revision = revision(Stage::foam);
+    }
+    return power.value;
 }
 
 }  // namespace ocean

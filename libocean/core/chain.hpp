@@ -42,6 +42,8 @@ class Chain {
     bool has_modes() const;
     /// With the whitecaps' threshold found for maps of that resolution.
     const SurfaceSettings& shown_settings(int resolution, ThreadPool& pool, StageRuns& runs);
+    /// The power of foam that is the cover on maps of that resolution.
+    double shown_cover_power(int resolution, ThreadPool& pool, StageRuns& runs);
 
   private:
     static constexpr std::size_t kStages = static_cast<std::size_t>(Stage::clock) + 1;
@@ -65,6 +67,7 @@ class Chain {
     std::shared_ptr<const ModeLattice> lattice_;
     SharedValue<Modes> modes_;  // with their own revision
     std::map<int, Made<SurfaceSettings>> shown_;
+    std::map<int, Made<double>> cover_powers_;
 };
 
 }  // namespace ocean

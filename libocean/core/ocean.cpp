@@ -162,11 +162,15 @@ FrameCost Ocean::measure_frame_cost() {
 
 void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                        const FoamLayer& foam) {
-    const bool plain = foam_use(channels_of(outputs), options_.channels) == FoamUse::none;
+    const FoamUse use = foam_use(channels_of(outputs), options_.channels);
     const SurfaceSettings& settings =
-        plain ? now().surface : chain_->shown_settings(resolution, pool_, runs_);
+        use == FoamUse::none ? now().surface : chain_->shown_settings(resolution, pool_, runs_);
+    FoamLayer layer = foam;
+    if (use == FoamUse::cover) {
+        layer.cover_power = static_cast<float>(chain_->shown_cover_power(resolution, pool_, runs_));
+    }
     const MapModes modes = map_modes(current_modes(), time, resolution);
-    if (maps_->write({modes, settings, outputs, foam}, pool_)) ++runs_.packing;
+    if (maps_->write({modes, settings, outputs, layer}, pool_)) ++runs_.packing;
     ChannelSet& made = made_[resolution];
     made = made | channels_of(outputs);
 }
@@ -248,7 +252,7 @@ void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) co
 }
 
 bool Ocean::has_foam(ChannelSet channels) const {
-    return foam_use(channels, options_.channels) == FoamUse::past;
+    return has_past(foam_use(channels, options_.channels));
 }
 
 std::int64_t Ocean::foam_settling_ticks() const {

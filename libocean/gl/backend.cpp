@@ -48,7 +48,7 @@ class GpuMaps {
         }
         OneResolution& maps = found->second;
         const bool has_past =
-            request.foam.map != nullptr && foam_use(channels_of(request.outputs)) == FoamUse::past;
+            request.foam.map != nullptr && ocean::has_past(foam_use(channels_of(request.outputs)));
         if (has_past) upload_past(request.foam, resolution, maps.past);
         const bool uploaded =
             maps.frame.make(request, quantities, has_past ? &maps.past : nullptr, pool);

@@ -153,7 +153,7 @@ FramePlan make_frame_plan(const PassShape& shape, std::vector<Quantity> quantiti
         plan.maps.push_back({{quantities.begin() + static_cast<std::ptrdiff_t>(i),
                               quantities.begin() + static_cast<std::ptrdiff_t>(end)}});
     }
-    plan.foam = foam_use(channels) == FoamUse::past;
+    plan.foam = has_past(foam_use(channels));
     return plan;
 }
 

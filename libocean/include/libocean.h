@@ -86,7 +86,8 @@ enum {
     OCEAN_VZ,
     OCEAN_DX_X, /* derivatives of the offset by label: d dx/dx, d dy/dy, d dx/dy = d dy/dx */
     OCEAN_DY_Y,
-    OCEAN_DX_Y
+    OCEAN_DX_Y,
+    OCEAN_COVER /* the share of the water that foam hides; what is seen from far away is its mean */
 };
 
 /* Axes of vectors: (x, y, z), (x, z, -y), (x, z, y). */

@@ -52,6 +52,7 @@ inline constexpr float splitter = 4097.0f;
 
 #include "wave/copies.glsl"
 #include "wave/dispersion.glsl"
+#include "wave/foam_cover.glsl"
 #include "wave/horizon.glsl"
 #include "wave/phase.glsl"
 #include "wave/reflectance.glsl"
@@ -68,6 +69,7 @@ inline constexpr double splitter = 134217729.0;
 
 #include "wave/copies.glsl"
 #include "wave/dispersion.glsl"
+#include "wave/foam_cover.glsl"
 #include "wave/horizon.glsl"
 #include "wave/phase.glsl"
 #include "wave/reflectance.glsl"

@@ -334,7 +334,7 @@ void bad_requests_are_refused_and_write_nothing(void) {
     REFUSED(output.channels = -1, "channels");
     REFUSED(output.axes = 3, "axes");
     REFUSED(output.axes = -1, "axes");
-    REFUSED(output.channel[1] = OCEAN_DX_Y + 1, "channel[1]");
+    REFUSED(output.channel[1] = OCEAN_COVER + 1, "channel[1]");
     REFUSED(output.channel[2] = -2, "channel[2]");
     REFUSED(output.channel[0] = output.channel[1] = output.channel[2] = -1, "no output");
     for (size_t i = 0; i < sizeof(resolutions) / sizeof(resolutions[0]); ++i) {

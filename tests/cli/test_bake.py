@@ -384,20 +384,20 @@ def cpu_seconds(ocean, *arguments):
 
 
 def test_files_are_compressed_where_it_pays(ocean):
-    products = "displacement,velocity,height,normal,slope,jacobian,whitecap,foam,derivatives"
+    products = "displacement,velocity,height,normal,slope,jacobian,whitecap,foam,derivatives,cover"
 
     def used(name):
         (path,) = ocean.folder.glob(name)
         return image(ocean, path.name)[0]["compression"]
 
-    small = {"normal", "slope", "jacobian", "whitecap", "foam", "derivatives"}
+    small = {"normal", "slope", "jacobian", "whitecap", "foam", "derivatives", "cover"}
     bake(ocean, "-o", "s.exr", "--products", products)
     bake(ocean, "-o", "f.exr", "--products", products, "--type", "float")
     bake(ocean, "-o", "l.exr", "--products", "normal,foam", "--layout", "layered")
     bake(ocean, "-o", "m.exr", "--products", "displacement,foam", "--layout", "layered")
     for product in products.split(","):
         assert used(f"s.{product}.*exr") == ("rle" if product in small else "none"), product
-        always = product in {"slope", "whitecap", "foam"}
+        always = product in {"slope", "whitecap", "foam", "cover"}
         assert used(f"f.{product}.*exr") == ("rle" if always else "none"), product
     assert used("l.*exr") == "rle"
     assert used("m.*exr") == "none"

@@ -13,6 +13,7 @@
 #include "wave/phase.glsl"
 #include "wave/copies.glsl"
 #include "wave/erfc.glsl"
+#include "wave/foam_cover.glsl"
 #include "wave/horizon.glsl"
 #include "wave/reflectance.glsl"
 #include "wave/surface.glsl"
@@ -30,7 +31,7 @@ void main() {
     ModeState state = mode_state(xi.re, xi.im, xi.im, xi.re, turns, omega);
     SurfaceNormal normal = surface_normal(1.0, 0.1, 0.2, 0.05, state.re, state.im);
     float area = surface_jacobian(1.0, 0.1, 0.2, 0.05);
-    area += surface_whitecap(area, 0.75, 0.2);
+    area += foam_cover(surface_whitecap(area, 0.75, 0.2), 3.0);
     area += visible_lean(0.1, area) + visible_area(0.1, area);
     area += water_reflectance(0.5, 1.333) + rough_water_reflectance(0.5, 0.1);
     area += earth_drop(horizon_distance(k));

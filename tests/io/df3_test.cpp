@@ -129,14 +129,14 @@ TEST(AverageFoam, KeepsTheMeanAndThePlace) {
     std::ranges::fill(fine.channel(Channel::foam), 0.0f);
     fine.channel(Channel::foam)[10 * 64 + 20] = 1.0f;  // on a sample of the coarse map
     fine.channel(Channel::foam)[0] = 1.0f;             // and at the seam
-    average_foam(fine, coarse);
+    average_channel(Channel::foam, fine, coarse);
     double sum = 0.0;
     for (const float foam : coarse.channel(Channel::foam)) sum += foam;
     EXPECT_NEAR(sum / 1024.0, 2.0 / 4096.0, 1e-9);
     EXPECT_EQ(coarse.channel(Channel::foam)[5 * 32 + 10], 0.25f);
     EXPECT_EQ(coarse.channel(Channel::foam)[0], 0.25f);
     Surface odd(Lattice{64, 10.0}, 0.0, {Channel::foam});
-    EXPECT_THROW(average_foam(fine, odd), Error);
+    EXPECT_THROW(average_channel(Channel::foam, fine, odd), Error);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ import pytest
 
 N = 64
 DX, DY, HEIGHT, NX, NY, NZ, SLOPE_X, SLOPE_Y, JACOBIAN, WHITECAP, FOAM, VX, VY, VZ = range(14)
-DX_X, DY_Y, DX_Y = range(14, 17)
+DX_X, DY_Y, DX_Y, COVER = range(14, 18)
 PRODUCTS = {
     "height": [HEIGHT],
     "displacement": [DX, DY, HEIGHT],
@@ -28,6 +28,7 @@ PRODUCTS = {
     "foam": [FOAM],
     "velocity": [VX, VY, VZ],
     "derivatives": [DX_X, DY_Y, DX_Y],
+    "cover": [COVER],
 }
 
 
@@ -161,6 +162,7 @@ def test_layered(folder):
         "derivatives.X": DX_X,
         "derivatives.Y": DY_Y,
         "derivatives.Z": DX_Y,
+        "cover.V": COVER,
     }
     assert set(channels) == set(truth) | {"A"}
     for name, channel in truth.items():

@@ -231,7 +231,7 @@ TEST(Products, AreFoundByNameAmongThoseThatThereAre) {
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
                      "unknown product 'steep'; known: height, displacement, slope, normal, "
-                     "jacobian, whitecap, foam, velocity, derivatives, steepness");
+                     "jacobian, whitecap, foam, velocity, derivatives, cover, steepness");
     }
 }
 

@@ -85,7 +85,7 @@ inline Modes single_wave(const Parameters& parameters, int n, int m) {
 inline constexpr ChannelSet kAllChannels = [] {
     ChannelSet channels;
     for (int c = 0; c < kChannelCount; ++c) {
-        const bool has_past = kChannels[static_cast<std::size_t>(c)].foam == FoamUse::past;
+        const bool has_past = ocean::has_past(kChannels[static_cast<std::size_t>(c)].foam);
         if (!has_past) channels = channels | static_cast<Channel>(c);
     }
     return channels;

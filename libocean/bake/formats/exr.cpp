@@ -64,8 +64,8 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
         {"layout", "LAYOUT",
          "separate (a file for each product) or layered (one file); default separate"},
         {"compression", "CODEC",
-         "none, rle, zips, zip, piz or pxr24; default rle for slope, whitecap and foam and for "
-         "halves of normal, jacobian and derivatives, none for the rest"},
+         "none, rle, zips, zip, piz or pxr24; default rle for slope, whitecap, foam and cover "
+         "and for halves of normal, jacobian and derivatives, none for the rest"},
         {"caustics-depth", "METRES",
          "Of the level plane that caustics fall on; default: the sea's depth, 10 at most"},
         {"sun", "ALTITUDE,BEARING",
@@ -83,7 +83,7 @@ io::ExrCompression usual_compression(std::span<const Product* const> products, i
         const auto is_one_of = [product](std::initializer_list<std::string_view> names) {
             return std::find(names.begin(), names.end(), product->name) != names.end();
         };
-        return is_one_of({"slope", "whitecap", "foam"}) ||
+        return is_one_of({"slope", "whitecap", "foam", "cover"}) ||
                (type == io::PixelType::half_float &&
                 is_one_of({"normal", "jacobian", "derivatives"}));
     };

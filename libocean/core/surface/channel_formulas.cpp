@@ -73,17 +73,26 @@ Real foam_of(const SurfacePoint<Real>& p) {
     return foam < p.foam_least ? 0.0f : foam;
 }
 
+/// A power in double: at 0 and at 1 it is exact.
+template <typename Real>
+Real cover_of(const SurfacePoint<Real>& p) {
+    const auto foam = static_cast<double>(foam_of(p));
+    return static_cast<Real>(wave::double_precision::foam_cover(foam, p.cover_power));
+}
+
 template float normal_x(const SurfacePoint<float>&);
 template float normal_y(const SurfacePoint<float>&);
 template float normal_z(const SurfacePoint<float>&);
 template float jacobian_of(const SurfacePoint<float>&);
 template float whitecap_of(const SurfacePoint<float>&);
 template float foam_of(const SurfacePoint<float>&);
+template float cover_of(const SurfacePoint<float>&);
 template double normal_x(const SurfacePoint<double>&);
 template double normal_y(const SurfacePoint<double>&);
 template double normal_z(const SurfacePoint<double>&);
 template double jacobian_of(const SurfacePoint<double>&);
 template double whitecap_of(const SurfacePoint<double>&);
 template double foam_of(const SurfacePoint<double>&);
+template double cover_of(const SurfacePoint<double>&);
 
 }  // namespace ocean::channel_formula

@@ -4,38 +4,47 @@
 // Maps of one time at halving resolutions; see map_levels.hpp.
 #include "ocean/map_levels.hpp"
 
+#include <algorithm>
+
 #include "ocean/error.hpp"
 
 namespace ocean {
 
 std::vector<Surface> map_levels(Ocean& ocean, double time, ChannelSet channels,
                                 std::span<const int> resolutions) {
+    // They have a past on each map; what they look like from far away is their mean.
+    constexpr Channel kAveraged[] = {Channel::foam, Channel::cover};
+    const auto is_averaged = [&](const MapOutput& output) {
+        return std::ranges::any_of(kAveraged, [&](Channel channel) {
+            return output.component[0].quantity == Quantity(channel);
+        });
+    };
     std::vector<Surface> levels;
     for (const int resolution : resolutions) {
-        if (levels.empty() || !channels.contains(Channel::foam)) {
+        if (levels.empty() || !channels.intersects({Channel::foam, Channel::cover})) {
             levels.push_back(ocean.evaluate(time, channels, resolution));
             continue;
         }
-        // Foam has a past on each map; what it looks like from far away is its mean.
         Surface level(Lattice{resolution, levels.front().period()}, time, channels);
         std::vector<MapOutput> outputs = outputs_of(level);
-        std::erase_if(outputs, [](const MapOutput& output) {
-            return output.component[0].quantity == Quantity(Channel::foam);
-        });
+        std::erase_if(outputs, is_averaged);
         ocean.evaluate_into(time, outputs, resolution);
-        average_foam(levels.back(), level);
+        for (const Channel channel : kAveraged) {
+            if (level.has(channel)) average_channel(channel, levels.back(), level);
+        }
         levels.push_back(std::move(level));
     }
     return levels;
 }
 
-void average_foam(const Surface& fine, Surface& coarse) {
+void average_channel(Channel channel, const Surface& fine, Surface& coarse) {
     const int n = coarse.resolution();
-    if (fine.resolution() != 2 * n || !fine.has(Channel::foam) || !coarse.has(Channel::foam)) {
-        throw Error(ErrorKind::invalid_value, "foam is averaged on a map of half the resolution");
+    if (fine.resolution() != 2 * n || !fine.has(channel) || !coarse.has(channel)) {
+        throw Error(ErrorKind::invalid_value,
+                    "foam and cover are averaged on a map of half the resolution");
     }
-    const auto from = fine.channel(Channel::foam);
-    const auto to = coarse.channel(Channel::foam);
+    const auto from = fine.channel(channel);
+    const auto to = coarse.channel(channel);
     const auto row = [&](int j, int i) {
         const int wide = 2 * n;
         const auto at = [&](int k) {

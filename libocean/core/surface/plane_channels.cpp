@@ -36,7 +36,7 @@ class ComponentWriter {
         const LinearSet fields = request_.settings.choppiness == 0.0 ? info.flat : info.choppy;
         const SurfacePoint<Real> still = still_point(info);
         const FoamLayer& foam = request_.foam;
-        const bool has_past = info.foam == FoamUse::past && foam.map != nullptr;
+        const bool has_past = ocean::has_past(info.foam) && foam.map != nullptr;
         write([&](std::size_t i) {
             SurfacePoint<Real> point = still;
             for (const Linear field : kLinears) {
@@ -59,12 +59,13 @@ class ComponentWriter {
                 info.choppy.contains(field) ? Real(0) : Real(kNone);
         }
         const bool has_threshold = info.foam != FoamUse::none;
-        const bool has_past = info.foam == FoamUse::past;
+        const bool has_past = ocean::has_past(info.foam);
         point.choppiness = static_cast<Real>(settings.choppiness);
         point.foam_threshold = has_threshold ? static_cast<Real>(settings.foam_threshold) : kNone;
         point.foam_width = has_threshold ? static_cast<Real>(settings.foam_width) : kNone;
         point.foam_left = has_past ? 0.0f : kNone;
         point.foam_least = has_past ? request_.foam.least : kNone;
+        point.cover_power = info.foam == FoamUse::cover ? request_.foam.cover_power : kNone;
         return point;
     }
 

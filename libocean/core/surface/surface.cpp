@@ -57,7 +57,7 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
     require_resolution(resolution);
     require_channels(channels);
     const FoamUse foam = foam_use(channels);
-    if (foam == FoamUse::past) {
+    if (has_past(foam)) {
         throw Error(ErrorKind::invalid_value,
                     "foam has a past: it is made by Ocean or a FoamState, not from one moment");
     }

@@ -64,8 +64,9 @@ enum class Channel : int {
     dx_x,
     dy_y,
     dx_y,
+    cover,
 };
-inline constexpr int kChannelCount = 17;
+inline constexpr int kChannelCount = 18;
 
 /// With those that a host adds (OceanOptions::channels): Channel(kChannelCount + i) is its row i.
 inline constexpr int kMostChannels = 32;
@@ -120,6 +121,7 @@ struct SurfacePoint {
     Real foam_width{};        // and how much lower they are whole
     float foam_left = 0.0f;   // of earlier foam
     float foam_least = 0.0f;  // below it there is none
+    float cover_power = 1.0f;
 
     constexpr Real operator[](Linear linear) const {
         return field[static_cast<std::size_t>(linear)];
@@ -148,9 +150,12 @@ struct ChannelFormula {
     }
 };
 
-/// What a formula reads of the foam: nothing, the threshold and width of the whitecaps, or what is
-/// left of the past as well.
-enum class FoamUse { none, threshold, past };
+/// What a formula reads of the foam: nothing, the threshold and width of the whitecaps, what is
+/// left of the past as well, or that and the power that makes cover of it.
+enum class FoamUse { none, threshold, past, cover };
+constexpr bool has_past(FoamUse use) {
+    return use >= FoamUse::past;
+}
 
 /// A row of the table: a multiple of one linear field, or a formula of several.
 struct ChannelInfo {
@@ -186,7 +191,7 @@ struct ChannelInfo {
     }
 };
 
-/// The formulas of shaders/wave/surface.glsl.
+/// The formulas of shaders/wave/surface.glsl, and cover that of foam_cover.glsl.
 namespace channel_formula {
 template <typename Real>
 Real normal_x(const SurfacePoint<Real>& point);
@@ -200,6 +205,8 @@ template <typename Real>
 Real whitecap_of(const SurfacePoint<Real>& point);
 template <typename Real>
 Real foam_of(const SurfacePoint<Real>& point);
+template <typename Real>
+Real cover_of(const SurfacePoint<Real>& point);
 }  // namespace channel_formula
 
 namespace detail {
@@ -246,6 +253,8 @@ inline constexpr auto kChannels = [] {
         {dx_x, {"dx_x", "", Linear::gradient_xx, minus_choppiness}},
         {dy_y, {"dy_y", "", Linear::gradient_yy, minus_choppiness}},
         {dx_y, {"dx_y", "", Linear::gradient_xy, minus_choppiness}},
+        // The share of the water that foam hides. Coarser maps and far water are its mean.
+        {cover, detail::squeezed("cover", {cover_of, cover_of}, FoamUse::cover)},
     };
     std::array<ChannelInfo, kChannelCount> table{};
     for (const auto& [channel, info] : kRows) table[static_cast<std::size_t>(channel)] = info;
@@ -311,6 +320,7 @@ inline constexpr auto kProducts = [] {
         detail::product("foam", {foam}),
         detail::vector("velocity", {vx, vy, vz}),
         detail::product("derivatives", {dx_x, dy_y, dx_y}),
+        detail::product("cover", {cover}),
     });
 }();
 
@@ -334,7 +344,7 @@ static_assert(products_fit_channels());
 
 }  // namespace detail
 
-/// height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives.
+/// height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives, cover.
 std::span<const Product> product_table();
 /// Throws Error invalid_value for an unknown name, which lists those that there are.
 const Product& find_product(std::string_view name);

@@ -36,6 +36,7 @@ Array = npt.NDArray[np.float32]
 CHANNELS = (
     *("dx", "dy", "height", "nx", "ny", "nz", "slope_x", "slope_y"),
     *("jacobian", "whitecap", "foam", "vx", "vy", "vz", "dx_x", "dy_y", "dx_y"),
+    "cover",
 )
 
 # The channels of each field that a Surface has.
@@ -49,6 +50,7 @@ PRODUCTS: dict[str, tuple[str, ...]] = {
     "foam": ("foam",),
     "velocity": ("vx", "vy", "vz"),
     "derivatives": ("dx_x", "dy_y", "dx_y"),
+    "cover": ("cover",),
 }
 
 # Of Sea.gauges.
@@ -707,6 +709,11 @@ class Surface:
     def foam(self) -> Array:
         """Foam that is there, 0 .. 1, (R, R)."""
         return self._field("foam")
+
+    @property
+    def cover(self) -> Array:
+        """Share of the water that foam hides, 0 .. 1, (R, R); from far away its mean is seen."""
+        return self._field("cover")
 
     @property
     def velocity(self) -> Array:

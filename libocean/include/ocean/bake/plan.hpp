@@ -59,8 +59,10 @@ struct BakePlan {
     bool keep_going = false;
 
     bool has_foam() const { return maps.channels.contains(Channel::foam); }
+    /// Maps of earlier foam are kept.
+    bool follows_foam() const { return ocean::has_past(foam_use(maps.channels, channels)); }
     /// Foam and spray have one: frames are made one after another.
-    bool has_past() const { return has_foam() || maps.has_past; }
+    bool has_past() const { return follows_foam() || maps.has_past; }
     /// Of the finest map, samples along a side.
     int finest() const { return maps.has_past ? maps.resolutions.front() : resolution; }
     /// The shortest wave of the finest map.
