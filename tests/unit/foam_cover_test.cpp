@@ -87,6 +87,16 @@ TEST(FoamCover, ThePowerHasNoJumpsWhereTheWindRises) {
     }
 }
 
+TEST(FoamCover, ThePowerIsTheSameWhereverTheWindBlows) {
+    Parameters parameters = sea_of(12.3);
+    parameters.waves.front().wind_direction = 0.0;
+    const double power = power_of(parameters, 2);
+    for (const double direction : {30.0, 45.0, 90.0, 217.0}) {
+        parameters.waves.front().wind_direction = direction;
+        EXPECT_NEAR(power_of(parameters, 2), power, 0.005 * power) << direction;
+    }
+}
+
 TEST(FoamCover, WithoutAPastItIsTheWhitecap) {
     Parameters parameters = sea_of(15.0);
     parameters.surface.foam_lifetime = 0.0;
