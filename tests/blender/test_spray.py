@@ -412,6 +412,8 @@ def lone_drop(scene, ocean, engine: str) -> np.ndarray:
     scene.render.image_settings.color_depth = "32"
     scene.world = bpy.data.worlds.new("Black")
     scene.world.color = (0.0, 0.0, 0.0)
+    if scene.world.node_tree is not None:  # 5.0: a new one has nodes, and is grey
+        scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.0
     ocean.modifiers[0].show_render = False  # the mesh lies flat, below
     with sea_of(ocean) as sea:
         expected = sea.spray(49 / 24, density=ocean.libocean.spray_density)
