@@ -40,6 +40,8 @@ class Chain {
     const DirectionalSpectrum& spectrum(ThreadPool& pool, StageRuns& runs);
     const Modes& modes(ThreadPool& pool, StageRuns& runs);
     bool has_modes() const;
+    /// Of what spectrum() returns.
+    const Revision& spectrum_revision() const { return revision(Stage::spectrum); }
     /// With the whitecaps' threshold found for maps of that resolution.
     const SurfaceSettings& shown_settings(int resolution, ThreadPool& pool, StageRuns& runs);
     /// The power of foam that is the cover on maps of that resolution.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "chain.hpp"
+#include "detail/detail_maps.hpp"
 #include "kernel/map_kernel.hpp"
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
@@ -76,6 +77,7 @@ void Ocean::change(Sea sea) {
     if (sea_.parameters.grid != sea.parameters.grid) {
         surface_query_.reset();
         orbital_motion_.reset();
+        detail_.clear();
     }
     sea_ = std::move(sea);
     ++revision_;
@@ -230,6 +232,52 @@ void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
     }
     const MapModes part = cascade_modes(modes, cascade, time, resolution);
     if (maps->write({part, now().surface, outputs, {}}, pool_)) ++runs_.packing;
+}
+
+DetailMaps& Ocean::detail_at(double time, const DetailSettings& settings) {
+    require_time(time);
+    go_to(time);
+    DetailSettings shown = settings;
+    shown.resolution = map_resolution(settings.resolution);
+    std::unique_ptr<DetailMaps>& maps = detail_[shown];
+    if (!maps) {
+        require_memory(detail_bytes(now(), shown, options_.backend), "slope tiles");
+        maps = std::make_unique<DetailMaps>(shown, options_.backend);
+    }
+    const DirectionalSpectrum& spectrum = chain_->spectrum(pool_, runs_);
+    maps->stand_for(now(), spectrum, chain_->spectrum_revision(), pool_);
+    return *maps;
+}
+
+DetailBudget Ocean::detail_budget(double time, const DetailSettings& settings) {
+    return detail_at(time, settings).budget();
+}
+
+Detail Ocean::detail(double time, const DetailSettings& settings) {
+    Detail detail(time, settings.samples, detail_budget(time, settings));
+    std::vector<MapOutput> outputs;
+    for (std::size_t i = 0; i < detail.bands().size(); ++i) {
+        outputs.push_back(
+            {detail.slopes(i).data(), 2, {{{Channel::slope_x, 1.0f}, {Channel::slope_y, 1.0f}}}});
+    }
+    detail_into(time, outputs, settings);
+    return detail;
+}
+
+void Ocean::detail_into(double time, std::span<const MapOutput> outputs,
+                        const DetailSettings& settings) {
+    constexpr ChannelSet kSlopes = {Channel::slope_x, Channel::slope_y};
+    if (!fields_of(outputs).empty() || !kSlopes.contains(channels_of(outputs))) {
+        throw Error(ErrorKind::invalid_value,
+                    "a tile of the detail has slopes by label alone: slope_x and slope_y");
+    }
+    DetailMaps& maps = detail_at(time, settings);
+    if (outputs.size() > maps.budget().bands.size()) {
+        throw Error(ErrorKind::invalid_value,
+                    "detail: " + std::to_string(outputs.size()) + " maps asked for; the sea has " +
+                        std::to_string(maps.budget().bands.size()) + " bands there");
+    }
+    maps.write(time, chain_->spectrum(pool_, runs_), outputs, pool_);
 }
 
 int Ocean::map_resolution(int asked) const {

@@ -56,6 +56,7 @@ inline constexpr float splitter = 4097.0f;
 #include "wave/horizon.glsl"
 #include "wave/phase.glsl"
 #include "wave/reflectance.glsl"
+#include "wave/slope_tiles.glsl"
 #include "wave/surface.glsl"
 #include "wave/visible_slope.glsl"
 }  // namespace single_precision
@@ -73,6 +74,7 @@ inline constexpr double splitter = 134217729.0;
 #include "wave/horizon.glsl"
 #include "wave/phase.glsl"
 #include "wave/reflectance.glsl"
+#include "wave/slope_tiles.glsl"
 #include "wave/surface.glsl"
 #include "wave/visible_slope.glsl"
 }  // namespace double_precision

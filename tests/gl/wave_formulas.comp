@@ -16,6 +16,7 @@
 #include "wave/foam_cover.glsl"
 #include "wave/horizon.glsl"
 #include "wave/reflectance.glsl"
+#include "wave/slope_tiles.glsl"
 #include "wave/surface.glsl"
 #include "wave/visible_slope.glsl"
 
@@ -37,6 +38,9 @@ void main() {
     area += earth_drop(horizon_distance(k));
     GridPoint grid = copy_grid(area, 0.5);
     area += copy_corner(fract(grid.x), fract(grid.y), 1).weight + copy_offset(1, -2).y;
+    SlopeTileRead read = slope_tile_read(area, 0.5, 2);
+    float fade = slope_tile_fade(slope_footprint(10.0, 0.001, area), 0.1, 0.6);
+    area += read.weight * (read.x + read.y) + slope_tile_left(fade, 0.01);
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
                       area * horizontal_displacement(k, 100.0), state.rate_re + state.rate_im);
 }

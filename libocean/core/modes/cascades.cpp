@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 
 #include "ocean/grid.hpp"
 
@@ -20,13 +21,22 @@ bool is_prime(int n) {
     return n > 1;
 }
 
+/// |k|^2 in steps of the patch's lattice: a whole number below 2^53.
+double square_of(const CascadeBand& band, int n, int m) {
+    const auto x = static_cast<double>(std::int64_t{n} * band.divisor);
+    const auto y = static_cast<double>(std::int64_t{m} * band.divisor);
+    return x * x + y * y;
+}
+
 }  // namespace
 
 bool CascadeBand::contains(int n, int m) const {
-    const auto x = static_cast<double>(std::int64_t{n} * divisor);
-    const auto y = static_cast<double>(std::int64_t{m} * divisor);
-    const double square = x * x + y * y;  // whole numbers below 2^53
-    return square >= inner * inner && square < outer * outer;
+    return !is_inside(n, m) && square_of(*this, n, m) < outer * outer;
+}
+
+bool CascadeBand::is_inside(int n, int m) const {
+    return square_of(*this, n, m) < inner * inner ||
+           static_cast<double>(std::max(std::abs(n), std::abs(m))) * divisor < inner_side;
 }
 
 std::vector<int> cascade_divisors(const Grid& grid) {
@@ -48,7 +58,7 @@ std::vector<CascadeBand> cascade_bands(const Grid& grid) {
     std::vector<CascadeBand> bands;
     for (const int divisor : cascade_divisors(grid)) {
         const double inner = bands.empty() ? 0.0 : bands.back().divisor * half;
-        bands.push_back({divisor, inner, std::numeric_limits<double>::infinity()});
+        bands.push_back({divisor, inner});
     }
     for (std::size_t c = 0; c + 1 < bands.size(); ++c) bands[c].outer = bands[c + 1].inner;
     return bands;

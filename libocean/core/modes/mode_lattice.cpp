@@ -51,29 +51,39 @@ Parameters without_waves(Parameters parameters) {
 }  // namespace
 
 ModeLattice::ModeLattice(const Parameters& parameters, Memory memory, ThreadPool& pool)
-    : parameters_(without_waves(parameters)) {
-    const int size = parameters.grid.resolution;
-    kept_ = memory == Memory::keep && size <= kLargestKept;
+    : parameters_(without_waves(parameters)),
+      kept_(memory == Memory::keep && parameters.grid.resolution <= kLargestKept) {
     for (const CascadeBand& band : cascade_bands(parameters.grid)) {
-        const auto number = static_cast<std::uint32_t>(cascades_.size());
-        const Lattice lattice{size, parameters.grid.patch_size / band.divisor};
-        Cascade& cascade = cascades_.emplace_back(Cascade{band, number, lattice, {}, {}});
-        if (!kept_) continue;
-        cascade.rows.resize(static_cast<std::size_t>(size / 2));
-        cascade.noise.resize(lattice.size());
-        pool.for_each_range(size / 2, [&](int first, int last) {
-            for (int m = first; m < last; ++m) {
-                QuadrantRow& row = cascade.rows[static_cast<std::size_t>(m)];
-                row = make_row(cascade, m);
-                const auto width = static_cast<std::size_t>(size);
-                for (const int ky : {m, -m}) {
-                    const auto at = static_cast<std::size_t>(fft_index(ky, size)) * width;
-                    const ModeRange all{row.begin, row.end};
-                    draw_row(cascade, ky, all, all, std::span(cascade.noise).subspan(at, width));
-                }
-            }
-        });
+        add(band, static_cast<std::uint32_t>(cascades_.size()), pool);
     }
+}
+
+ModeLattice::ModeLattice(const Parameters& parameters, const CascadeBand& band, std::uint32_t noise,
+                         Memory memory, ThreadPool& pool)
+    : parameters_(without_waves(parameters)),
+      kept_(memory == Memory::keep && parameters.grid.resolution <= kLargestKept) {
+    add(band, noise, pool);
+}
+
+void ModeLattice::add(const CascadeBand& band, std::uint32_t noise_number, ThreadPool& pool) {
+    const int size = parameters_.grid.resolution;
+    const Lattice lattice{size, parameters_.grid.patch_size / band.divisor};
+    Cascade& cascade = cascades_.emplace_back(Cascade{band, noise_number, lattice, {}, {}});
+    if (!kept_) return;
+    cascade.rows.resize(static_cast<std::size_t>(size / 2));
+    cascade.noise.resize(lattice.size());
+    pool.for_each_range(size / 2, [&](int first, int last) {
+        for (int m = first; m < last; ++m) {
+            QuadrantRow& row = cascade.rows[static_cast<std::size_t>(m)];
+            row = make_row(cascade, m);
+            const auto width = static_cast<std::size_t>(size);
+            for (const int ky : {m, -m}) {
+                const auto at = static_cast<std::size_t>(fft_index(ky, size)) * width;
+                const ModeRange all{row.begin, row.end};
+                draw_row(cascade, ky, all, all, std::span(cascade.noise).subspan(at, width));
+            }
+        }
+    });
 }
 
 std::uint64_t ModeLattice::kept_bytes(const Grid& grid) {
@@ -128,7 +138,7 @@ void ModeLattice::draw_row(const Cascade& cascade, int m, ModeRange east, ModeRa
     const auto draw = [&](int first, int last) {  // n = first .. last - 1
         if (first >= last) return;
         const auto at = static_cast<std::size_t>(fft_index(first, cascade.lattice.resolution));
-        noise_row(parameters_.seed, cascade.number, first, m,
+        noise_row(parameters_.seed, cascade.noise_number, first, m,
                   noise.subspan(at, static_cast<std::size_t>(last - first)));
     };
     draw(east.begin, east.end);

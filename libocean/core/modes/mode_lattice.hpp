@@ -66,7 +66,12 @@ class ModeLattice {
     static constexpr int kLargestKept = 2048;
     static std::uint64_t kept_bytes(const Grid& grid);
 
+    /// That of the sea's cascades.
     ModeLattice(const Parameters& parameters, Memory memory, ThreadPool& pool);
+    /// One band alone of the lattice of parameters.grid, of divisor 1, with noise of that number: 0
+    /// .. 4 are the cascades'.
+    ModeLattice(const Parameters& parameters, const CascadeBand& band, std::uint32_t noise,
+                Memory memory, ThreadPool& pool);
 
     /// Whether it is the lattice of that sea.
     bool is_of(const Parameters& parameters) const;
@@ -87,7 +92,7 @@ class ModeLattice {
   private:
     struct Cascade {
         CascadeBand band;
-        std::uint32_t number;
+        std::uint32_t noise_number;
         Lattice lattice;
         std::vector<QuadrantRow> rows;  // m = 0 .. N/2 - 1; empty if nothing is kept
         std::vector<std::complex<float>> noise;
@@ -95,6 +100,8 @@ class ModeLattice {
     struct Work;
     class ShellSums;
 
+    /// The next cascade of this lattice.
+    void add(const CascadeBand& band, std::uint32_t noise_number, ThreadPool& pool);
     QuadrantRow make_row(const Cascade& cascade, int m) const;
     /// The row that is kept, or else `made`, which is made that row.
     const QuadrantRow& row_of(const Cascade& cascade, int m, QuadrantRow& made) const;

@@ -111,8 +111,9 @@ void ModeLattice::set_waves(const DirectionalSpectrum& spectrum, double wind_spe
                             ThreadPool& pool, Modes& modes) const {
     modes.wind_speed = wind_speed;
     const QuadrantSampler sampler(spectrum);
-    for (const Cascade& cascade : cascades_) {
-        CascadeModes& waves = modes.cascades[cascade.number];
+    for (std::size_t c = 0; c < cascades_.size(); ++c) {
+        const Cascade& cascade = cascades_[c];
+        CascadeModes& waves = modes.cascades[c];
         const double measured = set_cascade(cascade, sampler, pool, waves);
         scale(waves, band_gain(spectrum, parameters_, cascade.band, measured), pool);
     }

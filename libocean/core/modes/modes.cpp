@@ -137,8 +137,7 @@ BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n,
     if (n == 0 && m == 0) return BandSide::too_long;
     const double length = std::hypot(n, m);
     if (!band.contains(n, m)) {
-        const bool inner = length * band.divisor < 0.5 * (band.inner + band.outer);
-        return inner ? BandSide::too_long : BandSide::too_short;
+        return band.is_inside(n, m) ? BandSide::too_long : BandSide::too_short;
     }
     const double wavelength = parameters.grid.patch_size / band.divisor / length;
     const SurfaceSettings& limits = parameters.surface;

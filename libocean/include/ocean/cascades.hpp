@@ -20,9 +20,14 @@ struct CascadeBand {
     int divisor = 1;  // m_c
     double inner = 0.0;
     double outer = std::numeric_limits<double>::infinity();
+    /// Of the ring only what lies outside the square |kx|, |ky| < inner_side: what a map lacks.
+    double inner_side = 0.0;
 
     /// Mode (n, m) of the cascade's own lattice, exact.
     bool contains(int n, int m) const;
+    /// Whether the mode lies on the band's inner side.
+    bool is_inside(int n, int m) const;
+    bool operator==(const CascadeBand&) const = default;
 };
 
 /// grid.cascade_divisors, or when that is empty primes 7 times apart, such as 1, 7, 53: waves of

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "ocean/backend.hpp"
+#include "ocean/detail.hpp"
 #include "ocean/float_pose.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/map_output.hpp"
@@ -30,6 +31,7 @@
 namespace ocean {
 
 class Chain;
+class DetailMaps;
 class MapWriter;
 class Performer;
 class SprayFollower;
@@ -106,6 +108,16 @@ class Ocean {
     /// of the lattice.
     void evaluate_cascade_into(std::size_t cascade, double time, std::span<const MapOutput> outputs,
                                int resolution = 0);
+    /// The slopes that a map of settings.resolution samples lacks, by band: with the first call for
+    /// those settings the tiles' lattices are made. Throws Error invalid_value and out_of_memory.
+    DetailBudget detail_budget(double time, const DetailSettings& settings = {});
+    /// The waves too short for that map, as slope maps of one time. A pure function of sea, time
+    /// and settings, as maps are: performed, looping, the same bits for any number of threads.
+    Detail detail(double time, const DetailSettings& settings = {});
+    /// The same into the buffers of a host: outputs[i] of detail_bands()[i], as many or fewer, of
+    /// settings.samples^2 samples, with the channels slope_x and slope_y.
+    void detail_into(double time, std::span<const MapOutput> outputs,
+                     const DetailSettings& settings = {});
     /// All spray that is alive at a time, in no place's order but always the same one. The first
     /// call makes a map of spray_lattice for every tick of the foam's clock within the lifetime,
     /// later ones for new ticks alone: the same bits. Throws Error invalid_value for settings out
@@ -152,6 +164,7 @@ class Ocean {
     int map_resolution(int asked) const;
     /// For so many maps beside what the channels need.
     void require_map_memory(int resolution, int maps, ChannelSet channels) const;
+    DetailMaps& detail_at(double time, const DetailSettings& settings);
     SprayFollower& spray_at(double time, const SpraySettings& settings);
     /// On the map that is shown when nobody says.
     QueryOptions shown(QueryOptions options) const;
@@ -169,6 +182,7 @@ class Ocean {
     std::vector<std::unique_ptr<MapWriter>> cascade_maps_;
     std::map<int, ChannelSet> made_;  // of each resolution so far: what the backend keeps is there
     std::map<int, FoamState> foam_;   // of each resolution that was asked for
+    std::map<DetailSettings, std::unique_ptr<DetailMaps>> detail_;
     std::unique_ptr<SprayFollower> spray_;  // of the settings that were asked for last
     std::unique_ptr<Performer> performer_;
 

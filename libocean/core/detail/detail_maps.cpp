@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Slope maps of the waves that no shown map holds; see detail_maps.hpp.
+#include "detail/detail_maps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ocean/memory.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+Detail::Detail(double time, int samples, DetailBudget budget)
+    : time_(time), samples_(samples), budget_(std::move(budget)), maps_(budget_.bands.size()) {
+    for (PageVector<float>& map : maps_) map.resize(2 * Lattice{samples, 1.0}.size());
+}
+
+namespace {
+
+/// What makes the sum over a band's modes the integral over the band. Bounds as in band_gain: a
+/// band of a narrow swell may hold its few modes by chance or not.
+double slope_gain(double integral, double sum) {
+    return sum > 0.0 ? std::clamp(integral / sum, 0.5, 2.0) : 1.0;
+}
+
+}  // namespace
+
+void DetailMaps::stand_for(const Parameters& parameters, const DirectionalSpectrum& spectrum,
+                           const Revision& revision, ThreadPool& pool) {
+    const DetailPlan plan = plan_detail(parameters, settings_);
+    const bool same_tiles =
+        std::ranges::equal(tiles_, plan.bands, [](const Tile& tile, const PlannedBand& planned) {
+            return tile.ring == planned.ring && tile.lattice.is_of(planned.parameters);
+        });
+    if (same_tiles && revision_ == revision) return;
+    revision_ = {};
+    if (!same_tiles) {
+        tiles_.clear();
+        for (const PlannedBand& planned : plan.bands) {
+            ModeLattice lattice(planned.parameters, planned.ring, planned.noise,
+                                ModeLattice::Memory::keep, pool);
+            Modes still = lattice.still_modes(pool);
+            still.lattice_revision = Revision::begin();
+            tiles_.push_back(
+                {planned.ring, std::move(lattice), std::move(still), 1.0, MapWriter(backend_)});
+        }
+    }
+    budget_ = {};
+    const Water& water = parameters.water;
+    for (std::size_t i = 0; i < plan.bands.size(); ++i) {
+        const PlannedBand& planned = plan.bands[i];
+        Tile& tile = tiles_[i];
+        tile.modes.revision = {};
+        DetailBand& band = budget_.bands.emplace_back(planned.band);
+        const SlopeVariance sum = slopes_of_modes(tile.lattice, spectrum, planned.parameters.grid);
+        tile.gain = slope_gain(
+            slopes_outside(spectrum, water, plan.map_edge, band.shortest_wave, band.longest_wave),
+            sum.mean_square_slope());
+        band.variance = {tile.gain * sum.x, tile.gain * sum.y, tile.gain * sum.xy};
+    }
+    budget_.residual = slopes_outside(spectrum, water, plan.map_edge,
+                                      parameters.surface.shortest_wavelength, plan.rest);
+    revision_ = revision;
+}
+
+void DetailMaps::write(double time, const DirectionalSpectrum& spectrum,
+                       std::span<const MapOutput> outputs, ThreadPool& pool) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        if (channels_of(outputs.subspan(i, 1)).empty()) continue;
+        Tile& tile = tiles_[i];
+        if (!tile.modes.revision) {
+            tile.lattice.set_waves(spectrum, 0.0, pool, tile.modes);
+            tile.modes.revision = Revision::begin();
+        }
+        MapOutput output = outputs[i];
+        for (auto& [quantity, factor] : output.used()) {
+            factor *= static_cast<float>(std::sqrt(tile.gain));
+        }
+        tile.maps.write({map_modes(tile.modes, time, settings_.samples), {}, {&output, 1}, {}},
+                        pool);
+    }
+}
+
+std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& settings,
+                           const Backend& backend) {
+    constexpr ChannelSet kSlopes = {Channel::slope_x, Channel::slope_y};
+    std::uint64_t bytes = 0;
+    for (const PlannedBand& planned : plan_detail(parameters, settings).bands) {
+        const Grid& grid = planned.parameters.grid;
+        bytes += modes_bytes(grid) + ModeLattice::kept_bytes(grid) +
+                 work_bytes(grid, backend, kSlopes, settings.samples);
+    }
+    return bytes;
+}
+
+}  // namespace ocean
