@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,7 @@
 
 #include "guard.hpp"
 #include "ocean/cascades.hpp"
+#include "ocean/detail.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
 #include "sea_handle.hpp"
@@ -152,22 +154,24 @@ MapOutput map_output(const ocean_output& output, const std::string& name, int re
 class OutputArray {
   public:
     OutputArray(const ocean_request& request, std::size_t caller_struct_size)
-        : bytes_(reinterpret_cast<const unsigned char*>(request.outputs)),
-          size_(request.output_size) {
-        constexpr std::size_t kWithOutputSize = offsetof(ocean_request, cascade);
-        constexpr std::size_t kFirstOutput = offsetof(ocean_output, row_pitch);
-        if (size_ == 0) {
-            size_ = caller_struct_size < kWithOutputSize ? kFirstOutput : sizeof(ocean_output);
-        }
+        : OutputArray(request.outputs, request.output_count,
+                      request.output_size > 0 ? request.output_size
+                      : caller_struct_size < offsetof(ocean_request, cascade)
+                          ? kFirstOutput
+                          : sizeof(ocean_output)) {}
+    OutputArray(const ocean_output* outputs, std::size_t count, std::size_t output_size)
+        : bytes_(reinterpret_cast<const unsigned char*>(outputs)), size_(output_size) {
         require_struct_size(size_, kFirstOutput, "output_size", "ocean_output",
                             sizeof(ocean_output));
-        if (request.output_count > 0) require(request.outputs, "outputs");
+        if (count > 0) require(outputs, "outputs");
     }
     ocean_output operator[](std::size_t i) const {
         return read_bytes<ocean_output>(bytes_ + i * size_, size_, "ocean_output");
     }
 
   private:
+    static constexpr std::size_t kFirstOutput = offsetof(ocean_output, row_pitch);
+
     const unsigned char* bytes_;
     std::size_t size_;
 };
@@ -179,6 +183,11 @@ int map_resolution(int asked, int shown) {
                "; allowed: 0 (ocean_map_resolution) or a power of two, 32 .. 8192");
     }
     return asked;
+}
+
+ocean_detail_band band_of(const DetailBand& from) {
+    return {from.shortest_wave, from.longest_wave, from.tile,
+            from.variance.x,    from.variance.y,   from.variance.xy};
 }
 
 }  // namespace
@@ -248,6 +257,51 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
         } else {
             sea->ocean->evaluate_cascade_into(static_cast<std::size_t>(asked.cascade - 1),
                                               asked.time, maps, resolution);
+        }
+    });
+}
+
+ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request, size_t* count,
+                          double* residual) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(request, "request");
+        require(count, "count");
+        const ocean_detail_request asked =
+            read_struct(request, sizeof(ocean_detail_request), "ocean_detail_request");
+        const Grid& grid = sea->ocean->parameters().grid;
+        DetailSettings settings;
+        settings.resolution = map_resolution(asked.resolution, default_map_resolution(grid));
+        if (asked.samples != 0) settings.samples = asked.samples;
+        if (asked.bands != nullptr) {
+            require_struct_size(asked.band_size, sizeof(double), "band_size", "ocean_detail_band",
+                                sizeof(ocean_detail_band));
+        }
+        const DetailBudget budget = sea->ocean->detail_budget(asked.time, settings);
+        if (asked.bands != nullptr && asked.band_count < budget.bands.size()) {
+            *count = budget.bands.size();
+            throw CallError(OCEAN_BUFFER_TOO_SMALL,
+                            "band_count = " + std::to_string(asked.band_count) + "; there are " +
+                                std::to_string(budget.bands.size()));
+        }
+        if (asked.outputs != nullptr) {
+            const OutputArray outputs(asked.outputs, asked.output_count, asked.output_size);
+            std::vector<MapOutput>& maps = sea->map_outputs;
+            maps.clear();
+            for (std::size_t i = 0; i < asked.output_count; ++i) {
+                maps.push_back(
+                    map_output(outputs[i], "outputs[" + std::to_string(i) + "]", settings.samples));
+            }
+            sea->ocean->detail_into(asked.time, maps, settings);
+        }
+        *count = budget.bands.size();
+        if (residual != nullptr) *residual = budget.residual;
+        if (asked.bands == nullptr) return;
+        auto* out = reinterpret_cast<unsigned char*>(asked.bands);
+        for (const DetailBand& from : budget.bands) {
+            const ocean_detail_band band = band_of(from);
+            std::memcpy(out, &band, std::min(asked.band_size, sizeof(band)));
+            out += asked.band_size;
         }
     });
 }

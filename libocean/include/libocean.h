@@ -337,6 +337,48 @@ OCEAN_API ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_requ
 OCEAN_API ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                                         float* poses, size_t stride);
 
+/* One band of the waves too short for a map: a slope map of its own, over `tile` metres. Waves of
+ * shortest .. longest metres, the first band beside the square of wavenumbers that the map holds:
+ * none is shown twice, none left out. variance_x, variance_y, covariance: E[hx^2], E[hy^2], E[hx
+ * hy] of its slopes hx = dh/dx, hy = dh/dy by label, the integral of the spectrum. */
+typedef struct {
+    double shortest_wave;
+    double longest_wave;
+    double tile;
+    double variance_x;
+    double variance_y;
+    double covariance;
+} ocean_detail_band;
+
+/* struct_size = sizeof(ocean_detail_request), band_size = sizeof(ocean_detail_band): a smaller one
+ * has fewer members filled; output_size = sizeof(ocean_output). resolution: of the map that is
+ * shown, as in ocean_request. samples: a side of each tile, 0 = 512, else 256, 512 or 1024.
+ * outputs[i]: the map of band i, of samples x samples, of OCEAN_SLOPE_X and OCEAN_SLOPE_Y; one that
+ * names no channel leaves its band out. */
+typedef struct {
+    size_t struct_size;
+    double time;
+    int32_t resolution;
+    int32_t samples;
+    ocean_detail_band* bands; /* may be NULL */
+    size_t band_count;        /* room in bands */
+    size_t band_size;
+    const ocean_output* outputs; /* may be NULL */
+    size_t output_count;         /* at most the bands that there are */
+    size_t output_size;
+} ocean_detail_request;
+
+/* The waves too short for a map, about half of the sea's slopes, as small periodic slope maps of
+ * the same sea at the same time, for materials; shaders/wave/slope_tiles.glsl says how to read them
+ * without a repetition. *count receives the number of bands, 0 to 3, which follows from the grid
+ * and the limits of wavelengths alone; if that is more than the room in bands, nothing else is
+ * written and OCEAN_BUFFER_TOO_SMALL returned; bands = NULL asks for the count alone. *residual, if
+ * not NULL, receives the mean square slope of the waves shorter than all bands, which are roughness
+ * at any distance: map, bands and residual together have the sea's. As maps a pure function of sea
+ * and time, the same bits for any number of threads. INVALID_VALUE for settings out of range. */
+OCEAN_API ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request,
+                                    size_t* count, double* residual);
+
 /* A particle of spray: a parcel of drops of one size that the wind has torn off where the sea
  * turned white. Born within one period of the sea; then it may leave it: copies a period on are as
  * true. */

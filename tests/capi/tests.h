@@ -35,6 +35,8 @@
     TEST(cascades_add_up_to_the_sea)                          \
     TEST(bad_requests_are_refused_and_write_nothing)          \
     TEST(foam_and_whitecaps_are_channels_like_others)         \
+    TEST(detail_has_bands_and_their_slopes)                   \
+    TEST(bad_detail_requests_are_refused_and_write_nothing)   \
     TEST(queries_find_the_surface_that_the_maps_show)         \
     TEST(long_lists_of_points_are_answered_as_short_ones)     \
     TEST(water_moves_as_the_surface_and_less_below)           \

@@ -27,10 +27,12 @@ from ._library import (
     library,
     text_of,
 )
-from ._sea import FloatPose, Samples, Sea, Spray, Surface, Water
+from ._sea import Detail, DetailBand, FloatPose, Samples, Sea, Spray, Surface, Water
 
 __all__ = [
     "CancelledError",
+    "Detail",
+    "DetailBand",
     "Error",
     "FloatPose",
     "InvalidValueError",

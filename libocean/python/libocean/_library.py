@@ -130,6 +130,21 @@ class GaugeRequest(ctypes.Structure):
     ]
 
 
+class DetailRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("resolution", c_int32),
+        ("samples", c_int32),
+        ("bands", c_void_p),
+        ("band_count", c_size_t),
+        ("band_size", c_size_t),
+        ("outputs", POINTER(Output)),
+        ("output_count", c_size_t),
+        ("output_size", c_size_t),
+    ]
+
+
 class SprayRequest(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -219,6 +234,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_orbital_velocity": [c_void_p, c_double, c_double, *_LISTS],
     "ocean_water_points": [c_void_p, POINTER(WaterRequest)],
     "ocean_gauges": [c_void_p, POINTER(GaugeRequest), POINTER(c_size_t)],
+    "ocean_detail": [c_void_p, POINTER(DetailRequest), POINTER(c_size_t), POINTER(c_double)],
     "ocean_spray": [c_void_p, POINTER(SprayRequest), POINTER(c_size_t)],
     "ocean_float_pose": [c_void_p, c_double, *_LISTS],
 }

@@ -18,6 +18,7 @@ import numpy.typing as npt
 
 from . import _library
 from ._library import (
+    DetailRequest,
     Gauge,
     GaugeRequest,
     Options,
@@ -66,6 +67,18 @@ def _choose(what: str, name: str, known: Sequence[str]) -> int:
             f"unknown {what} '{name}'; known: {', '.join(known)}", _library.INVALID_VALUE
         )
     return known.index(name)
+
+
+def _outputs_of(maps: list[tuple[Array, tuple[int, ...]]]) -> Any:
+    """Arrays and the numbers of their channels, as the library writes them."""
+    outputs = (Output * len(maps))()
+    for output, (array, channels) in zip(outputs, maps, strict=True):
+        output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
+        output.row_pitch = array.strides[0] // 4
+        output.count = (len(array) - 1) * output.row_pitch + len(array) * len(channels)
+        output.channel[: len(channels)] = channels
+        output.channels = len(channels)
+    return outputs
 
 
 def _value_text(value: Any) -> str:
@@ -143,6 +156,42 @@ class FloatPose(NamedTuple):
     """(n,), degrees, bow up."""
     roll: Array
     """(n,), degrees, port side up."""
+
+
+# ocean_detail_band of libocean.h.
+DETAIL_BAND = np.dtype(
+    [
+        *[("shortest_wave", np.float64), ("longest_wave", np.float64), ("tile", np.float64)],
+        *[("variance_x", np.float64), ("variance_y", np.float64), ("covariance", np.float64)],
+    ]
+)
+
+
+class DetailBand(NamedTuple):
+    """Slopes of waves too short for a map, over a tile that repeats."""
+
+    slope: Array
+    """(samples, samples, 2): dh/dx and dh/dy by label, sample [j, i] at (i, j) tile / samples."""
+    shortest_wave: float
+    """Metres."""
+    longest_wave: float
+    tile: float
+    """Side and period of the map, metres."""
+    variance_x: float
+    """E[hx^2] of the slopes hx, hy: the integral of the spectrum over the band."""
+    variance_y: float
+    """E[hy^2]"""
+    covariance: float
+    """E[hx hy]"""
+
+
+class Detail(NamedTuple):
+    """The waves too short for a map, at one time."""
+
+    bands: list[DetailBand]
+    """Longest waves first; none where the map holds all that."""
+    residual: float
+    """Mean square slope of the waves shorter than all bands: roughness at any distance."""
 
 
 # ocean_spray_particle of libocean.h.
@@ -502,6 +551,32 @@ class Sea:
         self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
         return values
 
+    def detail(self, time: float, resolution: int | None = None, *, samples: int = 512) -> Detail:
+        """The waves too short for a map of `resolution` samples a side (default: as surface),
+        about half of the sea's slopes, as slope maps of samples x samples, 256, 512 or 1024:
+        for materials, which read them as shaders/wave/slope_tiles.glsl does. The first call makes
+        the tiles' waves, later ones for the same map only their times."""
+        request = DetailRequest(ctypes.sizeof(DetailRequest), time, resolution or 0, samples)
+        count = ctypes.c_size_t()
+        residual = ctypes.c_double()
+        with self._lock:
+            self._call("ocean_detail", ctypes.byref(request), ctypes.byref(count), None)
+            found = np.empty(count.value, dtype=DETAIL_BAND)
+            slopes = [np.empty((samples, samples, 2), np.float32) for _ in found]
+            channels = tuple(CHANNELS.index(name) for name in PRODUCTS["slope"])
+            outputs = _outputs_of([(array, channels) for array in slopes])
+            request.bands, request.band_count = found.ctypes.data, len(found)
+            request.band_size = found.itemsize
+            request.outputs, request.output_count = outputs, len(outputs)
+            request.output_size = ctypes.sizeof(Output)
+            counted = ctypes.byref(count)
+            self._call("ocean_detail", ctypes.byref(request), counted, ctypes.byref(residual))
+        bands = [
+            DetailBand(array, *(float(value) for value in band))
+            for array, band in zip(slopes, found, strict=True)
+        ]
+        return Detail(bands, residual.value)
+
     def spray(
         self,
         time: float,
@@ -594,14 +669,9 @@ class Sea:
         cascade: int = 0,
     ) -> None:
         """ocean_evaluate of arrays and the numbers of their channels."""
-        outputs = (Output * len(maps))()
-        for output, (array, channels) in zip(outputs, maps, strict=True):
-            output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
-            output.row_pitch = array.strides[0] // 4
-            output.count = (len(array) - 1) * output.row_pitch + len(array) * len(channels)
+        outputs = _outputs_of(maps)
+        for output in outputs:
             output.seam = seam
-            output.channel[: len(channels)] = channels
-            output.channels = len(channels)
             output.axes = axes
         request = Request(
             ctypes.sizeof(Request),
