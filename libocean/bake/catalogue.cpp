@@ -6,6 +6,7 @@
 
 #include "formats/formats.hpp"
 #include "ocean/caustics.hpp"
+#include "ocean/detail.hpp"
 
 namespace ocean {
 namespace {
@@ -74,6 +75,7 @@ const Catalogue& standard_catalogue() {
     static const std::vector<Product> products = [] {
         std::vector<Product> all(product_table().begin(), product_table().end());
         all.push_back(kCausticsProduct);
+        all.insert(all.end(), kDetailProducts.begin(), kDetailProducts.end());
         return all;
     }();
     static const Catalogue catalogue{kFormats, products, core_backends()};

@@ -46,6 +46,8 @@ BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : 
 }
 
 int BakedHeader::resolution() const {
+    // A slope tile lies beside a map of another.
+    if (has("map_resolution")) return whole_number("map_resolution");
     return layout_ ? layout_->resolution : whole_number("resolution");
 }
 

@@ -27,7 +27,7 @@ class BakedHeader {
     double number(const std::string& name) const;
     int whole_number(const std::string& name) const;
     bool has(const std::string& name) const { return strings_.contains("ocean:" + name); }
-    /// Samples along a side.
+    /// Samples along a side of the sea's map.
     int resolution() const;
     /// Of an EXR file.
     const io::ExrLayout& layout() const { return *layout_; }

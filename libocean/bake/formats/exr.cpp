@@ -6,9 +6,12 @@
 // would write.
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <string_view>
 
+#include "formats/detail_tiles.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/caustics.hpp"
@@ -16,6 +19,7 @@
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
+#include "ocean/memory.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "sha256.hpp"
@@ -34,12 +38,20 @@ bool have_caustics(std::span<const Product* const> products) {
         products, [](const Product* product) { return product->name == kCausticsProduct.name; });
 }
 
+bool have_detail(std::span<const Product* const> products) {
+    return std::ranges::any_of(products,
+                               [](const Product* product) { return is_detail(*product); });
+}
+
 struct Settings {
     std::vector<const Product*> products;
     io::ProductLayout layout;
     std::optional<io::ExrCompression> compression;  // none: what pays for each file
     std::optional<double> caustics_depth;           // as typed
     CausticsSettings caustics = {};                 // with what the sea says
+    std::optional<int> detail_samples;              // as typed
+    DetailSettings detail = {};                     // with the map that is shown
+    std::shared_ptr<DetailBudgets> budgets;         // of the bands among the products
 
     /// The products of each file of a frame.
     std::size_t files() const { return layout.layered ? 1 : products.size(); }
@@ -47,6 +59,7 @@ struct Settings {
         return layout.layered ? std::span(products) : std::span(products).subspan(part, 1);
     }
     bool has_caustics() const { return have_caustics(products); }
+    bool has_detail() const { return have_detail(products); }
 };
 
 const Settings& settings_of(const BakePlan& plan) {
@@ -68,6 +81,9 @@ std::vector<FormatOption> list_options(const Catalogue& catalogue) {
          "and for halves of normal, jacobian and derivatives, none for the rest"},
         {"caustics-depth", "METRES",
          "Of the level plane that caustics fall on; default: the sea's depth, 10 at most"},
+        {"detail-samples", "N",
+         "A side of each slope tile of detail: 256, 512 or 1024; default " +
+             std::to_string(kUsualDetailSamples)},
         {"sun", "ALTITUDE,BEARING",
          "Of caustics, degrees above the horizon and counter-clockwise from +x; default " +
              std::string(kUsualSun)},
@@ -84,6 +100,7 @@ io::ExrCompression usual_compression(std::span<const Product* const> products, i
             return std::find(names.begin(), names.end(), product->name) != names.end();
         };
         return is_one_of({"slope", "whitecap", "foam", "cover"}) ||
+        return is_detail(*product) || is_one_of({"slope", "whitecap", "foam"}) ||
                (type == io::PixelType::half_float &&
                 is_one_of({"normal", "jacobian", "derivatives"}));
     };
@@ -127,6 +144,22 @@ void read_caustics(const BakeOptions& options, Settings& settings) {
         parse_number(csv::trimmed(angles[1]), "--sun, bearing", -3600.0, 3600.0);
 }
 
+/// --detail-samples.
+void read_detail(const BakeOptions& options, Settings& settings) {
+    const std::string& samples = options.format_option("detail-samples");
+    if (settings.has_detail() && settings.layout.layered) {
+        throw Error(ErrorKind::invalid_value,
+                    "--layout layered: slope tiles are no maps of the sea's size");
+    }
+    if (samples.empty()) return;
+    if (!settings.has_detail()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--detail-samples " + samples + ": needs detail among the --products");
+    }
+    settings.detail_samples =
+        parse_whole_number(samples, "--detail-samples", kLeastDetailSamples, kMostDetailSamples);
+}
+
 /// The plane lies no deeper than the water.
 double caustics_depth(const Settings& settings, double water) {
     const double depth = settings.caustics_depth.value_or(std::min(water, kUsualCausticsDepth));
@@ -155,12 +188,18 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
             {{"float", io::PixelType::full_float}, {"half", io::PixelType::half_float}});
     }
     read_caustics(options, settings);
+    read_detail(options, settings);
     return settings;
 }
 
 FormatPlan settle(const BakePlan& begun) {
     Settings settings = settings_of(begun);
     FormatPlan result{{{}, {begun.resolution}}, {}};
+    if (settings.has_detail()) {
+        settings.detail = {begun.resolution, settings.detail_samples.value_or(kUsualDetailSamples)};
+        settings.products = with_bands(settings.products, begun.sea.parameters, settings.detail);
+        settings.budgets = std::make_shared<DetailBudgets>();
+    }
     for (const Product* product : settings.products) {
         result.maps.channels = result.maps.channels | product->set();
         if (!settings.layout.layered) result.named_products.emplace_back(product->name);
@@ -184,10 +223,36 @@ io::Image labelled(io::Image image, const Settings& settings,
     return image;
 }
 
+/// A slope tile is the image of a slope by another name.
+io::Image band_image(io::Image image, const BakePlan& plan, const BakeFile& file,
+                     std::size_t band) {
+    const Settings& settings = settings_of(plan);
+    for (io::HeaderString& string : image.strings) {
+        if (string.name == "ocean:field") string.text = file.product;
+    }
+    const DetailBudget budget = settings.budgets->of(plan, file.frame, settings.detail);
+    std::ranges::move(band_strings(budget, band, plan.resolution),
+                      std::back_inserter(image.strings));
+    return image;
+}
+/// What stands for the products in the making of an image.
+std::vector<const Product*> drawn_as(std::span<const Product* const> products) {
+    std::vector<const Product*> drawn(products.begin(), products.end());
+    for (const Product*& product : drawn) {
+        if (is_detail(*product)) product = &find_product("slope");
+    }
+    return drawn;
+}
+
 /// The image of a file, without its samples.
 io::Image image_of(const BakePlan& plan, const BakeFile& file) {
     const Settings& settings = settings_of(plan);
     const auto products = settings.of_file(file.part);
+    if (const auto band = band_of(*products.front())) {
+        return band_image(io::product_image(drawn_as(products), settings.layout,
+                                            frame_label(plan, file.frame), settings.detail.samples),
+                          plan, file, *band);
+    }
     return labelled(io::product_image(products, settings.layout, frame_label(plan, file.frame),
                                       plan.resolution),
                     settings, products);
@@ -239,7 +304,14 @@ bool is_baked(const BakeFile& file) {
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan) {
-    return settings_of(plan).has_caustics() ? caustics_bytes(plan.resolution) : 0;
+    const Settings& settings = settings_of(plan);
+    std::uint64_t bytes = settings.has_caustics() ? caustics_bytes(plan.resolution) : 0;
+    if (settings.has_detail()) {
+        // Two slopes of each band, and of one again for its file.
+        bytes += detail_bytes(plan.sea.parameters, settings.detail, plan.backend) +
+                 maps_bytes(settings.detail.samples, 2 * kMostDetailBands + 2);
+    }
+    return bytes;
 }
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
@@ -249,11 +321,19 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         ThreadPool pool(work.threads);
         caustics = make_caustics(work.maps.front(), settings.caustics, pool);
     }
+    Detail detail;
+    if (settings.has_detail()) detail = work.ocean.detail(work.time(), settings.detail);
     for (const BakeFile& file : files) {
         const auto products = settings.of_file(file.part);
-        const io::Image image = labelled(
-            io::product_image(products, settings.layout, work.label(), work.maps.front(), caustics),
-            settings, products);
+        const auto band = band_of(*products.front());
+        const Surface tile = band ? band_surface(detail, *band) : Surface();
+        const io::Image image =
+            band ? band_image(
+                       io::product_image(drawn_as(products), settings.layout, work.label(), tile),
+                       work.plan, file, *band)
+                 : labelled(io::product_image(products, settings.layout, work.label(),
+                                              work.maps.front(), caustics),
+                            settings, products);
         const io::ExrCompression compression = compression_of(work.plan, file, image);
         work.put(file, [&] { io::write_exr(image, file.path, compression, work.threads); });
     }
@@ -277,7 +357,8 @@ void adopt_channels(const io::ExrLayout& stored, std::span<const Product* const>
               {io::PixelType::full_float, "float"}}) {
             if (!layered && products.size() > 1) continue;
             const io::ProductLayout layout{.type = type, .layered = layered};
-            if (io::exr_channels(io::product_image(products, layout, {}, 1)) != stored.channels)
+            if (io::exr_channels(io::product_image(drawn_as(products), layout, {}, 1)) !=
+                stored.channels)
                 continue;
             options.take("layout", layered ? "layered" : "separate");
             options.take("type", name);
@@ -311,6 +392,10 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
         have_caustics(find_products(options.format_option("products"), catalogue))) {
         options.take("caustics-depth", header.text("caustics_depth"));
         options.take("sun", header.text("sun"));
+    }
+    if (have_detail(products) && stored.resolution != kUsualDetailSamples &&
+        have_detail(find_products(options.format_option("products"), catalogue))) {
+        options.take("detail-samples", std::to_string(stored.resolution));
     }
 }
 

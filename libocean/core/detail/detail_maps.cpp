@@ -25,6 +25,23 @@ double slope_gain(double integral, double sum) {
     return sum > 0.0 ? std::clamp(integral / sum, 0.5, 2.0) : 1.0;
 }
 
+/// Sets the variance of a band; returns the gain of its modes' slopes.
+double measure(const DetailPlan& plan, const PlannedBand& planned, const ModeLattice& lattice,
+               const DirectionalSpectrum& spectrum, DetailBand& band) {
+    const SlopeVariance sum = slopes_of_modes(lattice, spectrum, planned.parameters.grid);
+    const double gain = slope_gain(slopes_outside(spectrum, planned.parameters.water, plan.map_edge,
+                                                  band.shortest_wave, band.longest_wave),
+                                   sum.mean_square_slope());
+    band.variance = {gain * sum.x, gain * sum.y, gain * sum.xy};
+    return gain;
+}
+
+double residual_of(const DetailPlan& plan, const Parameters& parameters,
+                   const DirectionalSpectrum& spectrum) {
+    return slopes_outside(spectrum, parameters.water, plan.map_edge,
+                          parameters.surface.shortest_wavelength, plan.rest);
+}
+
 }  // namespace
 
 void DetailMaps::stand_for(const Parameters& parameters, const DirectionalSpectrum& spectrum,
@@ -48,20 +65,13 @@ void DetailMaps::stand_for(const Parameters& parameters, const DirectionalSpectr
         }
     }
     budget_ = {};
-    const Water& water = parameters.water;
     for (std::size_t i = 0; i < plan.bands.size(); ++i) {
-        const PlannedBand& planned = plan.bands[i];
         Tile& tile = tiles_[i];
         tile.modes.revision = {};
-        DetailBand& band = budget_.bands.emplace_back(planned.band);
-        const SlopeVariance sum = slopes_of_modes(tile.lattice, spectrum, planned.parameters.grid);
-        tile.gain = slope_gain(
-            slopes_outside(spectrum, water, plan.map_edge, band.shortest_wave, band.longest_wave),
-            sum.mean_square_slope());
-        band.variance = {tile.gain * sum.x, tile.gain * sum.y, tile.gain * sum.xy};
+        DetailBand& band = budget_.bands.emplace_back(plan.bands[i].band);
+        tile.gain = measure(plan, plan.bands[i], tile.lattice, spectrum, band);
     }
-    budget_.residual = slopes_outside(spectrum, water, plan.map_edge,
-                                      parameters.surface.shortest_wavelength, plan.rest);
+    budget_.residual = residual_of(plan, parameters, spectrum);
     revision_ = revision;
 }
 
@@ -81,6 +91,19 @@ void DetailMaps::write(double time, const DirectionalSpectrum& spectrum,
         tile.maps.write({map_modes(tile.modes, time, settings_.samples), {}, {&output, 1}, {}},
                         pool);
     }
+}
+
+DetailBudget detail_budget(const Parameters& parameters, const DirectionalSpectrum& spectrum,
+                           const DetailSettings& settings, ThreadPool& pool) {
+    const DetailPlan plan = plan_detail(parameters, settings);
+    DetailBudget budget;
+    for (const PlannedBand& planned : plan.bands) {
+        const ModeLattice lattice(planned.parameters, planned.ring, planned.noise,
+                                  ModeLattice::Memory::none, pool);
+        measure(plan, planned, lattice, spectrum, budget.bands.emplace_back(planned.band));
+    }
+    budget.residual = residual_of(plan, parameters, spectrum);
+    return budget;
 }
 
 std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& settings,

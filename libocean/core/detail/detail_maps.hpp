@@ -5,7 +5,6 @@
 // sea. Last stage of the pipeline, behind Ocean::detail.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -46,9 +45,5 @@ class DetailMaps {
     DetailBudget budget_;
     std::vector<Tile> tiles_;
 };
-
-/// Memory of the tiles, the maps themselves left out.
-std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& settings,
-                           const Backend& backend);
 
 }  // namespace ocean

@@ -6,15 +6,21 @@
 // a material adds to the mesh's own; shaders/wave/slope_tiles.glsl says how they are read.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "ocean/channel.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/parameters.hpp"
 
 namespace ocean {
+
+class DirectionalSpectrum;
+class ThreadPool;
+struct Backend;
 
 /// m, where the last band ends: shorter ripples are left to the roughness. The tables of the
 /// spectra reach to 0.01 m.
@@ -62,6 +68,20 @@ struct DetailBudget {
     /// map's own (SeaState::map_slopes), the bands' and this are the sea's.
     double residual = 0.0;
 };
+
+/// Of a sea with that spectrum, without any map: a few milliseconds. Ocean keeps what it takes.
+DetailBudget detail_budget(const Parameters& parameters, const DirectionalSpectrum& spectrum,
+                           const DetailSettings& settings, ThreadPool& pool);
+/// Memory that makes the maps, at most, the maps themselves left out.
+std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& settings,
+                           const Backend& backend);
+
+/// As users ask for them: all bands, or one.
+inline constexpr std::array<Product, 1 + kMostDetailBands> kDetailProducts = {
+    {{"detail", {}, 0, ""},
+     {"detail1", {}, 0, ""},
+     {"detail2", {}, 0, ""},
+     {"detail3", {}, 0, ""}}};
 
 /// Slope maps of one time, by label: linear fields, as `slope` of a Surface is. Row-major [j][i],
 /// sample (i, j) at (i, j) * tile / samples, dh/dx and dh/dy interleaved.

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""`ocean bake --products detail`: slope tiles beside a map, with headers that make them again."""
+
+import numpy as np
+import OpenImageIO
+import pytest
+
+SMALL = ("--detail-samples", "256")
+
+
+def image(ocean, name):
+    buffer = OpenImageIO.ImageBuf(str(ocean.folder / name))
+    assert not buffer.has_error, buffer.geterror()
+    return buffer.spec(), buffer.get_pixels(OpenImageIO.FLOAT)[::-1]
+
+
+def bake(ocean, *arguments):
+    return ocean.good("bake", "sea.toml", *arguments).splitlines()
+
+
+def bytes_of(ocean, name):
+    return (ocean.folder / name).read_bytes()
+
+
+def numbers(spec, name):
+    return [float(part) for part in spec.getattribute(f"ocean:{name}").split(",")]
+
+
+def test_each_band_is_a_file_beside_the_map_s(ocean):
+    names = bake(ocean, "-o", "o/s.####.exr", "--products", "height,detail")
+    bands = [f"o/s.detail{band}.0001.exr" for band in (1, 2, 3)]
+    assert names == ["o/s.height.0001.exr", *bands]
+    longest = None
+    for band, name in enumerate(bands, 1):
+        spec, pixels = image(ocean, name)
+        assert pixels.shape == (512, 512, 3) and str(spec.format) == "half"
+        assert spec.channelnames == ("R", "G", "B") and (pixels[..., 2] == 0).all()
+        assert spec.getattribute("ocean:field") == f"detail{band}"
+        assert spec.getattribute("wrapmodes") == "periodic"
+        assert spec.getattribute("ocean:map_resolution") == "64"
+        assert spec.getattribute("ocean:period") == "200"
+        (wave,) = numbers(spec, "longest_wave")
+        assert longest in (None, wave)
+        (longest,) = numbers(spec, "shortest_wave")
+        assert numbers(spec, "tile") == [pytest.approx(8.3 * wave)]
+        along_x, along_y, _ = numbers(spec, "slope_variance")
+        found = np.square(pixels[..., :2], dtype=float).mean((0, 1))
+        assert found == pytest.approx([along_x, along_y], rel=0.2)
+        assert 1e-4 < numbers(spec, "slope_residual")[0] < 1e-3
+    assert longest == 0.012
+    bake(ocean, "-o", "alone.exr", "--products", "detail2")
+    assert bytes_of(ocean, "alone.exr") == bytes_of(ocean, bands[1])
+
+
+def test_the_map_that_is_shown_says_where_they_begin(ocean):
+    bake(ocean, "-o", "s.exr", "--products", "detail1", "--resolution", "256", *SMALL)
+    spec, pixels = image(ocean, "s.exr")
+    assert pixels.shape[0] == 256 and spec.getattribute("ocean:map_resolution") == "256"
+    # The sea's own modes end first: 64 of them.
+    assert numbers(spec, "longest_wave") == [pytest.approx(200 / 31.5)]
+    finer = ("--set", "resolution=1024", "--set", "patch_size=5")
+    said = ocean.bad("bake", "sea.toml", "-o", "f.exr", "--products", "detail", *finer)
+    assert "no waves left" in said
+
+
+def test_a_file_makes_itself_again(ocean):
+    bake(ocean, "-o", "a.exr", "--products", "detail2", "--resolution", "32", "--type", "float")
+    bake(ocean, "-o", "b.exr", "--products", "detail1", "--compression", "zip", *SMALL)
+    for name in ("a", "b"):
+        ocean.good("bake", "--from", f"{name}.exr", "-o", f"again/{name}.exr", "--threads", "1")
+        assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
+    ocean.good("bake", "--from", "b.exr", "-o", "other.exr", "--detail-samples", "512")
+    assert image(ocean, "other.exr")[1].shape[0] == 512
+    # What is no detail takes nothing of it along.
+    ocean.good("bake", "--from", "b.exr", "-o", "h.exr", "--products", "height")
+    spec, pixels = image(ocean, "h.exr")
+    assert pixels.shape[0] == 64 and spec.getattribute("ocean:tile") is None
+
+
+def test_what_is_kept_is_what_would_be_written(ocean):
+    frames = ["-o", "o/s.####.exr", "--products", "detail", "--frames", "1-3", *SMALL]
+    dry = bake(ocean, *frames, "--dry-run")
+    assert bake(ocean, *frames, "--skip-existing", "--threads", "1") == dry and len(dry) == 9
+    before = ocean.hashes("o")
+    (ocean.folder / "o/s.detail2.0002.exr").unlink()
+    bake(ocean, *frames, "--skip-existing", "--threads", "2")
+    assert ocean.hashes("o") == before
+    for shard in ("1/2", "2/2"):
+        bake(ocean, *[part.replace("o/", "p/") for part in frames], "--shard", shard)
+    parts = ocean.hashes("p")
+    assert {name: parts[name] for name in before if name.endswith("exr")} == {
+        name: value for name, value in before.items() if name.endswith("exr")
+    }
+
+
+def test_a_take_changes_it_frame_by_frame(ocean):
+    (ocean.folder / "wind.take").write_text("0.0 wind_speed 16\n")
+    frames = ("--frames", "1,25", "--set", "take=wind.take", *SMALL)
+    bake(ocean, "-o", "o/s.####.exr", "--products", "detail1", *frames)
+    calm, windy = (image(ocean, f"o/s.detail1.00{n}.exr") for n in ("01", "25"))
+    assert numbers(windy[0], "slope_variance")[0] > 1.1 * numbers(calm[0], "slope_variance")[0]
+    assert windy[1].std() > 1.05 * calm[1].std()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--detail-samples", "256"], "needs detail among the --products"),
+        (["--products", "detail", "--detail-samples", "300"], "allowed: a power of two"),
+        (["--products", "detail", "--detail-samples", "128"], "256 .. 1024"),
+        (["--products", "detail,detail1"], "detail1 is there twice"),
+        (["--products", "detail3", "--set", "patch_size=40"], "has 2 bands"),
+        (["--products", "detail,height", "--layout", "layered"], "no maps of the sea's size"),
+    ],
+)
+def test_refusals(ocean, arguments, said):
+    assert said in ocean.bad("bake", "sea.toml", "-o", "s.exr", *arguments)
+    assert not (ocean.folder / "s.exr").exists()
+
+
+def test_other_formats_have_none(ocean):
+    for name, arguments in (("s.ply", ["--products", "detail1"]), ("s.df3", SMALL)):
+        ocean.bad("bake", "sea.toml", "-o", name, *arguments)
