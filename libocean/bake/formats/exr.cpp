@@ -99,8 +99,7 @@ io::ExrCompression usual_compression(std::span<const Product* const> products, i
         const auto is_one_of = [product](std::initializer_list<std::string_view> names) {
             return std::find(names.begin(), names.end(), product->name) != names.end();
         };
-        return is_one_of({"slope", "whitecap", "foam", "cover"}) ||
-        return is_detail(*product) || is_one_of({"slope", "whitecap", "foam"}) ||
+        return is_detail(*product) || is_one_of({"slope", "whitecap", "foam", "cover"}) ||
                (type == io::PixelType::half_float &&
                 is_one_of({"normal", "jacobian", "derivatives"}));
     };

@@ -27,8 +27,8 @@ double slope_gain(double integral, double sum) {
 
 /// Sets the variance of a band; returns the gain of its modes' slopes.
 double measure(const DetailPlan& plan, const PlannedBand& planned, const ModeLattice& lattice,
-               const DirectionalSpectrum& spectrum, DetailBand& band) {
-    const SlopeVariance sum = slopes_of_modes(lattice, spectrum, planned.parameters.grid);
+               const DirectionalSpectrum& spectrum, ThreadPool& pool, DetailBand& band) {
+    const SlopeVariance sum = slopes_of_modes(lattice, spectrum, planned.parameters.grid, pool);
     const double gain = slope_gain(slopes_outside(spectrum, planned.parameters.water, plan.map_edge,
                                                   band.shortest_wave, band.longest_wave),
                                    sum.mean_square_slope());
@@ -69,7 +69,7 @@ void DetailMaps::stand_for(const Parameters& parameters, const DirectionalSpectr
         Tile& tile = tiles_[i];
         tile.modes.revision = {};
         DetailBand& band = budget_.bands.emplace_back(plan.bands[i].band);
-        tile.gain = measure(plan, plan.bands[i], tile.lattice, spectrum, band);
+        tile.gain = measure(plan, plan.bands[i], tile.lattice, spectrum, pool, band);
     }
     budget_.residual = residual_of(plan, parameters, spectrum);
     revision_ = revision;
@@ -100,7 +100,7 @@ DetailBudget detail_budget(const Parameters& parameters, const DirectionalSpectr
     for (const PlannedBand& planned : plan.bands) {
         const ModeLattice lattice(planned.parameters, planned.ring, planned.noise,
                                   ModeLattice::Memory::none, pool);
-        measure(plan, planned, lattice, spectrum, budget.bands.emplace_back(planned.band));
+        measure(plan, planned, lattice, spectrum, pool, budget.bands.emplace_back(planned.band));
     }
     budget.residual = residual_of(plan, parameters, spectrum);
     return budget;

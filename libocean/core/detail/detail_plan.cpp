@@ -14,6 +14,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/error.hpp"
+#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
@@ -126,10 +127,10 @@ double integral_of_slope(const DirectionalSpectrum& spectrum, const Dispersion& 
 }
 
 /// Integral over the directions in which a wavenumber lies outside the square: within acos(edge/k)
-/// of an axis.
+/// of an axis. A point for each direction of the table, which is linear between them.
 double density_outside(const DirectionalSpectrum& spectrum, double omega, double edge_over_k) {
     const double reach = std::acos(std::min(edge_over_k, 1.0));
-    const int points = std::max(8, static_cast<int>(reach / kPi * 2.0 * spectrum.directions()));
+    const int points = std::max(8, static_cast<int>(reach / kPi * spectrum.directions()));
     const double width = 2.0 * reach / points;
     double sum = 0.0;
     for (int axis = 0; axis < 4; ++axis) {
@@ -162,22 +163,32 @@ double slopes_outside(const DirectionalSpectrum& spectrum, const Water& water, d
 }
 
 SlopeVariance slopes_of_modes(const ModeLattice& lattice, const DirectionalSpectrum& spectrum,
-                              const Grid& grid) {
+                              const Grid& grid, ThreadPool& pool) {
     const QuadrantSampler sampler(spectrum);
     const double step = kTwoPi / grid.patch_size;
-    QuadrantVariances variances;
-    SlopeVariance sum;
-    for (int m = 0; m < grid.resolution / 2; ++m) {
-        lattice.variances(sampler, 0, m, variances);
-        const auto& v = variances.quarter;
-        for (std::size_t n = 0; n < v[0].size(); ++n) {
-            const double kx = step * static_cast<double>(n);
-            const double ky = step * m;
-            const double all = variances.sum(n);
-            sum.x += kx * kx * all;
-            sum.y += ky * ky * all;
-            sum.xy += kx * ky * (v[0][n] - v[1][n] + v[2][n] - v[3][n]);
+    std::vector<SlopeVariance> rows(static_cast<std::size_t>(grid.resolution / 2));
+    pool.for_each_range(grid.resolution / 2, [&](int first, int last) {
+        QuadrantVariances variances;
+        for (int m = first; m < last; ++m) {
+            lattice.variances(sampler, 0, m, variances);
+            const auto& v = variances.quarter;
+            SlopeVariance& sum = rows[static_cast<std::size_t>(m)];
+            for (std::size_t n = 0; n < v[0].size(); ++n) {
+                const double kx = step * static_cast<double>(n);
+                const double ky = step * m;
+                const double all = variances.sum(n);
+                sum.x += kx * kx * all;
+                sum.y += ky * ky * all;
+                sum.xy += kx * ky * (v[0][n] - v[1][n] + v[2][n] - v[3][n]);
+            }
         }
+    });
+    // In order, so that the bits are the same for any number of threads.
+    SlopeVariance sum;
+    for (const SlopeVariance& row : rows) {
+        sum.x += row.x;
+        sum.y += row.y;
+        sum.xy += row.xy;
     }
     return sum;
 }

@@ -34,8 +34,9 @@ DetailPlan plan_detail(const Parameters& parameters, const DetailSettings& setti
 double slopes_outside(const DirectionalSpectrum& spectrum, const Water& water, double map_edge,
                       double shortest, double longest);
 
-/// The sum of k k^T over the variances of the modes of a lattice of one band.
+/// The sum of k k^T over the variances of the modes of a lattice of one band; the same bits for any
+/// number of threads.
 SlopeVariance slopes_of_modes(const ModeLattice& lattice, const DirectionalSpectrum& spectrum,
-                              const Grid& grid);
+                              const Grid& grid, ThreadPool& pool);
 
 }  // namespace ocean
