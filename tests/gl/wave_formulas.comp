@@ -14,6 +14,7 @@
 #include "wave/copies.glsl"
 #include "wave/erfc.glsl"
 #include "wave/foam_cover.glsl"
+#include "wave/foam_lace.glsl"
 #include "wave/horizon.glsl"
 #include "wave/reflectance.glsl"
 #include "wave/slope_tiles.glsl"
@@ -41,6 +42,9 @@ void main() {
     SlopeTileRead read = slope_tile_read(area, 0.5, 2);
     float fade = slope_tile_fade(slope_footprint(10.0, 0.001, area), 0.1, 0.6);
     area += read.weight * (read.x + read.y) + slope_tile_left(fade, 0.01);
+    float lace = unite_uniform(add_uniform(k, area, 0.3), 0.5, 0.1);
+    area += foam_faded(foam_mask(0.2, lace, 0.1), 0.2, k, 0.86);
+    area += foam_thickness(0.2, lace, 0.35) + foam_mean_thickness(k, 0.35);
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
                       area * horizontal_displacement(k, 100.0), state.rate_re + state.rate_im);
 }

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Foam in detail: from the cover c of a place, 0 .. 1, and the values T of textures that are
+// uniform in [0, 1] (ocean/foam_texture.hpp), what of it is white. T < c holds on the share c of
+// the area. Whatever is done here keeps that: combined textures are uniform again, and the mean of
+// a softened or faded mask is c, so that the foam seen is as much as the wind makes. Proved in
+// foam_lace_test.cpp.
+
+// The sum a + share b of two independent textures, 0 < share <= 1, made uniform by its own
+// distribution function, that of the trapezoid: b breaks up what a draws. The density of z rises
+// as z / share up to share, is 1 up to 1, and falls again to 0 at 1 + share.
+formula real add_uniform(real a, real b, real share) {
+    real z = a + share * b;
+    real rest = real(1.0) + share - z;
+    if (z < share) return z * z / (real(2.0) * share);
+    if (z > real(1.0)) return real(1.0) - rest * rest / (real(2.0) * share);
+    return z - real(0.5) * share;
+}
+
+// Both patterns at once: z = min(a, begins + b), where b joins as soon as the cover of a reaches
+// `begins` >= 0, made uniform: a > z with probability 1 - z, begins + b > z with 1 - (z - begins);
+// 1 less their product.
+formula real unite_uniform(real a, real b, real begins) {
+    real z = min(a, begins + b);
+    real joined = min(max(z - begins, real(0.0)), real(1.0));
+    return z + joined - z * joined;
+}
+
+// How white a point is, 0 .. 1: clamp(1/2 + (c' - T) / edge), 0 < edge <= 1. The mean of a whole
+// ramp is where its middle is, so c' = c. Within half an edge of 0 or 1 a part of the ramp lies
+// outside [0, 1]. What is left near 0 is a triangle from T = 0 to c' + edge / 2, whose area is
+// (c' + edge / 2)^2 / (2 edge): that is c for the c' below. Near 1 the same holds of what is not
+// white.
+formula real foam_mask(real cover, real value, real edge) {
+    real c = min(max(cover, real(0.0)), real(1.0));
+    real middle = c;
+    if (c < real(0.5) * edge) {
+        middle = sqrt(real(2.0) * edge * c) - real(0.5) * edge;
+    } else if (c > real(1.0) - real(0.5) * edge) {
+        middle = real(1.0) + real(0.5) * edge - sqrt(real(2.0) * edge * (real(1.0) - c));
+    }
+    return min(max(real(0.5) + (middle - value) / edge, real(0.0)), real(1.0));
+}
+
+// How thick the foam is, 0 at its edges to 1 where the texture is lower than the cover by `span`
+// or more: thin foam lets the water through.
+formula real foam_thickness(real cover, real value, real span) {
+    return min(max((cover - value) / span, real(0.0)), real(1.0));
+}
+
+// Its mean over T < c, for foam too far away to have a pattern: the integral of the thickness over
+// T, c^2 / (2 span) or c - span / 2, over c. It meets itself with equal slope at c = span.
+formula real foam_mean_thickness(real cover, real span) {
+    if (cover < span) return real(0.5) * max(cover, real(0.0)) / span;
+    return real(1.0) - real(0.5) * span / cover;
+}
+
+// From the mask to the cover itself, as a pixel becomes too large for the pattern: `footprint` is
+// a pixel's size and `cell` the width of the pattern's widest cells, both in metres. Half a cell
+// shows its walls, three cells nothing. Both ends have the mean c, so all between have it.
+formula real foam_faded(real mask, real cover, real footprint, real cell) {
+    real far = min(max((footprint / cell - real(0.4)) / real(2.5), real(0.0)), real(1.0));
+    far = far * far * (real(3.0) - real(2.0) * far);
+    return mask + (cover - mask) * far;
+}
