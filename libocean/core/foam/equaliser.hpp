@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Values replaced by their rank, so that they are uniform in [0, 1].
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace ocean {
+
+class ThreadPool;
+
+/// The distribution function of the first values that it is given, linear between a thousand
+/// places. Good to some 0.2 %: for what a texture is made of, not for the texture.
+class Equaliser {
+  public:
+    /// Replaces each value by the share of the first call's values that are below it. The first
+    /// call is for one thread, others for any.
+    void equalise(std::span<float> values);
+
+  private:
+    void learn(std::span<const float> values);
+
+    float lowest_ = 0.0f;
+    float per_unit_ = 0.0f;
+    std::vector<float> share_;  // at the places; empty: not learned
+};
+
+/// Makes the bilinear reads of a periodic texture uniform, size^2 values in [0, 1], by one monotone
+/// map of its texels. Between texels extremes are averaged away: of texels that are uniform by
+/// themselves, 0.018 of the reads are below 0.02.
+void settle_reads(std::span<float> texture, int size, ThreadPool& pool);
+
+}  // namespace ocean

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Textures of foam: a cover is what its share of bilinear reads says, they have no seam, the bits
+// are those of any number of threads, a finer one is the same foam, kinds and seeds are
+// independent, streaks follow the wind.
+#include "ocean/foam_texture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "ocean/error.hpp"
+#include "ocean/thread_pool.hpp"
+#include "wave/wave.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr FoamTextureKind kKinds[] = {FoamTextureKind::lace, FoamTextureKind::bubbles,
+                                      FoamTextureKind::streaks};
+
+struct Texture {
+    int size;
+    std::vector<float> values;
+
+    float at(int i, int j) const {
+        const int mask = size - 1;
+        return values[static_cast<std::size_t>((j & mask) * size + (i & mask))];
+    }
+    /// As a host reads it, x and y in texels.
+    double read(double x, double y) const {
+        const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+        const double u = x - i, v = y - j;
+        return (at(i, j) * (1.0 - u) + at(i + 1, j) * u) * (1.0 - v) +
+               (at(i, j + 1) * (1.0 - u) + at(i + 1, j + 1) * u) * v;
+    }
+};
+
+Texture texture_of(FoamTextureKind kind, int size, std::uint32_t seed = 1, int threads = 2) {
+    ThreadPool pool(threads);
+    return {size, make_foam_texture({kind, size, seed}, pool)};
+}
+
+double mean(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double correlation(const std::vector<float>& a, const std::vector<float>& b) {
+    const double mean_a = mean(a), mean_b = mean(b);
+    double ab = 0.0, aa = 0.0, bb = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ab += (a[i] - mean_a) * (b[i] - mean_b);
+        aa += (a[i] - mean_a) * (a[i] - mean_a);
+        bb += (b[i] - mean_b) * (b[i] - mean_b);
+    }
+    return ab / std::sqrt(aa * bb);
+}
+
+// The reads of this judge lie elsewhere than the library's: at random.
+TEST(FoamTexture, CoverIsTheShareOfBilinearReadsBelowIt) {
+    struct Limit {
+        double cover, error;
+    };
+    constexpr std::array<Limit, 7> kLimits{{{0.003, 3e-4},
+                                            {0.02, 4e-4},
+                                            {0.1, 1e-3},
+                                            {0.27, 1e-3},
+                                            {0.5, 1e-3},
+                                            {0.7, 1e-3},
+                                            {0.9, 1e-3}}};
+    constexpr std::uint32_t kReads = 4'000'000;
+    for (const FoamTextureKind kind : kKinds) {
+        for (const int size : {64, 256, 1024}) {
+            const Texture texture = texture_of(kind, size);
+            std::array<std::uint32_t, kLimits.size()> below{};
+            for (std::uint32_t n = 0; n < kReads; ++n) {
+                const auto bits = wave::double_precision::philox_4x32(n, 0u, 0u, 0u, 7u, 0u);
+                const double read = texture.read(bits.a * 0x1p-32 * size, bits.b * 0x1p-32 * size);
+                for (std::size_t k = 0; k < kLimits.size(); ++k) {
+                    below[k] += read < kLimits[k].cover ? 1u : 0u;
+                }
+            }
+            for (std::size_t k = 0; k < kLimits.size(); ++k) {
+                const auto [cover, error] = kLimits[k];
+                // Three deviations of the judge's own draws.
+                const double noise = 3.0 * std::sqrt(cover * (1.0 - cover) / kReads);
+                EXPECT_NEAR(static_cast<double>(below[k]) / kReads, cover, error + noise)
+                    << foam_texture_info(kind).name << " " << size;
+            }
+        }
+    }
+}
+
+TEST(FoamTexture, ValuesReachFromZeroToOne) {
+    for (const FoamTextureKind kind : kKinds) {
+        const std::vector<float> values = texture_of(kind, 256).values;
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        EXPECT_TRUE(*least >= 0.0f && *least < 0.01f) << *least;
+        EXPECT_TRUE(*most <= 1.0f && *most > 0.99f) << *most;
+    }
+}
+
+// Differences from texel to texel across the seam are those of any other line.
+TEST(FoamTexture, HasNoSeam) {
+    constexpr int kSize = 512;
+    for (const FoamTextureKind kind : kKinds) {
+        const Texture texture = texture_of(kind, kSize);
+        std::vector<double> columns, rows;  // mean square differences across each line
+        for (int line = 0; line < kSize; ++line) {
+            double across_column = 0.0, across_row = 0.0;
+            for (int k = 0; k < kSize; ++k) {
+                across_column += std::pow(texture.at(line + 1, k) - texture.at(line, k), 2);
+                across_row += std::pow(texture.at(k, line + 1) - texture.at(k, line), 2);
+            }
+            columns.push_back(across_column / kSize);
+            rows.push_back(across_row / kSize);
+        }
+        for (auto* lines : {&columns, &rows}) {
+            const double seam = lines->back();
+            lines->pop_back();
+            const auto [least, most] = std::minmax_element(lines->begin(), lines->end());
+            EXPECT_TRUE(seam > *least && seam < *most) << foam_texture_info(kind).name << ": "
+                                                       << *least << " < " << seam << " < " << *most;
+        }
+    }
+}
+
+TEST(FoamTexture, BitsAreThoseOfAnyNumberOfThreads) {
+    for (const FoamTextureKind kind : kKinds) {
+        const auto one = texture_of(kind, 128, 5, 1).values;
+        EXPECT_EQ(one, texture_of(kind, 128, 5, 3).values);
+        EXPECT_EQ(one, texture_of(kind, 128, 5, 1).values);
+    }
+}
+
+TEST(FoamTexture, FinerTextureIsTheSameFoam) {
+    for (const FoamTextureKind kind : kKinds) {
+        const Texture coarse = texture_of(kind, 512), fine = texture_of(kind, 1024);
+        std::vector<float> shrunk;
+        for (int j = 0; j < coarse.size; ++j) {
+            for (int i = 0; i < coarse.size; ++i) {
+                shrunk.push_back(static_cast<float>(fine.read(2 * i + 0.5, 2 * j + 0.5)));
+            }
+        }
+        EXPECT_GT(correlation(coarse.values, shrunk), 0.9) << foam_texture_info(kind).name;
+    }
+}
+
+TEST(FoamTexture, SeedsAndKindsAreIndependent) {
+    std::vector<std::vector<float>> textures;
+    for (const FoamTextureKind kind : kKinds) {
+        for (const std::uint32_t seed : {1u, 2u}) {
+            textures.push_back(texture_of(kind, 512, seed).values);
+        }
+    }
+    for (std::size_t a = 0; a < textures.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            EXPECT_LT(std::abs(correlation(textures[a], textures[b])), 0.06) << a << ", " << b;
+        }
+    }
+}
+
+/// Mean square difference of values so many texels apart.
+double variogram(const Texture& texture, int x, int y) {
+    double sum = 0.0;
+    for (int j = 0; j < texture.size; ++j) {
+        for (int i = 0; i < texture.size; ++i) {
+            sum += std::pow(texture.at(i + x, j + y) - texture.at(i, j), 2);
+        }
+    }
+    return sum / (texture.size * texture.size);
+}
+
+TEST(FoamTexture, StreaksLieAlongTheWind) {
+    const Texture streaks = texture_of(FoamTextureKind::streaks, 512);
+    EXPECT_LT(variogram(streaks, 12, 0), variogram(streaks, 0, 3));
+    const Texture lace = texture_of(FoamTextureKind::lace, 512);
+    for (const int distance : {2, 8}) {
+        const double ratio = variogram(lace, distance, 0) / variogram(lace, 0, distance);
+        EXPECT_TRUE(ratio > 0.9 && ratio < 1.1) << ratio;
+    }
+}
+
+// What stays of a thinning net are filaments, not dots: half of what is white hangs together over
+// more than a quarter of the area of a wide cell.
+TEST(FoamTexture, FilamentsOfLaceHangTogether) {
+    const Texture lace = texture_of(FoamTextureKind::lace, 512);
+    constexpr float kCover = 0.1f;
+    std::vector<int> seen(lace.values.size(), 0);
+    std::size_t white = 0, in_large = 0;
+    const auto cell = static_cast<std::size_t>(std::pow(0.86 / 12.0 * lace.size, 2));
+    for (int start = 0; start < lace.size * lace.size; ++start) {
+        std::vector<int> found;
+        const auto visit = [&](int i, int j) {
+            const int mask = lace.size - 1, at = (j & mask) * lace.size + (i & mask);
+            if (seen[static_cast<std::size_t>(at)] == 0 && lace.at(i, j) < kCover) {
+                seen[static_cast<std::size_t>(at)] = 1;
+                found.push_back(at);
+            }
+        };
+        visit(start % lace.size, start / lace.size);
+        for (std::size_t next = 0; next < found.size(); ++next) {
+            const int i = found[next] % lace.size, j = found[next] / lace.size;
+            for (int y = -1; y <= 1; ++y) {
+                for (int x = -1; x <= 1; ++x) visit(i + x, j + y);
+            }
+        }
+        white += found.size();
+        if (found.size() > cell / 4) in_large += found.size();
+    }
+    EXPECT_GT(static_cast<double>(in_large), 0.5 * static_cast<double>(white));
+}
+
+TEST(FoamTexture, WhatIsNotAllowedIsRefused) {
+    ThreadPool pool(1);
+    for (const int size : {-64, 0, 1, 32, 63, 100, 8192, std::numeric_limits<int>::max(),
+                           std::numeric_limits<int>::min()}) {
+        try {
+            make_foam_texture({FoamTextureKind::lace, size, 1}, pool);
+            ADD_FAILURE() << size;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::invalid_value);
+            EXPECT_NE(std::string(error.what()).find(std::to_string(size)), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("64 .. 4096"), std::string::npos);
+        }
+    }
+    try {
+        find_foam_texture("laces");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("did you mean lace?"), std::string::npos);
+    }
+    for (const FoamTextureInfo& info : kFoamTextures) {
+        EXPECT_EQ(find_foam_texture(info.name), info.kind);
+        EXPECT_EQ(foam_texture_info(info.kind).name, info.name);
+    }
+}
+
+}  // namespace
+}  // namespace ocean
