@@ -55,14 +55,14 @@ TEST(FoamLace, SumsAndUnionsOfUniformTexturesAreUniform) {
 TEST(FoamLace, CombinedTexturesReachFromZeroToOneWithoutAStep) {
     for (const double share : {0.05, 0.25, 1.0}) {
         EXPECT_EQ(formula::add_uniform(0.0, 0.0, share), 0.0);
-        EXPECT_EQ(formula::add_uniform(1.0, 1.0, share), 1.0);
+        EXPECT_DOUBLE_EQ(formula::add_uniform(1.0, 1.0, share), 1.0);
         for (const double z : {share, 1.0}) {
             EXPECT_NEAR(formula::add_uniform(z - 1e-9, 0.0, share),
                         formula::add_uniform(z, 1e-9, share), 1e-8);
         }
     }
     EXPECT_EQ(formula::unite_uniform(0.0, 1.0, 0.08), 0.0);
-    EXPECT_EQ(formula::unite_uniform(1.0, 1.0, 0.08), 1.0);
+    EXPECT_DOUBLE_EQ(formula::unite_uniform(1.0, 1.0, 0.08), 1.0);
     // Below where the other begins, the first alone.
     EXPECT_DOUBLE_EQ(formula::unite_uniform(0.05, 0.0, 0.08), 0.05);
 }

@@ -188,34 +188,41 @@ TEST(FoamTexture, StreaksLieAlongTheWind) {
     }
 }
 
-// What stays of a thinning net are filaments, not dots: half of what is white hangs together over
-// more than a quarter of the area of a wide cell.
-TEST(FoamTexture, FilamentsOfLaceHangTogether) {
-    const Texture lace = texture_of(FoamTextureKind::lace, 512);
-    constexpr float kCover = 0.1f;
-    std::vector<int> seen(lace.values.size(), 0);
-    std::size_t white = 0, in_large = 0;
-    const auto cell = static_cast<std::size_t>(std::pow(0.86 / 12.0 * lace.size, 2));
-    for (int start = 0; start < lace.size * lace.size; ++start) {
-        std::vector<int> found;
-        const auto visit = [&](int i, int j) {
-            const int mask = lace.size - 1, at = (j & mask) * lace.size + (i & mask);
-            if (seen[static_cast<std::size_t>(at)] == 0 && lace.at(i, j) < kCover) {
-                seen[static_cast<std::size_t>(at)] = 1;
-                found.push_back(at);
-            }
-        };
-        visit(start % lace.size, start / lace.size);
-        for (std::size_t next = 0; next < found.size(); ++next) {
-            const int i = found[next] % lace.size, j = found[next] / lace.size;
+/// The share of the texels on one side of the cover that hang together in the largest piece: foam
+/// over corners too, water not.
+double largest_piece(const Texture& texture, float cover, bool foam) {
+    const int count = texture.size * texture.size, mask = texture.size - 1;
+    std::vector<bool> taken(static_cast<std::size_t>(count));
+    std::vector<int> piece;
+    const auto take = [&](int i, int j) {
+        const int at = (j & mask) * texture.size + (i & mask);
+        if (taken[static_cast<std::size_t>(at)] || (texture.at(i, j) < cover) != foam) return;
+        taken[static_cast<std::size_t>(at)] = true;
+        piece.push_back(at);
+    };
+    std::size_t all = 0, largest = 0;
+    for (int start = 0; start < count; ++start) {
+        piece.clear();
+        take(start % texture.size, start / texture.size);
+        for (std::size_t next = 0; next < piece.size(); ++next) {
+            const int i = piece[next] % texture.size, j = piece[next] / texture.size;
             for (int y = -1; y <= 1; ++y) {
-                for (int x = -1; x <= 1; ++x) visit(i + x, j + y);
+                for (int x = -1; x <= 1; ++x) {
+                    if (foam || x == 0 || y == 0) take(i + x, j + y);
+                }
             }
         }
-        white += found.size();
-        if (found.size() > cell / 4) in_large += found.size();
+        all += piece.size();
+        largest = std::max(largest, piece.size());
     }
-    EXPECT_GT(static_cast<double>(in_large), 0.5 * static_cast<double>(white));
+    return static_cast<double>(largest) / static_cast<double>(all);
+}
+
+// Foam of a third of the area is a net that holds its holes apart, not dots in the water.
+TEST(FoamTexture, LaceIsANet) {
+    const Texture lace = texture_of(FoamTextureKind::lace, 512);
+    EXPECT_GT(largest_piece(lace, 0.3f, true), 0.7);
+    EXPECT_LT(largest_piece(lace, 0.3f, false), 0.2);
 }
 
 TEST(FoamTexture, WhatIsNotAllowedIsRefused) {

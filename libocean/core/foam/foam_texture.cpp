@@ -230,11 +230,11 @@ FoamTextureKind find_foam_texture(std::string_view name) {
     constexpr auto& names = kEnumWords<FoamTextureKind>;
     const auto found = std::ranges::find(names, name);
     if (found != names.end()) return static_cast<FoamTextureKind>(found - names.begin());
-    std::string message = "there is no foam texture '" + std::string(name) + "'";
-    if (const std::string_view nearest = nearest_name(name, names); !nearest.empty()) {
-        message += "; did you mean " + std::string(nearest) + "?";
-    }
-    throw Error(ErrorKind::invalid_value, message + " Allowed are lace, bubbles, streaks");
+    const std::string_view nearest = nearest_name(name, names);
+    throw Error(ErrorKind::invalid_value,
+                "there is no foam texture '" + std::string(name.substr(0, 80)) +
+                    (nearest.empty() ? "'; allowed are lace, bubbles, streaks"
+                                     : "'; did you mean " + std::string(nearest) + "?"));
 }
 
 std::uint64_t foam_texture_bytes(int size) {
@@ -243,14 +243,17 @@ std::uint64_t foam_texture_bytes(int size) {
     return side * side * sizeof(float) + kParts;
 }
 
+void require_foam_texture_size(int size) {
+    if (is_power_of_two(size) && size >= kLeastFoamTexture && size <= kMostFoamTexture) return;
+    throw Error(ErrorKind::invalid_value, "the size of a foam texture is " + std::to_string(size) +
+                                              "; allowed is a power of two, " +
+                                              std::to_string(kLeastFoamTexture) + " .. " +
+                                              std::to_string(kMostFoamTexture));
+}
+
 std::vector<float> make_foam_texture(const FoamTextureSettings& settings, ThreadPool& pool) {
     const int size = settings.size;
-    if (!is_power_of_two(size) || size < kLeastFoamTexture || size > kMostFoamTexture) {
-        throw Error(ErrorKind::invalid_value,
-                    "the size of a foam texture is " + std::to_string(size) +
-                        "; allowed is a power of two, " + std::to_string(kLeastFoamTexture) +
-                        " .. " + std::to_string(kMostFoamTexture));
-    }
+    require_foam_texture_size(size);
     require_memory(foam_texture_bytes(size),
                    "a foam texture of " + std::to_string(size) + " texels a side",
                    "choose a smaller size");

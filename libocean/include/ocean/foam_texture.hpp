@@ -49,6 +49,9 @@ struct FoamTextureSettings {
     std::uint32_t seed = 1;  // textures of different kinds are independent, also of one seed
 };
 
+/// Throws Error invalid_value for a size that is not allowed.
+void require_foam_texture_size(int size);
+
 /// size^2 values [j][i] in [0, 1], texel (i, j) at ((i + 1/2), (j + 1/2)) period / size; periodic.
 /// What is uniform is the bilinear reads: their share below c is c to 5e-4, for every c. A finer
 /// texture of the same seed is the same foam with more detail. Equal bits for any number of
