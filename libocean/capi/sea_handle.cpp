@@ -43,7 +43,35 @@ ThreadPool::RunJobs on_host(ocean_run_jobs run_jobs, void* user) {
     };
 }
 
-OceanOptions read_options(const ocean_options* given) {
+/// Never 0, which stands for nobody.
+std::uint64_t this_process() {
+    return process_number() + 1;
+}
+
+/// Of ocean_free, until the thread that is in the sea has left.
+constexpr std::chrono::milliseconds kBetweenTries{1};
+
+std::string folder_of(const char* path) {
+    const std::u8string folder = utf8_path(path).parent_path().u8string();
+    return {folder.begin(), folder.end()};
+}
+
+std::string preset_names_json() {
+    JsonArray names;
+    for (const Preset& preset : presets()) names.add(preset.name);
+    return names.text();
+}
+
+/// Another sea from now on: whole, or, where `edit` throws, not at all.
+void change_sea(ocean_sea& sea, const std::function<void(Sea&)>& edit) {
+    Sea changed = sea.ocean->sea();
+    edit(changed);
+    sea.ocean->change(std::move(changed));
+}
+
+}  // namespace
+
+OceanOptions ocean::capi::read_options(const ocean_options* given) {
     if (given == nullptr) return {};
     const ocean_options asked = read_struct(given, sizeof(given->struct_size), "ocean_options");
     if (asked.threads < 0 || asked.threads > kMaxThreads) {
@@ -76,34 +104,6 @@ OceanOptions read_options(const ocean_options* given) {
     if (asked.run_jobs != nullptr) options.run_jobs = on_host(asked.run_jobs, asked.jobs_user);
     return options;
 }
-
-/// Never 0, which stands for nobody.
-std::uint64_t this_process() {
-    return process_number() + 1;
-}
-
-/// Of ocean_free, until the thread that is in the sea has left.
-constexpr std::chrono::milliseconds kBetweenTries{1};
-
-std::string folder_of(const char* path) {
-    const std::u8string folder = utf8_path(path).parent_path().u8string();
-    return {folder.begin(), folder.end()};
-}
-
-std::string preset_names_json() {
-    JsonArray names;
-    for (const Preset& preset : presets()) names.add(preset.name);
-    return names.text();
-}
-
-/// Another sea from now on: whole, or, where `edit` throws, not at all.
-void change_sea(ocean_sea& sea, const std::function<void(Sea&)>& edit) {
-    Sea changed = sea.ocean->sea();
-    edit(changed);
-    sea.ocean->change(std::move(changed));
-}
-
-}  // namespace
 
 ocean::capi::Visit::Visit(const ocean_sea* sea) : sea_(sea) {
     require(sea, "sea");

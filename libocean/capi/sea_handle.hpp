@@ -50,6 +50,9 @@ struct ocean_sea {
 
 namespace ocean::capi {
 
+/// NULL: the defaults. Throws CallError for what libocean.h does not allow.
+OceanOptions read_options(const ocean_options* given);
+
 /// The one thread that may be in a sea, while the object lives.
 class Visit {
   public:

@@ -418,6 +418,29 @@ typedef struct {
 OCEAN_API ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request,
                                    size_t* count);
 
+/* struct_size = sizeof(ocean_foam_texture_request). kind: "lace" (nets, made for a tile of 12 m),
+ * "bubbles" (1.3 m) or "streaks" (97 m, along x, which is to be the wind). size: texels a side, a
+ * power of two, 64 .. 4096. seed: kinds are independent of each other, also of one seed. data
+ * receives size * size values: texel (i, j), whose middle is (i + 1/2, j + 1/2) / size of the tile,
+ * goes to data[j * size + i], j up. count: floats in data. */
+typedef struct {
+    size_t struct_size;
+    const char* kind;
+    int32_t size;
+    uint32_t seed;
+    float* data;
+    size_t count;
+} ocean_foam_texture_request;
+
+/* A texture of foam that tiles, values 0 .. 1: a place is white where it is below the cover there.
+ * Its bilinear reads are uniform, so that exactly a share c of the area is below c, to 5e-4; what
+ * is low is the last to vanish. *period receives the side of the tile that it is made for, m; NULL
+ * is allowed, and so is data = NULL, which asks for the period alone. options may be NULL; of them
+ * threads, progress and run_jobs count. INVALID_VALUE for a kind or size that is not allowed,
+ * BUFFER_TOO_SMALL, CANCELLED. */
+OCEAN_API ocean_result ocean_foam_texture(const ocean_foam_texture_request* request,
+                                          const ocean_options* options, double* period);
+
 /* A wave gauge. fixes: four doubles each, time [s], x, y, z [m, up from still water], in order of
  * time; it goes straight from one to the next. A single one is left at `velocity` [m/s]. */
 typedef struct {

@@ -48,6 +48,8 @@
     TEST(spray_is_counted_then_copied)                        \
     TEST(spray_goes_on_from_frame_to_frame)                   \
     TEST(bad_spray_requests_are_refused_and_write_nothing)    \
+    TEST(foam_textures_are_uniform)                           \
+    TEST(bad_foam_textures_are_refused_and_write_nothing)     \
     TEST(handles_in_two_threads_give_equal_bits)              \
     TEST(a_host_runs_the_jobs_on_its_own_threads)             \
     TEST(errors_are_kept_per_thread)                          \

@@ -17,6 +17,7 @@ import json
 import os
 from typing import Any
 
+from ._foam import foam_texture, foam_texture_period
 from ._library import (
     CancelledError,
     Error,
@@ -43,6 +44,8 @@ __all__ = [
     "Surface",
     "UnsupportedError",
     "Water",
+    "foam_texture",
+    "foam_texture_period",
     "open",
     "parameters",
     "parse",

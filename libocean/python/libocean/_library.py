@@ -159,6 +159,17 @@ class SprayRequest(ctypes.Structure):
     ]
 
 
+class FoamTextureRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("kind", c_char_p),
+        ("size", c_int32),
+        ("seed", c_uint32),
+        ("data", c_void_p),
+        ("count", c_size_t),
+    ]
+
+
 class Error(Exception):
     """A call that failed. `code` is that of libocean.h, the text is the library's sentence."""
 
@@ -237,6 +248,11 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_detail": [c_void_p, POINTER(DetailRequest), POINTER(c_size_t), POINTER(c_double)],
     "ocean_spray": [c_void_p, POINTER(SprayRequest), POINTER(c_size_t)],
     "ocean_float_pose": [c_void_p, c_double, *_LISTS],
+    "ocean_foam_texture": [
+        POINTER(FoamTextureRequest),
+        POINTER(Options),
+        POINTER(c_double),
+    ],
 }
 
 

@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Textures of foam: numpy arrays out of ocean_foam_texture."""
+
+from __future__ import annotations
+
+import ctypes
+from operator import index
+from typing import Any
+
+import numpy as np
+
+from ._library import INVALID_VALUE, FoamTextureRequest, InvalidValueError, Options, call
+
+
+def _whole(name: str, value: int, least: int, most: int) -> int:
+    """ctypes would cut off what does not fit."""
+    number = index(value)
+    if not least <= number <= most:
+        message = f"{name} = {number}; allowed: {least} .. {most}"
+        raise InvalidValueError(message, INVALID_VALUE)
+    return number
+
+
+def _call(request: FoamTextureRequest, threads: int = 0) -> float:
+    options = Options(ctypes.sizeof(Options), _whole("threads", threads, 0, 1024))
+    period = ctypes.c_double()
+    call("ocean_foam_texture", request, options, period)
+    return period.value
+
+
+def foam_texture(kind: str, *, size: int = 1024, seed: int = 1, threads: int = 0) -> Any:
+    """A texture of foam that tiles: float32 [j, i], size texels a side, a power of two, 64 .. 4096.
+    kind: "lace", "bubbles" or "streaks", which lie along x. A place is white where its value is
+    below the cover, 0 .. 1: `texture < cover` is the share `cover` of the area, read bilinearly.
+    Low values are the last to vanish. foam_texture_period() says how many metres a tile is."""
+    request = FoamTextureRequest(
+        ctypes.sizeof(FoamTextureRequest),
+        kind.encode(),
+        _whole("size", size, 64, 4096),
+        _whole("seed", seed, 0, 2**32 - 1),
+    )
+    _call(request)
+    texture = np.empty((request.size, request.size), np.float32)
+    request.data, request.count = texture.ctypes.data, texture.size
+    _call(request, threads)
+    return texture
+
+
+def foam_texture_period(kind: str) -> float:
+    """The side in metres of the tile that a kind of texture is made for."""
+    return _call(FoamTextureRequest(ctypes.sizeof(FoamTextureRequest), kind.encode(), 64))
