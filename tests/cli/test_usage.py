@@ -10,7 +10,7 @@ import subprocess
 import pytest
 from conftest import OCEAN, check_failure
 
-COMMANDS = ["info", "bake", "spectrum", "params", "presets"]
+COMMANDS = ["info", "bake", "foam-texture", "spectrum", "params", "presets"]
 
 
 def test_help_lists_every_command_and_is_not_an_error(ocean):

@@ -21,6 +21,7 @@ Command query_command();
 Command gauge_command();
 Command spectrum_command();
 Command records_command();
+Command foam_texture_command();
 Command params_command();
 Command presets_command();
 

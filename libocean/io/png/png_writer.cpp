@@ -7,22 +7,36 @@
 #include "ocean/io/png.hpp"
 
 namespace ocean::io {
+namespace {
 
-void write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb) {
+/// The last row in memory is the top one. row_stride: of libpng, in samples.
+void write_rows(const std::string& path, int width, int height, png_uint_32 format,
+                const void* samples, int row_stride) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(width);
     png.height = static_cast<png_uint_32>(height);
-    png.format = PNG_FORMAT_RGB;
+    png.format = format;
     OutputFile file(path);
     // A negative stride: the rows from the last one in memory up.
     const bool written =
-        png_image_write_to_stdio(&png, file.stream(), 0, rgb.data(), -3 * width, nullptr) != 0;
+        png_image_write_to_stdio(&png, file.stream(), 0, samples, -row_stride, nullptr) != 0;
     // A full disk is told better by the stream itself.
     if (!written && std::ferror(file.stream()) == 0) {
         throw Error(ErrorKind::output, path + ": " + png.message);
     }
     file.commit();
+}
+
+}  // namespace
+
+void write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb) {
+    write_rows(path, width, height, PNG_FORMAT_RGB, rgb.data(), 3 * width);
+}
+
+void write_grey_png(const std::string& path, int width, int height,
+                    std::span<const std::uint16_t> grey) {
+    write_rows(path, width, height, PNG_FORMAT_LINEAR_Y, grey.data(), width);
 }
 
 }  // namespace ocean::io

@@ -12,7 +12,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/io/output_file.hpp"
+#include "ocean/io/png.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::io {
@@ -57,11 +57,10 @@ std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
     const auto heights = image.planes[0].samples;
     const auto n = static_cast<std::size_t>(image.width);
     std::vector<std::uint16_t> codes((n + 1) * (n + 1));
-    for (std::size_t row = 0; row <= n; ++row) {
-        const std::size_t j = (n - row) % n;
+    for (std::size_t j = 0; j <= n; ++j) {
         for (std::size_t i = 0; i <= n; ++i) {
-            const double code = (heights[j * n + i % n] - fit.base) / fit.scale * kCodes;
-            codes[row * (n + 1) + i] = static_cast<std::uint16_t>(std::lround(code));
+            const double code = (heights[j % n * n + i % n] - fit.base) / fit.scale * kCodes;
+            codes[j * (n + 1) + i] = static_cast<std::uint16_t>(std::lround(code));
         }
     }
     return codes;
@@ -71,17 +70,7 @@ std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
 
 void write_height_field(const Image& image, const std::string& path) {
     const std::vector<std::uint16_t> codes = encode(image, fit_scale(image));
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    png.width = png.height = static_cast<png_uint_32>(image.width + 1);
-    png.format = PNG_FORMAT_LINEAR_Y;
-    OutputFile file(path);
-    const bool written = png_image_write_to_stdio(&png, file.stream(), 0, codes.data(), 0, nullptr);
-    // A full disk is told better by the stream itself.
-    if (!written && std::ferror(file.stream()) == 0) {
-        throw Error(ErrorKind::output, "cannot write '" + path + "': " + png.message);
-    }
-    file.commit();
+    write_grey_png(path, image.width + 1, image.width + 1, codes);
 }
 
 // "key = value" lines: a person can read them, and so can TOML.

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// `ocean foam-texture`: textures of foam as images for other renderers.
+#include "ocean/foam_texture.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "interrupt.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/exr.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/io/png.hpp"
+#include "ocean/platform.hpp"
+#include "ocean/text.hpp"
+#include "ocean/thread_pool.hpp"
+#include "ocean/version.hpp"
+
+namespace ocean::app {
+namespace {
+
+struct FoamTextureOptions {
+    std::string kind;
+    int size = FoamTextureSettings().size;
+    std::string seed = std::to_string(FoamTextureSettings().seed);
+    std::string output;
+    std::string type;
+};
+
+std::uint32_t seed_of(const std::string& text) {
+    std::uint32_t seed = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, seed);
+    if (error == std::errc() && rest == end) return seed;
+    throw Error(ErrorKind::invalid_value,
+                "--seed " + text + ": allowed is a whole number, 0 .. 4294967295");
+}
+
+/// The type of an EXR file's samples, by what was typed.
+io::PixelType pixel_type(const std::string& type) {
+    if (type.empty() || type == "half") return io::PixelType::half_float;
+    if (type == "float") return io::PixelType::full_float;
+    throw Error(ErrorKind::invalid_value, "--type " + type + ": allowed are half, float");
+}
+
+/// Whether it is an EXR file, else a PNG file.
+bool is_exr(const FoamTextureOptions& options) {
+    const std::filesystem::path extension = utf8_path(options.output).extension();
+    if (extension == ".exr") return true;
+    if (extension != ".png") {
+        throw Error(ErrorKind::invalid_value,
+                    "-o " + options.output + ": allowed are NAME.png and NAME.exr");
+    }
+    if (options.type.empty()) return false;
+    throw Error(ErrorKind::invalid_value,
+                "--type " + options.type + ": is of EXR files; a PNG file has 16 bits of grey");
+}
+
+void write_exr(const FoamTextureOptions& options, const FoamTextureSettings& settings,
+               const std::vector<float>& texture, int threads) {
+    const FoamTextureInfo& info = foam_texture_info(settings.kind);
+    const io::Image image = {
+        .width = settings.size,
+        .height = settings.size,
+        .periodic = true,
+        .planes = {{.name = "Y", .type = pixel_type(options.type), .samples = texture}},
+        .strings = {{"ocean:foam_texture", std::string(info.name)},
+                    {"ocean:period", shortest_text(info.period)},
+                    {"ocean:seed", std::to_string(settings.seed)},
+                    {"ocean:unit", "1"},
+                    {"ocean:version", OCEAN_VERSION}}};
+    io::write_exr(image, options.output, io::ExrCompression::zip, threads);
+}
+
+void write_png(const FoamTextureOptions& options, int size, const std::vector<float>& texture) {
+    std::vector<std::uint16_t> grey(texture.size());
+    std::ranges::transform(texture, grey.begin(), [](float value) {
+        return static_cast<std::uint16_t>(std::lround(value * 65535.0f));
+    });
+    io::write_grey_png(options.output, size, size, grey);
+}
+
+void run(const FoamTextureOptions& options, const Context& context) {
+    const FoamTextureSettings settings{find_foam_texture(options.kind), options.size,
+                                       seed_of(options.seed)};
+    require_foam_texture_size(settings.size);
+    const bool exr = is_exr(options);
+    pixel_type(options.type);
+    const std::string folder = utf8_path(options.output).parent_path().string();
+    io::require_folder(folder);
+    ThreadPool pool(context.options.threads);
+    const std::vector<float> texture = make_foam_texture(settings, pool);
+    const auto hold = context.interrupts.hold();
+    io::make_folder(folder);
+    if (exr) {
+        write_exr(options, settings, texture, context.options.threads);
+    } else {
+        write_png(options, settings.size, texture);
+    }
+    if (!context.options.quiet) context.console.data(options.output + "\n");
+}
+
+std::string footer() {
+    std::string text =
+        "Values are 0 .. 1: a place is white where the texture is below the cover of its foam.\n"
+        "`texture < cover` holds on exactly the share `cover` of the area, as renderers read it,\n"
+        "between texels too; what is low is the last to vanish. Kinds, each made for a tile of\n"
+        "its own size, which repeats without a seam:\n";
+    for (const FoamTextureInfo& info : kFoamTextures) {
+        text += format_text("  %-8s %4s m  %s\n", std::string(info.name).c_str(),
+                            shortest_text(info.period).c_str(), std::string(info.help).c_str());
+    }
+    return text +
+           "Read it as data, not as a colour. The image's bottom row is the tile's south. An EXR\n"
+           "header says kind, tile, seed and version.";
+}
+
+}  // namespace
+
+Command foam_texture_command() {
+    auto options = std::make_shared<FoamTextureOptions>();
+    return {
+        .name = "foam-texture",
+        .summary = "A texture of foam that tiles: lace, bubbles or streaks",
+        .options = {{"Texture",
+                     {{"KIND", &options->kind, "", "lace, bubbles or streaks", kRequired},
+                      {"--size", &options->size, "N",
+                       "Texels a side, a power of two, 64 .. 4096; default 1024"},
+                      {"--seed", &options->seed, "S",
+                       "0 .. 4294967295, default 1: another one is other foam"}}},
+                    {"Output",
+                     {{"-o,--output", &options->output, "FILE",
+                       "NAME.png (16 bits of grey) or NAME.exr (channel Y)", kRequired},
+                      {"--type", &options->type, "TYPE", "Of EXR files: half (default) or float"}}},
+                    run_options("")},
+        .footer = footer(),
+        .run = [options](const Context& context) { run(*options, context); },
+    };
+}
+
+}  // namespace ocean::app
