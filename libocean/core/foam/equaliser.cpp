@@ -25,8 +25,8 @@ constexpr int kPlaces = 1024;
 constexpr int kBins = 1 << 14;
 /// Reads are on a lattice of so many a side of a texel; of small textures more, because each of
 /// their texels counts more.
-constexpr int kLeastReads = 4;
-constexpr int kReadsAlong = 2048;
+constexpr int kLeastReads = 4, kMostReads = 32;
+constexpr int kReadsAlong = 4096;
 /// The largest departure from F(c) = c that is left, and the most turns that this may take.
 constexpr double kSettled = 2e-4;
 constexpr int kMostTurns = 24;
@@ -66,7 +66,7 @@ void count_reads(const float* row, const float* next, int size, int reads, Count
 /// The share of the reads below k / kBins.
 std::vector<double> distribution_of_reads(std::span<const float> texture, int size,
                                           ThreadPool& pool) {
-    const int reads = std::max(kLeastReads, kReadsAlong / size);
+    const int reads = std::clamp(kReadsAlong / size, kLeastReads, kMostReads);
     std::vector<Counts> counts(static_cast<std::size_t>(pool.size()), Counts(kBins));
     pool.for_each_item(size, [&](int j, int thread) {
         const float* row = texture.data() + std::ptrdiff_t{j} * size;

@@ -53,7 +53,8 @@ struct FoamTextureSettings {
 void require_foam_texture_size(int size);
 
 /// size^2 values [j][i] in [0, 1], texel (i, j) at ((i + 1/2), (j + 1/2)) period / size; periodic.
-/// What is uniform is the bilinear reads: their share below c is c to 5e-4, for every c. A finer
+/// What is uniform is the bilinear reads: their share below c is c to 5e-4, for every c, and to 1 %
+/// for c = 0.02; bubbles of 128 texels a side, four a bubble, keep 1e-3, of 64 texels 6e-3. A finer
 /// texture of the same seed is the same foam with more detail. Equal bits for any number of
 /// threads. Throws Error invalid_value for a size that is not allowed.
 std::vector<float> make_foam_texture(const FoamTextureSettings& settings, ThreadPool& pool);
