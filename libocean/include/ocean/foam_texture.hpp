@@ -26,7 +26,7 @@ struct FoamTextureInfo {
     FoamTextureKind kind;
     std::string_view name;
     double period;          // m, of the tile that it is made for; another one scales its cells
-    double widest_cell;     // m, along y: below a third of it the texture is lost
+    double widest_cell;     // m, across: the `cell` of foam_faded in foam_lace.glsl
     std::string_view help;  // what is in it
 };
 /// In the order of FoamTextureKind.
