@@ -261,6 +261,19 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
     });
 }
 
+ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution, double* power) {
+    return guarded([&] {
+        const Visit visit(sea);
+        require(power, "power");
+        if (!std::isfinite(time)) {
+            refuse("time = " + std::to_string(time) + "; allowed: a finite number of seconds");
+        }
+        const Grid& grid = sea->ocean->parameters().grid;
+        *power =
+            sea->ocean->cover_power(time, map_resolution(resolution, default_map_resolution(grid)));
+    });
+}
+
 ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request, size_t* count,
                           double* residual) {
     return guarded([&] {

@@ -177,6 +177,13 @@ void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int reso
     made = made | channels_of(outputs);
 }
 
+double Ocean::cover_power(double time, int resolution) {
+    require_time(time);
+    resolution = map_resolution(resolution);
+    go_to(time);
+    return chain_->shown_cover_power(resolution, pool_, runs_);
+}
+
 Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
     require_time(time);
     resolution = map_resolution(resolution);

@@ -248,6 +248,11 @@ OCEAN_API ocean_result ocean_cascade_periods(const ocean_sea* sea, double* perio
  * where it begins, which takes a while for the first map, or from the last time asked for. Buffers
  * need no alignment; those aligned to 64 bytes are filled fastest. UNSUPPORTED. */
 OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
+/* *power becomes that of a map's cover at a time: OCEAN_COVER is OCEAN_FOAM to this power, for
+ * hosts that make the one of the other. resolution: of the map, 0 = ocean_map_resolution. Takes
+ * some tenths of a second after a change of waves or wind. CANCELLED. */
+OCEAN_API ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution,
+                                         double* power);
 /* The surface that is shown at n world points, xy = x0, y0, x1, y1 ... in metres, any distance from
  * the origin. The displacement is inverted; where crests have folded over, the top sheet is taken.
  * Point i receives ten floats from samples + i * stride on, those of `ocean query`:

@@ -369,3 +369,31 @@ void foam_and_whitecaps_are_channels_like_others(void) {
     CHECK(most > 0.0f);
     ocean_free(sea);
 }
+
+void cover_is_foam_to_its_power(void) {
+    ocean_sea* sea = open_small_sea(NULL);
+    ocean_request request = good_request();
+    double power = 0.0;
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "wind_speed", "15"));
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "foam_lifetime", "1"));
+    CHECK_RESULT(OCEAN_OK, ocean_cover_power(sea, request.time, request.resolution, &power));
+    CHECK(power > 1.5 && power < 6.0);
+    output.channel[0] = OCEAN_FOAM;
+    output.channel[1] = OCEAN_COVER;
+    output.channel[2] = -1;
+    CHECK_RESULT(OCEAN_OK, ocean_evaluate(sea, &request));
+    float most = 0.0f;
+    for (size_t i = 0; i < kSmallCount; ++i) {
+        const double cover = pow(buffer[3 * i], power);
+        CHECK(fabs(buffer[3 * i + 1] - cover) < 1e-6);
+        if (buffer[3 * i + 1] > most) most = buffer[3 * i + 1];
+    }
+    CHECK(most > 0.1f);
+    power = 77.0;
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_cover_power(sea, NAN, 0, &power));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_cover_power(sea, 0.0, 100, &power));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_cover_power(sea, 0.0, 0, NULL));
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_cover_power(NULL, 0.0, 0, &power));
+    CHECK(power == 77.0);
+    ocean_free(sea);
+}

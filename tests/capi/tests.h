@@ -35,6 +35,7 @@
     TEST(cascades_add_up_to_the_sea)                          \
     TEST(bad_requests_are_refused_and_write_nothing)          \
     TEST(foam_and_whitecaps_are_channels_like_others)         \
+    TEST(cover_is_foam_to_its_power)                          \
     TEST(detail_has_bands_and_their_slopes)                   \
     TEST(bad_detail_requests_are_refused_and_write_nothing)   \
     TEST(queries_find_the_surface_that_the_maps_show)         \

@@ -166,6 +166,8 @@ def test_foam_and_whitecaps_are_between_0_and_1():
         surface = sea.surface(3.0)
         assert (surface.foam >= surface.whitecap).all()
         assert surface.whitecap.min() == 0.0 < surface.foam.max() <= 1.0
+        power = sea.cover_power(3.0)
+        assert np.allclose(surface.cover, surface.foam.astype(float) ** power, rtol=0, atol=1e-6)
 
 
 def test_a_map_of_a_sea_with_cascades_has_four_times_the_samples():

@@ -102,6 +102,9 @@ class Ocean {
     /// hold resolution^2 samples. With the cpu backend each value is written once, from the last
     /// stage of the transform.
     void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
+    /// Of such a map: its cover is foam to this power, see foam_layer.hpp. For hosts that make the
+    /// one of the other. Some tenths of a second after a change of waves or wind.
+    double cover_power(double time, int resolution = 0);
     /// The small map of one cascade over its own period, modes(time).cascades[cascade].lattice: at
     /// any point the sum over the cascades, each wrapped round its own period, is the sea's. Of
     /// channels that add up, the multiples of the table, and of linear fields. resolution: 0 = that

@@ -240,6 +240,7 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_map_resolution": [c_void_p, POINTER(c_int32)],
     "ocean_cascade_periods": [c_void_p, POINTER(c_double), POINTER(c_size_t)],
     "ocean_evaluate": [c_void_p, POINTER(Request)],
+    "ocean_cover_power": [c_void_p, c_double, c_int32, POINTER(c_double)],
     "ocean_query": [c_void_p, c_double, *_LISTS],
     "ocean_query_points": [c_void_p, POINTER(QueryRequest)],
     "ocean_orbital_velocity": [c_void_p, c_double, c_double, *_LISTS],

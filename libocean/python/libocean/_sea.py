@@ -650,6 +650,13 @@ class Sea:
         self._call("ocean_map_resolution", ctypes.byref(resolution))
         return resolution.value
 
+    def cover_power(self, time: float, resolution: int | None = None) -> float:
+        """The power of a map's foam that is its cover, for hosts that make one of the other. Some
+        tenths of a second after a change of waves or wind."""
+        power = ctypes.c_double()
+        self._call("ocean_cover_power", time, resolution or 0, ctypes.byref(power))
+        return power.value
+
     @property
     def cascade_periods(self) -> list[float]:
         """The periods of the sea's cascades, metres."""
