@@ -20,7 +20,7 @@ FINEST = {
 }
 """What images hold of the finest map."""
 
-_COARSER = {**FINEST, "Displacement": ("dx", "dy", "height", "height")}  # foam is averaged
+_COARSER = {**FINEST, "Displacement": ("dx", "dy", "height", "height")}  # cover is averaged
 
 _SMALLEST_MAP = 32  # of the library
 
@@ -54,11 +54,17 @@ def lost_slopes(state: dict, samples: int) -> float:
     return max(0.0, state["mean_square_slope"]["asked"] - shown[samples])
 
 
-def fill(sea, time: float, size: int, finest: dict, atlases: dict, state: dict) -> None:
+def fill(
+    sea, time: float, size: int, finest: dict, atlases: dict, state: dict, power: float
+) -> None:
     """Fills the atlases of these fields. finest: their maps of size x size samples, (n, n, 4), as
-    images hold them, foam beside the displacement. The slopes that a map leaves out go where a
-    normal has no fourth component."""
+    images hold them, foam beside the displacement. Coarser maps have its cover there, foam to this
+    power: what is seen from far away is its mean, and the power of a mean would be less. The slopes
+    that a map leaves out go where a normal has no fourth component."""
     above = dict(finest)
+    if "Displacement" in above and power != 1.0:
+        above["Displacement"] = finest["Displacement"].copy()
+        above["Displacement"][..., 3] **= np.float32(power)
     for level in range(1, levels(size) + 1):
         side = size >> level
         below = {field: np.empty((side, side, 4), np.float32) for field in above}
@@ -78,7 +84,7 @@ def fill(sea, time: float, size: int, finest: dict, atlases: dict, state: dict) 
 
 def halved(field: np.ndarray) -> np.ndarray:
     """A periodic map on every other sample: means of each and, at half its weight, the two beside
-    it, so that nothing moves. What foam becomes from far away."""
+    it, so that nothing moves. What cover becomes from far away."""
     for axis in (0, 1):
         even, odd = (np.swapaxes(field, 0, axis)[first::2] for first in (0, 1))
         beside = np.float32(0.25) * (odd + np.roll(odd, 1, axis=0))

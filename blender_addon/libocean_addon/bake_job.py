@@ -91,11 +91,15 @@ class MapJob(Job):
     """The resolved sea file of the first frame."""
     slope_variance: float = 0.0
     """Of the waves that the first frame's map leaves out."""
+    cover_power: float = 1.0
+    """Of the first frame's foam."""
 
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
         if self.done == 0:
             self.first_sea = resolved
             self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
+            if "cover" in self.fields:
+                self.cover_power = sea.cover_power(frame.time, self.resolution)
         label = exr_files.Label(
             resolved,
             frame.number,
@@ -132,9 +136,10 @@ class MapJob(Job):
         finest = {name: np.empty((size, size, 4), np.float32) for name in atlas.FINEST}
         sea.fill(time, [(finest[name], atlas.FINEST[name]) for name in finest])
         atlases = {name: np.zeros((*atlas.shape(size), 4), np.float32) for name in finest}
-        atlas.fill(sea, time, size, finest, atlases, sea.state)
+        power = sea.cover_power(time, size)
+        atlas.fill(sea, time, size, finest, atlases, sea.state, power)
         x, y, z, other = range(4)
-        maps = {exr_files.far("foam"): atlases["Displacement"][..., other]}
+        maps = {exr_files.far("cover"): atlases["Displacement"][..., other]}
         for name, values in atlases.items():
             field = exr_files.far(name.lower())
             order = (x, z, y, other)[: len(exr_files.channels(field))]

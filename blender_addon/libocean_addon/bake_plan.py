@@ -210,6 +210,7 @@ class Bake(Work):
             record.first, record.last = self.range
             record.resolution, record.period = job.resolution, self.period
             record.samples, record.slope_variance = self.samples, job.slope_variance
+            record.cover_power = job.cover_power
             record.frame_length = self.frame_length
             record.sea = job.first_sea
             record.recipes = json.dumps(self.recipes)

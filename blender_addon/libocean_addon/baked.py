@@ -30,7 +30,7 @@ def exists(ob) -> bool:
 
 def wanted_fields(settings) -> list[str]:
     """The fields that a bake of these settings has."""
-    switches = {"foam": "use_foam", "velocity": "use_velocity", "normal": "use_normal"}
+    switches = {"cover": "use_foam", "velocity": "use_velocity", "normal": "use_normal"}
     near = ["displacement", *(field for field, use in switches.items() if getattr(settings, use))]
     if settings.kind != "HORIZON":
         return near
@@ -178,7 +178,8 @@ def _set_inputs(ob, modifier) -> bool:
             "Slope Variance": record.slope_variance,
             "Mask": settings.mask,
             "Use Mask": bool(settings.mask),
-            "Use Foam": settings.use_foam and "foam" in fields,
+            baked_nodes.COVER_POWER: record.cover_power,
+            "Use Foam": settings.use_foam and "cover" in fields,
             "Use Velocity": settings.use_velocity and "velocity" in fields,
             "Use Normal": settings.use_normal and "normal" in fields,
         },

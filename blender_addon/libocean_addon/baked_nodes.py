@@ -10,15 +10,21 @@ from __future__ import annotations
 
 from . import compat, ring_nodes
 
-FIELDS = ("Displacement", "Foam", "Velocity", "Normal")
+FIELDS = ("Displacement", "Cover", "Velocity", "Normal")
 
 ON_SAMPLES = "On Samples"
 ON_SAMPLES_HELP = "The map has a sample for each vertex of the patch"
 
 LOST_SLOPES = "Of the waves that the finest map leaves out"
+COVER_POWER = "Cover Power"
+COVER_POWER_HELP = "The share of the water that foam hides is foam to this power"
 
 # The scene's time, in single precision, may fall short of a frame by its last bits.
 _ALMOST = 1e-4
+
+
+def foam_of(b, cover, power):
+    return b.number("POWER", cover, b.number("DIVIDE", 1.0, power))
 
 
 def declare(group, kind: str) -> None:
@@ -31,6 +37,7 @@ def declare(group, kind: str) -> None:
     if kind == "HORIZON":
         ring_nodes.declare(group)
     socket(group, "Slope Variance", "NodeSocketFloat", description=LOST_SLOPES)
+    socket(group, COVER_POWER, "NodeSocketFloat", default_value=1.0, description=COVER_POWER_HELP)
     socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
     socket(group, "Half Texel", "NodeSocketFloat")
     socket(group, "Follow World", "NodeSocketBool")
@@ -108,5 +115,13 @@ class BakedFields:
     def lost_slopes(self):
         return self.inputs["Slope Variance"]
 
+    def cover_power(self):
+        return self.inputs[COVER_POWER]
+
+    def covered(self, displacement):
+        """The finest map as coarser ones are: cover has files of its own."""
+        return displacement
+
     def foam(self, _displacement, lookup):
-        return self.b.parts(lookup.color("Foam"))[0]
+        cover = self.b.parts(lookup.color("Cover"))[0]
+        return foam_of(self.b, cover, self.cover_power())

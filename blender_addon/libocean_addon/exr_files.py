@@ -27,7 +27,7 @@ from . import atlas
 
 STEM = "sea"
 _TEMPORARY = ".baking"
-_UNITS = {"displacement": "m", "foam": "1", "velocity": "m/s", "normal": "1"}
+_UNITS = {"displacement": "m", "cover": "1", "velocity": "m/s", "normal": "1"}
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
 FIELDS = (*_UNITS, *(f"{field}{_FAR}" for field in _UNITS))
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
@@ -67,9 +67,9 @@ def shape(field: str, resolution: int) -> tuple[int, int]:
 
 
 def channels(field: str) -> str:
-    """Foam is a number, all else a vector; with the coarser normals goes the variance of the slopes
-    that they leave out."""
-    if field.removesuffix(_FAR) == "foam":
+    """Cover is a number, all else a vector; with the coarser normals goes the variance of slopes that
+    they leave out."""
+    if field.removesuffix(_FAR) == "cover":
         return "Y"
     return "RGBA" if field == far("normal") else "RGB"
 
@@ -225,7 +225,7 @@ class NotWholeError(Exception):
 
 # As `ocean bake` does: of float vectors ZIP saves a thirtieth, for five times the time of a frame.
 _NONE, _RLE = 0, 1
-_MOSTLY_NOTHING = ("foam", "whitecap", "slope")
+_MOSTLY_NOTHING = ("cover", "slope")
 
 # The package keeps Python waiting while it writes: not for longer than a blink of the interface.
 _ROWS_AT_A_TIME = 64

@@ -19,8 +19,9 @@ from collections.abc import Callable, Iterator
 import bpy
 
 from . import atlas, baked, drafts, images, meshes, messages, node_group, parameter_values, sea_text
+from .baked_nodes import COVER_POWER
 from .native import libocean
-from .open_sea import FOAM, NO_FOAM, OpenSea, sea_of
+from .open_sea import FOAM, NO_FOAM, QUICK, OpenSea, sea_of
 
 # Of a sea at rest.
 BLANKS = {
@@ -184,6 +185,11 @@ def _show_in(ob, seen, modifier, sea: OpenSea, moment: Moment) -> None:
         sea.show(at, size, targets, channel)
         if not moment.rendering:
             drafts.forget(name)
+    names = [node_group.render_twin(COVER_POWER) if moment.rendering else COVER_POWER]
+    if shared:
+        names = [COVER_POWER, node_group.render_twin(COVER_POWER)]
+    power = sea.cover_power(at, size, QUICK[channel] if draft else channel)
+    node_group.assign(modifier, dict.fromkeys(names, power))
     _set_inputs(ob, seen, modifier, sea.values, sizes, draft=draft)
     if not draft:
         state = sea.read_state()

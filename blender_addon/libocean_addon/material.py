@@ -156,7 +156,7 @@ class AddMaterial(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     water_type: water_type_property()
-    foam: bpy.props.BoolProperty(name="Foam", description="Show the attribute foam", default=True)
+    foam: bpy.props.BoolProperty(name="Foam", description="Show the attribute cover", default=True)
     underwater: bpy.props.BoolProperty(
         name="Under water",
         description="Clear water that absorbs and scatters: for cameras and objects below the "

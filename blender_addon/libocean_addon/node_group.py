@@ -19,18 +19,18 @@ from __future__ import annotations
 import bpy
 
 from . import baked_nodes, compat, ring_nodes
-from .baked_nodes import LOST_SLOPES, ON_SAMPLES, ON_SAMPLES_HELP
+from .baked_nodes import COVER_POWER, COVER_POWER_HELP, LOST_SLOPES, ON_SAMPLES, ON_SAMPLES_HELP
 from .node_builder import Builder
 from .ring_nodes import far_image
 
-VERSION = 2
+VERSION = 3
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
 _BAKED = "libocean_baked"  # of one that plays a bake
 
 FIELDS = ("Displacement", "Velocity", "Normal")
-"""The maps; each image has a twin for renders. Foam is the alpha of the first, and of a horizon's
-third one the variance of the slopes that are left out."""
+"""The maps; each image has a twin for renders. The alpha of the first is foam, in coarser maps of a
+horizon its cover; that of a horizon's third one the variance of the slopes that are left out."""
 
 
 SMALLEST_TURN = 1e-6
@@ -56,6 +56,8 @@ def _declare(group, kind: str) -> None:
     socket(group, render_twin("Half Texel"), "NodeSocketFloat")
     socket(group, "Slope Variance", "NodeSocketFloat", description=LOST_SLOPES)
     socket(group, render_twin("Slope Variance"), "NodeSocketFloat", description=LOST_SLOPES)
+    for name in (COVER_POWER, render_twin(COVER_POWER)):
+        socket(group, name, "NodeSocketFloat", default_value=1.0, description=COVER_POWER_HELP)
     socket(group, "Origin", "NodeSocketVector")
     socket(
         group, "Turn", "NodeSocketVector", description="Of the object in the world, as Euler XYZ"
@@ -94,8 +96,18 @@ class _LiveFields:
     def far(self, field: str, place):
         return self.color(far_image(field), place, "Linear")
 
-    def foam(self, displacement, _lookup):
-        return self.b.alpha(displacement)
+    def cover_power(self):
+        return self.shown(COVER_POWER, "FLOAT")
+
+    def covered(self, displacement):
+        """The finest map as coarser ones are, with cover in the place of foam."""
+        b = self.b
+        cover = b.number("POWER", b.alpha(displacement), self.cover_power())
+        return b.color(*b.parts(displacement), cover)
+
+    def foam(self, displacement, lookup):
+        held = self.b.alpha(displacement)
+        return baked_nodes.foam_of(self.b, held, self.cover_power()) if lookup.COVERED else held
 
     def lost_slopes(self):
         return self.shown("Slope Variance", "FLOAT")
@@ -116,6 +128,8 @@ class Turn:
 
 class _Flat:
     """A mesh that shows the finest map wherever it lies."""
+
+    COVERED = False
 
     def __init__(self, b: Builder, inputs, fields, turn: Turn, interpolation: str) -> None:
         self.fields = fields
@@ -147,6 +161,8 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     )
     foam = b.number("MULTIPLY", fields.foam(offset, lookup), mask)
     stored = b.store(geometry, "foam", "FLOAT", foam)
+    cover = b.number("POWER", foam, fields.cover_power())
+    stored = b.store(stored, "cover", "FLOAT", cover)
     geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, stored)
 
     stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))

@@ -17,7 +17,7 @@ from .native import libocean
 
 CHANNELS = atlas.FINEST
 
-FOAM = "foam"
+FOAM = drafts.FOAM
 NO_FOAM = "height"  # in the place of foam where nobody asks for it: a channel that costs nothing
 QUICK = {FOAM: "whitecap", NO_FOAM: NO_FOAM}
 """What a draft has in its place: whitecaps have no past."""
@@ -106,6 +106,10 @@ class OpenSea:
         if self.state is None:
             self.state = self.sea.state
         return self.state
+
+    def cover_power(self, at: float, size: int, channel: str) -> float:
+        """To which what is in the place of foam is its cover: whitecaps are theirs."""
+        return self.sea.cover_power(at, size) if channel == FOAM else 1.0
 
     def has_limits(self) -> bool:
         """Whether waves of some lengths are left out."""
@@ -211,7 +215,8 @@ class OpenSea:
                 self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)
             finest = {field: self.buffer(field, size) for field in far}
             atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
-            atlas.fill(self.sea, at, size, finest, atlases, self.read_state())
+            power = self.cover_power(at, size, channel)
+            atlas.fill(self.sea, at, size, finest, atlases, self.read_state(), power)
         for name, image in stale.items():
             pixels = self.buffer(name, size)
             images.resize(image, pixels.shape[:2])

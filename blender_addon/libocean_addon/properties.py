@@ -62,7 +62,7 @@ class OceanBake(bpy.types.PropertyGroup):
         name="To", description="Last frame of the shot", min=0, default=250, options=set()
     )
 
-    # The record. fields: "displacement,foam"; empty: there is no bake.
+    # The record. fields: "displacement,cover"; empty: there is no bake.
     fields: bpy.props.StringProperty(options={"HIDDEN"})
     folder: bpy.props.StringProperty(options={"HIDDEN"})
     first: bpy.props.IntProperty(options={"HIDDEN"})
@@ -71,6 +71,7 @@ class OceanBake(bpy.types.PropertyGroup):
     period: bpy.props.FloatProperty(options={"HIDDEN"})
     samples: bpy.props.IntProperty(options={"HIDDEN"})
     slope_variance: bpy.props.FloatProperty(options={"HIDDEN"})
+    cover_power: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
@@ -233,7 +234,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "use_foam": bpy.props.BoolProperty(
             name="Foam",
-            description="Store the attribute foam, 0 .. 1, on the points",
+            description="Store the attributes foam and cover, 0 .. 1, on the points",
             default=True,
             update=changed,
         ),

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The node group `Ocean Water`: sea water for Cycles and Eevee, tuned by its sockets.
 
-    attributes foam, ocean_normal, slope_variance  \\
+    attributes cover, ocean_normal, slope_variance \\
     colour, roughness, IOR, absorption ...          -> Ocean Water -> Surface, Volume
 
 Deep water has no volume: what its body sends back is a diffuse colour below a dielectric surface,
@@ -19,7 +19,7 @@ from .native import libocean
 from .node_builder import Builder
 
 GROUP = "Ocean Water"
-VERSION = 1
+VERSION = 2
 MARK = "libocean_water"  # custom property of a group: the version that built it
 
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
@@ -77,7 +77,7 @@ def _declare(group) -> None:
         "What the body of deep water sends back of the light from above",
     )
     triple("Foam Colour", "Color", (*grey, 1.0), "Of thick, fresh foam")
-    number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute foam is shown; 0: none")
+    number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute cover is shown; 0: none")
     number(
         "Foam Scale", 1.0, 0.001, 1000.0, "Size of the flakes that foam breaks up into, in metres"
     )
@@ -158,13 +158,10 @@ def _reflectance(t: Tree, ior, normal, slopes):
 
 
 def _foam(t: Tree, inputs):
-    """Where foam covers the water: none where the attribute is 0, all where it is 1. Foam that
-    fades covers as its cube: the mean of that is the share of the sea that Monahan and
-    O'Muircheartaigh (1980) saw white, 0.0025 .. 0.27, within 35 % from Beaufort 4 to 10.
-    Noise breaks it up."""
-    stored = t.node("ShaderNodeAttribute", attribute_name="foam").outputs["Fac"]
-    share = t.number("POWER", t.number("MAXIMUM", stored, 0.0), 3.0)
-    cover = t.number("MULTIPLY", share, inputs["Foam Amount"], clamp=True)
+    """Where foam covers the water: none where the attribute is 0, all where it is 1. Noise breaks
+    it up."""
+    stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
+    cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
     place = t.node("ShaderNodeNewGeometry").outputs["Position"]
     # Flakes do not change as waves lift them.
     place = t.math("MULTIPLY", place, (1.0, 1.0, 0.0))

@@ -100,6 +100,8 @@ def assert_rings(ob, sea, camera, time, tolerance=2e-5):
     near = levels(ob) == 0
     foam = want(sea, "foam", ob, camera, 0, near, time)
     assert np.abs(attribute(ob, "foam")[near] - foam).max() <= 2e-5
+    cover = want(sea, "cover", ob, camera, 0, near, time)
+    assert np.abs(attribute(ob, "cover")[near] - cover).max() <= 2e-5
 
 
 @pytest.mark.parametrize("camera", CAMERAS)
@@ -221,13 +223,15 @@ def test_the_far_sea_is_flat_and_its_slopes_become_roughness(scene, horizon):
     assert np.abs(positions(ob)[level == level.max(), 2]).max() < 1e-4
 
 
-def test_foam_far_away_is_the_mean_of_foam(scene, horizon):
+def test_what_foam_hides_far_away_is_the_mean_of_what_it_hides_near(scene, horizon):
     ob, sea = horizon(wind=25.0)
     scene.frame_set(100)
-    foam, level = attribute(ob, "foam"), levels(ob)
-    mean = sea.surface(99 / 24).foam.mean()
+    cover, level = attribute(ob, "cover"), levels(ob)
+    mean = sea.surface(99 / 24).cover.mean()
     assert mean > 0.01
-    assert foam[level >= 6] == pytest.approx(mean, rel=1e-3)
+    assert cover[level >= 6] == pytest.approx(mean, rel=1e-3)
+    foam = attribute(ob, "foam")[level >= 6]
+    assert foam ** sea.cover_power(99 / 24) == pytest.approx(mean, rel=1e-3)
 
 
 def test_what_is_averaged_stays_in_its_place():

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from conftest import plane, positions
 from libocean_addon import compat, material
-from libocean_addon.bundled import libocean
 
 IOR = 1.333
 EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
@@ -159,7 +158,7 @@ def test_short_waves_take_the_mirror_from_the_far_sea(scene, tmp_path):
 def test_full_foam_has_the_albedo_of_foam(scene, tmp_path):
     ob = plane(200.0, 2)
     water(ob)
-    put(ob, "foam", 1.0)
+    put(ob, "cover", 1.0)
     look(scene, 30.0)
     albedo = material.WATER_TYPES[material.DEFAULT_TYPE]["foam_albedo"]
     assert picture(scene, tmp_path) == pytest.approx(albedo, rel=0.02)
@@ -168,7 +167,7 @@ def test_full_foam_has_the_albedo_of_foam(scene, tmp_path):
 def test_thin_foam_breaks_up_into_flakes_of_the_same_cover(scene, tmp_path):
     ob = plane(200.0, 2)
     water(ob, Water_Colour=BLACK)
-    put(ob, "foam", 0.4 ** (1 / 3))
+    put(ob, "cover", 0.4)
     look(scene, 0.0)
     scene.camera.data.ortho_scale = 10.0
     scene.render.resolution_x = scene.render.resolution_y = 64
@@ -176,14 +175,6 @@ def test_thin_foam_breaks_up_into_flakes_of_the_same_cover(scene, tmp_path):
     cover = (picture(scene, tmp_path)[..., 1] - fresnel(0.0)) / 0.55
     assert cover.mean() == pytest.approx(0.4, abs=0.1)
     assert np.quantile(cover, 0.9) > 0.6 and np.quantile(cover, 0.1) < 0.05
-
-
-@pytest.mark.parametrize("force", [4, 6, 10])
-def test_foam_covers_as_much_of_the_sea_as_is_seen_white(force):
-    with libocean.preset(f"beaufort_{force}") as sea:
-        foam = sea.surface(30.0, resolution=256, fields=["foam"]).foam
-        seen_white = 3.84e-6 * float(sea.get("wind_speed")) ** 3.41
-    assert np.mean(foam.astype(float) ** 3) == pytest.approx(seen_white, rel=0.4)
 
 
 def test_light_through_water_follows_beer_and_lambert(scene, tmp_path):
@@ -257,7 +248,7 @@ def test_eevee_shows_foam_on_water(scene, tmp_path):
     ob = plane(200.0, 2)
     water(ob)
     dark = seen(scene, tmp_path)
-    put(ob, "foam", 1.0)
+    put(ob, "cover", 1.0)
     bright = seen(scene, tmp_path)
     assert (dark > 0.005).all() and (dark < 0.2).all()
     assert bright == pytest.approx(0.55, rel=0.1)

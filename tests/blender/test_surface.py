@@ -81,6 +81,7 @@ def assert_patch(ob, sea, time, tolerance=1e-5):
     assert np.abs(attribute(ob, "ocean_velocity") - on_samples(surface.velocity)).max() <= limit
     assert np.abs(attribute(ob, "ocean_normal") - on_samples(surface.normal)).max() <= 1e-6
     assert np.abs(attribute(ob, "foam") - on_samples(surface.foam)).max() <= 1e-6
+    assert np.abs(attribute(ob, "cover") - on_samples(surface.cover)).max() <= 1e-6
 
 
 @pytest.mark.parametrize("period", [ROUND, ODD])
