@@ -102,7 +102,10 @@ TEST(FoamCover, WithoutAPastItIsTheWhitecap) {
     parameters.surface.foam_lifetime = 0.0;
     Ocean sea(parameters, {.threads = 1});
     const Surface now = sea.evaluate(3.0, {Channel::cover, Channel::whitecap});
-    EXPECT_TRUE(std::ranges::equal(now.channel(Channel::cover), now.channel(Channel::whitecap)));
+    for (std::size_t i = 0; i < now.channel(Channel::cover).size(); ++i) {
+        const float whitecap = now.channel(Channel::whitecap)[i];
+        ASSERT_NEAR(now.channel(Channel::cover)[i], whitecap, 1e-6f * whitecap);
+    }
     EXPECT_GT(mean_of(now, Channel::cover), 0.01);
 }
 

@@ -284,6 +284,30 @@ TEST_F(KernelFrames, FollowFoamFromTheMapBefore) {
     }
 }
 
+TEST_F(KernelFrames, CoverIsFoamToItsPower) {
+    for (const SimdLevel level : levels()) {
+        for (const float power : {0.5f, 1.0f, 2.8f, 3.35f, 8.0f}) {
+            PageVector<float> foam(modes_.lattice.size());
+            PageVector<float> cover(foam.size());
+            for (std::size_t i = 0; i < foam.size(); ++i) {
+                foam[i] = static_cast<float>(i % 1025) / 1024.0f;
+            }
+            const PageVector<float> before = foam;
+            const MapOutput outputs[] = {{foam.data(), 1, {{{Channel::foam, 1.0f}}}},
+                                         {cover.data(), 1, {{{Channel::cover, 1.0f}}}}};
+            run(level, outputs, pool_, {before.data(), 1.0f, 0.002f, power});
+            bool none = false, whole = false;
+            for (std::size_t i = 0; i < foam.size(); ++i) {
+                const double exact = std::pow(static_cast<double>(foam[i]), double{power});
+                ASSERT_NEAR(cover[i], exact, 2e-6 * exact) << simd_name(level) << ' ' << foam[i];
+                none |= foam[i] == 0.0f;
+                whole |= foam[i] == 1.0f;
+            }
+            EXPECT_TRUE(none && whole);
+        }
+    }
+}
+
 TEST_F(KernelFrames, WithoutChoppinessNeedNoGradients) {
     parameters_.surface.choppiness = 0.0;
     const auto with_jacobian = channels(simd_level(), 1);

@@ -27,7 +27,8 @@ namespace ocean {
 
 /// The channels made of several linear fields that the kernel has code for, in outputs.hpp.
 inline constexpr ChannelSet kKernelFormulas = {Channel::nx,       Channel::ny,       Channel::nz,
-                                               Channel::jacobian, Channel::whitecap, Channel::foam};
+                                               Channel::jacobian, Channel::whitecap, Channel::foam,
+                                               Channel::cover};
 
 /// A, and B = N / A: codelets of 16, 32 and 64 points first, at most 128 second.
 constexpr int first_factor(int size) {
@@ -115,7 +116,8 @@ struct FrameTask {
     /// [channel]: the slot of a channel that is no multiple of one field, or -1.
     int derived_slot[kChannelCount];
     int derived_slots;    // how many
-    bool needs_jacobian;  // for itself, whitecaps or foam
+    bool needs_jacobian;  // for itself, whitecaps, foam or cover
+    bool needs_foam;      // for itself or cover
 };
 
 /// Linear fields that are there as planes. plane[field]: null, or the first row of the map,

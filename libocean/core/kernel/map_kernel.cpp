@@ -81,8 +81,9 @@ class Plan {
             }
         }
         task_.derived_slots = slot - task_.slots;
+        task_.needs_foam = channels.intersects({Channel::foam, Channel::cover});
         task_.needs_jacobian =
-            channels.intersects({Channel::jacobian, Channel::whitecap, Channel::foam});
+            task_.needs_foam || channels.intersects({Channel::jacobian, Channel::whitecap});
     }
 
     bool is_flat() const { return task_.choppiness == 0.0f; }

@@ -14,6 +14,7 @@ namespace ocean::OCEAN_KERNEL {
 namespace formula {
 #define formula OCEAN_INLINE
 using real = Vec;
+#include "wave/foam_cover.glsl"
 #include "wave/surface.glsl"
 #undef formula
 }  // namespace formula
@@ -39,7 +40,7 @@ OCEAN_INLINE RowSamples row_samples(const FrameTask& task, float* derived) {
     return row;
 }
 
-/// Normal, Jacobian, whitecap and foam of a row, where asked for.
+/// Normal, Jacobian, whitecap, foam and cover of a row, where asked for.
 template <bool kFlat>
 OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, std::size_t place) {
     const auto slot_of = [&](Linear field) { return task.slot_of[static_cast<int>(field)]; };
@@ -71,12 +72,15 @@ OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, 
         const Vec w = formula::surface_whitecap(j, task.foam_threshold, task.foam_width);
         set(Channel::jacobian, v, j);
         set(Channel::whitecap, v, w);
-        if (task.derived_slot[static_cast<int>(Channel::foam)] < 0) continue;
+        if (!task.needs_foam) continue;
         const Vec before = task.foam.map != nullptr
                                ? load_unaligned(task.foam.map + place + v * kLanes)
                                : Vec(0.0f);
-        const Vec value = max(w, Vec(task.foam.fade) * before);
-        set(Channel::foam, v, Vec(value.v < Vec(task.foam.least).v ? Lanes{} : value.v));
+        const Vec faded = max(w, Vec(task.foam.fade) * before);
+        const Vec foam(faded.v < Vec(task.foam.least).v ? Lanes{} : faded.v);
+        set(Channel::foam, v, foam);
+        if (task.derived_slot[static_cast<int>(Channel::cover)] < 0) continue;
+        set(Channel::cover, v, formula::foam_cover(foam, task.foam.cover_power));
     }
 }
 
