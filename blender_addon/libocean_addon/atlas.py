@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 FINEST = {
-    "Displacement": ("dx", "dy", "height", "foam"),
+    "Displacement": ("dx", "dy", "height", "cover"),
     # The fourth is not used: a component that is left alone would cost more.
     "Velocity": ("vx", "vy", "vz", "height"),
     "Normal": ("nx", "ny", "nz", "height"),
@@ -54,17 +54,11 @@ def lost_slopes(state: dict, samples: int) -> float:
     return max(0.0, state["mean_square_slope"]["asked"] - shown[samples])
 
 
-def fill(
-    sea, time: float, size: int, finest: dict, atlases: dict, state: dict, power: float
-) -> None:
+def fill(sea, time: float, size: int, finest: dict, atlases: dict, state: dict) -> None:
     """Fills the atlases of these fields. finest: their maps of size x size samples, (n, n, 4), as
-    images hold them, foam beside the displacement. Coarser maps have its cover there, foam to this
-    power: what is seen from far away is its mean, and the power of a mean would be less. The slopes
-    that a map leaves out go where a normal has no fourth component."""
+    images hold them, cover beside the displacement. The slopes that a map leaves out go where a
+    normal has no fourth component."""
     above = dict(finest)
-    if "Displacement" in above and power != 1.0:
-        above["Displacement"] = finest["Displacement"].copy()
-        above["Displacement"][..., 3] **= np.float32(power)
     for level in range(1, levels(size) + 1):
         side = size >> level
         below = {field: np.empty((side, side, 4), np.float32) for field in above}

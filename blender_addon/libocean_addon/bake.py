@@ -124,7 +124,7 @@ class Frames(_OnOwnOcean):
     def modal(self, context, event):
         bake = running
         job = bake.job
-        if event.type == "ESC":
+        if event.type == "ESC" and event.value == "PRESS":  # its release may be of the bake before
             job.stop.set()
         elif event.type != "TIMER":
             return {"PASS_THROUGH"}

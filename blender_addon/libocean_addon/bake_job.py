@@ -136,8 +136,7 @@ class MapJob(Job):
         finest = {name: np.empty((size, size, 4), np.float32) for name in atlas.FINEST}
         sea.fill(time, [(finest[name], atlas.FINEST[name]) for name in finest])
         atlases = {name: np.zeros((*atlas.shape(size), 4), np.float32) for name in finest}
-        power = sea.cover_power(time, size)
-        atlas.fill(sea, time, size, finest, atlases, sea.state, power)
+        atlas.fill(sea, time, size, finest, atlases, sea.state)
         x, y, z, other = range(4)
         maps = {exr_files.far("cover"): atlases["Displacement"][..., other]}
         for name, values in atlases.items():

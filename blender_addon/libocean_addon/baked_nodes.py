@@ -23,10 +23,6 @@ COVER_POWER_HELP = "The share of the water that foam hides is foam to this power
 _ALMOST = 1e-4
 
 
-def foam_of(b, cover, power):
-    return b.number("POWER", cover, b.number("DIVIDE", 1.0, power))
-
-
 def declare(group, kind: str) -> None:
     """The group's sockets."""
     socket = compat.add_socket
@@ -118,10 +114,5 @@ class BakedFields:
     def cover_power(self):
         return self.inputs[COVER_POWER]
 
-    def covered(self, displacement):
-        """The finest map as coarser ones are: cover has files of its own."""
-        return displacement
-
-    def foam(self, _displacement, lookup):
-        cover = self.b.parts(lookup.color("Cover"))[0]
-        return foam_of(self.b, cover, self.cover_power())
+    def cover(self, _displacement, lookup):
+        return self.b.parts(lookup.color("Cover"))[0]

@@ -22,8 +22,6 @@ import numpy as np
 
 from .native import libocean
 
-FOAM = "foam"  # the channel that has a past
-
 SECONDS = 0.1
 """In which something is to be seen."""
 _REST = 0.25  # seconds without a change: values rest
@@ -86,8 +84,6 @@ class Job:
         try:
             map_ = np.empty((self.size, self.size, 4), np.float32)
             self.sea.fill(self.time, [(map_, ("dx", "dy", "height", self.channel))])
-            if self.channel == FOAM:
-                self.sea.cover_power(self.time, self.size)
             if self.spray is not None:
                 self.sea.spray(self.time, **self.spray)
         except (libocean.Error, MemoryError, CancelledError) as failure:

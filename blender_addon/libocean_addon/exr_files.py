@@ -67,8 +67,8 @@ def shape(field: str, resolution: int) -> tuple[int, int]:
 
 
 def channels(field: str) -> str:
-    """Cover is a number, all else a vector; with the coarser normals goes the variance of slopes that
-    they leave out."""
+    """Cover is a number, all else a vector; with coarser normals goes the variance of the slopes
+    that they leave out."""
     if field.removesuffix(_FAR) == "cover":
         return "Y"
     return "RGBA" if field == far("normal") else "RGB"

@@ -21,7 +21,7 @@ import bpy
 from . import atlas, baked, drafts, images, meshes, messages, node_group, parameter_values, sea_text
 from .baked_nodes import COVER_POWER
 from .native import libocean
-from .open_sea import FOAM, NO_FOAM, QUICK, OpenSea, sea_of
+from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
 
 # Of a sea at rest.
 BLANKS = {
@@ -161,7 +161,7 @@ def spray_settings(settings) -> dict:
 
 
 def _channel(settings) -> str:
-    return FOAM if settings.use_foam else NO_FOAM
+    return COVER if settings.use_foam else NO_COVER
 
 
 def _show_in(ob, seen, modifier, sea: OpenSea, moment: Moment) -> None:

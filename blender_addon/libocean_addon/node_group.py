@@ -29,8 +29,9 @@ _KIND = "libocean_kind"
 _BAKED = "libocean_baked"  # of one that plays a bake
 
 FIELDS = ("Displacement", "Velocity", "Normal")
-"""The maps; each image has a twin for renders. The alpha of the first is foam, in coarser maps of a
-horizon its cover; that of a horizon's third one the variance of the slopes that are left out."""
+"""The maps; each image has a twin for renders. The alpha of the first is the cover of foam, whose
+mean is what is seen from far away; that of a horizon's third one the variance of the slopes that
+are left out."""
 
 
 SMALLEST_TURN = 1e-6
@@ -99,15 +100,8 @@ class _LiveFields:
     def cover_power(self):
         return self.shown(COVER_POWER, "FLOAT")
 
-    def covered(self, displacement):
-        """The finest map as coarser ones are, with cover in the place of foam."""
-        b = self.b
-        cover = b.number("POWER", b.alpha(displacement), self.cover_power())
-        return b.color(*b.parts(displacement), cover)
-
-    def foam(self, displacement, lookup):
-        held = self.b.alpha(displacement)
-        return baked_nodes.foam_of(self.b, held, self.cover_power()) if lookup.COVERED else held
+    def cover(self, displacement, _lookup):
+        return self.b.alpha(displacement)
 
     def lost_slopes(self):
         return self.shown("Slope Variance", "FLOAT")
@@ -128,8 +122,6 @@ class Turn:
 
 class _Flat:
     """A mesh that shows the finest map wherever it lies."""
-
-    COVERED = False
 
     def __init__(self, b: Builder, inputs, fields, turn: Turn, interpolation: str) -> None:
         self.fields = fields
@@ -159,10 +151,10 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     geometry, offset = compat.capture(
         group, lookup.start(inputs["Geometry"]), lookup.color("Displacement")
     )
-    foam = b.number("MULTIPLY", fields.foam(offset, lookup), mask)
-    stored = b.store(geometry, "foam", "FLOAT", foam)
-    cover = b.number("POWER", foam, fields.cover_power())
-    stored = b.store(stored, "cover", "FLOAT", cover)
+    cover = fields.cover(offset, lookup)
+    stored = b.store(geometry, "cover", "FLOAT", b.number("MULTIPLY", cover, mask))
+    foam = b.number("POWER", cover, b.number("DIVIDE", 1.0, fields.cover_power()))
+    stored = b.store(stored, "foam", "FLOAT", b.number("MULTIPLY", foam, mask))
     geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, stored)
 
     stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))

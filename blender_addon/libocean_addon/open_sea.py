@@ -17,18 +17,18 @@ from .native import libocean
 
 CHANNELS = atlas.FINEST
 
-FOAM = drafts.FOAM
-NO_FOAM = "height"  # in the place of foam where nobody asks for it: a channel that costs nothing
-QUICK = {FOAM: "whitecap", NO_FOAM: NO_FOAM}
-"""What a draft has in its place: whitecaps have no past."""
+COVER = "cover"  # of foam, which has a past
+NO_COVER = "height"  # in its place where nobody asks for it: a channel that costs nothing
+QUICK = {COVER: "whitecap", NO_COVER: NO_COVER}
+"""What a draft has in its place: whitecaps have no past, and are their own cover."""
 
 _LIMITS = ("shortest_wavelength", "longest_wavelength")
 
 _AT_HAND = 3.0  # seconds of the sea that foam goes on for while one waits: sixty of its steps
 
 
-def _channels(field: str, foam: str) -> tuple[str, ...]:
-    return tuple(foam if channel == FOAM else channel for channel in CHANNELS[field])
+def _channels(field: str, cover: str) -> tuple[str, ...]:
+    return tuple(cover if channel == COVER else channel for channel in CHANNELS[field])
 
 
 class OpenSea:
@@ -47,7 +47,7 @@ class OpenSea:
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
         self.shown: dict[str, tuple] = {}  # by image: what it holds
         self.ready: tuple | None = (
-            None  # changes, size, channel of foam, time: of the last whole map
+            None  # changes, size, channel of cover, time: of the last whole map
         )
         self.took: tuple | None = None  # what cost how many seconds a sample when it was not ready
         self.spray_ready: tuple | None = None  # changes, settings, time: of the last spray
@@ -108,8 +108,8 @@ class OpenSea:
         return self.state
 
     def cover_power(self, at: float, size: int, channel: str) -> float:
-        """To which what is in the place of foam is its cover: whitecaps are theirs."""
-        return self.sea.cover_power(at, size) if channel == FOAM else 1.0
+        """Of the foam whose cover that channel is: whitecaps are theirs."""
+        return self.sea.cover_power(at, size) if channel == COVER else 1.0
 
     def has_limits(self) -> bool:
         """Whether waves of some lengths are left out."""
@@ -130,7 +130,7 @@ class OpenSea:
     def is_ready(self, at: float, size: int, channel: str) -> bool:
         """Whether the whole map of this time is there at once: of this sea, foam's past at hand."""
         known = self.ready is not None and self.ready[:3] == (self.changes, size, channel)
-        if known and (channel != FOAM or 0.0 <= at - self.ready[3] <= _AT_HAND):
+        if known and (channel != COVER or 0.0 <= at - self.ready[3] <= _AT_HAND):
             return True
         if self.took is None or self.took[0] != self._costs(channel):
             return False
@@ -143,7 +143,7 @@ class OpenSea:
 
     def show(self, at: float, size: int, targets: dict[str, bpy.types.Image], channel: str) -> None:
         """Fills these images, by the inputs of the node group, with the maps of a time. channel:
-        what is in the place of foam."""
+        what is in the place of cover."""
         with self.lock:
             begun = time.perf_counter()
             known = self.ready is not None and self.ready[:2] == (self.changes, size)
@@ -156,7 +156,7 @@ class OpenSea:
     def show_draft(
         self, at: float, size: int, wanted: int, targets: dict[str, bpy.types.Image], channel: str
     ) -> None:
-        """The same, with what is quick in the place of foam. wanted: samples of the whole."""
+        """The same, with what is quick in the place of cover. wanted: samples of the whole."""
         with self.lock:
             begun = time.perf_counter()
             if self._show(at, size, targets, QUICK[channel]):
@@ -215,8 +215,7 @@ class OpenSea:
                 self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)
             finest = {field: self.buffer(field, size) for field in far}
             atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
-            power = self.cover_power(at, size, channel)
-            atlas.fill(self.sea, at, size, finest, atlases, self.read_state(), power)
+            atlas.fill(self.sea, at, size, finest, atlases, self.read_state())
         for name, image in stale.items():
             pixels = self.buffer(name, size)
             images.resize(image, pixels.shape[:2])

@@ -42,9 +42,6 @@ class Rings:
     nor a line is seen; geometry clipmaps do so [Losasso and Hoppe 2004].
     """
 
-    COVERED = True
-    """Beside the displacement is cover, whose mean is what is seen from far away."""
-
     def __init__(self, b, inputs, fields, turn) -> None:
         self.b, self.inputs, self.fields, self.turn = b, inputs, fields, turn
         named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT_VECTOR")
@@ -135,8 +132,6 @@ class Rings:
     def color(self, field: str):
         b, fields = self.b, self.fields
         finest = fields.color(field, self.finest, "Linear")
-        if field == "Displacement":
-            finest = fields.covered(finest)
         own, next_ = (fields.far(field, place) for place in (self.own, self.next))
         return b.mix_colors(b.switch("RGBA", self.on_finest, own, finest), next_, self.blend)
 
