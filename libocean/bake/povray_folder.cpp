@@ -4,13 +4,18 @@
 // What lies around the frames of a folder for POV-Ray; see povray_folder.hpp.
 #include "ocean/bake/povray_folder.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "ocean/foam_texture.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"
+#include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
+#include "ocean/thread_pool.hpp"
 #include "povray_macros.hpp"
 
 namespace ocean {
@@ -37,7 +42,25 @@ std::string animation_settings(const io::PovrayFolder& folder) {
     return text;
 }
 
+/// The same in all folders, for all frames: 3 MB. Texels of lace are of 12 mm.
+std::string foam_image(FoamTextureKind kind, ThreadPool& pool) {
+    const FoamTextureSettings settings{kind, kind == FoamTextureKind::lace ? 1024 : 512};
+    const std::vector<float> texture = make_foam_texture(settings, pool);
+    std::vector<std::uint16_t> grey(texture.size());
+    std::ranges::transform(texture, grey.begin(), [](float value) {
+        return static_cast<std::uint16_t>(std::lround(value * 65535.0f));
+    });
+    return io::grey_png(settings.size, settings.size, grey);
+}
+
 }  // namespace
+
+std::string FolderFile::opening() const {
+    // Signature, size, depth and colour of an image; of a text the first line, up to what it
+    // counts.
+    if (name.ends_with(".png")) return text.substr(0, 33);
+    return text.substr(0, text.find_first_of("\n0123456789"));
+}
 
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const std::vector<int>& frames) {
     const Sea& sea = plan.sea;
@@ -54,6 +77,13 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const std::vec
     // Of larger maps the macros make them: the text would be 220 MB at 2048.
     if (plan.format->name == "df3" && plan.resolution <= 1024) {
         files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
+    }
+    if (plan.format->name == "df3") {
+        ThreadPool pool(plan.threads);
+        for (const FoamTextureInfo& info : kFoamTextures) {
+            files.push_back(
+                {"foam_" + std::string(info.name) + ".png", foam_image(info.kind, pool)});
+        }
     }
     return files;
 }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: a DF3 file holds each length to half a quantum, offsets on the grid that single precision
-// keeps, normals to 1e-8 in folds too, foam exactly; big-endian, the slices in their order. Foam of
-// a coarser map keeps its mean and its place. What POV-Ray makes of it: tests/povray.
+// keeps, normals to 1e-8 in folds too, foam and cover exactly; big-endian, the slices in their
+// order. Foam of a coarser map keeps its mean and its place. What POV-Ray makes of it:
+// tests/povray.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +51,7 @@ Surface tilted_surface(int n) {
         surface.channel(Channel::ny)[at] = static_cast<float>(std::sin(tilt) * std::sin(turn));
         surface.channel(Channel::nz)[at] = static_cast<float>(std::cos(tilt));
         surface.channel(Channel::foam)[at] = static_cast<float>(at % 5) / 4.0f;
+        surface.channel(Channel::cover)[at] = static_cast<float>(at % 9) / 8.0f;
     }
     return surface;
 }
@@ -63,7 +65,7 @@ TEST(Df3, HoldsTheMapsInPovRaysAxes) {
     ASSERT_EQ(bytes.size(), io::df3_bytes(n));
     EXPECT_EQ(big_endian(bytes, 0, 2), 32u);
     EXPECT_EQ(big_endian(bytes, 2, 2), 32u);
-    EXPECT_EQ(big_endian(bytes, 4, 2), 6u);
+    EXPECT_EQ(big_endian(bytes, 4, 2), 7u);
     const double grid = std::ldexp(1.0, -16);  // of a period of 100 m
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
@@ -82,6 +84,7 @@ TEST(Df3, HoldsTheMapsInPovRaysAxes) {
             EXPECT_NEAR(2.0 * q * scale, truth(Channel::ny), 1e-7);
             EXPECT_NEAR((1.0 - p * p - q * q) * scale, truth(Channel::nz), 1e-7);
             EXPECT_NEAR(voxel(5), truth(Channel::foam), 2e-10);
+            EXPECT_NEAR(voxel(6), truth(Channel::cover), 2e-10);
         }
     }
 }
@@ -89,13 +92,13 @@ TEST(Df3, HoldsTheMapsInPovRaysAxes) {
 TEST(Df3, ThreeSlicesAreThoseOfThePosition) {
     const TemporaryFolder folder;
     const Surface surface = tilted_surface(32);
-    io::write_df3(surface, folder.file("six.df3"));
+    io::write_df3(surface, folder.file("all.df3"));
     io::write_df3(surface, folder.file("three.df3"), io::kDf3PositionSlices);
-    const std::string six = test::read_bytes(folder.file("six.df3"));
+    const std::string all = test::read_bytes(folder.file("all.df3"));
     const std::string three = test::read_bytes(folder.file("three.df3"));
     ASSERT_EQ(three.size(), io::df3_bytes(32, io::kDf3PositionSlices));
     EXPECT_EQ(big_endian(three, 4, 2), 3u);
-    EXPECT_EQ(three.substr(6), six.substr(6, three.size() - 6));
+    EXPECT_EQ(three.substr(6), all.substr(6, three.size() - 6));
 }
 
 TEST(Df3, RefusesWhatItCannotHold) {

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Writes what test_baked_files.py renders: make_povray_samples FOLDER. Six sine waves of known
-// height, flat and choppy, as a height_field and as patch meshes.
+// height, flat and choppy, as a height_field and as patch meshes. For test_foam.py foam_lace.csv:
+// calls of functions of ocean.inc and what the formulas of shaders/wave/foam_lace.glsl say of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <string>
 
 #include "ocean/io/height_field.hpp"
@@ -14,6 +16,8 @@
 #include "ocean/io/mesh2.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/product_image.hpp"
+#include "ocean/text.hpp"
+#include "wave/wave.hpp"
 
 using namespace ocean;
 
@@ -71,6 +75,40 @@ Surface make_sample(double choppiness) {
     return surface;
 }
 
+using Formula = double (*)(double, double, double);
+
+void add_calls(std::string& lines, const char* name, Formula formula,
+               std::initializer_list<double> thirds) {
+    constexpr std::array kValues = {0.0,   0.004, 0.02, 0.049, 0.1, 0.3,
+                                    0.351, 0.7,   0.96, 0.999, 1.0};
+    for (const double a : kValues) {
+        for (const double b : kValues) {
+            for (const double c : thirds) {
+                lines +=
+                    format_text("%s,%.17g,%.17g,%.17g,%.17g\n", name, a, b, c, formula(a, b, c));
+            }
+        }
+    }
+}
+
+std::string foam_lace_calls() {
+    namespace wave = wave::double_precision;
+    std::string lines;
+    add_calls(lines, "Ocean_Add_Uniform_", wave::add_uniform, {0.001, 0.3, 1.0});
+    add_calls(lines, "Ocean_Unite_Uniform_", wave::unite_uniform, {0.0, 0.08, 1.0});
+    add_calls(lines, "Ocean_Foam_Mask_", wave::foam_mask, {0.001, 0.1, 1.0});
+    add_calls(lines, "Ocean_Foam_Thickness_", wave::foam_thickness, {0.35, 1.0});
+    const auto mean_thickness = [](double cover, double, double span) {
+        return wave::foam_mean_thickness(cover, span);
+    };
+    add_calls(lines, "Ocean_Foam_Mean_Thickness_", mean_thickness, {0.35, 1.0});
+    const auto faded = [](double mask, double cover, double footprint) {
+        return wave::foam_faded(mask, cover, footprint, 0.86);
+    };
+    add_calls(lines, "Ocean_Foam_Faded_", faded, {0.0, 0.35, 1.0, 2.4, 3.0});
+    return lines;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -85,5 +123,6 @@ int main(int argc, char** argv) {
     io::write_file_atomically(folder + "height.png.inc", io::height_field_declarations(image));
     io::write_mesh2(io::make_patch_mesh(flat), label, folder + "flat.inc");
     io::write_mesh2(io::make_patch_mesh(choppy), label, folder + "choppy.inc");
+    io::write_file_atomically(folder + "foam_lace.csv", foam_lace_calls());
     return 0;
 }

@@ -142,8 +142,10 @@ def test_height_at_a_place_is_that_of_ocean_query(tmp_path):
     #local X = Places[K].u;
     #local Z = Places[K].v;
     #local Normal = Ocean_Normal_At(X, Z);
+    #local Label = Ocean_Label_At(X, Z);
     #write (Out, str(Ocean_Height_At(X, Z), 0, 9), " ", str(Normal.x, 0, 9), " ",
-            str(Normal.z, 0, 9), " ", str(Ocean_Foam_At(X, Z), 0, 6), "\\n")
+            str(Normal.z, 0, 9), " ", str(Ocean_Foam_At(X, Z), 0, 6), " ",
+            str(Ocean_Cover_At(X, Z) - Ocean_Cover(Label.x, Label.z), 0, 9), "\\n")
 #end
 #fclose Out"""
     )
@@ -154,6 +156,7 @@ def test_height_at_a_place_is_that_of_ocean_query(tmp_path):
     assert numpy.abs(found[:, 2] - truth["normal_y"]).max() < 2e-3
     assert numpy.abs(found[:, 3] - truth["foam"]).max() < 2e-3
     assert found[:, 3].max() > 0.3
+    assert numpy.all(found[:, 4] == 0)
 
 
 def test_height_at_a_place_is_that_of_ocean_query_on_the_map_of_an_export(tmp_path):
@@ -248,6 +251,7 @@ def test_functions_at_labels_are_the_maps(choppy):
     #local Z = mod(K*53, {N})*{PERIOD / N};
     #local Normal = Ocean_Normal(X, Z);
     Tell(Ocean_Height(X, Z)) Tell(Ocean_DX(X, Z)) Tell(Ocean_DZ(X, Z)) Tell(Ocean_Foam(X, Z))
+    Tell(Ocean_Cover(X, Z))
     Tell(Normal.x) Tell(Normal.y) Tell(Normal.z)
 #end"""
     )
@@ -258,10 +262,11 @@ def test_functions_at_labels_are_the_maps(choppy):
             maps.displacement[j, i, 0],
             maps.displacement[j, i, 1],
             maps.foam[j, i],
+            maps.cover[j, i],
             maps.normal[j, i, 0],
             maps.normal[j, i, 2],
             maps.normal[j, i, 1],
         ],
         axis=1,
     )
-    assert numpy.abs(floats_of(log).reshape(100, 7) - truth).max() < 1e-5
+    assert numpy.abs(floats_of(log).reshape(100, 8) - truth).max() < 1e-5

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Sky, sun and the camera's place: the horizon, twilight, how far ripples and flakes are seen."""
+"""Sky, sun and the camera's place: the horizon, twilight, how far ripples and lace are seen."""
 
 import re
 
@@ -122,27 +122,27 @@ sphere {{ 0, 1 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }}""",
     assert (read_png(choppy.path / "out.png").max() > 1e-4) == lit
 
 
-def test_ripples_and_flakes_reach_as_far_whatever_the_sea_level(choppy):
+def test_ripples_and_lace_reach_as_far_whatever_the_sea_level(choppy):
     """Their reach is a distance in pixels; and a material before the view knows of Ocean_Eye_At."""
     log = choppy.run(
         """Ocean_Load("sea_0001")
 #macro Tell(V) #debug concat("V ", str(V, 0, 9), "\\n") #end
-#macro Probe(Height, Angle, Distance)  // of ripples; flakes ten times as far
+#macro Probe(Height, Angle, Distance)  // of ripples; lace ten times as far
     Ocean_Eye_At(<3, Height, 5>, Angle)
     #declare Water = Ocean_Material("jerlov_ii")
     Tell(Ocean_Ripples_Seen_(3 + Distance, Height, 5))
-    Tell(Ocean_Flakes_Seen_(3, Height - 10*Distance, 5))
+    Tell(Ocean_Lace_Seen_(3, Height - 10*Distance, 5))
 #end
 Probe(-2, 60, 3) Probe(0, 60, 3) Probe(700, 60, 3)
 Probe(5, 60, 1.5) Probe(5, 30, 3) Probe(5, 60, 90)""",
         width=480,
     )
-    ripples, flakes = floats_of(log).reshape(6, 2).T
-    for seen in (ripples, flakes):
+    ripples, lace = floats_of(log).reshape(6, 2).T
+    for seen in (ripples, lace):
         assert seen[0] == pytest.approx(seen[1]) == pytest.approx(seen[2])
     assert ripples[3] > ripples[0] > 0 == ripples[5]
     assert ripples[4] > ripples[0], "a longer lens sees farther"
-    assert flakes[0] > 0.5
+    assert lace[0] > 0.5 > 0 == lace[5]
 
 
 def test_the_page_says_every_name_that_a_scene_may_declare_or_read(choppy):

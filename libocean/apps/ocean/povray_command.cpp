@@ -89,8 +89,7 @@ void require_own_files(const std::vector<FolderFile>& files, const std::string& 
         const std::string path = folder + "/" + file.name;
         std::error_code error;
         if (file.users || !std::filesystem::exists(utf8_path(path), error)) continue;
-        // The first line, but for what it counts.
-        const std::string opening = file.text.substr(0, file.text.find_first_of("\n0123456789"));
+        const std::string opening = file.opening();
         if (text::first_bytes(path, opening.size()) == opening) continue;
         throw Error(ErrorKind::invalid_value,
                     "'" + path +

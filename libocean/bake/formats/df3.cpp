@@ -84,7 +84,7 @@ std::string recipe(const BakePlan& plan, const BakeFile& file) {
 
 constexpr std::string_view kOpening = "// A frame for POV-Ray";
 
-/// A square of whole maps' size, six slices or three; or words that open as ours do.
+/// A square of whole maps' size, seven slices or three; or words that open as ours do.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
         return text::first_bytes(file.path, kOpening.size()) == kOpening;

@@ -20,7 +20,7 @@ namespace {
 struct Settings {
     std::optional<io::View> view;  // a mesh to the horizon instead of one period
     bool slope_variance_typed = false;
-    bool foam = false;  // as u of each vertex
+    bool cover = false;  // as u of each vertex
 };
 
 const Settings& settings_of(const BakePlan& plan) {
@@ -42,7 +42,8 @@ std::vector<FormatOption> list_options(const Catalogue&) {
          "Mean square slope of the waves that are too short for the map; default: what the "
          "spectrum has of them",
          kEye},
-        {"mesh-foam", "", "Foam as the u of each vertex; not with --eye"},
+        {"mesh-foam", "",
+         "The share of the water that foam hides as the u of each vertex; not with --eye"},
     };
 }
 
@@ -78,7 +79,7 @@ std::optional<io::View> read_view(const BakeOptions& options) {
 std::any read_options(const BakeOptions& options, const Catalogue&) {
     Settings settings{read_view(options), !options.format_option("slope-variance").empty(),
                       !options.format_option("mesh-foam").empty()};
-    if (settings.view && settings.foam) {
+    if (settings.view && settings.cover) {
         throw Error(ErrorKind::invalid_value, "--mesh-foam: a mesh to the horizon has no foam");
     }
     return settings;
@@ -103,7 +104,7 @@ FormatPlan settle(const BakePlan& begun) {
     using enum Channel;
     Settings settings = settings_of(begun);
     FrameMaps maps{{dx, dy, height, nx, ny, nz}, {begun.resolution}};
-    if (settings.foam) maps.channels = maps.channels | ChannelSet{foam};
+    if (settings.cover) maps.channels = maps.channels | ChannelSet{cover};
     if (settings.view) {
         maps.channels = maps.channels | ChannelSet{slope_x, slope_y};
         maps.resolutions = halving_resolutions(begun.resolution);
@@ -147,9 +148,10 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
     // The longest numbers: "-1.2345678e-05", "-.1234", "2147483647", and what stands around three.
     constexpr std::uint64_t kFloat = 14, kUnit = 6, kIndex = 10, kAround = 5, kHead = 4096;
-    const std::uint64_t foam = plan.has_foam() ? kUnit + 2 + kAround : 0;  // "<.1234,0>"
+    const bool has_cover = settings_of(plan).cover;
+    const std::uint64_t cover = has_cover ? kUnit + 2 + kAround : 0;  // "<.1234,0>"
     return kHead + vertices(plan) *
-                       (3 * kFloat + 3 * kUnit + 2 * 3 * kIndex + (1 + 1 + 2) * kAround + foam);
+                       (3 * kFloat + 3 * kUnit + 2 * 3 * kIndex + (1 + 1 + 2) * kAround + cover);
 }
 
 bool is_baked(const BakeFile& file) {

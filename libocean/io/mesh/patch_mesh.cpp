@@ -60,13 +60,15 @@ Mesh make_patch_mesh(const Surface& surface) {
     const auto has = [&](const auto& channels) {
         return std::ranges::all_of(channels, [&](Channel c) { return surface.has(c); });
     };
-    const bool normal = has(kNormal), velocity = has(kVelocity), foam = surface.has(Channel::foam);
+    const bool normal = has(kNormal), velocity = has(kVelocity);
+    const bool foam = surface.has(Channel::foam), cover = surface.has(Channel::cover);
     Mesh mesh;
     const std::size_t vertices = (n + 1) * (n + 1);
     mesh.positions.reserve(3 * vertices);
     if (normal) mesh.normals.reserve(3 * vertices);
     if (velocity) mesh.velocities.reserve(3 * vertices);
     if (foam) mesh.foam.reserve(vertices);
+    if (cover) mesh.cover.reserve(vertices);
     for (std::size_t j = 0; j <= n; ++j) {
         for (std::size_t i = 0; i <= n; ++i) {
             const std::size_t at = (j % n) * n + i % n;
@@ -84,6 +86,7 @@ Mesh make_patch_mesh(const Surface& surface) {
                 if (velocity) mesh.velocities.push_back(surface.channel(kVelocity[c])[at]);
             }
             if (foam) mesh.foam.push_back(surface.channel(Channel::foam)[at]);
+            if (cover) mesh.cover.push_back(surface.channel(Channel::cover)[at]);
         }
     }
     mesh.triangles = patch_triangles(surface.resolution());

@@ -9,14 +9,19 @@
 namespace ocean::io {
 namespace {
 
-/// The last row in memory is the top one. row_stride: of libpng, in samples.
-void write_rows(const std::string& path, int width, int height, png_uint_32 format,
-                const void* samples, int row_stride) {
+png_image image_of(int width, int height, png_uint_32 format) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(width);
     png.height = static_cast<png_uint_32>(height);
     png.format = format;
+    return png;
+}
+
+/// The last row in memory is the top one. row_stride: of libpng, in samples.
+void write_rows(const std::string& path, int width, int height, png_uint_32 format,
+                const void* samples, int row_stride) {
+    png_image png = image_of(width, height, format);
     OutputFile file(path);
     // A negative stride: the rows from the last one in memory up.
     const bool written =
@@ -37,6 +42,18 @@ void write_png(const std::string& path, int width, int height, std::span<const s
 void write_grey_png(const std::string& path, int width, int height,
                     std::span<const std::uint16_t> grey) {
     write_rows(path, width, height, PNG_FORMAT_LINEAR_Y, grey.data(), width);
+}
+
+std::string grey_png(int width, int height, std::span<const std::uint16_t> grey) {
+    png_image png = image_of(width, height, PNG_FORMAT_LINEAR_Y);
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::string bytes(size, '\0');
+    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, grey.data(), -width, nullptr) ==
+        0) {
+        throw Error(ErrorKind::output, std::string("a PNG image: ") + png.message);
+    }
+    bytes.resize(size);
+    return bytes;
 }
 
 }  // namespace ocean::io

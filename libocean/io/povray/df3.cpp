@@ -4,13 +4,13 @@
 // One time of the sea as POV-Ray's density_file, the only binary that POV-Ray 3.7 reads: three
 // 16-bit sizes, then voxels of 32 bits, all big-endian. A slice along z is a map of one quantity:
 //
-//     0 height [m]   1 dx [m]   2 dz [m]   3 normal p   4 normal q   5 foam
+//     0 height [m]   1 dx [m]   2 dz [m]   3 normal p   4 normal q   5 foam   6 cover
 //
 // in POV-Ray's axes, x east, y up, z north. Read with `interpolate 1`, sample i of N lies at i/N,
-// slice k at k/6, and maps repeat. A length is (code - 2^31) / 2^21 m. The normal is its
+// slice k at k/7, and maps repeat. A length is (code - 2^31) / 2^21 m. The normal is its
 // stereographic projection from below, which has no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
-// each of p and q (code - 2^31) / 2^28. Foam is code / (2^32 - 1).
+// each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1).
 #include "ocean/io/df3.hpp"
 
 #include <algorithm>
@@ -88,8 +88,10 @@ std::uint32_t voxel(const Surface& surface, const Offsets& offsets, int slice, s
             return projection_code(value(nx), value(nz));
         case 4:
             return projection_code(value(ny), value(nz));
-        default:
+        case 5:
             return share_code(value(foam));
+        default:
+            return share_code(value(cover));
     }
 }
 
@@ -108,7 +110,7 @@ ChannelSet df3_position_channels() {
 
 ChannelSet df3_channels() {
     using enum Channel;
-    return {dx, dy, height, nx, ny, nz, foam};
+    return {dx, dy, height, nx, ny, nz, foam, cover};
 }
 
 std::uint64_t df3_bytes(int resolution, int slices) {
@@ -121,7 +123,7 @@ void write_df3(const Surface& surface, const std::string& path, int slices) {
         slices == kDf3PositionSlices ? df3_position_channels() : df3_channels();
     if ((surface.channels() | needed).size() != surface.channels().size()) {
         throw Error(ErrorKind::invalid_value,
-                    "a DF3 file needs displacement, height, normal and foam");
+                    "a DF3 file needs displacement, height, normal, foam and cover");
     }
     const auto n = static_cast<std::size_t>(surface.resolution());
     const Offsets offsets(surface);

@@ -79,11 +79,11 @@ void write_vectors(TextWriter& out, const Mesh& mesh) {
         write_unit(out, n[1]) << ">";
     }
     out << "\n}\n";
-    if (mesh.foam.empty()) return;
+    if (mesh.cover.empty()) return;
     out << "uv_vectors { ";
     out.number(count);
-    for (const float foam : mesh.foam) {
-        write_unit(out << ",\n<", foam) << ",0>";
+    for (const float cover : mesh.cover) {
+        write_unit(out << ",\n<", cover) << ",0>";
     }
     out << "\n}\n";
 }

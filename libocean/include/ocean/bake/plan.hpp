@@ -58,7 +58,6 @@ struct BakePlan {
     bool skip_existing = false;
     bool keep_going = false;
 
-    bool has_foam() const { return maps.channels.contains(Channel::foam); }
     /// Maps of earlier foam are kept.
     bool follows_foam() const { return ocean::has_past(foam_use(maps.channels, channels)); }
     /// Foam and spray have one: frames are made one after another.

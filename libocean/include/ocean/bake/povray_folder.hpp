@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What lies around the frames of a folder that POV-Ray renders as it is: the macros, the sea's
-// parameters, a scene, and the settings of its animation.
+// parameters, the texture of its foam, a scene, and the settings of its animation.
 #pragma once
 
 #include <string>
@@ -16,6 +16,9 @@ struct FolderFile {
     std::string name;
     std::string text;
     bool users = false;  // theirs to change: kept where it is
+
+    /// What files of ours begin with, whatever else is in them.
+    std::string opening() const;
 };
 
 /// `frames`: those of all shards, whose folder is one.

@@ -11,12 +11,13 @@
 
 namespace ocean::io {
 
-/// Maps along the z axis of a DF3 file: height, dx, dz, two of the normal, foam. See df3.cpp.
-inline constexpr int kDf3Slices = 6;
+/// Maps along the z axis of a DF3 file: height, dx, dz, two of the normal, foam, cover. See
+/// df3.cpp.
+inline constexpr int kDf3Slices = 7;
 /// Of a file of height, dx and dz alone, which needs dx, dy and height.
 inline constexpr int kDf3PositionSlices = 3;
 ChannelSet df3_position_channels();
-/// What write_df3 needs: dx, dy, height, nx, ny, nz, foam.
+/// What write_df3 needs: dx, dy, height, nx, ny, nz, foam, cover.
 ChannelSet df3_channels();
 std::uint64_t df3_bytes(int resolution, int slices = kDf3Slices);
 /// Heights to 2.4e-7 m, offsets to half a step of the patch mesh's grid, which keeps the seam of

@@ -15,6 +15,7 @@ struct Mesh {
     std::vector<float> positions;  // x, y, z of each vertex
     std::vector<float> normals;
     std::vector<float> foam;        // of each vertex, 0 .. 1; empty where there is none
+    std::vector<float> cover;       // likewise
     std::vector<float> velocities;  // of each vertex, m/s; empty where there are none
     std::vector<int> triangles;     // three vertex numbers each, counter-clockwise from above
 };
@@ -22,7 +23,8 @@ struct Mesh {
 /// One period of the displaced surface, (N+1)^2 vertices with the seam closed. Vertices lie on a
 /// grid of a power of two (2^-16 m, coarser for large patches), which keeps the seam of copies that
 /// lie a period apart free of cracks when the period lies on it too, as every whole number does.
-/// Needs dx, dy, height; takes the normal, foam and velocity too, if it was evaluated with them.
+/// Needs dx, dy, height; takes the normal, foam, cover and velocity too, if it was evaluated with
+/// them.
 Mesh make_patch_mesh(const Surface& surface);
 /// y up instead of z: (x, z, -y).
 void turn_y_up(Mesh& mesh);

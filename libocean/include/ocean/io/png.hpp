@@ -18,5 +18,7 @@ void write_png(const std::string& path, int width, int height, std::span<const s
 /// errors as above.
 void write_grey_png(const std::string& path, int width, int height,
                     std::span<const std::uint16_t> grey);
+/// The bytes of that file.
+std::string grey_png(int width, int height, std::span<const std::uint16_t> grey);
 
 }  // namespace ocean::io

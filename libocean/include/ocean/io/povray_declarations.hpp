@@ -15,7 +15,7 @@
 namespace ocean::io {
 
 /// Of the folders that `ocean povray` writes: ocean.inc refuses any other.
-inline constexpr int kPovrayDataVersion = 2;
+inline constexpr int kPovrayDataVersion = 3;
 
 /// A folder of frames for POV-Ray. References must outlive it.
 struct PovrayFolder {

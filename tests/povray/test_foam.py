@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Foam of Ocean_Material: the formulas of its net, and that POV-Ray shows as much of it as the
+cover says, near and far."""
+
+import os
+import subprocess
+
+import numpy
+import pytest
+from conftest import Folder, floats_of, ocean, read_png, sea_text, surface
+
+WIDE = 400.0  # m, of the rough sea
+TELL = '#macro Tell(Value) #debug concat("V ", str(Value, 0, 12), "\\n") #end\n'
+
+
+@pytest.fixture(scope="module")
+def rough(tmp_path_factory):
+    """Large enough for many whitecaps."""
+    sea = sea_text(resolution=256, period=WIDE, wind=16.0, choppiness=1.0)
+    return Folder(tmp_path_factory.mktemp("rough"), sea)
+
+
+def test_the_formulas_are_those_of_foam_lace_glsl(choppy, tmp_path):
+    subprocess.run([os.environ["OCEAN_POVRAY_SAMPLES"], str(tmp_path)], check=True)
+    lines = [line.split(",") for line in (tmp_path / "foam_lace.csv").read_text().split()]
+    assert len({name for name, *_ in lines}) == 6 and len(lines) > 1500
+    calls = []
+    for name, a, b, c, _ in lines:
+        arguments = {
+            "Ocean_Foam_Mean_Thickness_": [a, c],
+            "Ocean_Foam_Faded_": [a, b, c, "0.86"],
+        }.get(name, [a, b, c])
+        calls.append(f"Tell({name}({', '.join(arguments)}))")
+    found = floats_of(choppy.run(TELL + "\n".join(calls)))
+    expected = numpy.array([float(line[-1]) for line in lines])
+    for name in sorted({line[0] for line in lines}):
+        of_it = numpy.array([line[0] == name for line in lines])
+        assert numpy.abs(found - expected)[of_it].max() < 1e-9, name
+
+
+def rendered_mean(folder, declared, function, width, length, pixels=1000):
+    """Of a function of a flat sheet, as POV-Ray's own pigments show it."""
+    folder.run(
+        f"""global_settings {{ assumed_gamma 1.0 }}
+Ocean_Load("sea_0001")
+{declared}
+camera {{ orthographic location <{length / 2}, 5, {width / 2}> direction -y
+         right {length}*x up {width}*z }}
+plane {{ y, 0
+    pigment {{ function {{ {function} }} color_map {{ [0 rgb 0] [1 rgb 1] }} }}
+    finish {{ ambient 0 diffuse 0 emission 1 }} }}""",
+        width=pixels,
+        height=pixels,
+    )
+    picture = read_png(folder.path / "out.png")
+    return picture.mean(), picture.std()
+
+
+LACE = """Ocean_Eye_At(<0, 5, 0>, 1)
+Ocean_Foam_Settings_()
+Ocean_Declare_Nearness_()
+Ocean_Declare_Lace_()
+"""
+
+
+@pytest.mark.parametrize("streaks", [0.0, 0.3])
+@pytest.mark.parametrize("cover", [0.02, 0.1, 0.3, 0.7])
+def test_the_net_is_white_on_the_share_that_is_covered(choppy, cover, streaks):
+    """Within 2 %: what would read the texture as a colour is a third off. Eleven tiles are a period
+    of the net, which is 1.5 times as long as wide."""
+    mean, spread = rendered_mean(
+        choppy,
+        f"#declare Ocean_Direction = 0;\n#declare Ocean_Foam_Streaks = {streaks};\n" + LACE,
+        f"Ocean_Foam_Mask_({cover}, Ocean_Lace_(x, z, 0.3), 0.1)",
+        132.0,
+        198.0,
+    )
+    print(f"\ncover {cover}: {mean:.5f}, {mean / cover - 1:+.3%}")
+    assert mean == pytest.approx(cover, rel=0.02)
+    assert spread > 0.6 * numpy.sqrt(cover * (1 - cover)), "this is no net"
+
+
+def test_a_pixel_reads_the_texture_as_it_is(choppy):
+    """Texels and between them, to the 16 bits of the file."""
+    texture = read_png(choppy.path / "foam_lace.png")[..., 0]
+    n = len(texture)
+    random = numpy.random.default_rng(3)
+    j, i = random.integers(0, n, (2, 200))
+    calls = "".join(
+        f"Tell(Ocean_Lace_Image_({(a + 0.5) / n:.12f}, {(b + 0.5) / n:.12f}, 0))"
+        f"Tell(Ocean_Lace_Image_({(a + 1) % n / n:.12f}, {(b + 0.5) / n:.12f}, 0))\n"
+        for a, b in zip(i, j, strict=True)
+    )
+    log = choppy.run('Ocean_Load("sea_0001")\n' + LACE + TELL + calls)
+    found = floats_of(log).reshape(200, 2)
+    assert numpy.abs(found[:, 0] - texture[j, i]).max() < 2e-5
+    between = (texture[j, i] + texture[j, (i + 1) % n]) / 2
+    assert numpy.abs(found[:, 1] - between).max() < 2e-5
+
+
+def test_far_foam_is_as_much_as_near_foam(rough):
+    """The net by label against coarser maps, and copies of them, of a period each."""
+    truth = float(surface(rough, 256).cover.mean())
+    near, _ = rendered_mean(rough, LACE, "Ocean_Foam_Of_(x, z, 0, 0.3)", WIDE, WIDE)
+    assert truth > 0.02
+    means = {"near": near}
+    for level, share, apart, periods in ((0, 0, 0, 1), (1, 0.5, 0, 1), (2, 0, 0, 1), (1, 0, 1, 40)):
+        side = periods * WIDE
+        means[level, share, apart], _ = rendered_mean(
+            rough,
+            "Ocean_Load_Far_Maps_()",
+            f"Ocean_Seen_Cover_(x/{WIDE} + 5, z/{WIDE} + 5, {level}, {share}, {apart})",
+            side,
+            side,
+            pixels=600,
+        )
+    print(f"\ncover {truth:.5f}: { {name: f'{mean / truth:.4f}' for name, mean in means.items()} }")
+    for name, mean in means.items():
+        assert mean == pytest.approx(near, rel=0.02), name
+        assert mean == pytest.approx(truth, rel=0.02), name
+
+
+@pytest.mark.parametrize("cover", [0.05, 0.3, 0.7])
+def test_the_material_sends_as_much_light_near_and_far(choppy, cover):
+    """A flat sheet under an even sky: by pixels that show the net, by some that hold many cells."""
+    means = {}
+    for pixel in (1e-6, 10.0):
+        choppy.run(
+            f"""global_settings {{ assumed_gamma 1.0 }}
+Ocean_Load("sea_0001")
+#undef Ocean_Cover
+#declare Ocean_Cover = function(x, z) {{ {cover} }}
+#undef Ocean_DX
+#declare Ocean_DX = function(x, z) {{ 0 }}
+#undef Ocean_DZ
+#declare Ocean_DZ = function(x, z) {{ 0 }}
+#declare Ocean_Direction = 0;
+#declare Ocean_Sky_Light = 1;
+#declare Ocean_Repeats_ = 1000;
+Ocean_Eye_At(<0, 5, 0>, 60)
+#declare Ocean_Pixel_ = {pixel};
+camera {{ orthographic location <99, 5, 66> direction -y right 198*x up 132*z }}
+mesh2 {{
+    vertex_vectors {{ 3, <-9, 0, -9>, <-9, 0, 500>, <700, 0, -9> }}
+    uv_vectors {{ 3, <{cover}, 0>, <{cover}, 0>, <{cover}, 0> }}
+    face_indices {{ 1, <0, 1, 2> }}
+    Ocean_Material("jerlov_ii")
+}}""",
+            width=600,
+            height=600,
+        )
+        picture = read_png(choppy.path / "out.png")[..., 0]
+        means[pixel] = picture.mean()
+        assert (picture.std() > 0.01) == (pixel < 1), "a net far off, or none near"
+    near, far = means.values()
+    # jerlov_ii's own red is the rest.
+    thickness = cover / 0.7 if cover < 0.35 else 1 - 0.175 / cover
+    white = cover * (0.22 + thickness * (0.80 - 0.22))
+    print(f"\nnear {near:.4f}, far {far:.4f}, foam alone {white:.4f}")
+    assert far == pytest.approx(white, abs=0.01)
+    assert near == pytest.approx(far, rel=0.03)
+
+
+def test_textures_are_written_once_and_own_files_are_kept(tmp_path):
+    """Other images of these names are not of `ocean povray`."""
+    folder = Folder(tmp_path, sea_text(resolution=32, period=60.0), "--frames", "1-3")
+    written = {path.name: path.stat().st_size for path in tmp_path.glob("foam_*.png")}
+    assert set(written) == {"foam_lace.png", "foam_bubbles.png", "foam_streaks.png"}
+    assert sum(written.values()) < 3.2e6
+    again = ocean(folder.path, "povray", "its_sea.toml", "-o", ".", "--frames", "1-3")
+    assert again.returncode == 0, again.stderr
+    (tmp_path / "foam_lace.png").write_bytes(b"\x89PNG\r\n\x1a\n of somebody")
+    refused = ocean(folder.path, "povray", "its_sea.toml", "-o", ".")
+    assert refused.returncode == 2 and "foam_lace.png" in refused.stderr
+    assert not list(
+        Folder(tmp_path / "text", sea_text(resolution=32), "--format", "mesh2").path.glob("*.png")
+    )
