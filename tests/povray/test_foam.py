@@ -58,6 +58,7 @@ plane {{ y, 0
 
 
 LACE = """Ocean_Eye_At(<0, 5, 0>, 1)
+#declare Ocean_Pixel_ = 1e-6;
 Ocean_Foam_Settings_()
 Ocean_Declare_Nearness_()
 Ocean_Declare_Lace_()
@@ -119,6 +120,30 @@ def test_far_foam_is_as_much_as_near_foam(rough):
     for name, mean in means.items():
         assert mean == pytest.approx(near, rel=0.02), name
         assert mean == pytest.approx(truth, rel=0.02), name
+
+
+def test_the_waves_carry_the_net_along(rough):
+    """What is seen at the place of a label is what lies at the label, where there is foam."""
+    log = rough.run(
+        f"""Ocean_Load("sea_0001")
+{LACE}{TELL}
+#declare Random = seed(5);
+#for (K, 0, 19999)
+    #local X = {WIDE}*rand(Random);
+    #local Z = {WIDE}*rand(Random);
+    #if (Ocean_Cover(X, Z) > 0.1)
+        #local P = Ocean_Point(X, Z);
+        Tell(Ocean_Foam_Shown_(P.x, P.y, P.z, 0)) Tell(Ocean_Foam_Of_(X, Z, 0, 0.3))
+        Tell(Ocean_Foam_Of_(P.x, P.z, 0, 0.3))
+    #end
+#end"""
+    )
+    shown, truth, unmoved = floats_of(log).reshape(-1, 3).T
+    right = (numpy.abs(shown - truth) < 0.05).mean()
+    print(f"\n{len(truth)} places, {right:.3f} right, {shown.mean():.4f} of {truth.mean():.4f}")
+    assert len(truth) > 500
+    assert right > 0.93
+    assert (numpy.abs(unmoved - truth) < 0.05).mean() < 0.8 * right
 
 
 @pytest.mark.parametrize("cover", [0.05, 0.3, 0.7])
