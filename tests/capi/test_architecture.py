@@ -86,7 +86,7 @@ LIBRARIES = {
             "file": (*SYSTEM, "io.h", "process.h"),
             "mesh": ("wave/",),
             "png": ("png.h",),
-            "povray": ("png.h",),
+            "povray": ("png.h", "wave/"),
             "vdb": ("openvdb/", "tbb/"),
         },
         links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG"),

@@ -4,6 +4,7 @@
 cover says, near and far."""
 
 import os
+import re
 import subprocess
 
 import numpy
@@ -37,6 +38,14 @@ def test_the_formulas_are_those_of_foam_lace_glsl(choppy, tmp_path):
     for name in sorted({line[0] for line in lines}):
         of_it = numpy.array([line[0] == name for line in lines])
         assert numpy.abs(found - expected)[of_it].max() < 1e-9, name
+
+
+def level_share(folder, level):
+    """Of the slope that the maps of a level leave out: v of a mesh's uv."""
+    text = (folder.path / "ocean_parameters.inc").read_text()
+    lost = re.search(r"Ocean_Lost_Slopes = array\[\d+\] { (.*?) }", text).group(1).split(", ")
+    whole = re.search(r"Ocean_Mean_Square_Slope = (.*?);", text).group(1)
+    return float(lost[level]) / float(whole)
 
 
 def rendered_mean(folder, declared, function, width, length, pixels=1000):
@@ -120,6 +129,33 @@ def test_far_foam_is_as_much_as_near_foam(rough):
     for name, mean in means.items():
         assert mean == pytest.approx(near, rel=0.02), name
         assert mean == pytest.approx(truth, rel=0.02), name
+
+
+def test_far_foam_is_as_thick_as_near_foam(rough):
+    """Of coarser maps the thickness of a mean cover would be down to a fifth of this."""
+    near, _ = rendered_mean(
+        rough, LACE, "Ocean_Foam_Of_(x, z, 0, 0.3)*Ocean_Foam_Of_(x, z, 1, 0.3)", WIDE, WIDE
+    )
+    ratios, plain = [], []
+    for level in range(4):
+        for function, means in (
+            (f"Ocean_Far_Thickness_(cover, {level_share(rough, level)})", ratios),
+            ("Ocean_Foam_Mean_Thickness_(cover, 0.35)", plain),
+        ):
+            far, _ = rendered_mean(
+                rough,
+                f"""Ocean_Load_Far_Maps_()
+Ocean_Declare_Far_Thickness_()
+#declare Light = function(cover) {{ cover*{function} }}""",
+                f"Light(Ocean_Seen_Cover_(x/{WIDE}, z/{WIDE}, {level}, 0, 0))",
+                WIDE,
+                WIDE,
+                pixels=400,
+            )
+            means.append(far / near)
+    print(f"\n{numpy.round(ratios, 3)}, of mean covers alone {numpy.round(plain, 3)}")
+    assert numpy.abs(numpy.array(ratios) - 1).max() < 0.04
+    assert plain[3] < 0.7
 
 
 def test_the_waves_carry_the_net_along(rough):

@@ -99,7 +99,7 @@ bool is_baked(const BakeFile& file) {
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
-    constexpr std::uint64_t kWords = 512;
+    constexpr std::uint64_t kWords = 1024;
     const std::vector<int>& maps = plan.maps.resolutions;
     if (file.part < maps.size()) return io::df3_bytes(maps[file.part]);
     return is_fine(plan, file) ? io::df3_bytes(plan.maps.finer, io::kDf3PositionSlices) : kWords;
@@ -126,7 +126,8 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         io::write_file_atomically(
             files.back().path,
             std::string(kOpening) + ": what Ocean_Load of ocean.inc asks for.\n" +
-                io::povray_frame_declarations(work.label()) + witnesses(work.maps.front()));
+                io::povray_frame_declarations(work.label()) + witnesses(work.maps.front()) +
+                io::povray_foam_declarations(work.maps.first(work.plan.maps.resolutions.size())));
     });
 }
 

@@ -4,6 +4,7 @@
 // What a POV-Ray scene is told of a sea.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "ocean/io/frame_label.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
+#include "ocean/surface.hpp"
 
 namespace ocean::io {
 
@@ -35,5 +37,7 @@ struct PovrayFolder {
 std::string povray_declarations(const PovrayFolder& folder);
 /// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
 std::string povray_frame_declarations(const FrameLabel& label);
+/// What Ocean_Material asks of a frame's foam, by cover of the frame's maps, the finest first.
+std::string povray_foam_declarations(std::span<const Surface> maps);
 
 }  // namespace ocean::io
