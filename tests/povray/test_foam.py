@@ -186,7 +186,7 @@ def test_the_waves_carry_the_net_along(rough):
 def test_the_material_sends_as_much_light_near_and_far(choppy, cover):
     """A flat sheet under an even sky: by pixels that show the net, by some that hold many cells."""
     means = {}
-    for pixel in (1e-6, 10.0):
+    for pixel in (1e-6, 0.01, 10.0):
         choppy.run(
             f"""global_settings {{ assumed_gamma 1.0 }}
 Ocean_Load("sea_0001")
@@ -197,6 +197,7 @@ Ocean_Load("sea_0001")
 #undef Ocean_DZ
 #declare Ocean_DZ = function(x, z) {{ 0 }}
 #declare Ocean_Direction = 0;
+#declare Ocean_Tp = 20;
 #declare Ocean_Sky_Light = 1;
 #declare Ocean_Repeats_ = 1000;
 Ocean_Eye_At(<0, 5, 0>, 60)
@@ -214,13 +215,14 @@ mesh2 {{
         picture = read_png(choppy.path / "out.png")[..., 0]
         means[pixel] = picture.mean()
         assert (picture.std() > 0.01) == (pixel < 1), "a net far off, or none near"
-    near, far = means.values()
+    near, between, far = means.values()
     # jerlov_ii's own red is the rest.
     thickness = cover / 0.7 if cover < 0.35 else 1 - 0.175 / cover
     white = cover * (0.22 + thickness * (0.80 - 0.22))
-    print(f"\nnear {near:.4f}, far {far:.4f}, foam alone {white:.4f}")
+    print(f"\nnear {near:.4f}, {between:.4f}, far {far:.4f}, foam alone {white:.4f}")
     assert far == pytest.approx(white, abs=0.01)
     assert near == pytest.approx(far, rel=0.03)
+    assert between == pytest.approx(far, rel=0.03)
 
 
 def test_textures_are_written_once_and_own_files_are_kept(tmp_path):
