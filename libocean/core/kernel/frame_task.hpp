@@ -117,7 +117,6 @@ struct FrameTask {
     int derived_slot[kChannelCount];
     int derived_slots;    // how many
     bool needs_jacobian;  // for itself, whitecaps, foam or cover
-    bool needs_foam;      // for itself or cover
 };
 
 /// Linear fields that are there as planes. plane[field]: null, or the first row of the map,

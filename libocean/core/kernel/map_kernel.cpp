@@ -71,19 +71,21 @@ class Plan {
         for (const Linear field : kLinears) {
             if (fields.contains(field)) task_.slot_of[static_cast<int>(field)] = task_.slots++;
         }
-        const ChannelSet normal = channels.intersects(kNormal) ? kNormal : ChannelSet{};
+        // All of the normal at once, and foam for its cover.
+        ChannelSet derived = channels;
+        if (channels.intersects(kNormal)) derived = derived | kNormal;
+        if (channels.contains(Channel::cover)) derived = derived | Channel::foam;
         int slot = task_.slots;
         for (int c = 0; c < kChannelCount; ++c) {
             const auto channel = static_cast<Channel>(c);
-            if ((channels | normal).contains(channel) && kKernelFormulas.contains(channel)) {
+            if (derived.contains(channel) && kKernelFormulas.contains(channel)) {
                 task_.derived_slot[c] = slot++;
                 use_fields(channel);
             }
         }
         task_.derived_slots = slot - task_.slots;
-        task_.needs_foam = channels.intersects({Channel::foam, Channel::cover});
-        task_.needs_jacobian =
-            task_.needs_foam || channels.intersects({Channel::jacobian, Channel::whitecap});
+        task_.needs_jacobian = channels.intersects(
+            {Channel::jacobian, Channel::whitecap, Channel::foam, Channel::cover});
     }
 
     bool is_flat() const { return task_.choppiness == 0.0f; }

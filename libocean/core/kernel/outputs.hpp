@@ -72,14 +72,16 @@ OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, 
         const Vec w = formula::surface_whitecap(j, task.foam_threshold, task.foam_width);
         set(Channel::jacobian, v, j);
         set(Channel::whitecap, v, w);
-        if (!task.needs_foam) continue;
+        if (task.derived_slot[static_cast<int>(Channel::foam)] < 0) continue;
         const Vec before = task.foam.map != nullptr
                                ? load_unaligned(task.foam.map + place + v * kLanes)
                                : Vec(0.0f);
-        const Vec faded = max(w, Vec(task.foam.fade) * before);
-        const Vec foam(faded.v < Vec(task.foam.least).v ? Lanes{} : faded.v);
-        set(Channel::foam, v, foam);
-        if (task.derived_slot[static_cast<int>(Channel::cover)] < 0) continue;
+        const Vec value = max(w, Vec(task.foam.fade) * before);
+        set(Channel::foam, v, Vec(value.v < Vec(task.foam.least).v ? Lanes{} : value.v));
+    }
+    if (task.derived_slot[static_cast<int>(Channel::cover)] < 0) return;
+    for (int v = 0; v < kRowVectors; ++v) {
+        const Vec foam = row.at(task.derived_slot[static_cast<int>(Channel::foam)], v);
         set(Channel::cover, v, formula::foam_cover(foam, task.foam.cover_power));
     }
 }
