@@ -13,7 +13,8 @@
 //     alpha^2 = residual + lost + sum over bands of slope_tile_left
 // with alpha of Beckmann's distribution, the residual of DetailBudget, and lost, what a coarser
 // mesh far away lacks of the map that the bands begin at. Shown slope and roughness are the sea's
-// mean square slope at every distance. Tests: SlopeTiles in tests/unit/detail_test.cpp.
+// mean square slope at every distance, where the map is read bilinearly: its waves are raised by
+// what they lose to that. Tests: SlopeTiles in tests/unit/detail_test.cpp.
 
 // Edges of triangles a tile. A corner's copy is seen up to one edge from it: with two edges a tile
 // a place and its repetition never stand in one copy. Measured at Beaufort 4: a correlation of 0.05

@@ -8,6 +8,19 @@ import pytest
 import libocean
 
 
+def read_square(slope):
+    """The mean square over all places, straight lines between samples: Gauss's two points a side
+    are exact."""
+    squares = []
+    for along in (0.5 - 12**-0.5, 0.5 + 12**-0.5):
+        for across in (0.5 - 12**-0.5, 0.5 + 12**-0.5):
+            read = slope.astype(float)
+            read = read + along * (np.roll(read, -1, 1) - read)
+            read = read + across * (np.roll(read, -1, 0) - read)
+            squares.append(np.square(read).sum(2).mean())
+    return np.mean(squares)
+
+
 def test_bands_are_slope_maps_with_what_they_hold(sea):
     detail = sea.detail(3.0, samples=256)
     assert len(detail.bands) == 3
@@ -17,7 +30,7 @@ def test_bands_are_slope_maps_with_what_they_hold(sea):
         assert before is None or band.longest_wave == before.shortest_wave
         assert band.tile == pytest.approx(max(1.0, 8.3 * band.longest_wave))
         variance = band.variance_x + band.variance_y
-        assert np.square(band.slope, dtype=float).sum(2).mean() == pytest.approx(variance, rel=0.15)
+        assert read_square(band.slope) == pytest.approx(variance, rel=0.15)
         assert band.covariance > 0.0  # the wind blows towards 30 degrees
     assert detail.bands[-1].shortest_wave == 0.012
 

@@ -65,15 +65,39 @@ std::vector<NamedSea> seas() {
     return seas;
 }
 
+/// A tile as materials read it, straight lines from sample to sample, at a place in tiles.
+std::complex<double> bilinear(std::span<const float> slopes, int samples, double x, double y) {
+    const auto n = static_cast<std::size_t>(samples);
+    x = (x - std::floor(x)) * samples;
+    y = (y - std::floor(y)) * samples;
+    const double u = x - std::floor(x), v = y - std::floor(y);
+    const auto at = [&](double column, double row) {
+        const std::size_t i = static_cast<std::size_t>(column) % n;
+        const std::size_t j = static_cast<std::size_t>(row) % n;
+        return std::complex<double>(slopes[2 * (j * n + i)], slopes[2 * (j * n + i) + 1]);
+    };
+    return (1.0 - v) * ((1.0 - u) * at(x, y) + u * at(x + 1.0, y)) +
+           v * ((1.0 - u) * at(x, y + 1.0) + u * at(x + 1.0, y + 1.0));
+}
+
+/// Mean products over all places: between samples at Gauss's two points a side, which are exact.
 SlopeVariance measured(std::span<const float> slopes) {
+    const int n =
+        static_cast<int>(std::lround(std::sqrt(0.5 * static_cast<double>(slopes.size()))));
     SlopeVariance sum;
-    for (std::size_t i = 0; i < slopes.size(); i += 2) {
-        const double x = slopes[i], y = slopes[i + 1];
-        sum.x += x * x;
-        sum.y += y * y;
-        sum.xy += x * y;
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            for (const double v : {0.21132486540518708, 0.78867513459481287}) {
+                for (const double u : {0.21132486540518708, 0.78867513459481287}) {
+                    const std::complex<double> s = bilinear(slopes, n, (i + u) / n, (j + v) / n);
+                    sum.x += s.real() * s.real();
+                    sum.y += s.imag() * s.imag();
+                    sum.xy += s.real() * s.imag();
+                }
+            }
+        }
     }
-    const double count = 0.5 * static_cast<double>(slopes.size());
+    const double count = 4.0 * n * n;
     return {sum.x / count, sum.y / count, sum.xy / count};
 }
 
@@ -219,14 +243,7 @@ class BlendedBand {
     std::complex<double> alone(double x, double y) const { return sample(x / tile_, y / tile_); }
 
   private:
-    std::complex<double> sample(double x, double y) const {
-        const auto index = [&](double tiles) {
-            return static_cast<std::size_t>((tiles - std::floor(tiles)) * samples_) %
-                   static_cast<std::size_t>(samples_);
-        };
-        const std::size_t at = 2 * (index(y) * static_cast<std::size_t>(samples_) + index(x));
-        return {map_[at], map_[at + 1]};
-    }
+    std::complex<double> sample(double x, double y) const { return bilinear(map_, samples_, x, y); }
 
     std::span<const float> map_;
     int samples_;

@@ -84,7 +84,9 @@ inline constexpr std::array<Product, 1 + kMostDetailBands> kDetailProducts = {
      {"detail3", {}, 0, ""}}};
 
 /// Slope maps of one time, by label: linear fields, as `slope` of a Surface is. Row-major [j][i],
-/// sample (i, j) at (i, j) * tile / samples, dh/dx and dh/dy interleaved.
+/// sample (i, j) at (i, j) * tile / samples, dh/dx and dh/dy interleaved. Each wave is so much
+/// higher that, read bilinearly, slopes have the band's variance: a wave along a side by 3 % at 10
+/// samples, by 22 % at 4.
 class Detail {
   public:
     Detail() = default;
