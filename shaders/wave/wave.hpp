@@ -51,9 +51,11 @@ inline constexpr float splitter = 4097.0f;
 #include "wave/noise.glsl"
 
 #include "wave/copies.glsl"
+#include "wave/crest_light.glsl"
 #include "wave/dispersion.glsl"
 #include "wave/foam_cover.glsl"
 #include "wave/foam_lace.glsl"
+#include "wave/haze.glsl"
 #include "wave/horizon.glsl"
 #include "wave/phase.glsl"
 #include "wave/reflectance.glsl"
@@ -70,9 +72,11 @@ inline constexpr double splitter = 134217729.0;
 #include "wave/noise.glsl"
 
 #include "wave/copies.glsl"
+#include "wave/crest_light.glsl"
 #include "wave/dispersion.glsl"
 #include "wave/foam_cover.glsl"
 #include "wave/foam_lace.glsl"
+#include "wave/haze.glsl"
 #include "wave/horizon.glsl"
 #include "wave/phase.glsl"
 #include "wave/reflectance.glsl"

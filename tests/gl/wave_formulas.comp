@@ -12,9 +12,11 @@
 #include "wave/dispersion.glsl"
 #include "wave/phase.glsl"
 #include "wave/copies.glsl"
+#include "wave/crest_light.glsl"
 #include "wave/erfc.glsl"
 #include "wave/foam_cover.glsl"
 #include "wave/foam_lace.glsl"
+#include "wave/haze.glsl"
 #include "wave/horizon.glsl"
 #include "wave/reflectance.glsl"
 #include "wave/slope_tiles.glsl"
@@ -44,6 +46,7 @@ void main() {
     area += read.weight * (read.x + read.y) + slope_tile_left(fade, 0.01);
     float lace = unite_uniform(add_uniform(k, area, 0.3), 0.5, 0.1);
     area += foam_faded(foam_mask(0.2, lace, 0.1), 0.2, k, 0.86);
+    area += crest_light(area, 0.5, k, -0.2) + haze(area, 4e4);
     area += foam_thickness(0.2, lace, 0.35) + foam_mean_thickness(k, 0.35);
     result[id] = vec4(normal.x + normal.y, normal.z * group_velocity(k, 9.81, 7.4e-5, 100.0),
                       area * horizontal_displacement(k, 100.0), state.rate_re + state.rate_im);

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "ocean/error.hpp"
+
 namespace ocean {
 namespace {
 
@@ -85,6 +87,25 @@ TEST(WaterTypes, ClearOceanReflectsWhatIsObserved) {
     EXPECT_LT(reflected[0], 0.001);
     // b_b / a = (0.00305 / 2 + 0.0183 * 0.00031) / 0.0182 by hand.
     EXPECT_NEAR(reflected[2], 0.33 * 0.001528 / 0.0182, 2e-4);
+}
+
+TEST(WaterTypes, CrestsAreGreenerThanTheDeepAndDarkInTurbidWater) {
+    for (const WaterType& type : water_types()) {
+        const Rgb crest = type.crest_colour();
+        const Rgb deep = type.water_leaving_albedo();
+        EXPECT_GT(crest[1] / crest[2], deep[1] / deep[2]) << type.name;
+        EXPECT_LT(crest[0], 0.06) << type.name;
+        EXPECT_LT(crest[1], 0.35) << type.name;
+    }
+    // By hand for II, green: 0.55 (1 - exp(-8 (0.177 + 0.15))) exp(-8 0.0724).
+    const Rgb crest = water_type("jerlov_ii").crest_colour();
+    EXPECT_NEAR(crest[1], 0.55 * 0.9269 * 0.5603, 2e-4);
+    EXPECT_LT(water_type("jerlov_9c").crest_colour()[2], 0.002);
+}
+
+TEST(WaterTypes, AreFoundByTheirNames) {
+    for (const WaterType& type : water_types()) EXPECT_EQ(&water_type(type.name), &type);
+    EXPECT_THROW(water_type("jerlov_x"), Error);
 }
 
 }  // namespace

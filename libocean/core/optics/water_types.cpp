@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ocean/error.hpp"
 #include "ocean/json.hpp"
 
 namespace ocean {
@@ -90,6 +91,12 @@ std::span<const WaterType> water_types() {
     return kTypes;
 }
 
+const WaterType& water_type(std::string_view name) {
+    const auto found = std::ranges::find(kTypes, name, &WaterType::name);
+    if (found != std::ranges::end(kTypes)) return *found;
+    throw Error(ErrorKind::invalid_value, "there is no type of water '" + std::string(name) + "'");
+}
+
 Rgb WaterType::backscattering() const {
     return each_channel([this](std::size_t c) {
         const double of_water = 0.005826 * std::pow(400.0 / kRgbWavelengths[c], 4.322);
@@ -107,6 +114,15 @@ Rgb WaterType::water_leaving_albedo() const {
     return each_channel([&](std::size_t c) { return 0.55 * below[c] / (1.0 - 0.48 * below[c]); });
 }
 
+Rgb WaterType::crest_colour() const {
+    constexpr double kWay = 8.0;       // m
+    constexpr double kBubbles = 0.15;  // 1/m
+    return each_channel([&](std::size_t c) {
+        const double scattered = 1.0 - std::exp(-kWay * (scattering[c] + kBubbles));
+        return 0.55 * scattered * std::exp(-kWay * absorption[c]);
+    });
+}
+
 std::string water_types_json() {
     const auto number = [](double value) { return Json(value, plain_text); };
     const auto rgb = [&](const Rgb& value) {
@@ -118,6 +134,7 @@ std::string water_types_json() {
         row.add("name", type.name).add("label", type.label).add("help", type.help);
         row.add("absorption", rgb(type.absorption)).add("scattering", rgb(type.scattering));
         row.add("albedo", rgb(type.water_leaving_albedo()));
+        row.add("crest", rgb(type.crest_colour()));
         row.add("ior", number(kWaterIor)).add("anisotropy", number(kScatteringAnisotropy));
         table.add(row.add("foam_albedo", number(kFoamAlbedo)));
     }

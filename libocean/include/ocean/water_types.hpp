@@ -45,13 +45,20 @@ struct WaterType {
     /// what enters the water, spread by refraction as it leaves [Mobley 1999]; 0.48 of the diffuse
     /// light from below is thrown back down [Gordon 1988].
     Rgb water_leaving_albedo() const;
+    /// Of the sun's light behind a crest, what comes through it, where wave/crest_light.glsl is 1:
+    /// 0.55 (1 - exp(-(b + 0.15) l)) exp(-a l), scattered and absorbed on a way of l = 8 m, with
+    /// bubbles that scatter 0.15 / m. These three numbers are chosen by eye, for Jerlov's II.
+    Rgb crest_colour() const;
 };
 
 /// Clearest first: neither absorption nor scattering falls from one to the next.
 std::span<const WaterType> water_types();
+/// Of that name. Throws Error invalid_value.
+const WaterType& water_type(std::string_view name);
 
 /// The table as JSON, an array of objects: name, label, help, ior, absorption, scattering,
-/// anisotropy (the mean cosine), albedo (of the water body), foam_albedo.
+/// anisotropy (the mean cosine), albedo (of the water body), crest (colour of crests with the sun
+/// behind them), foam_albedo.
 std::string water_types_json();
 
 }  // namespace ocean
