@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: a DF3 file holds each length to half a quantum, offsets on the grid that single precision
-// keeps, normals to 1e-8 in folds too, foam and cover exactly; big-endian, the slices in their
-// order. Foam of a coarser map keeps its mean and its place. What POV-Ray makes of it:
-// tests/povray.
+// keeps, normals to 1e-8 in folds too, foam and cover exactly, slope tiles to half a quantum;
+// big-endian, the slices in their order. Foam of a coarser map keeps its mean and its place. What
+// POV-Ray makes of it: tests/povray.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,6 +99,32 @@ TEST(Df3, ThreeSlicesAreThoseOfThePosition) {
     ASSERT_EQ(three.size(), io::df3_bytes(32, io::kDf3PositionSlices));
     EXPECT_EQ(big_endian(three, 4, 2), 3u);
     EXPECT_EQ(three.substr(6), all.substr(6, three.size() - 6));
+}
+
+TEST(Df3, SlopeTilesAreTwoSlicesABand) {
+    const TemporaryFolder folder;
+    DetailBudget budget;
+    budget.bands.resize(2);
+    Detail detail(0.0, 256, budget);
+    for (std::size_t band = 0; band < 2; ++band) {
+        for (std::size_t at = 0; at < detail.slopes(band).size(); ++at) {
+            detail.slopes(band)[at] = 0.001f * static_cast<float>(at % 997) - 0.4f;
+        }
+    }
+    detail.slopes(1)[7] = -77.0f;
+    io::write_slopes_df3(detail, folder.file("slopes.df3"));
+    const std::string bytes = test::read_bytes(folder.file("slopes.df3"));
+    ASSERT_EQ(bytes.size(), io::slopes_df3_bytes(256, 2));
+    EXPECT_EQ(big_endian(bytes, 0, 2), 256u);
+    EXPECT_EQ(big_endian(bytes, 2, 2), 256u);
+    EXPECT_EQ(big_endian(bytes, 4, 2), 4u);
+    for (std::size_t at = 0; at < 4 * 256 * 256; ++at) {
+        const std::size_t slice = at / (256 * 256), place = at % (256 * 256);
+        const double code = static_cast<double>(big_endian(bytes, 6 + 2 * at, 2));
+        const double slope = detail.slopes(slice / 2)[2 * place + slice % 2];
+        const double held = slope < -1.0 ? -3.99 : slope;  // steeper than a file holds
+        ASSERT_NEAR((code - 32768.0) / 8192.0, held, 6.2e-5) << at;
+    }
 }
 
 TEST(Df3, RefusesWhatItCannotHold) {

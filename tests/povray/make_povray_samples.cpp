@@ -3,7 +3,8 @@
 //
 // Writes what test_baked_files.py renders: make_povray_samples FOLDER. Six sine waves of known
 // height, flat and choppy, as a height_field and as patch meshes. For test_foam.py foam_lace.csv:
-// calls of functions of ocean.inc and what the formulas of shaders/wave/foam_lace.glsl say of them.
+// calls of functions of ocean.inc and what the formulas of shaders/wave/foam_lace.glsl say of them;
+// for test_detail.py slope_tiles.csv, the same of slope_tiles.glsl and copies.glsl.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -109,6 +110,35 @@ std::string foam_lace_calls() {
     return lines;
 }
 
+/// copy_corner takes a place in a square, as a place on the grid and its triangle do in ocean.inc.
+std::string slope_tile_calls() {
+    namespace wave = wave::double_precision;
+    std::string lines;
+    for (const double x : {0.05, 0.3, 0.61, 0.97}) {
+        for (const double y : {0.02, 0.44, 0.72, 0.93}) {
+            for (const double square : {0.0, -7.0, 1234.0}) {
+                for (int corner = 0; corner < 3; ++corner) {
+                    lines += format_text("Ocean_Weight_,%.17g,%.17g,%d,%d,%.17g\n", square + x,
+                                         2.0 * square + y, x + y > 1.0 ? 1 : 0, corner,
+                                         wave::copy_corner(x, y, corner).weight);
+                }
+            }
+        }
+    }
+    for (const double shortest : {0.012, 0.1, 1.3}) {
+        for (const double longest : {2.0 * shortest, 6.0 * shortest}) {
+            for (double footprint = 0.0; footprint < 10.0; footprint = 1.3 * footprint + 0.003) {
+                const double fade = wave::slope_tile_fade(footprint, shortest, longest);
+                lines += format_text("Ocean_Tile_Fade_,%.17g,%.17g,%.17g,%.17g\n", footprint,
+                                     shortest, longest, fade);
+                lines += format_text("Ocean_Tile_Left_,%.17g,%.17g,%.17g\n", fade, shortest,
+                                     wave::slope_tile_left(fade, shortest));
+            }
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -124,5 +154,6 @@ int main(int argc, char** argv) {
     io::write_mesh2(io::make_patch_mesh(flat), label, folder + "flat.inc");
     io::write_mesh2(io::make_patch_mesh(choppy), label, folder + "choppy.inc");
     io::write_file_atomically(folder + "foam_lace.csv", foam_lace_calls());
+    io::write_file_atomically(folder + "slope_tiles.csv", slope_tile_calls());
     return 0;
 }

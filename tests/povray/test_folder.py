@@ -15,7 +15,7 @@ import libocean
 def test_the_frames_are_those_of_a_bake(tmp_path):
     sea = sea_text(resolution=64, period=60.0)
     for form, extension, options in (
-        ("df3", "df3", ["--far-maps", "--fine-map"]),
+        ("df3", "df3", ["--far-maps", "--fine-map", "--detail-map"]),
         ("mesh2", "inc", ["--mesh-foam"]),
     ):
         folder = Folder(tmp_path / form, sea, "--format", form)
@@ -30,7 +30,7 @@ def test_the_frames_are_those_of_a_bake(tmp_path):
         )
         assert done.returncode == 0, done.stderr
         frames = sorted(baked.glob(f"sea_0001*.{extension}"))
-        assert len(frames) == (3 if form == "df3" else 1)
+        assert len(frames) == (4 if form == "df3" else 1)
         for frame in frames:
             assert frame.read_bytes() == (folder.path / frame.name).read_bytes(), frame.name
 

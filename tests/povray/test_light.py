@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Sky, sun and the camera's place: the horizon, twilight, how far ripples and lace are seen."""
+"""Sky, sun and the camera's place: the horizon, twilight, how far slope tiles and lace are seen."""
 
 import re
 
 import numpy
+import OpenImageIO as oiio
 import pytest
 from conftest import Folder, floats_of, read_png, sea_text
 
@@ -87,6 +88,36 @@ Ocean_Sky(0)""",
     return read_png(folder.path / "out.png").mean()
 
 
+@pytest.mark.parametrize("altitude,clouds", [(2, 0.0), (12, 0.0), (35, 0.0), (70, 0.0), (25, 0.5)])
+def test_the_light_of_the_sky_is_its_irradiance_over_pi(choppy, altitude, clouds):
+    """Of a picture of all of it, each pixel by the sine of its elevation."""
+    columns, rows = 360, 180
+    log = choppy.run(
+        f"""global_settings {{ assumed_gamma 1.0 }}
+Ocean_Eye_At(0, 60)
+camera {{ spherical angle 360 180 location 0 look_at x }}
+Ocean_Sun({altitude}, 40)
+Ocean_Sky({clouds})
+#macro Tell(V) #debug concat("V ", str(V, 0, 9), "\n") #end
+Tell(Ocean_Sky_Light.x) Tell(Ocean_Sky_Light.y) Tell(Ocean_Sky_Light.z)""",
+        "+FE",
+        f"+Osky_{altitude}.exr",
+        width=columns,
+        height=rows,
+    )
+    picture = oiio.ImageBuf(str(choppy.path / f"sky_{altitude}.exr")).get_pixels(oiio.FLOAT)[
+        : rows // 2, :, :3
+    ]
+    elevation = numpy.pi / 2 - (numpy.arange(rows // 2) + 0.5) * numpy.pi / rows
+    weight = numpy.sin(elevation) * numpy.cos(elevation)
+    mean = (picture.mean(1) * weight[:, None]).sum(0) / weight.sum()
+    told = floats_of(log)
+    print(f"\n{told}, of the picture {mean}: {told / mean}")
+    assert told == pytest.approx(mean, rel=0.02)
+    if clouds == 0 and altitude > 30:
+        assert told[2] > 1.5 * told[0], "a blue sky's light is blue"
+
+
 def test_twilight_is_as_dark_as_it_is(choppy):
     """Lux of the Explanatory Supplement: 3.4 at -6 degrees, where civil twilight ends."""
     sunset = brightness(choppy, 0)
@@ -122,26 +153,26 @@ sphere {{ 0, 1 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }} }}""",
     assert (read_png(choppy.path / "out.png").max() > 1e-4) == lit
 
 
-def test_ripples_and_lace_reach_as_far_whatever_the_sea_level(choppy):
+def test_tiles_and_lace_reach_as_far_whatever_the_sea_level(choppy):
     """Their reach is a distance in pixels; and a material before the view knows of Ocean_Eye_At."""
     log = choppy.run(
         """Ocean_Load("sea_0001")
 #macro Tell(V) #debug concat("V ", str(V, 0, 9), "\\n") #end
-#macro Probe(Height, Angle, Distance)  // of ripples; lace ten times as far
+#macro Probe(Height, Angle, Distance)  // of tiles; lace two and a half times as far
     Ocean_Eye_At(<3, Height, 5>, Angle)
     #declare Water = Ocean_Material("jerlov_ii")
-    Tell(Ocean_Ripples_Seen_(3 + Distance, Height, 5))
-    Tell(Ocean_Lace_Seen_(3, Height - 10*Distance, 5))
+    Tell(1 - Ocean_Detail_Left_(3, Height - Distance, 5))
+    Tell(Ocean_Lace_Seen_(3, Height - 2.5*Distance, 5))
 #end
-Probe(-2, 60, 3) Probe(0, 60, 3) Probe(700, 60, 3)
-Probe(5, 60, 1.5) Probe(5, 30, 3) Probe(5, 60, 90)""",
+Probe(-2, 60, 12) Probe(0, 60, 12) Probe(700, 60, 12)
+Probe(5, 60, 6) Probe(5, 30, 12) Probe(5, 60, 900)""",
         width=480,
     )
-    ripples, lace = floats_of(log).reshape(6, 2).T
-    for seen in (ripples, lace):
+    tiles, lace = floats_of(log).reshape(6, 2).T
+    for seen in (tiles, lace):
         assert seen[0] == pytest.approx(seen[1]) == pytest.approx(seen[2])
-    assert ripples[3] > ripples[0] > 0 == ripples[5]
-    assert ripples[4] > ripples[0], "a longer lens sees farther"
+    assert tiles[3] > tiles[0] > 0.01 > tiles[5]
+    assert tiles[4] > tiles[0], "a longer lens sees farther"
     assert lace[0] > 0.5 > 0 == lace[5]
 
 

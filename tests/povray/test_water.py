@@ -136,3 +136,126 @@ def test_the_waves_of_a_pool_gather_light(tmp_path):
     contrast = numpy.percentile(light, 99.5) / light.mean()
     print(f"\ncontrast {contrast:.2f}")
     assert contrast > 2.0
+
+
+SHEET = """global_settings { assumed_gamma 1.0 max_trace_level 5 }
+Ocean_Load("sea_0001")
+#undef Ocean_Cover
+#declare Ocean_Cover = function(x, z) { COVER }
+#undef Ocean_Foam
+#declare Ocean_Foam = function(x, z) { 0 }
+#undef Ocean_DX
+#declare Ocean_DX = function(x, z) { 0 }
+#undef Ocean_DZ
+#declare Ocean_DZ = function(x, z) { 0 }
+#declare Ocean_Direction = 0;
+#declare Ocean_Foam_Streaks = 0;
+#declare Ocean_Repeats_ = 1000;
+#declare Ocean_Sky_Light = 1;
+Ocean_Eye_At(<30, HEIGHT, 40>, 60)
+#declare Ocean_Pixel_ = 1e-9;
+"""
+
+
+def sheet(folder, height, cover, more, width, pixels=100):
+    """A flat surface seen from straight above or below."""
+    words = SHEET.replace("COVER", str(cover)).replace("HEIGHT", str(height))
+    log = folder.run(
+        f"""{words}
+camera {{ orthographic location <30, {height}, 40> direction {-numpy.sign(height)}*y
+         right {width}*x up {width}*z }}
+{more}""",
+        width=pixels,
+        height=pixels,
+    )
+    picture = read_png(folder.path / "out.png")[..., 0]
+    # POV-Ray keeps right and up as they are, whichever way it looks.
+    return picture, log
+
+
+def test_ripples_are_the_same_surface_from_below(choppy):
+    """A mirror under a sky that grows brighter towards +x: what a slope leans its mirrored ray to
+    from above it leans the other way from below, and by as much."""
+    mirror = """sky_sphere { pigment { function { min(0.9999, max(0, 0.5 + 0.4*x)) }
+    color_map { [0 rgb 0] [1 rgb 1] } } }
+Ocean_Foam_Settings_() Ocean_Declare_Nearness_() Ocean_Declare_Detail_()
+plane { y, 0 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection 1 }
+    Ocean_Ripples_(Ocean_Eye_Is_Under_()) }"""
+    above, _ = sheet(choppy, 5.0, 0, mirror, 0.4)
+    below, _ = sheet(choppy, -5.0, 0, mirror, 0.4)
+    a, b = (above - 0.5) / 0.4, (below - 0.5) / 0.4
+    print(f"\nfrom above {a.std():.4f}, from below {b.std():.4f}, their sum {(a + b).std():.5f}")
+    assert a.std() > 0.05
+    assert (a + b).std() < 0.01 * a.std()
+
+
+@pytest.mark.parametrize("cover", [0.1, 0.4])
+def test_foam_is_seen_from_below(choppy, cover):
+    """As much of it as from above, lit by the share that goes through."""
+    water = """mesh2 {
+    vertex_vectors { 3, <-900, 0, -900>, <-900, 0, 900>, <1900, 0, 0> }
+    face_indices { 1, <0, 1, 2> }
+    material { Ocean_Clear_Texture_() interior { ior 1 } }
+}"""
+    above, _ = sheet(choppy, 5.0, cover, water, 60, 300)
+    below, _ = sheet(choppy, -5.0, cover, water, 60, 300)
+    ratio = below.mean() / above.mean()
+    print(f"\nfoam {above.mean():.4f} from above, {below.mean():.4f} from below")
+    assert above.mean() > 0.2 * cover and above.std() > 0.05
+    assert ratio == pytest.approx(0.45, rel=0.02)
+    bare, _ = sheet(choppy, -5.0, 0, water, 60, 30)
+    assert bare.max() < 1e-3
+
+
+def test_snells_window_is_broken_by_ripples(choppy):
+    """From 3 m down: the sky above a sharp horizon; steps between pixels along its edge."""
+
+    def seen(more):
+        choppy.run(
+            f"""global_settings {{ assumed_gamma 1.0 max_trace_level 4 }}
+Ocean_Load("sea_0001")
+#declare Eye = <30, -3, 40>;
+camera {{ location Eye right x*image_width/image_height angle 70 look_at Eye + <10, 9, 0> }}
+Ocean_Eye_At(Eye, 70)
+{more}
+#declare Ocean_Foam_Amount = 0;
+sky_sphere {{ pigment {{ rgb 1 }} }}
+object {{ Ocean_Volume(<30, 0, 40>, 60, 20, 0.5) Ocean_Clear_Material("jerlov_i") }}""",
+            width=120,
+            height=90,
+        )
+        return read_png(choppy.path / "out.png")[..., 1]
+
+    rippled, smooth = seen(""), seen("#declare Ocean_Detail_Bands_ = 0;")
+    edges = [numpy.abs(numpy.diff(p, axis=1)).mean() for p in (rippled, smooth)]
+    print(f"\nmean step between pixels {edges[0]:.4f}, without ripples {edges[1]:.4f}")
+    assert smooth.max() > 0.5 and edges[0] > 1.5 * edges[1]
+
+
+def test_shafts_of_light_follow_the_refracted_sun(choppy):
+    """Between two depths what the waves gather moves by the way of the light in water, and on the
+    average over the sea it is as much light as without waves."""
+    log = choppy.run(
+        """Ocean_Load("sea_0001")
+#macro Tell(V) #debug concat("V ", str(V, 0, 9), "\n") #end
+#declare Ocean_Sun_Direction = <cos(radians(40)), sin(radians(40)), 0>;
+Ocean_Declare_Focus_()
+#declare Way = cos(radians(40))/Ocean_Water_Ior;
+#declare Way = Way/sqrt(1 - Way*Way);
+#declare Random = seed(4);
+#for (I, 0, 1499)
+    #local X = 100*rand(Random);
+    #local Z = 100*rand(Random);
+    Tell(Ocean_Focus_(X, -4, Z)) Tell(Ocean_Focus_(X - Way, -5, Z))
+    Tell(Ocean_Focus_(X + Way, -5, Z))
+#end"""
+    )
+    upper, along, against = floats_of(log).reshape(-1, 3).T
+    follows = numpy.corrcoef(upper, along)[0, 1]
+    other = numpy.corrcoef(upper, against)[0, 1]
+    print(
+        f"\nmean {upper.mean():.3f}, deviation {upper.std():.2f}, along {follows:.3f},"
+        f" against {other:.3f}"
+    )
+    assert upper.mean() == pytest.approx(1.0, abs=0.1) and upper.std() > 0.05
+    assert follows > 0.8 > 0.5 > other

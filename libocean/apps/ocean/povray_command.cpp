@@ -52,6 +52,7 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
     options.threads = context.options.threads;
     options.largest_map = kLargestMap;
     if (df3) options.of_format["fine-map"] = "yes";
+    if (df3) options.of_format["detail-map"] = "yes";
     if (df3 && !typed.near_only) options.of_format["far-maps"] = "yes";
     if (typed.format == "mesh2") options.of_format["mesh-foam"] = "yes";
     options.open_sea = [&typed](const std::string& source) {

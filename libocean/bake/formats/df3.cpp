@@ -3,10 +3,14 @@
 //
 // Maps for POV-Ray as density files: one a frame and, for the sea to the horizon, coarser ones
 // beside it, sea_0001_far1.df3 and so on. For what floats there is sea_0001_fine.df3, of twice the
-// samples: between samples a wave of two is not to be found, one of four is. A density file has no
-// room for words: sea_0001.df3.inc tells a scene what these are of.
+// samples: between samples a wave of two is not to be found, one of four is. For the light of near
+// water there is sea_0001_detail.df3, the slopes of waves too short for the map. A density file has
+// no room for words: sea_0001.df3.inc tells a scene what these are of.
 #include "ocean/io/df3.hpp"
 
+#include <algorithm>
+
+#include "formats/detail_tiles.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/checked_text.hpp"
@@ -21,17 +25,28 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return {{"far-maps", "", "Coarser maps beside that of each frame, a third more data"},
             {"fine-map", "",
              "Height and displacement at twice the samples beside each frame, for exact heights of "
-             "places, twice its data; where the map has not four samples of its shortest wave"}};
+             "places, twice its data; where the map has not four samples of its shortest wave"},
+            {"detail-map", "",
+             "Slope tiles of the waves too short for the map beside each frame, at most a third of "
+             "its data from 512 samples on"}};
 }
 
 struct Settings {
     bool far_maps = false;
     bool fine_map = false;
+    bool detail_map = false;
+    DetailSettings detail = {};
+    int detail_bands = 0;  // in the file; 0: there is none
 };
+
+const Settings& settings_of(const BakePlan& plan) {
+    return std::any_cast<const Settings&>(plan.settings);
+}
 
 std::any read_options(const BakeOptions& options, const Catalogue&) {
     return Settings{!options.format_option("far-maps").empty(),
-                    !options.format_option("fine-map").empty()};
+                    !options.format_option("fine-map").empty(),
+                    !options.format_option("detail-map").empty()};
 }
 
 /// Samples along a side of the fine map, or 0 where the map itself is fine enough.
@@ -44,14 +59,21 @@ int fine_resolution(const BakePlan& begun) {
 }
 
 FormatPlan settle(const BakePlan& begun) {
-    const auto& settings = std::any_cast<const Settings&>(begun.settings);
+    Settings settings = settings_of(begun);
     FrameMaps maps{io::df3_channels(), {begun.resolution}};
     if (settings.far_maps) maps.resolutions = halving_resolutions(begun.resolution);
     if (settings.fine_map) {
         maps.finer = fine_resolution(begun);
         maps.finer_channels = io::df3_position_channels();
     }
-    return {maps, begun.settings};
+    if (settings.detail_map) {
+        // As fine as the map, so that the files grow alike.
+        settings.detail = {begun.resolution,
+                           std::clamp(begun.resolution, kLeastDetailSamples, kUsualDetailSamples)};
+        settings.detail_bands =
+            static_cast<int>(detail_bands(begun.sea.parameters, settings.detail).size());
+    }
+    return {maps, settings};
 }
 
 /// "sea_0001.df3", "_fine" -> "sea_0001_fine.df3".
@@ -74,17 +96,24 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     if (plan.maps.finer > 0) {
         files.push_back({path_with(path, "_fine"), frame, files.size(), "map"});
     }
+    if (settings_of(plan).detail_bands > 0) {
+        files.push_back({path_with(path, "_detail"), frame, files.size(), "map"});
+    }
     files.push_back({path + ".inc", frame, files.size(), "map"});
     return files;
 }
 
 std::string recipe(const BakePlan& plan, const BakeFile& file) {
-    return bake_recipe(plan, file.frame);
+    if (!file.path.ends_with(".inc")) return bake_recipe(plan, file.frame);
+    return bake_recipe(plan, file.frame,
+                       "maps " + std::to_string(plan.maps.resolutions.size()) + "\ndetail " +
+                           std::to_string(settings_of(plan).detail_bands) + "\n");
 }
 
 constexpr std::string_view kOpening = "// A frame for POV-Ray";
 
-/// A square of whole maps' size, seven slices or three; or words that open as ours do.
+/// A square of whole maps' size, seven slices or three, or two for each slope tile; or words that
+/// open as ours do.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
         return text::first_bytes(file.path, kOpening.size()) == kOpening;
@@ -94,15 +123,27 @@ bool is_baked(const BakeFile& file) {
     const auto size_at = [&head](std::size_t i) {
         return static_cast<unsigned char>(head[i]) << 8 | static_cast<unsigned char>(head[i + 1]);
     };
+    const int slices = size_at(4);
     return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
-           (size_at(4) == io::kDf3Slices || size_at(4) == io::kDf3PositionSlices);
+           (slices == io::kDf3Slices || slices == io::kDf3PositionSlices ||
+            (slices % 2 == 0 && slices <= 2 * kMostDetailBands));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
-    constexpr std::uint64_t kWords = 1024;
+    constexpr std::uint64_t kWords = 2048;
     const std::vector<int>& maps = plan.maps.resolutions;
     if (file.part < maps.size()) return io::df3_bytes(maps[file.part]);
-    return is_fine(plan, file) ? io::df3_bytes(plan.maps.finer, io::kDf3PositionSlices) : kWords;
+    if (is_fine(plan, file)) return io::df3_bytes(plan.maps.finer, io::kDf3PositionSlices);
+    if (file.path.ends_with(".inc")) return kWords;
+    const Settings& settings = settings_of(plan);
+    return io::slopes_df3_bytes(settings.detail.samples, settings.detail_bands);
+}
+
+std::uint64_t frame_bytes(const BakePlan& plan) {
+    const Settings& settings = settings_of(plan);
+    if (settings.detail_bands == 0) return 0;
+    return detail_bytes(plan.sea.parameters, settings.detail, plan.backend) +
+           maps_bytes(settings.detail.samples, 2 * settings.detail_bands);
 }
 
 /// Three heights, so that words and map are known to be of one frame.
@@ -122,12 +163,19 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         const int slices = is_fine(work.plan, file) ? io::kDf3PositionSlices : io::kDf3Slices;
         work.put(file, [&] { io::write_df3(work.maps[file.part], file.path, slices); });
     }
+    Detail detail;
+    if (settings_of(work.plan).detail_bands > 0) {
+        detail = work.ocean.detail(work.time(), settings_of(work.plan).detail);
+        const BakeFile& file = files[work.maps.size()];
+        work.put(file, [&] { io::write_slopes_df3(detail, file.path); });
+    }
     work.put(files.back(), [&] {
         io::write_file_atomically(
             files.back().path,
             std::string(kOpening) + ": what Ocean_Load of ocean.inc asks for.\n" +
                 io::povray_frame_declarations(work.label()) + witnesses(work.maps.front()) +
-                io::povray_foam_declarations(work.maps.first(work.plan.maps.resolutions.size())));
+                io::povray_foam_declarations(work.maps.first(work.plan.maps.resolutions.size())) +
+                io::povray_detail_declarations(detail));
     });
 }
 
@@ -143,6 +191,7 @@ const BakeFormat kDf3Format = {
     .files = list_files,
     .recipe = recipe,
     .is_baked = is_baked,
+    .frame_bytes = frame_bytes,
     .most_bytes = most_bytes,
     .write = write,
 };

@@ -11,6 +11,9 @@
 // stereographic projection from below, which has no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
 // each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1).
+//
+// Slope tiles have voxels of 16 bits, slice 2 b the slope of band b along x, slice 2 b + 1 that
+// along z, each (code - 2^15) / 2^13.
 #include "ocean/io/df3.hpp"
 
 #include <algorithm>
@@ -27,6 +30,8 @@ constexpr double kZero = 2147483648.0;
 constexpr double kLargestCode = 4294967295.0;
 constexpr double kCodesPerMetre = 2097152.0;
 constexpr double kCodesPerProjection = 268435456.0;
+constexpr double kCodesPerSlope = 8192.0;
+constexpr double kSteepest = 3.99;
 // A normal that points straight down has no projection: it is tilted by 14 degrees.
 constexpr double kLargestProjection = 7.99;
 
@@ -101,6 +106,21 @@ void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
     }
 }
 
+/// How a file of n by n by so many voxels begins.
+std::string df3_head(std::size_t n, int slices) {
+    std::string head;
+    for (const std::size_t size : {n, n, static_cast<std::size_t>(slices)}) {
+        append_big_endian(head, static_cast<std::uint32_t>(size), 2);
+    }
+    return head;
+}
+
+std::uint32_t slope_code(float slope) {
+    // Gaussian slopes of short waves deviate by 0.3 at most: this is 13 deviations.
+    const double held = std::clamp(double{slope}, -kSteepest, kSteepest);
+    return static_cast<std::uint32_t>(std::nearbyint(held * kCodesPerSlope) + 32768.0);
+}
+
 }  // namespace
 
 ChannelSet df3_position_channels() {
@@ -130,15 +150,35 @@ void write_df3(const Surface& surface, const std::string& path, int slices) {
     OutputFile file(path);
     std::string bytes;
     bytes.reserve(n * sizeof(std::uint32_t));
-    for (const std::size_t size : {n, n, static_cast<std::size_t>(slices)}) {
-        append_big_endian(bytes, static_cast<std::uint32_t>(size), 2);
-    }
-    file.write(bytes);
+    file.write(df3_head(n, slices));
     for (int slice = 0; slice < slices; ++slice) {
         for (std::size_t j = 0; j < n; ++j) {
             bytes.clear();
             for (std::size_t i = 0; i < n; ++i) {
                 append_big_endian(bytes, voxel(surface, offsets, slice, j * n + i), 4);
+            }
+            file.write(bytes);
+        }
+    }
+    file.commit();
+}
+
+std::uint64_t slopes_df3_bytes(int samples, int bands) {
+    const auto n = static_cast<std::uint64_t>(samples);
+    return 6 + n * n * 2 * static_cast<std::uint64_t>(bands) * sizeof(std::uint16_t);
+}
+
+void write_slopes_df3(const Detail& detail, const std::string& path) {
+    const auto n = static_cast<std::size_t>(detail.samples());
+    OutputFile file(path);
+    file.write(df3_head(n, 2 * static_cast<int>(detail.bands().size())));
+    std::string bytes;
+    for (std::size_t band = 0; band < detail.bands().size(); ++band) {
+        const std::span<const float> slopes = detail.slopes(band);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            bytes.clear();
+            for (std::size_t at = 0; at < n * n; ++at) {
+                append_big_endian(bytes, slope_code(slopes[2 * at + axis]), 2);
             }
             file.write(bytes);
         }

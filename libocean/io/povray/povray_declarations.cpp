@@ -26,6 +26,14 @@ std::string number(double value) {
     return shortest_text(value);
 }
 
+/// In eight decimals: all machines agree on them.
+double rounded_variance(double variance) {
+    return std::round(variance * 1e8) / 1e8;
+}
+double variance_of(const DetailBand& band) {
+    return rounded_variance(band.variance.mean_square_slope());
+}
+
 std::string string_literal(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -129,6 +137,8 @@ void declare_water(std::string& text) {
     text += "// Of a deep body of it, seen from above less the surface's reflection.\n";
     column("Ocean_Water_Albedo",
            [](const WaterType& type) { return vector(type.water_leaving_albedo()); });
+    text += "// Of crests with the sun behind them.\n";
+    column("Ocean_Water_Crest", [](const WaterType& type) { return vector(type.crest_colour()); });
     declare(text, "Ocean_Water_Ior", number(kWaterIor));
     declare(text, "Ocean_Water_Anisotropy", number(kScatteringAnisotropy));
     declare(text, "Ocean_Foam_Albedo", number(kFoamAlbedo));
@@ -188,6 +198,28 @@ std::string povray_frame_declarations(const FrameLabel& label) {
     declare(text, "Ocean_Frame_Number", std::to_string(label.number));
     declare(text, "Ocean_Time", number(label.time), "s");
     declare(text, "Ocean_Frame_Sea_", string_literal(label.sea_id));
+    return text;
+}
+
+std::string povray_detail_declarations(const Detail& detail) {
+    std::string text;
+    declare(text, "Ocean_Detail_Bands_", std::to_string(detail.bands().size()),
+            "slope tiles of waves too short for the map, the longest first");
+    if (detail.bands().empty()) return text;
+    const auto column = [&](const char* name, const char* comment, const auto& value) {
+        declare(
+            text, name,
+            array_of(detail.bands(), [&](const DetailBand& band) { return number(value(band)); }),
+            comment);
+    };
+    column("Ocean_Detail_Tiles_", "m", [](const DetailBand& band) { return band.tile; });
+    column("Ocean_Detail_Shortest_", "m, waves",
+           [](const DetailBand& band) { return band.shortest_wave; });
+    column("Ocean_Detail_Longest_", "m", [](const DetailBand& band) { return band.longest_wave; });
+    column("Ocean_Detail_Slopes_", "mean square slope of each",
+           [](const DetailBand& band) { return variance_of(band); });
+    declare(text, "Ocean_Detail_Residual_", number(rounded_variance(detail.residual())),
+            "mean square slope of shorter waves");
     return text;
 }
 

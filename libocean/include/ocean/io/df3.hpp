@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "ocean/detail.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean::io {
@@ -24,5 +25,8 @@ std::uint64_t df3_bytes(int resolution, int slices = kDf3Slices);
 /// copies free of cracks. Throws Error output, invalid_value for a length that is not finite or
 /// beyond 1024 m.
 void write_df3(const Surface& surface, const std::string& path, int slices = kDf3Slices);
+
+std::uint64_t slopes_df3_bytes(int samples, int bands);
+void write_slopes_df3(const Detail& detail, const std::string& path);
 
 }  // namespace ocean::io

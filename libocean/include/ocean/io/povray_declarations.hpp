@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/detail.hpp"
 #include "ocean/io/frame_label.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
@@ -39,5 +40,6 @@ std::string povray_declarations(const PovrayFolder& folder);
 std::string povray_frame_declarations(const FrameLabel& label);
 /// What Ocean_Material asks of a frame's foam, by cover of the frame's maps, the finest first.
 std::string povray_foam_declarations(std::span<const Surface> maps);
+std::string povray_detail_declarations(const Detail& detail);
 
 }  // namespace ocean::io

@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""The sun's glitter of Ocean_Material against the density of slopes of [Cox and Munk 1954]."""
+
+import re
+from math import erfc
+
+import numpy
+import pytest
+from conftest import read_png
+from test_crest_and_haze import fresnel
+
+FAINT = 0.002  # of the sun, so that what it makes of the water is within a PNG's range
+
+
+def seen_of(rms, slope):
+    """visible_area and visible_lean of shaders/wave/visible_slope.glsl."""
+    a = slope / rms
+    share = 0.5 * erfc(-a / numpy.sqrt(2))
+    area = slope * share + rms * numpy.exp(-0.5 * a * a) / numpy.sqrt(2 * numpy.pi)
+    return area, rms * rms * share / area
+
+
+def slopes_of(folder):
+    """Mean square slopes: of all waves, and of those that the finest map leaves out."""
+    text = (folder.path / "ocean_parameters.inc").read_text()
+    whole = float(re.search(r"Ocean_Mean_Square_Slope = (.*?);", text).group(1))
+    return whole, float(re.search(r"Ocean_Lost_Slopes = array\[\d+\] { ([^,]*),", text).group(1))
+
+
+def density(elevation, altitude, slopes, seen):
+    """Light of a sun of 1 over the far end of the sight, on flat water of such slopes."""
+    half = (altitude - elevation) / 2
+    facet = fresnel(numpy.sin((altitude + elevation) / 2))
+    return (
+        facet
+        * numpy.exp(-(numpy.tan(half) ** 2) / slopes)
+        / (4 * slopes * seen * numpy.cos(half) ** 4)
+    )
+
+
+def glitter(folder, elevation, altitude, lean, share, near):
+    """A flat black sea whose normals lean to the eye, seen at an elevation, degrees."""
+    e, a = numpy.radians([elevation, altitude])
+    folder.run(
+        f"""global_settings {{ assumed_gamma 1.0 }}
+Ocean_Load("sea_0001")
+#undef Ocean_Cover
+#declare Ocean_Cover = function(x, z) {{ 0 }}
+#undef Ocean_DX
+#declare Ocean_DX = function(x, z) {{ 0 }}
+#undef Ocean_DZ
+#declare Ocean_DZ = function(x, z) {{ 0 }}
+#for (I, 0, dimension_size(Ocean_Water_Albedo, 1) - 1)
+    #declare Ocean_Water_Albedo[I] = <0, 0, 0>;
+#end
+#declare Ocean_Sky_Light = 0;
+#declare Ocean_Crest_Light = 0;
+#declare Ocean_Detail_Bands_ = 0;
+#declare Ocean_Repeats_ = {1000 if near else 1e-3};
+#declare Ocean_Sun_Altitude = {altitude};
+#declare Ocean_Sun_Direction = <{numpy.cos(a):.12f}, {numpy.sin(a):.12f}, 0>;
+#declare Ocean_Sun_Colour = <1, 1, 1>;
+#declare Ocean_Sun_Shown_ = 1;
+#declare Ocean_Sky_Around_ = array[11];
+#for (I, 0, 10) #declare Ocean_Sky_Around_[I] = <0, 0, 0>; #end
+light_source {{ 1e7*Ocean_Sun_Direction rgb {FAINT} parallel point_at 0 }}
+Ocean_Eye_At(<{-100 * numpy.cos(e)}, {100 * numpy.sin(e)}, 0>, 1)
+#declare Ocean_Pixel_ = {1e-9 if near else 1};
+camera {{ location Ocean_Eye_ right 1e-4*x up 1e-4*y look_at 0 }}
+#declare N = vnormalize(<{-lean}, 1, 0>);
+mesh2 {{
+    vertex_vectors {{ 3, <-90, 0, -90>, <-90, 0, 90>, <200, 0, 0> }}
+    normal_vectors {{ 3, N + 1e-4*z, N - 1e-4*z, N }}
+    uv_vectors {{ 3, <0, {share}>, <0, {share}>, <0, {share}> }}
+    face_indices {{ 1, <0, 1, 2> }}
+    Ocean_Material("jerlov_ii")
+}}"""
+    )
+    return read_png(folder.path / "out.png").mean() / FAINT
+
+
+@pytest.mark.parametrize("elevation,altitude", [(20, 20), (8, 8), (5, 35), (12, 30)])
+def test_near_glitter_is_fresnels_share_of_the_sun_over_what_is_seen(choppy, elevation, altitude):
+    """At mirrors, and aside of them by three deviations of the slopes."""
+    _, lost = slopes_of(choppy)
+    e, a = numpy.radians([elevation, altitude])
+    seen = glitter(choppy, elevation, altitude, 0.0, 0.0, True)
+    expected = density(e, a, lost, seen_of(numpy.sqrt(lost / 2), numpy.tan(e))[0] * numpy.cos(e))
+    print(f"\n{seen:.4f}, expected {expected:.4f}: {seen / expected:.3f}")
+    assert seen == pytest.approx(expected, rel=0.20)
+
+
+@pytest.mark.parametrize("altitude", [12.0, 20.0, 35.0, 50.0])
+@pytest.mark.parametrize("elevation", [0.5, 3.0, 10.0])
+def test_far_glitter_is_that_of_all_slopes(choppy, elevation, altitude):
+    """Of normals that lean to the eye by what it sees."""
+    whole, _ = slopes_of(choppy)
+    e, a = numpy.radians([elevation, altitude])
+    area, lean = seen_of(numpy.sqrt(whole / 2), numpy.tan(e))
+    lean = min(lean, 0.5 * numpy.tan(a))  # Ocean_View's own, see Ocean_Facing_Sun_
+    seen = glitter(choppy, elevation, altitude, lean, 0.99999, False)
+    expected = density(e, a, whole, area * numpy.cos(e))
+    print(f"\n{seen:.4f}, expected {expected:.4f}: {seen / expected:.3f}")
+    assert seen == pytest.approx(expected, rel=0.10)
+
+
+@pytest.mark.parametrize("altitude", [4.0, 10.0, 30.0])
+def test_glitter_reaches_the_horizon(choppy, altitude):
+    """The last degree of a view, in the sun's column: between a half and one and a half
+    of what the formula says, which knows no shadows. Normals that lean to the eye alone would show
+    none of a sun as low as 4 degrees."""
+    whole, _ = slopes_of(choppy)
+    choppy.run(
+        f"""global_settings {{ assumed_gamma 1.0 max_trace_level 3 }}
+Ocean_Load("sea_0001")
+#declare Eye = <0, 12, 0>;
+#declare Target = Eye + <100, -1, 0>;
+camera {{ location Eye right x*image_width/image_height angle 4 look_at Target }}
+Ocean_Eye_At(Eye, 4)
+#declare Ocean_Sun_Altitude = {altitude};
+#declare Ocean_Sun_Direction = <cos(radians({altitude})), sin(radians({altitude})), 0>;
+#declare Ocean_Sun_Colour = <1, 1, 1>;
+#declare Ocean_Sun_Shown_ = 1;
+#declare Ocean_Sky_Light = 0;
+#declare Ocean_Crest_Light = 0;
+#declare Ocean_Foam_Amount = 0;
+light_source {{ 1e7*Ocean_Sun_Direction rgb {FAINT} parallel point_at 0 }}
+object {{ Ocean_View(Eye, Target, 4, 0.5) Ocean_Material("jerlov_ii") no_reflection }}""",
+        width=40,
+        height=80,
+    )
+    rows = read_png(choppy.path / "out.png").mean((1, 2)) / FAINT
+    first = 40 + int(numpy.tan(numpy.radians(0.573)) / (2 * numpy.tan(numpy.radians(2))) * 40)
+    light, wanted = [], []
+    for row in range(first - 12, first - 3):
+        e = numpy.arctan(0.01) - numpy.arctan(
+            (row + 0.5 - 40) / 40 * 2 * numpy.tan(numpy.radians(2))
+        )
+        area, _ = seen_of(numpy.sqrt(whole / 2), numpy.tan(e))
+        wanted.append(density(e, numpy.radians(altitude), whole, area * numpy.cos(e)))
+        light.append(rows[row])
+    ratio = numpy.mean(light) / numpy.mean(wanted)
+    print(f"\n{numpy.mean(light):.3f}, expected {numpy.mean(wanted):.3f}: {ratio:.2f}")
+    assert 0.5 < ratio < 1.5
