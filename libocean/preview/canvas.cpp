@@ -28,10 +28,11 @@ int possible_samples(int asked) {
 Canvas::Canvas(int width, int height, GLenum format, int samples)
     : width_(width),
       height_(height),
-      colour_(renderbuffer(format, width, height, possible_samples(samples))),
-      depth_(renderbuffer(GL_DEPTH_COMPONENT32F, width, height, possible_samples(samples))),
+      samples_(possible_samples(samples)),
+      colour_(renderbuffer(format, width, height, samples_)),
+      depth_(renderbuffer(GL_DEPTH_COMPONENT32F, width, height, samples_)),
       framebuffer_(gl::make_framebuffer()) {
-    if (possible_samples(samples) > 1) means_ = std::make_unique<Canvas>(width, height, format);
+    if (samples_ > 1) means_ = std::make_unique<Canvas>(width, height, format);
     bind();
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                               colour_.name());

@@ -11,6 +11,9 @@
 
 namespace ocean::preview {
 
+/// Of two seas.
+inline constexpr std::size_t kMostTiles = 2 * kMostDetailBands;
+
 struct FrameBlock {
     glm::mat4 clip_from_world{1.0f};
     glm::mat4 world_from_clip{1.0f};
@@ -23,6 +26,8 @@ struct FrameBlock {
     glm::vec4 sky_shadow{};
     glm::vec4 sky_light{};
     glm::vec4 water{};
+    glm::vec4 crest{};
+    glm::vec4 loss{};
     glm::vec4 waves{};
     glm::vec4 foam{};
     glm::vec4 period{};
@@ -35,8 +40,16 @@ struct FrameBlock {
     std::array<glm::vec4, kMostCascades> part{};
     std::array<glm::vec4, 2> cover{};
     glm::vec4 cover_share{};
+    std::array<glm::vec4, 2> lace{};
+    std::array<glm::vec4, 2> lace_net{};
+    std::array<glm::vec4, 2> lace_more{};
+    std::array<glm::vec4, kMostTiles> tile{};
+    std::array<glm::vec4, kMostTiles> tile_grid{};
+    std::array<glm::ivec4, kMostTiles> tile_cell{};
+    std::array<glm::vec4, kMostTiles> tile_variance{};
+    std::array<glm::vec4, 2 * kMostTiles> tile_read{};
 };
-static_assert(sizeof(FrameBlock) == (8 + 17 + 2 * kMostCascades + 3) * 16,
+static_assert(sizeof(FrameBlock) == (8 + 19 + 2 * kMostCascades + 9 + 6 * kMostTiles) * 16,
               "std140 has no other padding");
 
 }  // namespace ocean::preview

@@ -14,7 +14,7 @@ namespace ocean::preview {
 namespace {
 
 constexpr std::span kLooks(kEnumWords<LookKind>);
-/// But that for probes, the last one.
+/// But those for probes, the last ones.
 constexpr auto kViews = std::span(kEnumWords<View>).first(static_cast<std::size_t>(View::numbers));
 
 std::vector<std::string> as_strings(std::span<const std::string_view> words) {

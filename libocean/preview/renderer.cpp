@@ -11,6 +11,7 @@
 #include "angles.hpp"
 #include "clipmap.hpp"
 #include "frame_block.hpp"
+#include "lace_maps.hpp"
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/shader_program.hpp"
@@ -27,16 +28,14 @@ namespace {
 using wave::double_precision::earth_radius, wave::double_precision::horizon_distance;
 
 constexpr GLuint kFrameBinding = 0;
+/// Periods of the grid of copies in a tile.
+constexpr double kTileScale = [] {
+    using wave::double_precision::real;
+    return slope_tile_triangles / copy_triangles;
+}();
 
 double fraction(double x) {
     return x - std::floor(x);
-}
-
-const WaterType& water_type(const std::string& name) {
-    for (const WaterType& type : water_types()) {
-        if (type.name == name) return type;
-    }
-    throw Error(ErrorKind::invalid_value, "there is no type of water '" + name + "'");
 }
 
 /// Fields are shown on the clipmap whatever the look.
@@ -79,7 +78,10 @@ Projection perspective(const Camera& camera, int width, int height) {
 
 struct Renderer::Parts {
     explicit Parts(const RendererOptions& options)
-        : after_stage(options.after_stage), clipmap(options.cells), taps(filter_taps(options)) {
+        : after_stage(options.after_stage),
+          clipmap(options.cells),
+          taps(filter_taps(options)),
+          lace_maps(!options.live) {
         sky = gl::ShaderProgram(
             {{GL_VERTEX_SHADER, "preview/sky.vert"}, {GL_FRAGMENT_SHADER, "preview/sky.frag"}}, "");
         no_vertices = gl::make_vertex_array();
@@ -100,24 +102,45 @@ struct Renderer::Parts {
     int taps;  // 0: the driver's filter fits the footprints
     gl::ShaderProgram sky;
     SkyMap sky_map;
-    /// By the numbers of cascades and covers.
-    using Programs = std::map<std::pair<std::size_t, std::size_t>, gl::ShaderProgram>;
+    LaceMaps lace_maps;
+    using Programs = std::map<WaterParts, gl::ShaderProgram>;
     Programs waters, seeds;
     SeedMesh seed_mesh;
     gl::VertexArray no_vertices;
     gl::Sampler sampler;
     gl::Buffer frame;
     GLint texture_units = 16;
+    GLint units_used = 0;  // by the last program
 
     /// Of preview/NAME.vert and preview/NAME.frag.
-    gl::ShaderProgram& program(Programs& known, const std::string& name, const ShownSea& sea) {
-        const std::pair key(sea.cascades.size(), sea.covers.size());
-        const auto found = known.find(key);
+    gl::ShaderProgram& program(Programs& known, const std::string& name, const WaterParts& parts) {
+        const auto found = known.find(parts);
         if (found != known.end()) return found->second;
         gl::ShaderProgram made({{GL_VERTEX_SHADER, "preview/" + name + ".vert"},
                                 {GL_FRAGMENT_SHADER, "preview/" + name + ".frag"}},
-                               water_defines(key.first, key.second, taps));
-        return known.emplace(key, std::move(made)).first->second;
+                               water_defines(parts, taps));
+        return known.emplace(parts, std::move(made)).first->second;
+    }
+
+    WaterParts parts_of(const ShownSea& sea, const Camera& camera, const Look& look,
+                        const DrawOptions& options) {
+        WaterParts parts{sea.cascades.size(), sea.covers.size()};
+        const bool seen = options.view == View::foam_numbers ||
+                          (options.view == View::shaded && look.foam_amount > 0.0 && sea.has_foam);
+        const std::size_t others = 1 + 3 * parts.cascades + parts.covers;
+        const bool room =
+            others + kFoamTextures.size() + 1 <= static_cast<std::size_t>(texture_units);
+        parts.lace = seen && room && lace_maps.ready();
+        const bool slopes = options.view == View::shaded || options.view == View::normal ||
+                            options.view == View::slope || options.view == View::numbers;
+        const std::size_t before = others + (parts.lace ? kFoamTextures.size() + 1 : 0);
+        const std::size_t tiles = std::min(sea.tiles.size(), kMostTiles);
+        const bool fits = before + tiles <= static_cast<std::size_t>(texture_units);
+        if (slopes && fits && options.cascade < 0) parts.tiles = tiles;
+        // No crest is as high as that.
+        parts.below =
+            options.view == View::shaded && camera.eye[2] < 2.0 * sea.significant_wave_height;
+        return parts;
     }
 
     FrameBlock block(const ShownSea& sea, const Camera& camera, const Look& look,
@@ -137,10 +160,18 @@ struct Renderer::Parts {
         b.sky_shadow = with(colours.shadow, colours.dusk);
         b.sky_light = with(colours.light, 0.0);
         b.water = with(glm::vec3(albedo[0], albedo[1], albedo[2]), kWaterIor);
+        const Rgb crest = type.crest_colour();
+        b.crest = with(glm::vec3(crest[0], crest[1], crest[2]), look.crest_light);
+        for (int c = 0; c < 3; ++c) {
+            // Most of what is scattered goes on ahead.
+            const auto channel = static_cast<std::size_t>(c);
+            b.loss[c] =
+                static_cast<float>(type.absorption[channel] + 0.1 * type.scattering[channel]);
+        }
         const bool all = options.cascade < 0;
         b.waves = glm::vec4(sea.choppiness, sea.significant_wave_height,
                             all ? sea.mean_square_slope : 0.0, 0.0);
-        b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, kFoamAlbedo, look.foam_amount);
+        b.foam = glm::vec4(sea.foam_threshold, sea.foam_width, 0.0, look.foam_amount);
         const double u = camera.eye[0] / sea.period, v = camera.eye[1] / sea.period;
         b.period = glm::vec4(1.0 / sea.period, look.repeats ? 0.0 : 1.0, 0.0, 0.0);
         if (is_seed(look, options)) {
@@ -152,7 +183,8 @@ struct Renderer::Parts {
         b.grid_place = glm::vec4(fraction(grid.x), fraction(grid.y), 0.0, 0.0);
         b.grid_cell = glm::ivec4(static_cast<int>(std::floor(grid.x)),
                                  static_cast<int>(std::floor(grid.y)), 0, 0);
-        b.look = glm::vec4(look.exposure, look.haze_distance, projection.pixel_angle,
+        b.look = glm::vec4(look.exposure, look.visibility,
+                           projection.pixel_angle / std::sqrt(options.shaded_samples),
                            options.linear ? 1.0 : 0.0);
         b.view = glm::ivec4(static_cast<int>(options.view));
         b.range = glm::vec4(options.range[0], options.range[1], 0.0, 0.0);
@@ -178,8 +210,50 @@ struct Renderer::Parts {
                                    fraction(camera.eye[1] / cover.period), 1.0 / cover.period,
                                    1.0 / cover.resolution);
             b.cover_share[static_cast<int>(v)] = static_cast<float>(cover.share);
+            place_lace(cover, camera, v, b);
+        }
+        for (std::size_t d = 0; d < std::min(sea.tiles.size(), kMostTiles); ++d) {
+            place_tile(sea.tiles[d], camera, d, b);
         }
         return b;
+    }
+
+    static void place_tile(const ShownTile& tile, const Camera& camera, std::size_t d,
+                           FrameBlock& b) {
+        const double u = camera.eye[0] / tile.tile, v = camera.eye[1] / tile.tile;
+        const double half = 0.5 / tile.samples;  // a sample lies in the middle of its texel
+        b.tile[d] = glm::vec4(fraction(u) + half, fraction(v) + half, 1.0 / tile.tile, tile.weight);
+        const auto grid = wave::double_precision::copy_grid(kTileScale * u, kTileScale * v);
+        b.tile_grid[d] =
+            glm::vec4(fraction(grid.x), fraction(grid.y), tile.shortest_wave, tile.longest_wave);
+        // Far away they wrap round: what is hashed are bits.
+        const auto cell = [](double x) {
+            return static_cast<int>(static_cast<std::int64_t>(std::floor(x)));
+        };
+        b.tile_cell[d] = glm::ivec4(cell(grid.x), cell(grid.y), 0, 0);
+        for (std::size_t level = 0; level < kTileLevels; ++level) {
+            b.tile_read[2 * d + level / 4][static_cast<int>(level % 4)] =
+                static_cast<float>(tile.read[level]);
+        }
+        b.tile_variance[d] = glm::vec4(tile.variance.x, tile.variance.y, tile.variance.xy, 0.0);
+    }
+
+    /// Far from the origin a label in tiles has no fraction left in float.
+    static void place_lace(const ShownCover& cover, const Camera& camera, std::size_t v,
+                           FrameBlock& b) {
+        const double tile = foam_texture_info(FoamTextureKind::lace).period;
+        const double bubble = tile / foam_texture_info(FoamTextureKind::bubbles).period;
+        const double streak = tile / foam_texture_info(FoamTextureKind::streaks).period;
+        const double c = std::cos(cover.direction) / tile, s = std::sin(cover.direction) / tile;
+        const double along = camera.eye[0] * c + camera.eye[1] * s;
+        const double across = camera.eye[1] * c - camera.eye[0] * s;
+        const double net = along / cover.stretch;
+        b.lace[v] = glm::vec4(c, s, 1.0 / cover.stretch, cover.streaks);
+        b.lace_net[v] =
+            glm::vec4(fraction((3.0 * net + across) / 11.0), fraction((3.0 * across - net) / 11.0),
+                      fraction(net), fraction(across));
+        b.lace_more[v] = glm::vec4(fraction(bubble * along), fraction(bubble * across),
+                                   fraction(streak * along), fraction(streak * across));
     }
 
     /// To unit 0.
@@ -190,7 +264,7 @@ struct Renderer::Parts {
         glBindSampler(0, 0);
     }
 
-    void bind_maps(gl::ShaderProgram& program, const ShownSea& sea) {
+    void bind_maps(gl::ShaderProgram& program, const ShownSea& sea, const WaterParts& parts) {
         bind_sky(program);
         GLint unit = 1;
         const auto bind = [&](const std::string& name, unsigned texture, GLuint filter) {
@@ -210,6 +284,16 @@ struct Renderer::Parts {
         for (std::size_t v = 0; v < sea.covers.size(); ++v) {
             bind("cover_map[" + std::to_string(v) + "]", sea.covers[v].texture, sampler.name());
         }
+        if (parts.lace) {
+            bind("lace_map", lace_maps.texture(FoamTextureKind::lace), 0);
+            bind("bubble_map", lace_maps.texture(FoamTextureKind::bubbles), 0);
+            bind("streak_map", lace_maps.texture(FoamTextureKind::streaks), 0);
+            bind("lace_shares", lace_maps.shares(), 0);
+        }
+        for (std::size_t d = 0; d < parts.tiles; ++d) {
+            bind("tile_map[" + std::to_string(d) + "]", sea.tiles[d].texture, 0);
+        }
+        units_used = unit;
         glActiveTexture(GL_TEXTURE0);
     }
 
@@ -248,42 +332,47 @@ struct Renderer::Parts {
         if (seed) {
             draw_seed(sea, camera);
         } else {
-            draw_water(sea, camera, projection);
+            if (options.shaded_samples > 1) glEnable(GL_SAMPLE_SHADING);
+            glMinSampleShading(1.0f);
+            draw_water(sea, camera, projection, parts_of(sea, camera, look, options));
+            glDisable(GL_SAMPLE_SHADING);
         }
         if (after_stage) after_stage("water");
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-        for (GLuint unit = 0; unit < 1 + 4 * sea.cascades.size() + sea.covers.size(); ++unit)
-            glBindSampler(unit, 0);
+        for (GLint unit = 0; unit < units_used; ++unit) glBindSampler(static_cast<GLuint>(unit), 0);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
             throw Error(ErrorKind::no_gpu,
                         "OpenGL error " + std::to_string(error) + " while drawing the sea");
         }
     }
 
-    void begin(gl::ShaderProgram& program, const ShownSea& sea, double farthest) {
+    void begin(gl::ShaderProgram& program, const ShownSea& sea, const WaterParts& parts,
+               double farthest) {
         program.use();
         bind_frame(program);
-        bind_maps(program, sea);
+        bind_maps(program, sea, parts);
         program.set("depth", farthest > 0.0
                                  ? static_cast<float>(1.0 / std::log2(1.0 + 2.0 * farthest))
                                  : 0.0f);
     }
 
     void draw_seed(const ShownSea& sea, const Camera& camera) {
-        gl::ShaderProgram& seed = program(seeds, "seed", sea);
+        const WaterParts parts{sea.cascades.size(), sea.covers.size()};
+        gl::ShaderProgram& seed = program(seeds, "seed", parts);
         const glm::dvec3 eye(camera.eye[0], camera.eye[1], camera.eye[2]);
-        begin(seed, sea, glm::length(eye) + kSeedTiles * sea.period);
+        begin(seed, sea, parts, glm::length(eye) + kSeedTiles * sea.period);
         seed_mesh.draw(seed, eye, sea.period, finest_texel(sea));
     }
 
-    void draw_water(const ShownSea& sea, const Camera& camera, const Projection& projection) {
+    void draw_water(const ShownSea& sea, const Camera& camera, const Projection& projection,
+                    const WaterParts& parts) {
         const double crest = std::max(1.5 * sea.significant_wave_height, 0.1);
         const Reach reach{
             .sideways = 1.5 * sea.choppiness * sea.significant_wave_height,
             .up = crest,
             .farthest = 1.05 * (horizon_distance(camera.eye[2]) + horizon_distance(crest))};
-        gl::ShaderProgram& water = program(waters, "water", sea);
-        begin(water, sea, projection.flat ? 0.0 : reach.farthest);
+        gl::ShaderProgram& water = program(waters, "water", parts);
+        begin(water, sea, parts, projection.flat ? 0.0 : reach.farthest);
         clipmap.draw(water, {camera.eye[0], camera.eye[1], camera.eye[2]},
                      std::exp2(std::floor(std::log2(finest_texel(sea)))),
                      Frustum(projection.clip_from_world, camera.eye[2]), reach);
@@ -302,7 +391,7 @@ std::size_t Renderer::most_cascades() const {
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,
                     const DrawOptions& options) {
     parts_->draw(sea, camera, look, options, perspective(camera, options.width, options.height),
-                 options.view != View::numbers);
+                 options.view < View::numbers);
 }
 
 void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "cover_power.hpp"
+#include "detail_tiles.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/gl/shader_program.hpp"
@@ -86,12 +88,12 @@ class SeaMaps::Source {
                                       .foam_resolution = options.foam_resolution,
                                       .foam_start = options.foam_start,
                                       .after_stage = after_stage_});
-            cover_program_ = gl::ShaderProgram({{GL_VERTEX_SHADER, "preview/sky.vert"},
-                                                {GL_FRAGMENT_SHADER, "preview/cover.frag"}},
-                                               "");
-            no_vertices_ = gl::make_vertex_array();
-            framebuffer_ = gl::make_framebuffer();
         }
+        cover_program_ = gl::ShaderProgram(
+            {{GL_VERTEX_SHADER, "preview/sky.vert"}, {GL_FRAGMENT_SHADER, "preview/cover.frag"}},
+            "");
+        no_vertices_ = gl::make_vertex_array();
+        framebuffer_ = gl::make_framebuffer();
     }
 
     ShownSea show(Ocean& sea, double time) {
@@ -101,9 +103,15 @@ class SeaMaps::Source {
             upload(sea, time);
         }
         describe(sea, time);
+        shown_.tiles.clear();
+        if (options_.detail) {
+            shown_.tiles = detail_.make(sea, time, shown_.cascades);
+            done("detail");
+        }
         return shown_;
     }
 
+    void set_detail(bool on) { options_.detail = on; }
     // Foam of the sea's own backend is followed by the sea, which knows its changes.
     void foam_changed(double from) {
         if (computed_) computed_->foam_changed(from);
@@ -122,8 +130,17 @@ class SeaMaps::Source {
         const gl::FoamTexture& foam = computed_->foam();
         shown_.foam_threshold = static_cast<double>(foam.threshold);
         shown_.foam_width = static_cast<double>(foam.width);
-        hold_cover(foam.resolution);
+        make_cover(sea, time, foam.texture, foam.resolution, foam.fade);
+    }
 
+    /// Of a map of foam.
+    void make_cover(Ocean& sea, double time, GLuint foam, int resolution, float fade) {
+        const double power = options_.live ? cover_power_.of(sea, time, resolution)
+                                           : sea.cover_power(time, resolution);
+        if (!cover_ || resolution != cover_resolution_) {
+            cover_ = gl::make_texture(GL_RGBA16F, resolution, gl::Mipmaps::yes);
+            cover_resolution_ = resolution;
+        }
         GLint viewport[4] = {};
         GLint framebuffer = 0;
         glGetIntegerv(GL_VIEWPORT, viewport);
@@ -131,13 +148,16 @@ class SeaMaps::Source {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
         glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                                cover_.name(), 0);
-        glViewport(0, 0, foam.resolution, foam.resolution);
+        glViewport(0, 0, resolution, resolution);
         glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
         cover_program_.use();
         cover_program_.set("foam_map", 0);
-        cover_program_.set("fade", foam.fade);
+        cover_program_.set("fade", fade);
+        cover_program_.set("cover_power", static_cast<float>(power));
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, foam.texture);
+        glBindSampler(0, 0);
+        glBindTexture(GL_TEXTURE_2D, foam);
         glBindVertexArray(no_vertices_.name());
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glBindVertexArray(0);
@@ -182,19 +202,20 @@ class SeaMaps::Source {
         show_cascades(textures_, sea.parameters().grid.patch_size);
         done("cascades");
 
-        cover_image_.resize(static_cast<std::size_t>(foam_resolution) *
-                            static_cast<std::size_t>(foam_resolution));
-        MapOutput foam{cover_image_.data(), 1, {}};
+        foam_image_.resize(static_cast<std::size_t>(foam_resolution) *
+                           static_cast<std::size_t>(foam_resolution));
+        MapOutput foam{foam_image_.data(), 1, {}};
         foam.component[0] = {Channel::foam};
         sea.evaluate_into(time, {&foam, 1}, foam_resolution);
-        done("foam");
-        for (float& texel : cover_image_) texel = texel * texel * texel;
-        hold_cover(foam_resolution);
-        glBindTexture(GL_TEXTURE_2D, cover_.name());
+        if (!foam_ || foam_resolution != uploaded_foam_resolution_) {
+            foam_ = gl::make_texture(GL_R32F, foam_resolution);
+            uploaded_foam_resolution_ = foam_resolution;
+        }
+        glBindTexture(GL_TEXTURE_2D, foam_.name());
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, foam_resolution, foam_resolution, GL_RED, GL_FLOAT,
-                        cover_image_.data());
-        glGenerateMipmap(GL_TEXTURE_2D);
-        done("cover");
+                        foam_image_.data());
+        done("foam");
+        make_cover(sea, time, foam_.name(), foam_resolution, 1.0f);
     }
 
     void show_cascades(std::span<const CascadeTextures> cascades, double sea_period) {
@@ -205,16 +226,18 @@ class SeaMaps::Source {
         }
     }
 
-    void hold_cover(int resolution) {
-        if (cover_ && resolution == cover_resolution_) return;
-        cover_ = gl::make_texture(GL_R16F, resolution, gl::Mipmaps::yes);
-        cover_resolution_ = resolution;
-    }
-
     void describe(Ocean& sea, double time) {
         shown_.time = time;
         shown_.period = sea.parameters().grid.patch_size;
-        shown_.covers = {{cover_.name(), cover_resolution_, shown_.period}};
+        describe_pattern(sea.parameters(), sea.pool());
+        shown_.covers = {{.texture = cover_.name(),
+                          .resolution = cover_resolution_,
+                          .period = shown_.period,
+                          .direction = pattern_.direction,
+                          .stretch = pattern_.stretch,
+                          .streaks = pattern_.streaks}};
+        // Water that is not squeezed has the lowest threshold there is; see whitecap_threshold.
+        shown_.has_foam = shown_.has_foam || shown_.foam_threshold > -1e30;
         shown_.choppiness = sea.sea().at(time).surface.choppiness;
         const Revision revision = sea.modes(time).revision;
         if (revision == described_) return;
@@ -228,23 +251,46 @@ class SeaMaps::Source {
         described_ = revision;
     }
 
+    /// The foam's: streaks and long cells are of gales, as in POV-Ray's Ocean_Material.
+    void describe_pattern(const Parameters& parameters, ThreadPool& pool) {
+        if (patterned_ && same_waves(parameters, *patterned_)) return;
+        const SpectralMoments moments =
+            make_directional_spectrum(parameters, pool).moments(parameters.water);
+        const double height = moments.significant_wave_height();
+        pattern_.direction = moments.mean_direction;
+        pattern_.stretch = 1.5 + 0.7 * std::clamp((height - 4.0) / 3.0, 0.0, 1.0);
+        pattern_.streaks = 0.3 * std::clamp((height - 2.0) / 4.0, 0.0, 1.0);
+        patterned_ = parameters;
+    }
+
+    static bool same_waves(const Parameters& a, const Parameters& b) {
+        const auto first = first_dirty_stage(a, b);
+        return !first || *first > Stage::spectrum;
+    }
+
     SeaMapsOptions options_;
     gl::AfterStage after_stage_;
     ShownSea shown_;
-    Revision described_;  // of the modes
+    ShownCover pattern_;
+    std::optional<Parameters> patterned_;  // whose it is
+    Revision described_;                   // of the modes
+    CoverPower cover_power_;               // of live maps
+    DetailTiles detail_;
     Texture cover_;
     int cover_resolution_ = 0;
-
-    // Computed by shaders.
-    std::optional<gl::SeaTextures> computed_;
     gl::ShaderProgram cover_program_;
     gl::VertexArray no_vertices_;
     gl::Framebuffer framebuffer_;
 
+    // Computed by shaders.
+    std::optional<gl::SeaTextures> computed_;
+
     // Computed by the sea.
     std::vector<UploadedCascade> cascades_;
     std::vector<CascadeTextures> textures_;
-    std::vector<float> cover_image_;
+    std::vector<float> foam_image_;
+    Texture foam_;
+    int uploaded_foam_resolution_ = 0;
     Revision threshold_revision_;
     SurfaceSettings given_;
 };
@@ -271,15 +317,21 @@ ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share, doub
     const double scale = sum > 0.0 ? height / sum : 1.0;
     ShownSea both = to;
     for (ShownCascade& cascade : both.cascades) cascade.weight *= b * scale;
+    for (ShownTile& tile : both.tiles) tile.weight *= b * scale;
     for (ShownCover& cover : both.covers) cover.share *= b * b;
     for (ShownCascade cascade : from.cascades) {
         cascade.weight *= a * scale;
         both.cascades.push_back(cascade);
     }
+    for (ShownTile tile : from.tiles) {
+        tile.weight *= a * scale;
+        both.tiles.push_back(tile);
+    }
     for (ShownCover cover : from.covers) {
         cover.share *= a * a;
         both.covers.push_back(cover);
     }
+    both.has_foam = from.has_foam || to.has_foam;
     both.choppiness = mean_square(from.choppiness, to.choppiness);
     both.significant_wave_height = height;
     both.mean_square_slope = a * a * from.mean_square_slope + b * b * to.mean_square_slope;
@@ -292,6 +344,10 @@ SeaMaps::~SeaMaps() = default;
 
 ShownSea SeaMaps::show(Ocean& sea, double time) {
     return source_->show(sea, time);
+}
+
+void SeaMaps::set_detail(bool on) {
+    source_->set_detail(on);
 }
 
 void SeaMaps::foam_changed(double from) {

@@ -57,6 +57,39 @@ Sky environment_sky(const Environment& environment, double turn) {
     return sky;
 }
 
+/// Radiance of the computed sky, as sky() of shaders/preview/sky.glsl above the horizon, but for
+/// the aureole of a few degrees about the sun: less than 1 % of the light.
+glm::vec3 radiance(const Sky& sky, const glm::vec3& direction) {
+    const auto part = [&](float from, float width) {
+        return std::clamp((direction.z - from) / width, 0.0f, 1.0f);
+    };
+    glm::vec3 colour = glm::mix(sky.low, 0.5f * (sky.low + sky.middle), part(0.0f, 0.0667f));
+    colour = glm::mix(colour, 0.75f * sky.middle + 0.25f * sky.high, part(0.0667f, 0.2f));
+    colour = glm::mix(colour, sky.high, part(0.2667f, 0.3444f));
+    colour = glm::mix(colour, 0.7f * sky.high, part(0.6111f, 0.3889f));
+    const float toward = glm::dot(direction, sky.sun_direction);
+    colour = glm::mix(colour, sky.shadow, 0.85f * sky.dusk * (0.5f - 0.5f * toward));
+    const float glow = 0.3f * std::pow(std::max(toward, 0.0f), 16.0f);
+    return glm::mix(colour, (1.0f + 0.6f * glow) * sky.sun_colour, glow);
+}
+
+/// What a level white surface sends back of it: the mean over directions by their cosine, for which
+/// squares of the sine of the elevation are uniform.
+glm::vec3 light_of(const Sky& sky) {
+    constexpr int kUp = 16, kAround = 24;
+    glm::vec3 sum(0.0f);
+    for (int i = 0; i < kUp; ++i) {
+        const float up = std::sqrt((static_cast<float>(i) + 0.5f) / kUp);
+        const float level = std::sqrt(1.0f - up * up);
+        for (int k = 0; k < kAround; ++k) {
+            const float around =
+                2.0f * static_cast<float>(kPi) * (static_cast<float>(k) + 0.5f) / kAround;
+            sum += radiance(sky, {level * std::cos(around), level * std::sin(around), up});
+        }
+    }
+    return sum / static_cast<float>(kUp * kAround);
+}
+
 Sky computed_sky(double sun_altitude, double sun_bearing) {
     const double up = kRadians * sun_altitude;
     const double around = kRadians * sun_bearing;
@@ -77,7 +110,7 @@ Sky computed_sky(double sun_altitude, double sun_bearing) {
     sky.high = between({0.10f, 0.15f, 0.30f}, {0.10f, 0.23f, 0.52f});
     sky.shadow = dim * glm::vec3(0.20f, 0.22f, 0.30f);
     sky.dusk = static_cast<float>(std::clamp(1.0 - sun_altitude / 6.0, 0.0, 1.0));
-    sky.light = (sky.low + sky.middle + sky.high) / 3.0f;
+    sky.light = light_of(sky);
     return sky;
 }
 

@@ -4,6 +4,7 @@
 // What water.vert, water.frag, seed.vert and seed.frag of shaders/preview are compiled with.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -20,11 +21,24 @@ inline std::string define(const std::string& name, int value) {
     return "#define " + name + " " + std::to_string(value) + "\n";
 }
 
+/// What a program of the water is for.
+struct WaterParts {
+    std::size_t cascades = 0;
+    std::size_t covers = 0;
+    bool lace = false;      // the foam has its pattern
+    std::size_t tiles = 0;  // of slopes
+    bool below = false;     // the eye may be under water
+
+    auto operator<=>(const WaterParts&) const = default;
+};
+
 /// Views by their words: VIEW_shaded. taps: of a footprint; 0: the driver's filter.
-inline std::string water_defines(std::size_t cascades, std::size_t covers, int taps) {
-    std::string text = define("CASCADES", static_cast<int>(cascades)) +
-                       define("COVERS", static_cast<int>(covers)) + define("TAPS", taps) +
-                       define("TILES", kSeedTiles);
+inline std::string water_defines(const WaterParts& parts, int taps) {
+    std::string text =
+        define("CASCADES", static_cast<int>(parts.cascades)) +
+        define("COVERS", static_cast<int>(parts.covers)) + define("LACE", parts.lace ? 1 : 0) +
+        define("DETAIL", static_cast<int>(parts.tiles)) + define("BELOW", parts.below ? 1 : 0) +
+        define("TAPS", taps) + define("TILES", kSeedTiles);
     int view = 0;
     for (const std::string_view name : kEnumWords<View>) {
         text += define("VIEW_" + std::string(name), view++);

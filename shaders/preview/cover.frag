@@ -1,16 +1,22 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of each texel of the sea's period foam covers, for mipmaps to be made of: foam is how
-// white water can be, and the share that is white its cube, as in all hosts.
+// How much of each texel of the sea's period foam covers, for mipmaps to be made of: a mean of the
+// foam says nothing of its cover, and a mean cover nothing of how thick its foam is.
+#include "preview/foam_look.glsl"
+#include "wave/foam_cover.glsl"
+#include "wave/foam_lace.glsl"
 
 uniform sampler2D foam_map;
 uniform float fade;
+uniform float cover_power;
 
 in vec2 place;
-layout(location = 0) out float cover;
+layout(location = 0) out vec4 covered;
 
 void main() {
     float foam = fade * texelFetch(foam_map, ivec2(gl_FragCoord.xy), 0).r;
-    cover = foam * foam * foam;
+    float cover = foam_cover(foam, cover_power);
+    float thick = cover * foam_mean_thickness(cover, foam_span);
+    covered = vec4(cover, thick, foam * foam * foam, 0.0);
 }

@@ -38,6 +38,9 @@ vec3 sky(vec3 direction, float width) {
     return mix(colour, (1.0 + 0.6 * glow) * sun_colour.rgb, glow);
 }
 
+// What a level white surface sends back of both, the sky and the sun.
+vec3 light_from_above() { return sky_light.rgb + sun.w * sun_colour.rgb * max(sun.z, 0.0); }
+
 // What the eye sees of the sun itself, softened by a pixel.
 vec3 sun_disc(vec3 direction) {
     float beside = acos(clamp(dot(direction, sun.xyz), -1.0, 1.0));

@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The light of the water, or a field of it.
+#include "preview/foam_look.glsl"
 #include "preview/sea.glsl"
 #include "preview/sky.glsl"
+#include "preview/below.glsl"
 #include "preview/tone.glsl"
+#include "wave/crest_light.glsl"
 #include "wave/erfc.glsl"
+#include "wave/foam_lace.glsl"
+#include "wave/haze.glsl"
 #include "wave/reflectance.glsl"
+#include "wave/slope_tiles.glsl"
 #include "wave/surface.glsl"
 #include "wave/visible_slope.glsl"
 
@@ -18,10 +24,14 @@ layout(location = 0) out vec4 colour;
 struct Water {
     vec4 displacement;  // as displacement_map
     vec4 gradients;     // as gradient_map
-    vec3 variance;      // of the slopes that are not in the means: xx, yy, xy
+    vec2 detail;        // slopes of waves that no map has
+    vec3 variance;      // of the slopes that are in neither: xx, yy, xy
     float squeezing;    // variance of dDx/dx + dDy/dy that is not in the mean
-    float cover;        // of foam
+    vec3 foam[COVERS];  // as cover_map
+    float footprint;    // side of what a pixel sees of it, m
 };
+
+vec3 from_eye_here() { return position - vec3(0.0, 0.0, eye.z); }
 
 // What a pixel covers of the water: an ellipse of labels, long and narrow almost everywhere.
 struct Footprint {
@@ -57,9 +67,76 @@ vec4 filtered(sampler2D map, vec2 place, Footprint footprint, float scale, float
 #endif
 }
 
+float jacobian_of(Water water) {
+    return surface_jacobian(waves.x, water.gradients.z, water.gradients.w, water.displacement.w);
+}
+
+vec3 normal_of(Water water) {
+    SurfaceNormal normal = surface_normal(waves.x, water.gradients.z, water.gradients.w,
+                                          water.displacement.w, water.gradients.x, water.gradients.y);
+    return vec3(normal.x, normal.y, normal.z);
+}
+
+// Behind a ridge water is seen at a grazing angle however near it is.
+float seen_footprint(Water water) {
+    vec3 from_eye = from_eye_here();
+    float distance = max(length(from_eye), 1e-3);
+    return slope_footprint(distance, look.z, max(-dot(normal_of(water), from_eye) / distance, 0.0));
+}
+
+#if DETAIL > 0
+uniform sampler2D tile_map[DETAIL];
+
+// As slope_tile_read, of labels relative to the eye.
+vec2 tile_slope(int d, vec2 at, int level) {
+    vec2 place = at * tile[d].z;
+    float scale = slope_tile_triangles / copy_triangles;
+    GridPoint skewed = copy_grid(scale * place.x, scale * place.y);
+    vec2 grid = tile_grid[d].xy + vec2(skewed.x, skewed.y);
+    vec2 cell = floor(grid);
+    vec2 inside = grid - cell;
+    vec2 sum = vec2(0.0);
+    float squares = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        CopyCorner corner = copy_corner(inside.x, inside.y, i);
+        GridPoint moved = copy_offset(tile_cell[d].x + int(cell.x) + corner.x,
+                                      tile_cell[d].y + int(cell.y) + corner.y);
+        vec2 from = tile[d].xy + place + vec2(moved.x, moved.y);
+        sum += corner.weight * textureLod(tile_map[d], from, float(level)).xy;
+        squares += corner.weight * corner.weight;
+    }
+    return sum * inversesqrt(squares);
+}
+
+// Slopes of the tiles, and to the variance what of them a pixel cannot show. Returns their mean
+// square: at most what the maps lack, whose own varies with time.
+float add_detail(inout Water water, vec2 at, float lacking) {
+    float whole = 0.0;
+    for (int d = 0; d < DETAIL; ++d) {
+        whole += tile[d].w * tile[d].w * (tile_variance[d].x + tile_variance[d].y);
+    }
+    float scale = min(1.0, sqrt(lacking / max(whole, 1e-12)));
+    for (int d = 0; d < DETAIL; ++d) {
+        float weight = scale * tile[d].w;
+        float fade = slope_tile_fade(water.footprint, tile_grid[d].z, tile_grid[d].w);
+        // Texels of two thirds of a pixel: waves that are shorter would be a grain.
+        float texels = water.footprint * tile[d].z * float(textureSize(tile_map[d], 0).x);
+        int level = clamp(int(floor(log2(max(texels, 1.0)))), 0, 7);
+        float left = 1.0 - fade * fade * tile_read[2 * d + level / 4][level % 4];
+        if (fade > 0.0) water.detail += fade * weight * tile_slope(d, at, level);
+        water.variance += weight * weight * left * tile_variance[d].xyz;
+    }
+    return scale * scale * whole;
+}
+#endif
+
 Water water_at(vec2 at) {
     Footprint footprint = footprint_of(at);
-    Water water = Water(vec4(0.0), vec4(0.0), vec3(0.0), 0.0, 0.0);
+    Water water;
+    water.displacement = water.gradients = vec4(0.0);
+    water.detail = vec2(0.0);
+    water.variance = vec3(0.0);
+    water.squeezing = 0.0;
     Copies copies = copies_at(at);
     float resolved = 0.0;  // mean square slope of the maps
     for (int c = 0; c < CASCADES; ++c) {
@@ -89,31 +166,117 @@ Water water_at(vec2 at) {
         }
     }
     water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
-    water.variance.xy += 0.5 * max(0.0, waves.z - resolved);  // of waves that no map has
+    water.footprint = seen_footprint(water);
+    float lacking = max(0.0, waves.z - resolved);  // of waves that no map has
+#if DETAIL > 0
+    lacking -= add_detail(water, at, lacking);
+#endif
+    water.variance.xy += 0.5 * lacking;
     for (int v = 0; v < COVERS; ++v) {
         float squares = 0.0;
-        float sum = 0.0;
+        vec3 sum = vec3(0.0);
         for (int i = 0; i < copies.count; ++i) {
             vec2 place = cover[v].xy + at * cover[v].z + copies.offset[i] + 0.5 * cover[v].w;
             float share = copies.weight[i] * copies.weight[i];
             float texels = cover[v].z / cover[v].w;  // a metre
-            sum += share * filtered(cover_map[v], place, footprint, cover[v].z, texels).r;
+            sum += share * filtered(cover_map[v], place, footprint, cover[v].z, texels).rgb;
             squares += share;
         }
-        water.cover += cover_share[v] * sum / squares;
+        water.foam[v] = sum / squares;
     }
-    water.cover = clamp(water.cover, 0.0, 1.0);
     return water;
 }
 
-float jacobian_of(Water water) {
-    return surface_jacobian(waves.x, water.gradients.z, water.gradients.w, water.displacement.w);
+// Share of the water that foam hides.
+float cover_of(Water water) {
+    float sum = 0.0;
+    for (int v = 0; v < COVERS; ++v) sum += cover_share[v] * water.foam[v].r;
+    return clamp(sum, 0.0, 1.0);
 }
 
-vec3 normal_of(Water water) {
-    SurfaceNormal normal = surface_normal(waves.x, water.gradients.z, water.gradients.w,
-                                          water.displacement.w, water.gradients.x, water.gradients.y);
-    return vec3(normal.x, normal.y, normal.z);
+#if LACE
+uniform sampler2D lace_map;
+uniform sampler2D bubble_map;
+uniform sampler2D streak_map;
+uniform sampler2D lace_shares;  // eight rows for each of them: what share of a level's reads is lower
+
+// A texture that is so many metres wide. A level's means are not uniform in [0, 1]; the share of
+// them that is lower is.
+float uniform_read(sampler2D map, int rows, vec2 place, float footprint, float tile) {
+    float texels = footprint / tile * float(textureSize(map, 0).x);
+    float level = min(floor(log2(max(texels, 1.0)) + 0.5), log2(float(textureSize(map, 0).x)) - 5.0);
+    vec2 size = vec2(textureSize(lace_shares, 0));
+    float read = textureLod(map, place, level).r;
+    vec2 row = vec2(read * (size.x - 1.0) + 0.5, float(rows) + level + 0.5);
+    return textureLod(lace_shares, row / size, 0.0).r;
+}
+
+// What draws the foam of a cover at a label, uniform in [0, 1]: as POV-Ray's Ocean_Lace_.
+float lace_at(int v, vec2 at, float footprint) {
+    vec2 tiles = vec2(dot(at, lace[v].xy), at.y * lace[v].x - at.x * lace[v].y);
+    vec2 net = vec2(tiles.x * lace[v].z, tiles.y);
+    vec2 turned = vec2(3.0 * net.x + net.y, 3.0 * net.y - net.x) / 11.0;
+    float value = unite_uniform(
+        uniform_read(lace_map, 0, lace_net[v].xy + turned, footprint, lace_tile * 11.0 / sqrt(10.0)),
+        uniform_read(lace_map, 0, lace_net[v].zw + net, footprint, lace_tile), 0.08);
+    float bubbled = max(0.3 - foam_faded(0.0, 0.3, footprint, bubble_cell), 1e-3);
+    float bubbles = uniform_read(bubble_map, 8, lace_more[v].xy + tiles * (lace_tile / bubble_tile),
+                                 footprint, bubble_tile);
+    value = add_uniform(value, bubbles, bubbled);
+    if (lace[v].w <= 0.0) return value;
+    float streaks = uniform_read(streak_map, 16, lace_more[v].zw + tiles * (lace_tile / streak_tile),
+                                 footprint, streak_tile);
+    return add_uniform(value, streaks, lace[v].w);
+}
+#endif
+
+// What is seen of foam in a pixel.
+struct Foam {
+    float white;      // share that it hides
+    float thickness;  // of that
+    float height;     // m, over the water
+    float value;      // of what draws it, 0 .. 1; of the last cover
+    float plume;      // of bubbles below
+};
+
+Foam foam_at(Water water, vec2 at) {
+    float footprint = water.footprint;
+    Foam seen = Foam(0.0, 0.0, 0.0, 1.0, 0.0);
+    float thick = 0.0;
+    for (int v = 0; v < COVERS; ++v) {
+        vec3 mean = water.foam[v];
+        float c = clamp(foam.w * mean.r, 0.0, 1.0);
+        float white = c;
+        float thickness = mean.g / max(mean.r, 1e-6);
+        float height = 0.0;
+#if LACE
+        float far = foam_faded(0.0, 1.0, footprint, lace_cell);
+        if (c > 0.0 && far < 1.0) {
+            seen.value = lace_at(v, at, footprint);
+            // A pixel blurs what it sees; any edge has the same mean.
+            float edge = min(foam_edge + footprint / lace_cell, 1.0);
+            white = foam_faded(foam_mask(c, seen.value, edge), c, footprint, lace_cell);
+            float here = foam_thickness(c, seen.value, foam_span);
+            height = foam_height * here * (1.0 - far);
+            thickness = mix(here, thickness, min(2.5 * footprint / lace_cell, 1.0));
+        }
+#endif
+        seen.white += cover_share[v] * white;
+        thick += cover_share[v] * white * thickness;
+        seen.height += cover_share[v] * height;
+        seen.plume += cover_share[v] * clamp(foam.w, 0.0, 1.0) * mean.b;
+    }
+    seen.thickness = thick / max(seen.white, 1e-6);
+    return seen;
+}
+
+// The slope of a height, from its differences between pixels.
+vec2 slope_of(float height, vec2 at) {
+    vec2 rise = vec2(dFdx(height), dFdy(height));
+    vec2 x = dFdx(at), y = dFdy(at);
+    float area = x.x * y.y - x.y * y.x;
+    if (abs(area) < 1e-12) return vec2(0.0);
+    return vec2(rise.x * y.y - rise.y * x.y, rise.y * x.x - rise.x * y.x) / area;
 }
 
 // Light of the sun mirrored by facets: the density of their slopes at the one that mirrors it into
@@ -147,8 +310,8 @@ vec3 mirrored_sky(vec3 to_eye, vec2 lean, vec2 deviation, float across) {
     return sum;
 }
 
-vec3 shaded(Water state) {
-    vec3 from_eye = position - vec3(0.0, 0.0, eye.z);
+vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
+    vec3 from_eye = from_eye_here();
     float distance = max(length(from_eye), 1e-3);
     vec3 to_eye = -from_eye / distance;
     float range = max(length(from_eye.xy), 1e-3);
@@ -156,7 +319,7 @@ vec3 shaded(Water state) {
 
     // A folded crest has no slope; the shallowest kept is 84 degrees.
     vec3 normal = normal_of(state);
-    vec2 lean = normal.xy / max(normal.z, 0.1) - e * (eye.w * range / earth_radius());
+    vec2 lean = normal.xy / max(normal.z, 0.1) - state.detail - e * (eye.w * range / earth_radius());
     mat2 covariance = mat2(state.variance.x, state.variance.z, state.variance.z, state.variance.y);
     vec2 along = covariance * e;
     float variance = max(dot(along, e), 1e-12);
@@ -173,24 +336,74 @@ vec3 shaded(Water state) {
     float across = 6.9 * mean_cosine * sqrt(max(dot(covariance * aside, aside), 0.0));
     vec3 mirrored = mirrored_sky(to_eye, seen, spread, max(across, look.z));
 
-    float sun_cosine = max(dot(normalize(vec3(lean, 1.0)), sun.xyz), 0.0);
-    vec3 light = sky_light.rgb + sun.w * sun_colour.rgb * max(sun.z, 0.0);
-    vec3 body = water.rgb * light;
-    // Crests with the sun behind them: what went in on the far side comes out on this one.
-    float behind = max(dot(-to_eye.xy, normalize(sun.xy + vec2(1e-6))), 0.0);
-    float crest = clamp(state.displacement.z / max(waves.y, 1e-3), 0.0, 1.0);
-    float thin = crest * crest * max(1.0 - normal.z, 0.0) * 4.0;
-    body += water.rgb * sun.w * sun_colour.rgb * behind * behind * thin;
+    vec3 body = (water.rgb + foam_plume * froth.plume) * light_from_above();
+    float through = crest_light(state.displacement.z / max(waves.y, 1e-3), jacobian_of(state),
+                                dot(-to_eye.xy, sun.xy), dot(normal.xy, sun.xy));
+    body += crest.w * through * sun.w * sun_colour.rgb * crest.rgb;
 
     vec3 radiance = reflected * mirrored + (1.0 - reflected) * body +
                     glitter(to_eye, lean, covariance, area, range / distance);
-    float white = clamp(state.cover * foam.w, 0.0, 1.0);
-    vec3 foam_light = foam.z * (sky_light.rgb + sun.w * sun_colour.rgb * sun_cosine);
-    radiance = mix(radiance, foam_light, white);
-    float haze = 1.0 - exp(-distance / look.y);
-    vec3 horizon = sky(normalize(vec3(from_eye.xy, 0.0)), look.z);
-    return mix(radiance, horizon, haze);
+    vec3 facing = normalize(vec3(lean - froth_slope, 1.0));
+    vec3 foam_light = sky_light.rgb + sun.w * sun_colour.rgb * max(dot(facing, sun.xyz), 0.0);
+    radiance = mix(radiance, mix(thin_foam, thick_foam, froth.thickness) * foam_light, froth.white);
+    // The light of the air is that of the sky over the horizon.
+    vec3 air = sky(normalize(vec3(from_eye.xy, 0.02 * range)), look.z);
+    return mix(radiance, air, look.y > 0.0 ? haze(distance, look.y) : 0.0);
 }
+
+#if BELOW
+// Snell's window: the whole sky in a cone of 48.6 degrees, broken by the waves; around it the deep.
+vec3 shaded_from_below(Water state, Foam froth) {
+    vec3 from_eye = from_eye_here();
+    float distance = max(length(from_eye), 1e-3);
+    from_eye /= distance;
+    vec3 normal = normal_of(state);
+    vec2 lean = normal.xy / max(normal.z, 0.1) - state.detail;
+    // Of facets that are not seen by themselves those are windows which are met within the critical
+    // angle: a share, and a mean lean, of a Gaussian's below a limit.
+    vec2 e = from_eye.xy / max(length(from_eye.xy), 1e-3);
+    mat2 covariance = mat2(state.variance.x, state.variance.z, state.variance.z, state.variance.y);
+    vec2 along = covariance * e;
+    float deviation = sqrt(max(dot(along, e), 1e-6));
+    float met = acos(clamp(dot(from_eye, normalize(vec3(lean, 1.0))), -1.0, 1.0));
+    float inside = (asin(1.0 / water.w) - met) / deviation;
+    float windows = normal_distribution(inside);
+    float shift = min(excess_over_mills(inside) - inside, 20.0);  // phi / Phi
+    vec3 down = -normalize(vec3(lean + shift / deviation * along, 1.0));
+    vec3 mirrored = water_glow(reflect(from_eye, -normalize(vec3(lean, 1.0))));
+    vec3 out_there = refract(from_eye, down, water.w);
+    vec3 light = mirrored;
+    if (dot(out_there, out_there) > 0.5) {
+        float passed = 1.0 - water_reflectance(max(-dot(out_there, down), 0.0), water.w);
+        vec3 above = sky(normalize(vec3(out_there.xy, abs(out_there.z))), look.z);
+        light = mix(mirrored, above, windows * passed);
+    }
+    // The sun through facets: the angle by which they turn it is a third of their lean.
+    vec3 straight = refract(from_eye, -normalize(vec3(lean, 1.0)), water.w);
+    if (dot(straight, straight) > 0.5) {
+        float spread = 0.34 * 0.34 * 0.5 * (state.variance.x + state.variance.y) + 2e-5;
+        float beside = 2.0 - 2.0 * dot(straight, sun.xyz);
+        float passed = 1.0 - water_reflectance(max(straight.z, 0.0), water.w);
+        // What a white surface sends is irradiance over pi.
+        light += 0.5 * passed * sun.w * sun_colour.rgb * exp(-0.5 * beside / spread) / spread;
+    }
+    // Foam scatters what falls on it, half of it down.
+    vec3 foam_light = 0.5 * light_from_above();
+    light = mix(light, mix(thick_foam, thin_foam, froth.thickness) * foam_light, froth.white);
+    light += foam_plume * froth.plume * light_at_eye();
+    return through_water(light, from_eye, distance);
+}
+
+// Which of the surface's two sides the eye sees, by a vector square to what its pixels show of it.
+bool is_underside(vec3 facing, vec3 from_eye) {
+    float met = dot(facing, from_eye);
+    // Far off it is seen by its edge, and pixels do not tell.
+    if (abs(met) < 2e-3 * length(facing) * length(from_eye)) return eye.z < 0.0;
+    // An eye above a lip that hangs over sees the lip's own water behind it: from above.
+    float height = position.z + drop_at(label);
+    return facing.z * met > 0.0 && (eye.z < height || height < 0.0);
+}
+#endif
 
 // Blue below 0, white at 0, red above, of values in -1 .. 1.
 vec3 two_sided(float x) {
@@ -204,19 +417,34 @@ void main() {
     Water state = water_at(label);
     float width = max(range.y - range.x, 1e-9);
     if (view.x == VIEW_shaded) {
-        colour = vec4(drawn_colour(shaded(state)), 1.0);
+        Foam froth = foam_at(state, label);
+        vec2 slope = slope_of(froth.height, label);
+        slope /= max(1.0, length(slope));
+#if BELOW
+        bool below = is_underside(cross(dFdx(position), dFdy(position)), from_eye_here());
+        vec3 light = below ? shaded_from_below(state, froth) : shaded(state, froth, slope);
+#else
+        vec3 light = shaded(state, froth, slope);
+#endif
+        colour = vec4(drawn_colour(light), 1.0);
+    } else if (view.x == VIEW_foam_numbers) {
+        // For tests: cover, what is white, how thick that is, what draws it.
+        Foam froth = foam_at(state, label);
+        colour = vec4(cover_of(state), froth.white, froth.thickness, froth.value);
     } else if (view.x == VIEW_normal) {
-        colour = vec4(0.5 + 0.5 * normal_of(state), 1.0);
+        vec3 normal = normal_of(state);
+        normal.xy -= max(normal.z, 0.0) * state.detail;
+        colour = vec4(0.5 + 0.5 * normalize(normal), 1.0);
     } else if (view.x == VIEW_slope) {
-        colour = vec4(clamp(0.5 + state.gradients.xy / width, 0.0, 1.0), 0.5, 1.0);
+        colour = vec4(clamp(0.5 + (state.gradients.xy + state.detail) / width, 0.0, 1.0), 0.5, 1.0);
     } else if (view.x == VIEW_foam) {
-        colour = vec4(vec3(state.cover), 1.0);
+        colour = vec4(vec3(cover_of(state)), 1.0);
     } else if (view.x == VIEW_whitecap) {
         colour = vec4(vec3(surface_whitecap(jacobian_of(state), foam.x, foam.y)), 1.0);
     } else if (view.x == VIEW_numbers) {
         // For probes: height that the mesh draws, height of the maps here, mean square slope shown,
         // mean square slope handed on to the light.
-        vec2 s = state.gradients.xy;
+        vec2 s = state.gradients.xy + state.detail;
         colour = vec4(position.z + drop_at(label), state.displacement.z, dot(s, s),
                       state.variance.x + state.variance.y);
     } else {

@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
             for (const std::string name : {"water", "seed"}) {
                 for (const char* kind : {".vert", ".frag"}) {
                     write(name + end, "preview/" + name + kind,
-                          preview::water_defines(cascades, covers, taps));
+                          preview::water_defines(
+                              {cascades, covers, taps == 0, taps == 0 ? 2 * covers : 0}, taps));
                 }
             }
         }

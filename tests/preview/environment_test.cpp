@@ -151,12 +151,28 @@ TEST(Environment, RefusesWhatIsNone) {
     EXPECT_THROW(make_environment(16, 8, wrong), Error);
 }
 
+/// Without a wind.
+class FlatSea {
+  public:
+    ShownSea show() { return maps_.show(sea_, 3.0); }
+
+  private:
+    static Parameters calm() {
+        Parameters parameters = test::wind_sea(64);
+        parameters.waves.front().wind_speed = 0.0;
+        return parameters;
+    }
+
+    Ocean sea_{calm(), {.foam_start = FoamStart::empty}};
+    SeaMaps maps_{{.compute = false, .foam_resolution = 64}};
+};
+
 class EnvironmentTest : public PreviewTest {
   protected:
     Look look_of(int width, int height, const Light& light) {
         const auto rgb = paint(width, height, light);
         Look look;
-        look.haze_distance = 1e9;
+        look.visibility = 0.0;
         look.foam_amount = 0.0;
         look.environment =
             std::make_shared<const Environment>(make_environment(width, height, rgb));
@@ -198,13 +214,97 @@ TEST_F(EnvironmentTest, TheBackgroundLiesAsTheHelpSays) {
     }
 }
 
+TEST_F(EnvironmentTest, FromBelowTheSkyIsInSnellsWindowAlone) {
+    Renderer renderer({.cells = 32});
+    constexpr double kLight = 0.9, kDepth = 5.0;
+    const Look look = look_of(64, 32, [](const auto&) { return Rgb3{kLight, kLight, kLight}; });
+    FlatSea flat;
+    const ShownSea shown = flat.show();
+    const WaterType& type = water_type(look.water_type);
+    // Critical is 41.4 degrees above the horizontal.
+    for (const double pitch : {89.0, 60.0, 44.0, 39.0, 20.0, -30.0}) {
+        const Camera camera{.eye = {0.0, 0.0, -kDepth}, .pitch = pitch, .field_of_view = 0.1};
+        const auto pixels = light(renderer, shown, camera, look, 3, 3);
+        const double up = std::sin(pitch * kPi / 180.0);
+        const double refracted = std::sqrt(1.0 - kWaterIor * kWaterIor * (1.0 - up * up));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double loss = type.absorption[c] + 0.1 * type.scattering[c];
+            const auto glow = [&](double z) {
+                const double above = kLight * std::exp(-loss * kDepth);
+                return type.water_leaving_albedo()[c] * above * (4.0 + 6.0 * std::max(z, 0.0));
+            };
+            const double left = up > 0.0 ? std::exp(-loss * kDepth / up) : 0.0;
+            double at_surface = glow(-up);
+            if (refracted > 0.0) {
+                const double mirrored =
+                    wave::double_precision::water_reflectance(refracted, kWaterIor);
+                at_surface = mirrored * at_surface + (1.0 - mirrored) * kLight;
+            }
+            const double expected = left * at_surface + (1.0 - left) * glow(up);
+            EXPECT_NEAR(pixels[4 * 4 + c] / expected, 1.0, 0.01) << pitch << " degrees, " << c;
+        }
+    }
+}
+
+TEST_F(EnvironmentTest, TheComputedSkyLightsAsItIsDrawn) {
+    Renderer renderer({.cells = 32});
+    FlatSea flat;
+    const ShownSea shown = flat.show();
+    for (const double altitude : {-3.0, 4.0, 35.0}) {
+        const Look look{.sun_altitude = altitude, .sun_bearing = 70.0};
+        // Squares of the sine of the elevation are uniform where directions are weighed by it.
+        constexpr int kUp = 8, kAround = 16;
+        double sum[3] = {};
+        for (int i = 0; i < kUp * kAround; ++i) {
+            const Camera camera{
+                .eye = {0.0, 0.0, 5.0},
+                .heading = 360.0 * (i % kAround + 0.5) / kAround,
+                .pitch = std::asin(std::sqrt((i / kAround + 0.5) / kUp)) * 180.0 / kPi,
+                .field_of_view = 0.1};
+            const auto pixels = light(renderer, shown, camera, look, 3, 3);
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += pixels[4 * 4 + c] / (kUp * kAround);
+        }
+        const Sky sky = make_sky(look);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(sky.light[c] / sum[c], 1.0, 0.02) << altitude << " degrees, " << c;
+        }
+    }
+}
+
+TEST_F(EnvironmentTest, TheAirHidesFarWaterAsReckoned) {
+    Renderer renderer({.cells = 32});
+    constexpr double kLight = 0.9, kHeight = 600.0;
+    Look look = look_of(64, 32, [](const auto&) { return Rgb3{kLight, kLight, kLight}; });
+    FlatSea flat;
+    const ShownSea shown = flat.show();
+    for (const double distance : {900.0, 2500.0, 9000.0}) {
+        // The Earth's curve hides distance^2 / 2 R of the eye's height.
+        const double above = kHeight + distance * distance / (2.0 * 6371000.0);
+        const Camera camera{.eye = {0.0, 0.0, kHeight},
+                            .heading = 30.0,
+                            .pitch = -std::asin(above / distance) * 180.0 / kPi,
+                            .field_of_view = 0.05};
+        const auto green = [&](double visibility) {
+            look.visibility = visibility;
+            const auto pixels = light(renderer, shown, camera, look, 5, 5);
+            return static_cast<double>(pixels[4 * 12 + 1]);
+        };
+        const double clear = green(0.0);
+        ASSERT_LT(clear, 0.8 * kLight);
+        for (const double visibility : {2e3, 2e4}) {
+            const double left = std::exp(-3.912 * distance / visibility);
+            const double expected = left * clear + (1.0 - left) * kLight;
+            EXPECT_NEAR(green(visibility) / expected, 1.0, 2e-3) << distance << " m";
+        }
+    }
+}
+
 TEST_F(EnvironmentTest, WaterMirrorsAUniformSkyAsReckoned) {
     Renderer renderer({.cells = 32});
     const Rgb3 radiance{0.8, 1.0, 1.3};
     const Look look = look_of(64, 32, [&](const auto&) { return radiance; });
     ASSERT_FALSE(look.environment->sun);
-    const Rgb albedo =
-        std::ranges::find(water_types(), look.water_type, &WaterType::name)->water_leaving_albedo();
+    const Rgb albedo = water_type(look.water_type).water_leaving_albedo();
     const auto mean = [](const std::vector<float>& pixels, std::size_t channel) {
         double sum = 0.0;
         for (std::size_t p = channel; p < pixels.size(); p += 4) sum += pixels[p];
@@ -264,6 +364,7 @@ TEST_F(EnvironmentTest, ItsSunIsAGlitterAndNoSpark) {
 
     // The same one is uploaded once; another frees it.
     const Look other = look_of(64, 32, [](const auto&) { return Rgb3{1.0, 1.0, 1.0}; });
+    light(renderer, shown, {}, Look{}, 16, 16);  // and the foam's pattern, with the first foam
     const int objects = test::count_objects();
     for (const Look& each : {look, look, other, Look{}, look}) {
         light(renderer, shown, {}, each, 16, 16);

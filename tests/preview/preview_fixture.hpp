@@ -32,9 +32,9 @@ class PreviewTest : public ::testing::Test {
     }
 
     std::vector<std::uint8_t> picture(Renderer& renderer, const ShownSea& sea, const Camera& camera,
-                                      int width = 160, int height = 90) {
+                                      const Look& look = {}, int width = 160, int height = 90) {
         const Canvas canvas(width, height, GL_RGBA8);
-        renderer.draw(sea, camera, Look{}, {.width = width, .height = height});
+        renderer.draw(sea, camera, look, {.width = width, .height = height});
         return canvas.rgb();
     }
     /// The numbers of each pixel: see shaders/preview/water.frag.

@@ -6,14 +6,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <random>
 
 #include "gl/leftovers.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/preview/probe.hpp"
+#include "ocean/water_types.hpp"
 #include "preview/shown_maps.hpp"
 #include "preview_fixture.hpp"
+#include "sky.hpp"
+#include "wave/wave.hpp"
 
 namespace ocean::preview {
 namespace {
@@ -128,6 +132,201 @@ TEST_F(PreviewTest, ShownAndHandedOnSlopesAreTheSeas) {
     }
 }
 
+TEST_F(PreviewTest, WithDetailTooTheSlopesAreTheSeas) {
+    Parameters parameters = two_cascades();
+    parameters.surface.choppiness = 0.0;
+    Ocean sea(parameters);
+    SeaMaps maps({.compute = false, .detail = true});
+    Renderer renderer({.cells = 32});
+    const ShownSea shown = maps.show(sea, 12.0);
+    ASSERT_GE(shown.tiles.size(), 2u);
+    ShownSea bare = shown;
+    bare.tiles.clear();
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit(0.0, kPeriod);
+    struct Sum {
+        double shown = 0.0, handed_on = 0.0;
+    };
+    for (const double height : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
+        // All of a period; of so many pictures as there are from 1 m, places in it.
+        const int beside = std::max(1, static_cast<int>(kPeriod / (2.0 * height)));
+        const int pictures = std::min(beside * beside, 800);
+        Sum with, without;
+        std::size_t pixels = 0;
+        for (int i = 0; i < pictures; ++i) {
+            const double step = kPeriod / beside;
+            const bool some = pictures < beside * beside;
+            const double x = some ? unit(random) : (i % beside + 0.5) * step;
+            const double y = some ? unit(random) : (i / beside + 0.5) * step;
+            for (const bool detailed : {true, false}) {
+                Sum& sum = detailed ? with : without;
+                const auto values =
+                    numbers(renderer, detailed ? shown : bare, above(x, y, height), 48);
+                for (std::size_t p = 0; p < values.size(); p += 4) {
+                    sum.shown += values[p + 2];
+                    sum.handed_on += values[p + 3];
+                    pixels += detailed ? 1 : 0;
+                }
+            }
+        }
+        const double asked = shown.mean_square_slope * static_cast<double>(pixels);
+        const double all = with.shown + with.handed_on;
+        EXPECT_NEAR((all - without.shown - without.handed_on) / asked, 0.0, 0.01) << height;
+        if (height > 1.0) {
+            EXPECT_NEAR(all / asked, 1.0, 0.01) << height;
+        }
+        if (height <= 1.0) {  // pixels of 4 cm
+            EXPECT_LT(with.handed_on, 0.9 * without.handed_on);
+        }
+        if (height >= 1000.0) {
+            EXPECT_EQ(with.shown, without.shown);
+        }
+    }
+}
+
+TEST_F(PreviewTest, TheDetailOfALabelIsThatOfTheTilesEverywhere) {
+    Ocean sea(two_cascades());
+    SeaMaps maps({.compute = false, .detail = true});
+    Renderer renderer({.cells = 32});
+    ShownSea shown = maps.show(sea, 12.0);
+    for (ShownCascade& cascade : shown.cascades) cascade.weight = 0.0;  // nothing else has slopes
+    shown.tiles.resize(1);
+    const ShownTile& tile = shown.tiles[0];
+    const auto side = static_cast<std::size_t>(tile.samples);
+    std::vector<float> slopes(2 * side * side);
+    glBindTexture(GL_TEXTURE_2D, tile.texture);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RG, GL_FLOAT, slopes.data());
+    const auto slope_at = [&](double u, double v, std::size_t component) {
+        const double x = (u - std::floor(u)) * tile.samples, y = (v - std::floor(v)) * tile.samples;
+        const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
+        const double a = x - static_cast<double>(i), b = y - static_cast<double>(j);
+        const auto texel = [&](std::size_t p, std::size_t q) {
+            return static_cast<double>(slopes[2 * ((q % side) * side + p % side) + component]);
+        };
+        return (1.0 - b) * ((1.0 - a) * texel(i, j) + a * texel(i + 1, j)) +
+               b * ((1.0 - a) * texel(i, j + 1) + a * texel(i + 1, j + 1));
+    };
+    for (const double far : {0.0, 3e6}) {
+        const double first = std::floor(far / tile.tile);
+        double squares = 0.0, differences = 0.0;
+        for (int n = 0; n < 40; ++n) {
+            const double u = first + 0.37 * n, v = 0.61 * n - first;
+            double expected[2] = {};
+            for (int corner = 0; corner < 3; ++corner) {
+                const auto read = wave::double_precision::slope_tile_read(u, v, corner);
+                for (const std::size_t c : {0, 1}) {
+                    expected[c] += read.weight * slope_at(read.x, read.y, c);
+                }
+            }
+            const auto found =
+                numbers(renderer, shown, above(u * tile.tile, v * tile.tile, 0.02), 3);
+            const double size = std::hypot(expected[0], expected[1]);
+            squares += size * size;
+            differences += std::pow(std::sqrt(static_cast<double>(found[4 * 4 + 2])) - size, 2);
+        }
+        EXPECT_LT(std::sqrt(differences / squares), 0.02) << far;
+    }
+}
+
+TEST_F(PreviewTest, NearWaterIsNoSilk) {
+    Parameters parameters = test::wind_sea(512, 230.0);
+    parameters.waves.front().wind_speed = 6.7;
+    Ocean sea(parameters, {.foam_start = FoamStart::empty});
+    SeaMaps maps({.compute = false, .cascade_resolution = 512, .detail = true});
+    Renderer renderer({.cells = 64});
+    const Camera camera{.eye = {0.0, 0.0, 1.6}, .heading = 30.0, .pitch = -4.0};
+    const Look look{.foam_amount = 0.0};
+    constexpr int kWidth = 640, kHeight = 360;
+    const auto fine_contrast = [&](const ShownSea& shown) {
+        const auto rgb = picture(renderer, shown, camera, look, kWidth, kHeight);
+        double squares = 0.0;
+        int count = 0;
+        for (int y = 4; y < kHeight / 2 - 4; ++y) {  // the bottom row comes first
+            for (int x = 4; x + 4 < kWidth; ++x) {
+                const auto at = [&](int i, int j) {
+                    return static_cast<double>(
+                        rgb[3 * static_cast<std::size_t>(j * kWidth + i) + 1]);
+                };
+                double mean = 0.0;
+                for (int j = -4; j <= 4; ++j) {
+                    for (int i = -4; i <= 4; ++i) mean += at(x + i, y + j) / 81.0;
+                }
+                squares += std::pow(at(x, y) - mean, 2);
+                ++count;
+            }
+        }
+        return std::sqrt(squares / count);
+    };
+    const ShownSea shown = maps.show(sea, 4.0);
+    ShownSea bare = shown;
+    bare.tiles.clear();
+    const double with = fine_contrast(shown), without = fine_contrast(bare);
+    RecordProperty("with", std::to_string(with));
+    RecordProperty("without", std::to_string(without));
+    EXPECT_GT(with, 3.0 * without) << with << " and " << without;
+}
+
+/// Of the mipmaps' last level.
+double mean_cover(const ShownSea& shown) {
+    float mean = 0.0f;
+    glBindTexture(GL_TEXTURE_2D, shown.covers[0].texture);
+    const int last = static_cast<int>(std::lround(std::log2(shown.covers[0].resolution)));
+    glGetTexImage(GL_TEXTURE_2D, last, GL_RED, GL_FLOAT, &mean);
+    return static_cast<double>(mean);
+}
+
+double mean_cover(Ocean& sea, double time, int resolution) {
+    const Surface map = sea.evaluate(time, {Channel::cover}, resolution);
+    double sum = 0.0;
+    for (const float cover : map.channel(Channel::cover)) sum += static_cast<double>(cover);
+    return sum / (static_cast<double>(resolution) * resolution);
+}
+
+TEST_F(PreviewTest, AsMuchIsCoveredAsTheSeaSaysFromAnyDistance) {
+    constexpr int kResolution = 128;
+    Parameters parameters = two_cascades();
+    parameters.waves.front().wind_speed = 17.0;
+    Ocean sea(parameters);
+    for (const bool compute : {false, true}) {
+        // Shaders show the foam of the clock's last tick: between ticks it lacks the newest.
+        const double time = compute ? 70.0 * parameters.surface.foam_step : 7.3;
+        const double expected = mean_cover(sea, time, kResolution);
+        EXPECT_GT(expected, 0.01);
+        SeaMaps maps(
+            {.compute = compute, .foam_resolution = kResolution, .foam_start = FoamStart::settled});
+        const ShownSea shown = maps.show(sea, time);
+        ASSERT_EQ(shown.covers.size(), 1u);
+        glBindTexture(GL_TEXTURE_2D, shown.covers[0].texture);
+        for (int level = 0; kResolution >> level > 0; ++level) {
+            const auto side = static_cast<std::size_t>(kResolution >> level);
+            std::vector<float> texels(side * side);
+            glGetTexImage(GL_TEXTURE_2D, level, GL_RED, GL_FLOAT, texels.data());
+            double mean = 0.0;
+            for (const float texel : texels) mean += static_cast<double>(texel);
+            mean /= static_cast<double>(texels.size());
+            EXPECT_NEAR(mean / expected, 1.0, 0.02) << compute << ", level " << level;
+        }
+    }
+}
+
+TEST_F(PreviewTest, ALivePictureDoesNotWaitForItsCover) {
+    Ocean sea(two_cascades());
+    SeaMaps maps({.compute = false, .foam_resolution = 128, .live = true});
+    for (const char* wind : {"20", "14", "24"}) {
+        sea.set("wind_speed", wind);
+        Ocean same(sea, {});
+        const double expected = mean_cover(same, 6.0, 128);
+        const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        double found = 0.0;
+        do {
+            found = mean_cover(maps.show(sea, 6.0));
+            EXPECT_EQ(sea.stage_runs().cover_power, 0);
+        } while (std::abs(found / expected - 1.0) > 0.02 &&
+                 std::chrono::steady_clock::now() < late);
+        EXPECT_NEAR(found / expected, 1.0, 0.02) << wind;
+    }
+}
+
 TEST_F(PreviewTest, ThePictureHasNoHole) {
     Ocean sea(two_cascades());
     SeaMaps maps({.compute = false});
@@ -183,12 +382,16 @@ TEST_F(PreviewTest, WholePeriodsAndLoopsLaterThePictureIsTheSame) {
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 32});
     Camera camera{.eye = {17.3, -40.2, 12.0}, .heading = 70.0, .pitch = -25.0};
-    const auto here = picture(renderer, maps.show(sea, 3.0), camera);
+    const Look look{.foam_amount = 0.0};  // its pattern has another period
+    const auto shown = [&](double time) {
+        return picture(renderer, maps.show(sea, time), camera, look);
+    };
+    const auto here = shown(3.0);
     camera.eye[0] += 2500.0 * kPeriod;
     camera.eye[1] -= 2500.0 * kPeriod;
-    EXPECT_LE(largest_difference(picture(renderer, maps.show(sea, 3.0), camera), here), 1);
-    EXPECT_LE(largest_difference(picture(renderer, maps.show(sea, 1000003.0), camera), here), 1);
-    EXPECT_GT(largest_difference(picture(renderer, maps.show(sea, 4.0), camera), here), 20);
+    EXPECT_LE(largest_difference(shown(3.0), here), 1);
+    EXPECT_LE(largest_difference(shown(1000003.0), here), 1);
+    EXPECT_GT(largest_difference(shown(4.0), here), 20);
 }
 
 /// Of heights at one period beside each other, where both are more than two periods from the eye.
@@ -328,6 +531,46 @@ TEST_F(PreviewTest, LinearLightHasNoLimit) {
         if (i % 4 == 3) continue;
         EXPECT_NEAR(twice[i], 2.0f * once[i], 1e-5f * twice[i]);
     }
+}
+
+TEST_F(PreviewTest, CrestsGlowBeforeTheSunAlone) {
+    Ocean sea(two_cascades(), {.foam_start = FoamStart::empty});
+    SeaMaps maps({.compute = false});
+    Renderer renderer({.cells = 64});
+    const ShownSea shown = maps.show(sea, 5.0);
+    // What the light through crests adds to each pixel, where the sun stands so far from the sight.
+    const auto added = [&](double aside, double amount) {
+        const Camera camera{.eye = {0.0, 0.0, 3.0}, .heading = 20.0, .pitch = -6.0};
+        Look look{.sun_altitude = 15.0, .sun_bearing = camera.heading + aside};
+        look.foam_amount = look.visibility = 0.0;
+        look.crest_light = 0.0;
+        auto without = light(renderer, shown, camera, look, 160, 90);
+        look.crest_light = amount;
+        const auto with = light(renderer, shown, camera, look, 160, 90);
+        for (std::size_t i = 0; i < with.size(); ++i) without[i] = with[i] - without[i];
+        return without;
+    };
+    const auto sum = [](const std::vector<float>& pixels, std::size_t channel) {
+        double all = 0.0;
+        for (std::size_t i = channel; i < pixels.size(); i += 4) all += pixels[i];
+        return all;
+    };
+    const auto once = added(0.0, 1.0), twice = added(0.0, 2.0), behind = added(180.0, 1.0);
+    const double green = sum(once, 1);
+    EXPECT_GT(*std::ranges::max_element(once), 0.005f);
+    EXPECT_NEAR(sum(twice, 1) / green, 2.0, 0.01);
+    EXPECT_EQ(sum(behind, 1), 0.0);
+    // Its colour is the water's in the light of the sun.
+    const Sky sky = make_sky({.sun_altitude = 15.0});
+    const Rgb crest = water_type("jerlov_ii").crest_colour();
+    EXPECT_NEAR(sum(once, 0) / green, crest[0] / crest[1] * sky.sun_colour.r / sky.sun_colour.g,
+                0.01);
+    // None is in the sky, nor below the eye, where the sight has no way towards the sun.
+    const std::size_t half = once.size() / 2;
+    EXPECT_EQ(
+        *std::max_element(once.begin() + static_cast<std::ptrdiff_t>(half + half / 2), once.end()),
+        0.0f);
+    EXPECT_GE(*std::ranges::min_element(once), -1e-4f);
 }
 
 TEST_F(PreviewTest, CascadesShownAloneAddUpToTheSea) {

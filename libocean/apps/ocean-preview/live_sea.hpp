@@ -47,6 +47,8 @@ class LiveSea {
     /// Back in time a recording ends, and what glided is as it was saved.
     void go_to(double time);
     bool paused = false;
+    /// The waves too short for the maps are shown too.
+    bool near_detail = true;
     double speed = 1.0;
     /// Seconds from the sea's start after which it plays from there again; nothing: it goes on.
     /// Not while it records.

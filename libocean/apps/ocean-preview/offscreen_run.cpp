@@ -123,6 +123,7 @@ class OffscreenRun {
     int cascade() const { return options_.cascade.value_or(-1); }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
+        maps.live = false;
         return maps;
     }
 
@@ -143,10 +144,12 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     const auto computing = [&](const Sea& of) {
         Computing computing = computing_for(device.backend, options, of, info);
         computing.maps.foam_start = foam;
+        computing.maps.live = options.follow > 0.0;
         return computing;
     };
     LiveSea live(sea,
                  {.threads = context.options.threads, .computing = computing, .foam_start = foam});
+    live.near_detail = options.detail;
     live.go_to(time);
     preview::Renderer renderer(renderer_for(options, info));
     bool first = true;

@@ -276,7 +276,7 @@ void transport(LiveSea& sea, PanelState& state) {
     ImGui::PopItemWidth();
 }
 
-void picture(PanelState& state) {
+void picture(LiveSea& sea, PanelState& state) {
     ImGui::PushItemWidth(150.0f);
     if (ImGui::BeginCombo("View (V)", state.view.c_str())) {
         for (const std::string& view : all_view_names()) {
@@ -327,13 +327,20 @@ void picture(PanelState& state) {
         slider(state, "Sun's bearing", look.sun_bearing, -180.0f, 180.0f, "%.0f deg");
     }
     slider(state, "Exposure", look.exposure, 0.05f, 20.0f, "%.2f", ImGuiSliderFlags_Logarithmic);
-    slider(state, "Haze", look.haze_distance, 500.0f, 200000.0f, "%.0f m",
+    slider(state, "Visibility", look.visibility, 500.0f, 200000.0f, "%.0f m",
            ImGuiSliderFlags_Logarithmic);
+    ImGui::PopItemWidth();
+    ImGui::PushItemWidth(62.0f);  // two in a row
     slider(state, "Foam shown", look.foam_amount, 0.0f, 4.0f, "%.2f");
+    ImGui::SameLine();
+    slider(state, "Crest light", look.crest_light, 0.0f, 4.0f, "%.2f");
     ImGui::PopItemWidth();
     if (ImGui::Checkbox("Wireframe (F)", &state.wireframe)) state.touched = true;
     ImGui::SameLine();
     if (ImGui::Checkbox("Probe (P)", &state.probing)) state.touched = true;
+    ImGui::SameLine();
+    if (ImGui::Checkbox("Near detail", &sea.near_detail)) state.touched = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The waves too short for the maps");
 }
 
 void camera_rows(CameraControl& camera, PanelState& state) {
@@ -537,7 +544,9 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         ImGui::SameLine();
         if (ImGui::Button("Reload")) state.reload = true;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("The sea file, as it is now (Ctrl R)");
-        if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) picture(state);
+        if (ImGui::CollapsingHeader("Picture", ImGuiTreeNodeFlags_DefaultOpen)) {
+            picture(sea, state);
+        }
         if (ImGui::CollapsingHeader("Camera")) camera_rows(camera, state);
         if (ImGui::CollapsingHeader("Bridge")) show_bridge(state.bridge);
         ImGui::Separator();

@@ -151,8 +151,11 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--environment-turn", &words.environment_turn, "DEG",
            "Turns it counter-clockwise, seen from above"},
           {"--exposure", &words.exposure, "E", "Times the light (default 1)"},
-          {"--haze", &words.haze, "M",
-           "Metres after which 1/e of the light is left (default 60000)"},
+          {"--visibility", &words.visibility, "M",
+           "Metres after which haze leaves 2 % of contrasts, clear air 40000, 0: no haze (default "
+           "60000)"},
+          {"--crest-light", &words.crest_light, "F",
+           "Times the sun's light through crests that are before it (default 1)"},
           {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
            kOptional, OneOf{water_names()}}}},
         {"Picture",
@@ -201,6 +204,8 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
           {"--foam-map", &words.foam_map, "N", "Samples of the map of foam"},
           {"--cells", &words.cells, "N", "Of a level of the mesh, 16 .. 512 in steps of 8"},
+          {"--no-detail", &words.no_detail, "",
+           "Leave the waves too short for the maps to the roughness"},
           {"--budget", &words.budget, "N",
            "Draw N frames, some more before them, and print what each stage of one takes, ms",
            kOptional, Within{1, 100000}},
@@ -220,7 +225,10 @@ PreviewOptions preview_options(const PreviewWords& words) {
     }
     place_environment(words, look);
     if (words.exposure) look.exposure = within(*words.exposure, "--exposure", 0.0, 1000.0);
-    if (words.haze) look.haze_distance = within(*words.haze, "--haze", 10.0, 1e9);
+    if (words.visibility) look.visibility = within(*words.visibility, "--visibility", 0.0, 1e9);
+    if (words.crest_light) {
+        look.crest_light = within(*words.crest_light, "--crest-light", 0.0, 10.0);
+    }
     if (!words.water.empty()) look.water_type = words.water;
     options.view = words.view;
     options.size = picture_size(words.size);
@@ -255,6 +263,7 @@ PreviewOptions preview_options(const PreviewWords& words) {
     options.record = words.record;
     if (!words.frames.empty()) options.frames = parse_frames(words.frames);
     options.wireframe = words.wireframe;
+    options.detail = !words.no_detail;
     options.cascade = words.cascade;
     for (const std::string& probe : words.probes) {
         options.probes.push_back(

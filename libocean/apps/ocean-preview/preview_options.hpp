@@ -24,13 +24,14 @@ struct PreviewWords {
     SeaArgument sea;
     std::string eye, look_at, sun, size = "1280x720", view = "shaded", look = "physical",
                                    backend = "auto";
-    std::optional<double> heading, pitch, angle, exposure, haze, time, environment_turn;
+    std::optional<double> heading, pitch, angle, exposure, visibility, crest_light, time,
+        environment_turn;
     std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
     std::string water, offscreen, record, frames, environment, bridge, token_file, serve, board_map;
     bool dummy = false;
     std::optional<double> follow;
     std::vector<std::string> probes;
-    bool wireframe = false;
+    bool wireframe = false, no_detail = false;
 };
 
 struct PreviewOptions {
@@ -51,6 +52,7 @@ struct PreviewOptions {
     std::vector<int> frames;  // for it
     std::vector<std::array<double, 2>> probes;
     bool wireframe = false;
+    bool detail = true;                               // waves too short for the maps
     std::optional<int> cascade;                       // alone
     std::optional<bridge::LineClientOptions> bridge;  // to join
     double follow = 0.0;                              // s

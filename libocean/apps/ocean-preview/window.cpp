@@ -229,7 +229,7 @@ class Preview {
           events_(events),
           info_(gl::context_info()),
           backend_(preview_backend(options.backend).value_or(best_backend(info_))),
-          renderer_(renderer_for(options, info_)),
+          renderer_(live(renderer_for(options, info_))),
           sea_(sea, {.threads = context.options.threads,
                      .computing = [this](const Sea& of) { return computing(of); },
                      .most_cascades = renderer_.most_cascades()}),
@@ -240,6 +240,7 @@ class Preview {
         sea_.after_open = [this] {
             if (link_) link_->tell_values(sea_, true);
         };
+        sea_.near_detail = options.detail && !info_.software;  // half as much again for its water
         state_.bridge.host = options.host;
         state_.bridge.is_own = !options.bridge;
         if (options.bridge) join(*options.bridge);
@@ -277,6 +278,11 @@ class Preview {
     }
 
   private:
+    static preview::RendererOptions live(preview::RendererOptions options) {
+        options.live = true;
+        return options;
+    }
+
     /// By the chosen backend, or where that cannot, as a grid that has grown is too large for it,
     /// by the best that can.
     Computing computing(const Sea& of) {

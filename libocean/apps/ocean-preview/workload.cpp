@@ -72,6 +72,8 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
     Computing computing{backend, {}};
     preview::SeaMapsOptions& maps = computing.maps;
     maps.compute = backend == gl::kBackend;
+    maps.live = true;
+    maps.detail = options.detail;
     const Grid& grid = sea.parameters.grid;
     if (context.software) {
         maps.cascade_resolution = std::min(grid.resolution, kSoftwareMap);

@@ -26,8 +26,8 @@ std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInf
 /// gl where the sea can be computed in that context, and fast; else cpu.
 const Backend& best_backend(const gl::ContextInfo& context);
 
-/// Maps as the options say, or such as the machine can make in time. Throws Error invalid_value
-/// where the backend cannot.
+/// Maps as the options say, or such as the machine can make in time, live. Throws Error
+/// invalid_value where the backend cannot.
 Computing computing_for(const Backend& backend, const PreviewOptions& options, const Sea& sea,
                         const gl::ContextInfo& context);
 preview::RendererOptions renderer_for(const PreviewOptions& options,

@@ -22,6 +22,8 @@ class Canvas {
     Canvas(int width, int height, GLenum format, int samples = 1);
 
     void bind() const;
+    /// Of a pixel, as many as the driver has of those that were asked for.
+    int samples() const { return samples_; }
     /// Into the window's own framebuffer, which has that size; leaves it bound.
     void copy_to_window(int width, int height) const;
     std::vector<std::uint8_t> rgb() const;
@@ -32,6 +34,7 @@ class Canvas {
 
     int width_;
     int height_;
+    int samples_;
     gl::Renderbuffer colour_;
     gl::Renderbuffer depth_;
     gl::Framebuffer framebuffer_;

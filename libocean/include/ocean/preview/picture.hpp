@@ -46,8 +46,9 @@ struct Look {
     std::shared_ptr<const Environment> environment = nullptr;
     double environment_turn = 0.0;  // degrees counter-clockwise, seen from above
     double exposure = 1.0;
-    double haze_distance = 60e3;  // m, after which 1/e of the light is left
+    double visibility = 60e3;  // m, after which 2 % of contrasts are left; 0: no haze
     std::string water_type = "jerlov_ii";
+    double crest_light = 1.0;  // of the sun, through crests; 0: none
     double foam_amount = 1.0;
     bool repeats = false;  // to the horizon, as its one period does
 };
@@ -63,6 +64,7 @@ enum class View {
     whitecap,
     foam,
     numbers,  // for probes, see shaders/preview/water.frag
+    foam_numbers,
 };
 /// The names of all that can be shown: "shaded", "displacement_x" ...
 std::vector<std::string> view_names();

@@ -19,6 +19,9 @@ struct RendererOptions {
     /// Samples along the longer side of a pixel's footprint; 0: by the driver's anisotropic filter
     /// on a GPU that has one, else 2.
     int taps = 0;
+    /// The textures of the foam's pattern are made in another thread, and foam is without it until
+    /// they are there; else the first picture with foam waits for them.
+    bool live = false;
     gl::AfterStage after_stage = {};  // "sky", "water"
 };
 
@@ -32,6 +35,9 @@ struct DrawOptions {
     /// Of the sea the waves of this cascade alone, from 0, without those that no map has; foam
     /// remains that of the whole sea. -1: all.
     int cascade = -1;
+    /// Each sample of a canvas that has so many is shaded, not each pixel: ripples that are seen
+    /// along a ridge are finer than pixels. Takes as many times as long.
+    int shaded_samples = 1;
     /// Of the shaded sea light itself, times the exposure, as a canvas of GL_RGBA32F holds it; else
     /// what a screen takes.
     bool linear = false;
