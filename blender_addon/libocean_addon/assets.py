@@ -99,6 +99,13 @@ def table() -> list[Asset]:
     return [*horizons, *patches, *skies]
 
 
+def _make_water(preset: str):
+    made = material.make(DEFAULT_TYPE)
+    with libocean.preset(preset) as sea:
+        material.put(made, material.look_of(sea.state))
+    return made
+
+
 def _make_sea(asset: Asset, water):
     with libocean.preset(asset.preset) as sea:
         values = sea_text.read(parameter_values.TABLE, sea)
@@ -142,10 +149,10 @@ def _mark(block, asset: Asset) -> None:
 
 def write(path: Path) -> None:
     """Makes all of them in the file that is open, and writes a file of them."""
-    water = material.make(DEFAULT_TYPE)
-    blocks = set()
-    for asset in table():
-        block = make_sky(asset) if asset.kind == "SKY" else _make_sea(asset, water)
+    assets, blocks = table(), set()
+    water = {preset: _make_water(preset) for preset in {asset.preset for asset in assets} - {""}}
+    for asset in assets:
+        block = make_sky(asset) if asset.kind == "SKY" else _make_sea(asset, water[asset.preset])
         _mark(block, asset)
         blocks.add(block)
     bpy.data.libraries.write(str(path), blocks, fake_user=True, compress=True)

@@ -14,8 +14,8 @@ import numpy as np
 
 FINEST = {
     "Displacement": ("dx", "dy", "height", "cover"),
+    "Velocity": ("vx", "vy", "vz", "jacobian"),
     # The fourth is not used: a component that is left alone would cost more.
-    "Velocity": ("vx", "vy", "vz", "height"),
     "Normal": ("nx", "ny", "nz", "height"),
 }
 """What images hold of the finest map."""

@@ -8,7 +8,7 @@ import threading
 
 import bpy
 
-from . import baked, changes, compat, exr_files, messages, operators
+from . import bake_job, baked, changes, compat, exr_files, messages, operators
 from .bake_plan import Bake, BakeError, Work, asked_range
 from .compat import tr, tr_label
 
@@ -18,6 +18,10 @@ def _words(failure: Exception) -> str:
     if isinstance(failure, exr_files.NotWholeError):
         path = failure.args[0]
         return tr("{} could not be written to its end: is the disk full?", path)
+    if isinstance(failure, bake_job.OtherTilesError):
+        return tr(
+            "The limits of the wavelength are animated: a bake with near detail has one of each"
+        )
     return messages.in_words(str(failure)) or type(failure).__name__
 
 

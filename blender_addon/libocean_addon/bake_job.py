@@ -3,7 +3,7 @@
 """The work of a bake, from plain values to files. No Blender in here: it runs in a thread of its
 own, which may be asked to stop between two files.
 
-    frames (number, seconds, sea file) -> library -> maps of a period -> EXR files
+    frames (number, seconds, sea file) -> library -> maps of a period, slope tiles -> EXR files
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import atlas, exr_files
+from . import atlas, detail_tiles, exr_files
 from .native import libocean
 
 
@@ -77,12 +77,19 @@ class Job:
         raise NotImplementedError
 
 
+class OtherTilesError(Exception):
+    """The slope tiles of a frame are of other waves than those of the first, and of another size:
+    a bake has one of each."""
+
+
 @dataclasses.dataclass(kw_only=True)
 class MapJob(Job):
     """Frames that become maps as EXR files."""
 
     folder: Path
     fields: list[str]
+    """Of maps; those of slope tiles are known, and here, when it is done."""
+    use_detail: bool
     resolution: int
     package: object
     """The Python package OpenEXR."""
@@ -93,13 +100,23 @@ class MapJob(Job):
     """Of the waves that the first frame's map leaves out."""
     cover_power: float = 1.0
     """Of the first frame's foam."""
+    bands: list[detail_tiles.Band] = dataclasses.field(default_factory=list)
+    """Of the first frame's slope tiles."""
+
+    def _begin(self, sea, resolved: str, frame: Frame) -> None:
+        """What is kept of the first frame."""
+        self.first_sea = resolved
+        self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
+        if "cover" in self.fields:
+            self.cover_power = sea.cover_power(frame.time, self.resolution)
+        if self.use_detail:
+            found = self._detail(sea, frame.time).bands
+            self.bands = [detail_tiles.band_of(band) for band in found]
+            self.fields = [*self.fields, *exr_files.DETAIL[: len(found)]]
 
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
         if self.done == 0:
-            self.first_sea = resolved
-            self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
-            if "cover" in self.fields:
-                self.cover_power = sea.cover_power(frame.time, self.resolution)
+            self._begin(sea, resolved, frame)
         label = exr_files.Label(
             resolved,
             frame.number,
@@ -116,6 +133,9 @@ class MapJob(Job):
         ]
         if missing and not self.stop.is_set():
             maps = self._maps(sea, frame.time, missing)
+            if any(field in exr_files.DETAIL for field in missing):
+                label = dataclasses.replace(label, detail=self._detail(sea, frame.time))
+                maps |= self._tiles(label.detail.bands)
             self.written += 1
             for field in missing:
                 if self.stop.is_set():
@@ -124,6 +144,7 @@ class MapJob(Job):
         return not self.stop.is_set()
 
     def _maps(self, sea, time: float, fields: list[str]) -> dict[str, np.ndarray]:
+        fields = [field for field in fields if field not in exr_files.DETAIL]
         near = [field for field in fields if not exr_files.is_far(field)]
         surface = sea.surface(time, self.resolution, near, axes=exr_files.AXES)
         maps = {field: getattr(surface, field) for field in near}
@@ -138,9 +159,27 @@ class MapJob(Job):
         atlases = {name: np.zeros((*atlas.shape(size), 4), np.float32) for name in finest}
         atlas.fill(sea, time, size, finest, atlases, sea.state)
         x, y, z, other = range(4)
-        maps = {exr_files.far("cover"): atlases["Displacement"][..., other]}
+        maps = {
+            exr_files.far("cover"): atlases["Displacement"][..., other],
+            exr_files.far("jacobian"): atlases["Velocity"][..., other],
+        }
         for name, values in atlases.items():
             field = exr_files.far(name.lower())
             order = (x, z, y, other)[: len(exr_files.channels(field))]
             maps[field] = values[..., order]
         return maps
+
+    def _detail(self, sea, time: float):
+        return sea.detail(time, self.resolution, samples=detail_tiles.SAMPLES)
+
+    def _tiles(self, bands) -> dict[str, np.ndarray]:
+        """Slopes along the sea's own x and y, whatever the axes of vectors."""
+        first, these = (
+            [(band.tile, band.longest_wave, band.shortest_wave) for band in found]
+            for found in (self.bands, bands)
+        )
+        if these != first:
+            raise OtherTilesError
+        nothing = np.zeros((detail_tiles.SAMPLES, detail_tiles.SAMPLES, 1), np.float32)
+        slopes = [np.concatenate([band.slope, nothing], axis=2) for band in bands]
+        return dict(zip(exr_files.DETAIL, slopes, strict=False))

@@ -18,6 +18,7 @@ from . import (
     bake_job,
     baked,
     changes,
+    detail,
     exr_files,
     live,
     messages,
@@ -49,8 +50,11 @@ def with_margins(first: int, last: int) -> tuple[int, int]:
 
 def size_estimate(ob, resolution: int, frames: int) -> int:
     """Bytes at most."""
+    fields = baked.wanted_fields(ob.libocean)
+    if detail.is_wanted(ob.libocean):  # the library says how many bands there are, not at once
+        fields = [*fields, *exr_files.DETAIL]
     samples = 0
-    for field in baked.wanted_fields(ob.libocean):
+    for field in fields:
         rows, columns = exr_files.shape(field, resolution)
         samples += rows * columns * len(exr_files.channels(field))
     return frames * 4 * samples
@@ -191,6 +195,7 @@ class Bake(Work):
             folder=make_folder(folder),
             frames=frames,
             fields=baked.wanted_fields(ob.libocean),
+            use_detail=detail.is_wanted(ob.libocean),
             resolution=resolution,
             base_dir=base_dir,
             overwrite=overwrite,
@@ -211,6 +216,7 @@ class Bake(Work):
             record.resolution, record.period = job.resolution, self.period
             record.samples, record.slope_variance = self.samples, job.slope_variance
             record.cover_power = job.cover_power
+            record.bands = json.dumps(job.bands) if job.use_detail else ""
             record.frame_length = self.frame_length
             record.sea = job.first_sea
             record.recipes = json.dumps(self.recipes)

@@ -28,8 +28,7 @@ def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     if abs(record.frame_length - baked.frame_length(scene)) > 1e-6:
         text = tr_label("The bake is for another time remapping: bake again")
         lines.append((text, "ERROR"))
-    lacking = [field for field in baked.wanted_fields(ob.libocean) if field not in fields]
-    if lacking:
+    if lacking := baked.lacking(ob):
         lines.append((tr_label("Not in the bake: {}", ", ".join(lacking)), "ERROR"))
     first, last = with_margins(*asked_range(ob, scene))
     if first < record.first or last > record.last:

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Playing a bake: the record of it that an object keeps, and the change between live and baked.
 
-record (folder, frames, fields) -> image sequences -> inputs of the baked node group
+record (folder, frames, fields) -> image sequences -> inputs of the baked node group, and the
+                                                      slope tiles in the material
 """
 
 from __future__ import annotations
@@ -15,8 +16,18 @@ from pathlib import Path
 
 import bpy
 
-from . import baked_nodes, changes, exr_files, meshes, node_group, parameter_values, sea_text
+from . import (
+    baked_nodes,
+    changes,
+    detail,
+    exr_files,
+    meshes,
+    node_group,
+    parameter_values,
+    sea_text,
+)
 from .compat import tr
+from .detail_tiles import Band
 
 # Names of the fields in files, by those of the node group's inputs.
 FILES = {name: name.lower() for name in baked_nodes.FIELDS}
@@ -29,12 +40,25 @@ def exists(ob) -> bool:
 
 
 def wanted_fields(settings) -> list[str]:
-    """The fields that a bake of these settings has."""
-    switches = {"cover": "use_foam", "velocity": "use_velocity", "normal": "use_normal"}
+    """The maps that a bake of these settings has; slope tiles come to them."""
+    switches = {
+        "cover": "use_foam",
+        "velocity": "use_velocity",
+        "normal": "use_normal",
+        "jacobian": "use_velocity",
+    }
     near = ["displacement", *(field for field, use in switches.items() if getattr(settings, use))]
     if settings.kind != "HORIZON":
         return near
     return [*near, *(exr_files.far(field) for field in near)]
+
+
+def lacking(ob) -> list[str]:
+    """What the bake that there is does not have of it."""
+    settings, record = ob.libocean, ob.libocean.bake
+    fields = record.fields.split(",")
+    found = [field for field in wanted_fields(settings) if field not in fields]
+    return [*found, "detail"] if detail.is_wanted(settings) and not record.bands else found
 
 
 # Where ------------------------------------------------------------------------
@@ -115,11 +139,10 @@ def frame_length(scene) -> float:
 # Images -----------------------------------------------------------------------
 
 
-def _sequence(ob, field: str):
-    """The image of a field's files; None where the first of them is not there."""
-    record = ob.libocean.bake
-    between = "" if record.folder.endswith(("/", "\\")) else "/"
-    path = record.folder + between + exr_files.path("", field, record.first).name
+def _sequence(ob, place: str, field: str):
+    """The image of a field's files in a folder; None where the first of them is not there."""
+    between = "" if place.endswith(("/", "\\")) else "/"
+    path = place + between + exr_files.path("", field, ob.libocean.bake.first).name
     for image in bpy.data.images:
         if image.source == "SEQUENCE" and image.filepath == path and image.library is None:
             return image
@@ -161,7 +184,7 @@ def _set_inputs(ob, modifier) -> bool:
     settings, record = ob.libocean, ob.libocean.bake
     fields = record.fields.split(",")
     images = {
-        name: _sequence(ob, FILES[name]) if FILES[name] in fields else None
+        name: _sequence(ob, record.folder, FILES[name]) if FILES[name] in fields else None
         for name in node_group.image_inputs(modifier.node_group)
     }
     node_group.assign(
@@ -182,6 +205,7 @@ def _set_inputs(ob, modifier) -> bool:
             "Use Foam": settings.use_foam and "cover" in fields,
             "Use Velocity": settings.use_velocity and "velocity" in fields,
             "Use Normal": settings.use_normal and "normal" in fields,
+            baked_nodes.USE_JACOBIAN: "jacobian" in fields,
         },
     )
     if node_group.kind_of(modifier.node_group) == "HORIZON":
@@ -215,8 +239,24 @@ def follow(ob) -> bool:
         settings.bake.folder = folder(ob)
     for modifier in changed:
         _change_group(modifier, to_baked=settings.use_bake)
+    if changed:
+        detail.clear(ob)
     if settings.use_bake:
         there = [_set_inputs(ob, modifier) for modifier in modifiers]
         missing = tr("The files of the bake are not in {}", settings.bake.folder)
         settings.problem = "" if all(there) else missing
     return bool(changed)
+
+
+def show_detail(ob) -> None:
+    """The slope tiles of the bake in the object's material, where both have any."""
+    settings, record = ob.libocean, ob.libocean.bake
+    known = json.loads(record.bands or "[]") if detail.is_wanted(settings) else []
+    bands = [Band(*numbers) for numbers in known]
+    place = folder(ob) if bands else ""
+    detail.play(
+        ob,
+        bands,
+        (record.first, record.last),
+        lambda number: _sequence(ob, place, exr_files.DETAIL[number]),
+    )

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from . import compat, ring_nodes
 
-FIELDS = ("Displacement", "Cover", "Velocity", "Normal")
+FIELDS = ("Displacement", "Cover", "Velocity", "Normal", "Jacobian")
 
 ON_SAMPLES = "On Samples"
 ON_SAMPLES_HELP = "The map has a sample for each vertex of the patch"
@@ -18,6 +18,8 @@ ON_SAMPLES_HELP = "The map has a sample for each vertex of the patch"
 LOST_SLOPES = "Of the waves that the finest map leaves out"
 COVER_POWER = "Cover Power"
 COVER_POWER_HELP = "The share of the water that foam hides is foam to this power"
+USE_JACOBIAN = "Use Jacobian"
+USE_JACOBIAN_HELP = "Bakes of earlier versions have none: it is 1"
 
 # The scene's time, in single precision, may fall short of a frame by its last bits.
 _ALMOST = 1e-4
@@ -51,6 +53,7 @@ def declare(group, kind: str) -> None:
     socket(group, "Mask", "NodeSocketString")
     for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
         socket(group, name, "NodeSocketBool")
+    socket(group, USE_JACOBIAN, "NodeSocketBool", description=USE_JACOBIAN_HELP)
     socket(group, "Geometry", "NodeSocketGeometry", output=True)
 
 
@@ -85,6 +88,10 @@ class BakedFields:
         place = b.math("MULTIPLY", place, (1.0, 1.0, 0.0))
         return b.scale(place, self.inputs["Follow World"])
 
+    def world_origin(self):
+        place = self.b.math("MULTIPLY", self._self().outputs["Location"], (1.0, 1.0, 0.0))
+        return self.b.scale(place, self.inputs["Follow World"])
+
     def half_texel(self):
         return self.inputs["Half Texel"]
 
@@ -116,3 +123,7 @@ class BakedFields:
 
     def cover(self, _displacement, lookup):
         return self.b.parts(lookup.color("Cover"))[0]
+
+    def jacobian(self, _velocity, lookup):
+        baked = self.b.parts(lookup.color("Jacobian"))[0]
+        return self.b.switch("FLOAT", self.inputs[USE_JACOBIAN], 1.0, baked)

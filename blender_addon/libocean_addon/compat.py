@@ -108,6 +108,12 @@ def set_input(modifier, identifier: str, value) -> None:
     modifier.id_data.update_tag()
 
 
+def let_go(modifier, identifier: str) -> None:
+    """Of the object in an input, before the modifier is removed: 5.2 would count it as a user."""
+    if _INPUTS_ARE_PROPERTIES:
+        getattr(modifier.properties.inputs, identifier).value = None
+
+
 # Meshes -----------------------------------------------------------------------
 
 
@@ -134,6 +140,11 @@ def use_nodes(owner) -> None:
         owner.use_nodes = True
 
 
+def has_nodes(owner) -> bool:
+    """Whether a material or world is what its nodes say."""
+    return owner.node_tree is not None and (VERSION >= (5, 0) or owner.use_nodes)
+
+
 def refract_in_eevee(material) -> None:
     """What is behind it is seen through it."""
     if hasattr(material, "use_raytrace_refraction"):  # 4.2
@@ -146,6 +157,15 @@ def fade_in_eevee(material) -> None:
     """Its transparency is that of each sample; from 4.2 on it always is."""
     if not hasattr(material, "surface_render_method"):
         material.blend_method = material.shadow_method = "HASHED"
+
+
+def light_nothing(material) -> None:
+    """What it emits is seen, but Cycles counts no triangle of it among the lamps."""
+    cycles = getattr(material, "cycles", None)
+    if hasattr(cycles, "emission_sampling"):  # 3.5
+        cycles.emission_sampling = "NONE"
+    elif cycles is not None:
+        cycles.sample_as_light = False
 
 
 def draws_points(scene) -> bool:

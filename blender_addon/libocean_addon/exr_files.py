@@ -23,13 +23,16 @@ from pathlib import Path
 
 import numpy as np
 
-from . import atlas
+from . import atlas, detail_tiles
 
 STEM = "sea"
 _TEMPORARY = ".baking"
-_UNITS = {"displacement": "m", "cover": "1", "velocity": "m/s", "normal": "1"}
+_UNITS = {"displacement": "m", "cover": "1", "velocity": "m/s", "normal": "1", "jacobian": "1"}
+_NUMBERS = ("cover", "jacobian")  # all else has three components
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
-FIELDS = (*_UNITS, *(f"{field}{_FAR}" for field in _UNITS))
+DETAIL = tuple(f"detail{number + 1}" for number in range(detail_tiles.MOST_BANDS))
+"""Slope tiles, those of the longest waves first: slopes along x and y, and nothing."""
+FIELDS = (*_UNITS, *(f"{field}{_FAR}" for field in _UNITS), *DETAIL)
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
 PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
@@ -58,18 +61,20 @@ def is_far(field: str) -> bool:
 
 
 def unit(field: str) -> str:
-    return _UNITS[field.removesuffix(_FAR)]
+    return "1" if field in DETAIL else _UNITS[field.removesuffix(_FAR)]
 
 
 def shape(field: str, resolution: int) -> tuple[int, int]:
     """Rows and columns of a field's files."""
+    if field in DETAIL:
+        return detail_tiles.SAMPLES, detail_tiles.SAMPLES
     return atlas.shape(resolution) if is_far(field) else (resolution, resolution)
 
 
 def channels(field: str) -> str:
-    """Cover is a number, all else a vector; with coarser normals goes the variance of the slopes
-    that they leave out."""
-    if field.removesuffix(_FAR) == "cover":
+    """Cover and Jacobian are numbers; with coarser normals goes the variance of the slopes that
+    they leave out. Slopes have a third component since Cycles takes two for grey and alpha."""
+    if field.removesuffix(_FAR) in _NUMBERS:
         return "Y"
     return "RGBA" if field == far("normal") else "RGB"
 
@@ -107,19 +112,43 @@ class Label:
     resolution: int
     version: str
     backend: str = "cpu"
+    detail: object = None
+    """libocean.Detail of the frame, where its files are written: they follow from the rest."""
 
     def strings(self, field: str) -> dict[str, str]:
+        is_vector = channels(field) != "Y" and field not in DETAIL
         return {
             "ocean:sea": self.sea,
             "ocean:frame": str(self.frame),
             "ocean:time": shortest(self.time),
-            "ocean:axes": "zup" if channels(field) == "Y" else AXES,
+            "ocean:axes": AXES if is_vector else "zup",
             "ocean:period": shortest(self.period),
             "ocean:field": field,
             "ocean:unit": unit(field),
             "ocean:backend": self.backend,
             "ocean:version": self.version,
+            **(self._of_tile(field) if field in DETAIL else {}),
         }
+
+    def _of_tile(self, field: str) -> dict[str, str]:
+        strings = {"ocean:map_resolution": str(self.resolution)}
+        if self.detail is None:
+            return strings
+        band = self.detail.bands[DETAIL.index(field)]
+        slopes = (band.variance_x, band.variance_y, band.covariance)
+        return {
+            **strings,
+            "ocean:tile": shortest(band.tile),
+            "ocean:longest_wave": shortest(band.longest_wave),
+            "ocean:shortest_wave": shortest(band.shortest_wave),
+            "ocean:slope_variance": ",".join(map(_variance, slopes)),
+            "ocean:slope_residual": _variance(self.detail.residual),
+        }
+
+
+def _variance(value: float) -> str:
+    """In eight decimals, on which all machines agree."""
+    return shortest(float(np.rint(value * 1e8)) / 1e8)
 
 
 class _FileError(Exception):
@@ -225,7 +254,7 @@ class NotWholeError(Exception):
 
 # As `ocean bake` does: of float vectors ZIP saves a thirtieth, for five times the time of a frame.
 _NONE, _RLE = 0, 1
-_MOSTLY_NOTHING = ("cover", "slope")
+_MOSTLY_NOTHING = ("cover", *DETAIL)
 
 # The package keeps Python waiting while it writes: not for longer than a blink of the interface.
 _ROWS_AT_A_TIME = 64

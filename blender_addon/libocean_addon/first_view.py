@@ -170,6 +170,8 @@ class AddScene(bpy.types.Operator):
         for ob in (make_sun(elevation, azimuth), camera):
             context.collection.objects.link(ob)
         scene.camera = camera
+        for slot in ocean.material_slots:
+            material.fit(slot.material, ocean, scene)
         context.view_layer.objects.active = ocean
         if context.space_data is not None and context.space_data.type == "VIEW_3D":
             _look_through_camera(context.space_data)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, live, meshes, node_group, open_sea, spray, versions
+from . import changes, compat, foam_images, live, meshes, node_group, open_sea, spray, versions
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -44,6 +44,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
         for ob in oceans:
             if meshes.is_stand_in(ob):  # out of the asset library
                 live.follow_mesh(ob)
+                foam_images.share()
 
 
 @persistent

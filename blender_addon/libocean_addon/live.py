@@ -18,7 +18,19 @@ from collections.abc import Callable, Iterator
 
 import bpy
 
-from . import atlas, baked, drafts, images, meshes, messages, node_group, parameter_values, sea_text
+from . import (
+    atlas,
+    baked,
+    detail,
+    drafts,
+    images,
+    meshes,
+    messages,
+    node_group,
+    parameter_values,
+    sea_text,
+    sun_focus,
+)
 from .baked_nodes import COVER_POWER
 from .native import libocean
 from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
@@ -26,7 +38,7 @@ from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
 # Of a sea at rest.
 BLANKS = {
     "Displacement": (0.0, 0.0, 0.0, 0.0),
-    "Velocity": (0.0, 0.0, 0.0, 0.0),
+    "Velocity": (0.0, 0.0, 0.0, 1.0),
     "Normal": (0.0, 0.0, 1.0, 0.0),
 }
 
@@ -133,6 +145,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
             node_group.assign(modifier, {"Camera": moment.scene.camera})
     modifiers = node_group.live_modifiers(ob)
     if not modifiers:
+        baked.show_detail(ob)
         return
     seen = ob.evaluated_get(depsgraph) if depsgraph else ob
     settings = seen.libocean
@@ -192,6 +205,8 @@ def _show_in(ob, seen, modifier, sea: OpenSea, moment: Moment) -> None:
     node_group.assign(modifier, dict.fromkeys(names, power))
     _set_inputs(ob, seen, modifier, sea.values, sizes, draft=draft)
     if not draft:
+        detail.follow(ob, settings, sea, at, size)
+        sun_focus.follow(ob, sea, at)
         state = sea.read_state()
         lost = [atlas.lost_slopes(state, samples) for samples in sizes]
         names = ("Slope Variance", node_group.render_twin("Slope Variance"))
@@ -222,6 +237,7 @@ def _set_inputs(
             "Half Texel": 0.5 / samples,
             node_group.render_twin("Half Texel"): 0.5 / sizes[1],
             "Origin": origin,
+            node_group.WORLD_ORIGIN: (place[0], place[1], 0.0),
             "Turn": turn,
             node_group.ON_SAMPLES: meshes.is_on_samples(ob, min(samples, sizes[1])),
             "Mask": settings.mask,
@@ -408,6 +424,12 @@ def _state(ob, sea: OpenSea) -> dict:
     if sea.state is None and sea.state_before is not None and drafts.progress(ob.name_full) == 0.0:
         return sea.state_before
     return sea.read_state()
+
+
+def sea_state(ob) -> dict | None:
+    """Of the sea of an object, as `ocean info` has it; None where there is no sea."""
+    sea = sea_of(ob)
+    return None if sea.sea is None else _state(ob, sea)
 
 
 def state_of(ob) -> list[tuple[str, str]] | None:

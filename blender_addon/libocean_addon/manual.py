@@ -23,6 +23,7 @@ _SECTIONS = (
     ("bpy.types.oceanvolumes*", "#volumes"),
     ("bpy.types.oceansettings.spray*", "#spray"),
     ("bpy.types.oceansettings.use_spray*", "#spray"),
+    ("bpy.types.oceansettings.use_detail*", "#material"),
     ("bpy.types.oceansettings*", "#use"),
     ("bpy.types.oceanwaves*", "#use"),
     ("bpy.types.floatsettings*", "#use"),

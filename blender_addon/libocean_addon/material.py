@@ -10,9 +10,9 @@ import math
 
 import bpy
 
-from . import compat, node_group
+from . import air, compat, detail, live, node_group, sun_focus, sunlight
 from .compat import tr
-from .water_shader import DEFAULT_TYPE, WATER_TYPES, Tree, get_group
+from .water_shader import DEFAULT_TYPE, WATER_TYPES, Tree, get_group, is_water, waters
 
 _ITEMS = [(name, entry["label"], entry["help"]) for name, entry in WATER_TYPES.items()]
 
@@ -36,13 +36,13 @@ def make(water_type: str, *, foam: bool = True, underwater: bool = False):
     water = tree.node("ShaderNodeGroup", node_tree=get_group(), width=220, location=(-260, 0))
     for name, value in {
         "Water Colour": (*kind["albedo"], 1.0),
-        "Foam Colour": (*(kind["foam_albedo"],) * 3, 1.0),
         "Foam Amount": 1.0 if foam else 0.0,
         "IOR": kind["ior"],
         "Transparency": 1.0 if underwater else 0.0,
         "Absorption": kind["absorption"],
         "Scattering": kind["scattering"],
         "Anisotropy": kind["anisotropy"],
+        "Crest Colour": (*kind["crest"], 1.0),
     }.items():
         water.inputs[name].default_value = value
     output = tree.node("ShaderNodeOutputMaterial")
@@ -50,10 +50,60 @@ def make(water_type: str, *, foam: bool = True, underwater: bool = False):
     if underwater:
         tree.feed(water.outputs["Volume"], output.inputs["Volume"])
         compat.refract_in_eevee(material)
+    compat.light_nothing(material)
     # In the viewport's solid mode, which shows no reflections.
     material.diffuse_color = (*(math.sqrt(channel) for channel in kind["albedo"]), 1.0)
     material.roughness = 0.1
     return material
+
+
+# The sea and the camera that it is for ------------------------------------------
+
+
+def _clamped(value: float) -> float:
+    return min(max(value, 0.0), 1.0)
+
+
+def look_of(state: dict) -> dict[str, float]:
+    """Inputs of a sea: the way of its foam, streaks and long cells as in gales, as ocean.inc has
+    them, and how high its waves are."""
+    height = state["significant_wave_height"]["resolved"]
+    return {
+        "Wind Direction": state["mean_direction"]["resolved"],
+        "Foam Stretch": 1.5 + 0.7 * _clamped((height - 4.0) / 3.0),
+        "Foam Streaks": 0.3 * _clamped((height - 2.0) / 4.0),
+        "Wave Height": height,
+    }
+
+
+def pixel_angle(scene) -> float | None:
+    """Of a pixel in the middle of the picture, in radians; None where no camera has such."""
+    camera = scene.camera
+    if camera is None or camera.type != "CAMERA" or camera.data.type != "PERSP":
+        return None
+    right, _, left, _ = camera.data.view_frame(scene=scene)
+    pixels = scene.render.resolution_x * scene.render.resolution_percentage / 100.0
+    return (right.x - left.x) / -right.z / pixels
+
+
+def put(made, values: dict) -> None:
+    """Sets inputs of the water of a material."""
+    for node in made.node_tree.nodes:
+        if is_water(node) or detail.is_detail(node):
+            for name in values.keys() & node.inputs.keys():  # it may be of an earlier version
+                node.inputs[name].default_value = values[name]
+
+
+def fit(made, ob, scene) -> None:
+    """Makes a material that of an ocean, of the scene's camera, and of its sun and air."""
+    state = live.sea_state(ob)
+    values = look_of(state) if state else {}
+    angle = pixel_angle(scene)
+    put(made, values if angle is None else {**values, "Pixel Angle": angle})
+    for node in waters(made.node_tree):
+        if air.SOCKET in node.inputs:  # it may be of an earlier version
+            sunlight.follow(node, scene)
+            air.follow(made.node_tree, node, scene.world)
 
 
 # Water below an open surface ---------------------------------------------------
@@ -137,7 +187,7 @@ def assign(ob, material) -> None:
     else:
         ob.data.materials.append(material)
     # What it is made of must be on the points.
-    for name in ("use_foam", "use_normal"):
+    for name in ("use_foam", "use_velocity", "use_normal"):
         if not getattr(ob.libocean, name):
             setattr(ob.libocean, name, True)
 
@@ -162,6 +212,29 @@ class AddMaterial(bpy.types.Operator):
         description="Clear water that absorbs and scatters: for cameras and objects below the "
         "surface, closed meshes, shallow water. Else deep water, which is fast",
     )
+    god_rays: bpy.props.BoolProperty(
+        name="God rays",
+        description="Below the surface, the waves gather the sun's light in shafts. For Cycles",
+    )
+    focus_depth: bpy.props.FloatProperty(
+        name="Focus depth",
+        description="At which the shafts are as caustics are there: the deeper, the wider and "
+        "softer. About where the camera or the bottom is",
+        subtype="DISTANCE",
+        default=sun_focus.DEPTH,
+        min=0.1,
+        max=100.0,
+    )
+    visibility: bpy.props.FloatProperty(
+        name="Visibility",
+        description="How far one sees through the air, 9 km in haze to 60 km in clear weather; 0: "
+        "without end",
+        subtype="DISTANCE",
+        default=0.0,
+        min=0.0,
+        soft_max=6e4,
+        max=1e6,
+    )
 
     @classmethod
     def poll(cls, context) -> bool:
@@ -170,15 +243,30 @@ class AddMaterial(bpy.types.Operator):
         cls.poll_message_set(tr("No ocean is selected"))
         return False
 
+    def draw(self, _context) -> None:
+        layout = self.layout
+        layout.use_property_split = True
+        for name in ("water_type", "foam", "visibility", "underwater"):
+            layout.prop(self, name)
+        if self.underwater:
+            layout.prop(self, "god_rays")
+            if self.god_rays:
+                layout.prop(self, "focus_depth")
+
     def execute(self, context):
         oceans = [ob for ob in _oceans(context) if ob.data.library is None]
         if not oceans:
             self.report({"ERROR"}, tr("Linked data takes no other material"))
             return {"CANCELLED"}
         material = make(self.water_type, foam=self.foam, underwater=self.underwater)
+        put(material, {"Visibility": self.visibility})
+        fit(material, oceans[0], context.scene)
+        if self.underwater and self.god_rays:
+            sun_focus.add(material, self.focus_depth)
         for ob in oceans:
             assign(ob, material)
             give_body(ob, wanted=self.underwater)
+        live.show_all(oceans, context.scene)
         return {"FINISHED"}
 
 

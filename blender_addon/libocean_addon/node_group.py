@@ -23,16 +23,19 @@ from .baked_nodes import COVER_POWER, COVER_POWER_HELP, LOST_SLOPES, ON_SAMPLES,
 from .node_builder import Builder
 from .ring_nodes import far_image
 
-VERSION = 3
+VERSION = 6
 MARK = "libocean"  # custom property of a group: the version that built it
 _KIND = "libocean_kind"
 _BAKED = "libocean_baked"  # of one that plays a bake
 
 FIELDS = ("Displacement", "Velocity", "Normal")
 """The maps; each image has a twin for renders. The alpha of the first is the cover of foam, whose
-mean is what is seen from far away; that of a horizon's third one the variance of the slopes that
-are left out."""
+mean is what is seen from far away; that of the second the Jacobian of the displacement; that of a
+horizon's third one the variance of the slopes that are left out."""
 
+
+WORLD_ORIGIN = "World Origin"
+WORLD_ORIGIN_HELP = "Origin, whole periods included: where the places of foam begin"
 
 SMALLEST_TURN = 1e-6
 """Radians: less is what single precision makes of none."""
@@ -60,6 +63,7 @@ def _declare(group, kind: str) -> None:
     for name in (COVER_POWER, render_twin(COVER_POWER)):
         socket(group, name, "NodeSocketFloat", default_value=1.0, description=COVER_POWER_HELP)
     socket(group, "Origin", "NodeSocketVector")
+    socket(group, WORLD_ORIGIN, "NodeSocketVector", description=WORLD_ORIGIN_HELP)
     socket(
         group, "Turn", "NodeSocketVector", description="Of the object in the world, as Euler XYZ"
     )
@@ -85,6 +89,9 @@ class _LiveFields:
     def origin(self):
         return self.inputs["Origin"]
 
+    def world_origin(self):
+        return self.inputs[WORLD_ORIGIN]
+
     def turn(self):
         return self.inputs["Turn"]
 
@@ -102,6 +109,9 @@ class _LiveFields:
 
     def cover(self, displacement, _lookup):
         return self.b.alpha(displacement)
+
+    def jacobian(self, velocity, _lookup):
+        return self.b.alpha(velocity)
 
     def lost_slopes(self):
         return self.shown("Slope Variance", "FLOAT")
@@ -141,6 +151,14 @@ class _Flat:
         return geometry, self.color("Normal"), self.fields.lost_slopes()
 
 
+def _label(b: Builder, fields, turn: Turn):
+    """Where still water would have what is here, which waves take along: in metres, the same in
+    every frame and for all meshes of a sea. z = 1 tells it from an attribute that is absent."""
+    position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
+    begins = b.math("ADD", fields.world_origin(), (0.0, 0.0, 1.0))
+    return b.math("MULTIPLY_ADD", position, (1.0, 1.0, 0.0), begins)
+
+
 def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     """The geometry with its attributes, moved."""
     group = b.group
@@ -155,9 +173,13 @@ def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
     stored = b.store(geometry, "cover", "FLOAT", b.number("MULTIPLY", cover, mask))
     foam = b.number("POWER", cover, b.number("DIVIDE", 1.0, fields.cover_power()))
     stored = b.store(stored, "foam", "FLOAT", b.number("MULTIPLY", foam, mask))
+    stored = b.store(stored, "label", "FLOAT_VECTOR", _label(b, fields, turn))
     geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, stored)
 
     stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))
+    squeezed = b.number("SUBTRACT", fields.jacobian(velocity, lookup), 1.0)
+    jacobian = b.number("MULTIPLY_ADD", squeezed, mask, 1.0)
+    stored = b.store(stored, "jacobian", "FLOAT", jacobian)
     velocity = turn.to_local(b.scale(velocity, mask))
     # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
     stored = b.store(stored, "velocity", "FLOAT_VECTOR", velocity)

@@ -45,6 +45,7 @@ class OpenSea:
         self.point_sea = None
         self.point_changes = 0
         self.buffers: dict[tuple[str, int], np.ndarray] = {}
+        self.detail_pixels: np.ndarray | None = None  # what goes into the image of a band
         self.shown: dict[str, tuple] = {}  # by image: what it holds
         self.ready: tuple | None = (
             None  # changes, size, channel of cover, time: of the last whole map

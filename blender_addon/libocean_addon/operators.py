@@ -113,7 +113,9 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
             ob.libocean.mesh_resolution = int(self.mesh_resolution)
         parameter_values.assign(ob.libocean, values)
         if self.use_material:
-            material.assign(ob, material.make(self.water_type))
+            water = material.make(self.water_type)
+            material.fit(water, ob, context.scene)
+            material.assign(ob, water)
         return {"FINISHED"}
 
 

@@ -243,6 +243,9 @@ class LookPanel(_Panel, bpy.types.Panel):
         column = layout.column(heading="Attributes")
         for name in ("use_foam", "use_velocity", "use_normal"):
             column.prop(settings, name)
+        column = layout.column()
+        column.active = settings.use_foam and settings.use_normal
+        column.prop(settings, "use_detail")
         _draw_parameters(layout, settings, FOAM)
         layout.prop_search(settings, "mask", ob, "vertex_groups")
         layout.prop(settings, "follow_world")

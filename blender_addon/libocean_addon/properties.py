@@ -75,6 +75,8 @@ class OceanBake(bpy.types.PropertyGroup):
     frame_length: bpy.props.FloatProperty(options={"HIDDEN"}, default=1.0)
     sea: bpy.props.StringProperty(options={"HIDDEN"})
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
+    # JSON of detail_tiles.Band; empty: baked without detail.
+    bands: bpy.props.StringProperty(options={"HIDDEN"})
     token: bpy.props.StringProperty(options={"HIDDEN"})  # of the last bake that was begun
 
 
@@ -249,6 +251,12 @@ class OceanSettings(bpy.types.PropertyGroup):
             name="Normal",
             description="Store the attribute ocean_normal, for shaders",
             default=True,
+            update=changed,
+        ),
+        "use_detail": bpy.props.BoolProperty(
+            name="Near detail",
+            description="The ocean material shows the waves too short for the maps, down to "
+            "12 mm, near the camera, for a view from a boat say. Needs foam and normal",
             update=changed,
         ),
         "mask": bpy.props.StringProperty(

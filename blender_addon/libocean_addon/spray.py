@@ -123,6 +123,7 @@ def _remove(ob, modifier) -> None:
     if ob.library is not None:
         return
     carrier = _carrier(modifier)
+    compat.let_go(modifier, compat.input_identifiers(modifier.node_group)["Points"])
     ob.modifiers.remove(modifier)
     if carrier is not None and carrier.library is None and carrier.users == 0:
         mesh = carrier.data

@@ -188,6 +188,7 @@ GERMAN = {
         "Foam": "Schaum",
         "Velocity": "Geschwindigkeit",
         "Normal": "Normale",
+        "Near detail": "Details der Nähe",
         "Mask": "Maske",
         "Anchor to the world": "In der Welt verankern",
         "Play the bake": "Gebackenes abspielen",
@@ -199,10 +200,28 @@ GERMAN = {
         "libocean is missing: {}": "libocean fehlt: {}",
         # Material.
         "Under water": "Unter Wasser",
+        "Visibility": "Sichtweite",
+        "God rays": "Sonnenstrahlen",
+        "Focus depth": "Brenntiefe",
         "Water Colour": "Wasserfarbe",
+        "Crest Light": "Kammlicht",
+        "Crest Colour": "Kammfarbe",
+        "Sun Direction": "Sonnenrichtung",
+        "Sun Light": "Sonnenlicht",
+        "Sun Focus": "Sonnenbündelung",
+        "Wave Height": "Wellenhöhe",
+        "Air Light": "Luftlicht",
         "Foam Colour": "Schaumfarbe",
         "Foam Amount": "Schaummenge",
-        "Foam Scale": "Schaumgröße",
+        "Thin Foam Colour": "Farbe dünnen Schaums",
+        "Bubble Colour": "Blasenfarbe",
+        "Foam Tile": "Schaumkachel",
+        "Foam Edge": "Schaumrand",
+        "Foam Stretch": "Schaumstreckung",
+        "Foam Streaks": "Schaumstreifen",
+        "Wind Direction": "Windrichtung",
+        "Pixel Angle": "Pixelwinkel",
+        "Detail": "Details",
         "Roughness": "Rauheit",
         "IOR": "Brechungsindex",
         "Transparency": "Transparenz",
@@ -335,6 +354,10 @@ GERMAN = {
         "The folder {} cannot be made: {}": "Der Ordner {} kann nicht angelegt werden: {}",
         "The last frame, {}, comes before the first, {}": (
             "Das letzte Bild, {}, kommt vor dem ersten, {}"
+        ),
+        "The limits of the wavelength are animated: a bake with near detail has one of each": (
+            "Die Grenzen der Wellenlänge sind animiert: mit Details der Nähe wird nur je ein Wert "
+            "gebacken"
         ),
         "The patch size, the resolution or the cascades are animated: a bake has one of each": (
             "Kachelgröße, Auflösung oder Kaskaden sind animiert: gebacken wird nur je ein Wert"

@@ -2,24 +2,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The node group `Ocean Water`: sea water for Cycles and Eevee, tuned by its sockets.
 
-    attributes cover, ocean_normal, slope_variance \\
-    colour, roughness, IOR, absorption ...          -> Ocean Water -> Surface, Volume
+    attributes cover, foam, label, ocean_normal, slope_variance, jacobian \\
+    colour, roughness, IOR, absorption, sun, air ...                      -> Ocean Water
+    Ocean Water -> Surface, Volume, Foam
 
 Deep water has no volume: what its body sends back is a diffuse colour below a dielectric surface,
-so that it works on an open mesh and costs nothing. Transparent, it is glass with absorption and
-scattering.
+so that it works on an open mesh and costs nothing; its crests let the sun through. Transparent, it
+is glass with absorption and scattering.
 """
 
 from __future__ import annotations
 
 import bpy
 
-from . import compat
+from . import compat, crest_nodes, foam_nodes
 from .native import libocean
 from .node_builder import Builder
 
 GROUP = "Ocean Water"
-VERSION = 2
+VERSION = 4
 MARK = "libocean_water"  # custom property of a group: the version that built it
 
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
@@ -27,10 +28,10 @@ DEFAULT_TYPE = "jerlov_ii"
 
 # Of water between the waves of the mesh: 0.03 is a glint 0.1 degrees wide.
 _ROUGHNESS = 0.03
-# Share of the attribute's range in which a flake of foam fades in.
-_FLAKE_EDGE = 0.4
-_NOISE = {"Detail": 8.0, "Roughness": 0.85}
-_NOISE_DEVIATION = 0.0446  # of this noise, measured in 3.4 and 5.2; its mean is 0.5
+# Of a lens of 50 mm in a picture 1920 pixels wide.
+PIXEL_ANGLE = 36.0 / 50.0 / 1920.0
+_THIN_FOAM, _THICK_FOAM = (0.22, 0.29, 0.31), (0.80, 0.80, 0.80)
+_BUBBLES = (0.012, 0.060, 0.066)
 
 
 class Tree(Builder):
@@ -40,6 +41,12 @@ class Tree(Builder):
         made = self.node(kind, **(settings or {}))
         for name, value in inputs.items():
             self.feed(value, made.inputs[name])
+        return made.outputs[0]
+
+    def add_shaders(self, first, second):
+        made = self.node("ShaderNodeAddShader")
+        self.feed(first, made.inputs[0])
+        self.feed(second, made.inputs[1])
         return made.outputs[0]
 
     def mix_shaders(self, factor, off, on):
@@ -69,17 +76,45 @@ def _declare(group) -> None:
         )
 
     kind = WATER_TYPES[DEFAULT_TYPE]
-    grey = (kind["foam_albedo"],) * 3
     triple(
         "Water Colour",
         "Color",
         (*kind["albedo"], 1.0),
         "What the body of deep water sends back of the light from above",
     )
-    triple("Foam Colour", "Color", (*grey, 1.0), "Of thick, fresh foam")
+    triple("Foam Colour", "Color", (*_THICK_FOAM, 1.0), "Of thick, fresh foam")
+    triple("Thin Foam Colour", "Color", (*_THIN_FOAM, 1.0), "Of foam that lets water through")
+    triple(
+        "Bubble Colour",
+        "Color",
+        (*_BUBBLES, 1.0),
+        "What bubbles that breakers drove down add to the water's colour",
+    )
     number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute cover is shown; 0: none")
     number(
-        "Foam Scale", 1.0, 0.001, 1000.0, "Size of the flakes that foam breaks up into, in metres"
+        "Foam Tile",
+        foam_nodes.TILE,
+        0.001,
+        10000.0,
+        "Metres of a tile of the net of foam; of 12 the widest cells are 0.86",
+    )
+    number("Foam Edge", 0.1, 0.001, 1.0, "From water to foam, as a share of the cover; 1: soft")
+    number("Foam Stretch", 1.5, 0.1, 10.0, "Length over width of the cells, along the wind")
+    number("Foam Streaks", 0.0, 0.0, 1.0, "How much windrows gather the foam, in a gale 0.3")
+    number(
+        "Wind Direction",
+        0.0,
+        -360.0,
+        360.0,
+        "To which the waves go, in degrees counter-clockwise from +x",
+    )
+    number(
+        "Pixel Angle",
+        PIXEL_ANGLE,
+        0.0,
+        1.0,
+        "Of a pixel of the picture, in radians: where several cells of foam are in one, their mean "
+        "is shown. 0: never",
     )
     number(
         "Roughness",
@@ -96,16 +131,60 @@ def _declare(group) -> None:
         1.0,
         "0: deep water of the colour above; 1: clear, with what Volume does to light below",
     )
+    triple(
+        "Detail",
+        "Vector",
+        (0.0, 0.0, 0.0),
+        "Slopes of waves too short for the mesh, along x and y, and their mean square, which the "
+        "roughness then lacks",
+    )
     triple("Absorption", "Vector", kind["absorption"], "Of red, green and blue light, per metre")
     triple("Scattering", "Vector", kind["scattering"], "Of red, green and blue light, per metre")
     number("Anisotropy", kind["anisotropy"], -1.0, 1.0, "Mean cosine of the angle of scattering")
+    number("Crest Light", 1.0, 0.0, 10.0, "Of the sun through the crests; 0: none")
+    triple("Crest Colour", "Color", (*kind["crest"], 1.0), "Of crests with the sun behind them")
+    triple(
+        "Sun Direction",
+        "Vector",
+        (0.0, 0.0, 0.0),
+        "Towards the sun, in the world; 0: there is none",
+    )
+    triple(
+        "Sun Light",
+        "Color",
+        (1.0, 1.0, 1.0, 1.0),
+        "What a white surface that faces the sun sends back of its light",
+    )
+    number("Wave Height", 1.0, 0.001, 100.0, "Significant wave height of the sea, in metres")
+    number(
+        "Visibility",
+        0.0,
+        0.0,
+        1e6,
+        "Metres through the air at which 2 % of the contrast are left; 0: as far as one looks",
+    )
+    triple("Air Light", "Color", (0.0, 0.0, 0.0, 1.0), "Of the sky at the horizon, behind the haze")
+    number(
+        "Sun Focus",
+        1.0,
+        0.0,
+        1000.0,
+        "Times the light of lamps and the sky that goes through clear water: what waves gather",
+    )
     compat.add_socket(group, "Surface", "NodeSocketShader", output=True)
     compat.add_socket(group, "Volume", "NodeSocketShader", output=True)
+    compat.add_socket(group, "Foam", "NodeSocketFloat", output=True)
 
 
-def _normal(t: Tree):
-    """The sea's own normal where the mesh carries it, else the mesh's; towards the viewer."""
-    geometry = t.node("ShaderNodeNewGeometry").outputs
+def _facing(t: Tree):
+    """1 from above, -1 from below."""
+    backfacing = t.node("ShaderNodeNewGeometry").outputs["Backfacing"]
+    return t.number("MULTIPLY_ADD", backfacing, -2.0, 1.0)
+
+
+def _normal(t: Tree, facing):
+    """The sea's own normal where the mesh carries it, else the mesh's; upwards, from whichever side
+    it is seen."""
     stored = t.node("ShaderNodeAttribute", attribute_name="ocean_normal").outputs["Vector"]
     # An attribute that is absent reads 0.
     there = t.number("GREATER_THAN", t.math("LENGTH", stored, result="Value"), 0.5)
@@ -118,19 +197,26 @@ def _normal(t: Tree):
         convert_to="WORLD",
     )
     t.feed(t.math("ADD", stored, missing), turned.inputs[0])
-    # Shaders turn the mesh's normal round on the back, not an attribute.
-    facing = t.number("MULTIPLY_ADD", geometry["Backfacing"], -2.0, 1.0)
-    own = t.scale(t.math("NORMALIZE", turned.outputs[0]), facing)
-    difference = t.math("SUBTRACT", own, geometry["Normal"])
-    return t.math("NORMALIZE", t.math("ADD", geometry["Normal"], t.scale(difference, there)))
+    own = t.math("NORMALIZE", turned.outputs[0])
+    # Shaders turn the mesh's normal towards the viewer, not an attribute.
+    of_mesh = t.scale(t.node("ShaderNodeNewGeometry").outputs["Normal"], facing)
+    return t.math("NORMALIZE", t.mix(of_mesh, own, there))
 
 
-def _slopes(t: Tree, roughness):
+def _bent(t: Tree, normal, detail):
+    """By slopes, of a normal upwards: normalize(n - max(n_z, 0) (s_x, s_y, 0))."""
+    up = t.number("MAXIMUM", t.parts(normal)[2], 0.0)
+    slopes = t.math("MULTIPLY", detail, (-1.0, -1.0, 0.0))
+    return t.math("NORMALIZE", t.math("ADD", normal, t.scale(slopes, up)))
+
+
+def _slopes(t: Tree, roughness, shown):
     """Mean square slope of all that is too short for the mesh: alpha^2 of Beckmann's distribution,
-    whose slopes are Gaussian as the sea's are. Blender's roughness is the root of alpha."""
+    whose slopes are Gaussian as the sea's are. Blender's roughness is the root of alpha.
+    shown: what the normal has of it."""
     stored = t.node("ShaderNodeAttribute", attribute_name="slope_variance").outputs["Fac"]
     own = t.number("POWER", roughness, 4.0)
-    return t.number("ADD", own, t.number("MAXIMUM", stored, 0.0))
+    return t.number("ADD", own, t.number("MAXIMUM", t.number("SUBTRACT", stored, shown), 0.0))
 
 
 def _reflectance(t: Tree, ior, normal, slopes):
@@ -157,31 +243,60 @@ def _reflectance(t: Tree, ior, normal, slopes):
     return t.number("ADD", fresnel.outputs[0], t.number("MULTIPLY", change, from_above), clamp=True)
 
 
-def _foam(t: Tree, inputs):
-    """Where foam covers the water: none where the attribute is 0, all where it is 1. Noise breaks
-    it up."""
+def place(t: Tree):
+    """Of still water, where the mesh carries it, so that waves take the foam along; else of the
+    mesh, without its height."""
+    stored = t.node("ShaderNodeAttribute", attribute_name="label").outputs["Vector"]
+    # An attribute that is absent reads 0.
+    there = t.number("GREATER_THAN", t.parts(stored)[2], 0.5)
+    position = t.node("ShaderNodeNewGeometry").outputs["Position"]
+    return t.mix(position, stored, there)
+
+
+def footprint(t: Tree, pixel_angle):
+    """Side in metres of the water that a pixel sees."""
+    distance = t.node("ShaderNodeCameraData").outputs["View Distance"]
+    incoming = t.node("ShaderNodeNewGeometry").outputs["Incoming"]
+    return foam_nodes.footprint(t, distance, pixel_angle, t.parts(incoming)[2])
+
+
+def _foam(t: Tree, inputs) -> foam_nodes.Foam:
+    """Where foam covers the water: none where the attribute is 0, all where it is 1."""
     stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
     cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
-    place = t.node("ShaderNodeNewGeometry").outputs["Position"]
-    # Flakes do not change as waves lift them.
-    place = t.math("MULTIPLY", place, (1.0, 1.0, 0.0))
-    noise = t.node("ShaderNodeTexNoise")
-    size = t.number("DIVIDE", 1.0, t.number("MAXIMUM", inputs["Foam Scale"], 1e-3))
-    t.feed(place, noise.inputs["Vector"])
-    t.feed(size, noise.inputs["Scale"])
-    for name, value in _NOISE.items():
-        noise.inputs[name].default_value = value
-    # Gaussian noise to a threshold that takes all values of 0 .. 1 alike: its distribution
-    # function, by the logistic one.
-    away = t.number("SUBTRACT", noise.outputs[0], 0.5)
-    tail = t.number("EXPONENT", t.number("MULTIPLY", away, -1.702 / _NOISE_DEVIATION))
-    threshold = t.number("DIVIDE", 1.0, t.number("ADD", 1.0, tail))
-    begins = t.number("MULTIPLY", threshold, 1.0 - _FLAKE_EDGE)
-    edge = t.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
-    t.feed(cover, edge.inputs["Value"])
-    t.feed(begins, edge.inputs["From Min"])
-    t.feed(t.number("ADD", begins, _FLAKE_EDGE), edge.inputs["From Max"])
-    return edge.outputs[0]
+    return foam_nodes.foam(t, cover, place(t), footprint(t, inputs["Pixel Angle"]), inputs)
+
+
+def _froth(t: Tree, inputs, foam: foam_nodes.Foam, normal):
+    """Bubbles take no light: what thick foam does not send back goes through, to all sides, where
+    there is something below it."""
+    bump = t.node("ShaderNodeBump")
+    t.feed(foam.height, bump.inputs["Height"])
+    bump.inputs["Distance"].default_value = 1.0
+    t.feed(normal, bump.inputs["Normal"])
+    colour = t.mix(inputs["Thin Foam Colour"], inputs["Foam Colour"], foam.thickness)
+    back = t.shader("ShaderNodeBsdfDiffuse", Color=colour, Normal=bump.outputs[0])
+    through = t.scale(t.math("SUBTRACT", (1.0, 1.0, 1.0), colour), inputs["Transparency"])
+    through = t.shader("ShaderNodeBsdfTranslucent", Color=through, Normal=bump.outputs[0])
+    return t.add_shaders(back, through)
+
+
+def _body_colour(t: Tree, inputs):
+    """Of the water and of the bubbles in it, which are where foam has been long."""
+    stored = t.node("ShaderNodeAttribute", attribute_name="foam").outputs["Fac"]
+    bubbles = t.number("POWER", t.number("MAXIMUM", stored, 0.0), 3.0)
+    bubbles = t.number("MULTIPLY", bubbles, t.number("MINIMUM", inputs["Foam Amount"], 1.0))
+    return t.math("ADD", inputs["Water Colour"], t.scale(inputs["Bubble Colour"], bubbles))
+
+
+def _crest(t: Tree, inputs, normal):
+    """Light of the sun that comes through crests."""
+    share = crest_nodes.seen_crest_light(t, inputs, normal)
+    return t.shader(
+        "ShaderNodeEmission",
+        Color=t.math("MULTIPLY", inputs["Crest Colour"], inputs["Sun Light"]),
+        Strength=t.number("MULTIPLY", share, inputs["Crest Light"]),
+    )
 
 
 def _volume(t: Tree, inputs):
@@ -204,22 +319,23 @@ def _volume(t: Tree, inputs):
         Density=most,
         Anisotropy=inputs["Anisotropy"],
     )
-    both = t.node("ShaderNodeAddShader")
-    t.feed(absorption, both.inputs[0])
-    t.feed(scattering, both.inputs[1])
-    return both.outputs[0]
+    return t.add_shaders(absorption, scattering)
 
 
 def _build(group) -> None:
     _declare(group)
     t = Tree(group)
     inputs = t.node("NodeGroupInput").outputs
-    normal = _normal(t)
-    slopes = _slopes(t, inputs["Roughness"])
+    facing = _facing(t)
+    of_waves = _normal(t, facing)
+    # One surface, bent alike from both sides; shaders want its normal towards the viewer.
+    normal = t.scale(_bent(t, of_waves, inputs["Detail"]), facing)
+    slopes = _slopes(t, inputs["Roughness"], t.parts(inputs["Detail"])[2])
     roughness = t.number("POWER", slopes, 0.25)
     reflectance = _reflectance(t, inputs["IOR"], normal, slopes)
 
-    body = t.shader("ShaderNodeBsdfDiffuse", Color=inputs["Water Colour"], Normal=normal)
+    body = t.shader("ShaderNodeBsdfDiffuse", Color=_body_colour(t, inputs), Normal=normal)
+    body = t.add_shaders(body, _crest(t, inputs, of_waves))
     mirror = t.shader(
         compat.GLOSSY,
         settings={"distribution": "BECKMANN"},
@@ -238,16 +354,32 @@ def _build(group) -> None:
     )
     # Glass would keep lamps and the sun from all that is below: their light passes straight on.
     passed = t.number("SUBTRACT", 1.0, reflectance)
+    passed = t.number("MULTIPLY", passed, inputs["Sun Focus"])
     unbent = t.shader("ShaderNodeBsdfTransparent", Color=passed)
     clear = t.mix_shaders(t.node("ShaderNodeLightPath").outputs["Is Shadow Ray"], clear, unbent)
     water = t.mix_shaders(inputs["Transparency"], deep, clear)
-    foam = t.shader("ShaderNodeBsdfDiffuse", Color=inputs["Foam Colour"], Normal=normal)
+    foam = _foam(t, inputs)
+    froth = _froth(t, inputs, foam, normal)
+
+    sea = t.mix_shaders(foam.mask, water, froth)
+    air = t.shader("ShaderNodeEmission", Color=inputs["Air Light"])
 
     output = t.node("NodeGroupOutput")
-    t.feed(t.mix_shaders(_foam(t, inputs), water, foam), output.inputs["Surface"])
+    t.feed(t.mix_shaders(crest_nodes.seen_haze(t, inputs), sea, air), output.inputs["Surface"])
     t.feed(_volume(t, inputs), output.inputs["Volume"])
+    t.feed(foam.mask, output.inputs["Foam"])
     for number, made in enumerate(group.nodes):
         made.location = (220 * (number // 5), -260 * (number % 5))
+
+
+def is_water(node) -> bool:
+    """Whether a node of a material is one of these groups, of any version."""
+    return node.type == "GROUP" and node.node_tree is not None and MARK in node.node_tree
+
+
+def waters(tree) -> list:
+    """The nodes of a material's tree that are; it may be changed while they are gone through."""
+    return [node for node in tree.nodes if is_water(node)]
 
 
 def get_group():

@@ -150,3 +150,83 @@ def rendered(scene, path: Path) -> np.ndarray:
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
     return pixels(path)
+
+
+# What nodes say ---------------------------------------------------------------
+
+
+def geometry_group(name: str):
+    """A modifier's node group, empty."""
+    from libocean_addon import compat
+
+    group = bpy.data.node_groups.new(name, "GeometryNodeTree")
+    compat.add_socket(group, "Geometry", "NodeSocketGeometry")
+    compat.add_socket(group, "Geometry", "NodeSocketGeometry", output=True)
+    return group
+
+
+def by_nodes(formula, arguments: np.ndarray) -> np.ndarray:
+    """What nodes make of these arguments, (n, 3), each at a vertex."""
+    from libocean_addon import compat
+    from libocean_addon.node_builder import Builder
+
+    mesh = bpy.data.meshes.new("Calls")
+    mesh.vertices.add(len(arguments))
+    for name, values in zip("abc", arguments.T, strict=True):
+        made = mesh.attributes.new(name, "FLOAT", "POINT")
+        made.data.foreach_set("value", values.astype(np.float32))
+    ob = bpy.data.objects.new("Calls", mesh)
+    bpy.context.scene.collection.objects.link(ob)
+    group = geometry_group("Calls")
+    b = Builder(group)
+    read = []
+    for name in "abc":
+        named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
+        named.inputs["Name"].default_value = name
+        read.append(compat.active(named.outputs, "Attribute"))
+    stored = b.node("NodeGroupInput").outputs[0]
+    stored = b.store(stored, "result", "FLOAT", formula(b, *read))
+    b.link(stored, b.node("NodeGroupOutput").inputs[0])
+    ob.modifiers.new("Calls", "NODES").node_group = group
+    return attribute(ob, "result")
+
+
+def parallel_camera(scene):
+    """The scene's, without perspective; it looks down."""
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(camera)
+    camera.data.type = "ORTHO"
+    camera.data.clip_end = 1000.0
+    scene.camera = camera
+    return camera
+
+
+@pytest.fixture
+def studio(scene):
+    """Straight down on what shines by itself, each pixel of one point."""
+    parallel_camera(scene).location.z = 100.0
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 1
+    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
+    scene.cycles.filter_width = 0.01
+    scene.render.resolution_x = scene.render.resolution_y = 512
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    return scene
+
+
+def shine(ob, made, what) -> None:
+    """Gives an object a material that shines with an output of a node."""
+    tree = made.node_tree
+    light = tree.nodes.new("ShaderNodeEmission")
+    tree.links.new(what, light.inputs["Color"])
+    output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
+    tree.links.new(light.outputs[0], output.inputs["Surface"])
+    ob.data.materials.clear()
+    ob.data.materials.append(made)
+
+
+def taken(scene, tmp_path) -> np.ndarray:
+    scene.render.filepath = str(tmp_path / "taken.exr")
+    bpy.ops.render.render(write_still=True)
+    return pixels(scene.render.filepath)[..., :3]

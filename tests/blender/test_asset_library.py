@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, pixels, positions, rest
-from libocean_addon import asset_library, assets, live, meshes, node_group
+from libocean_addon import asset_library, assets, foam_images, live, meshes, node_group
 from libocean_addon.bundled import libocean
 
 PATCH = "Beaufort 4 Patch"
@@ -119,7 +119,9 @@ def test_the_file_is_small_and_opens_without_making_a_sea(library):
     bpy.ops.wm.open_mainfile(filepath=str(path))
     assert live.ocean_objects() == []
     assert {len(mesh.vertices) for mesh in bpy.data.meshes} == {4}
-    assert all(max(image.size) < 100 for image in bpy.data.images)
+    foam = {image for image in bpy.data.images if foam_images.MARK in image}
+    assert len(foam) == len(foam_images.SIDES), "one of each kind, for all seas"
+    assert all(max(image.size) < 100 for image in set(bpy.data.images) - foam)
 
 
 # A sea out of it ------------------------------------------------------------------
@@ -156,6 +158,9 @@ def test_each_of_two_has_a_sea_of_its_own(library, scene, reuse):
     first, second = (fetch(library, PATCH, reuse=reuse) for _ in range(2))
     assert first.name != second.name
     assert not images_of(first) & images_of(second)
+    foam = {image for image in bpy.data.images if foam_images.MARK in image and image.users}
+    foam = {image for image in foam if image.library is None}
+    assert len(foam) == len(foam_images.SIDES)
     scene.frame_set(10)
     before = positions(first)
     assert np.abs(positions(second) - before).max() <= 1e-6

@@ -23,7 +23,7 @@ from conftest import (
     start_another_process,
 )
 
-FIELDS = ("displacement", "cover", "velocity", "normal")
+FIELDS = ("displacement", "cover", "velocity", "normal", "jacobian")
 
 
 @pytest.fixture
@@ -53,7 +53,7 @@ def read_exr(path: Path) -> tuple[dict[str, str], dict[str, np.ndarray]]:
 
 def shown(ob) -> dict[str, np.ndarray]:
     """All that the node group gives a mesh."""
-    names = ("foam", "cover", "velocity", "ocean_velocity", "ocean_normal")
+    names = ("foam", "cover", "label", "velocity", "ocean_velocity", "ocean_normal", "jacobian")
     return {"position": positions(ob), **{name: attribute(ob, name) for name in names}}
 
 
@@ -80,16 +80,18 @@ def failing(call, **arguments) -> str:
 def test_the_files_are_those_of_ocean_bake(scene, sea, tmp_path):
     program = Path(os.environ["OCEAN"]).resolve()
     sea.libocean.start = 100000.0
+    sea.libocean.use_detail = True
     scene.render.fps, scene.render.fps_base = 30, 1.001
     assert bpy.ops.libocean.bake() == {"FINISHED"}
     bpy.ops.libocean.save_sea(filepath=str(tmp_path / "sea.toml"))
     subprocess.run(
         [program, "bake", "sea.toml", "-o", "there/sea.####.exr", "--frames", "1-6"]
-        + ["--type", "float", "--products", ",".join(FIELDS)],
+        + ["--type", "float", "--products", ",".join((*FIELDS, "detail"))],
         cwd=tmp_path,
         check=True,
     )
     theirs = sorted((tmp_path / "there").glob("*.exr"))
+    assert len(theirs) == 6 * (len(FIELDS) + 3)
     assert [p.name for p in theirs] == sorted(p.name for p in files(tmp_path).iterdir())
     for path in theirs:
         (header, planes), (our_header, ours) = read_exr(path), read_exr(files(tmp_path) / path.name)
@@ -199,6 +201,7 @@ def test_a_bake_shows_what_was_live(scene, sea):
     assert sea.libocean.use_bake
     assert scene.frame_current == 3
     assert live[4]["foam"].max() > 0.1 and live[4]["cover"].max() > 0.001
+    assert np.ptp(live[4]["jacobian"]) > 0.5
     for frame, values in live.items():
         scene.frame_set(frame)
         assert_same(shown(sea), values)
@@ -283,6 +286,8 @@ def test_a_horizon_plays_around_the_camera(scene, tmp_path):
 def test_nothing_is_asked_of_the_library_while_it_plays(scene, sea, monkeypatch):
     from libocean_addon import open_sea
 
+    sea.libocean.use_detail = True
+    bpy.ops.libocean.add_material()
     bpy.ops.libocean.bake()
     monkeypatch.setattr(open_sea.OpenSea, "follow", lambda *_: pytest.fail("the sea was asked"))
     scene.frame_set(4)
@@ -341,6 +346,92 @@ def test_an_animated_period_is_refused(scene, sea, tmp_path):
     assert not files(tmp_path).exists()
 
 
+def made_by_an_earlier_version(ob, folder: Path) -> None:
+    """Of its bake there is neither a Jacobian nor detail, in files, record and node group."""
+    from libocean_addon import node_group
+
+    record = ob.libocean.bake
+    for field in record.fields.split(","):
+        if field.startswith(("jacobian", "detail")):
+            for path in folder.glob(f"sea.{field}.*.exr"):
+                path.unlink()
+    fields = [name for name in record.fields.split(",") if not name.startswith(("jac", "detail"))]
+    record.fields, record.bands = ",".join(fields), ""
+    (modifier,) = node_group.modifiers(ob)
+    group = modifier.node_group
+    group.name, group[node_group.MARK] = ".libocean.v5 of before", 5
+    node_group.assign(modifier, {"Jacobian": None, "Use Jacobian": False})
+
+
+def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
+    from libocean_addon import bake_state, node_group
+
+    scene.frame_set(4)
+    sea.libocean.use_detail = True
+    bpy.ops.libocean.add_material()
+    bpy.ops.libocean.bake()
+    folder = files(tmp_path)
+    there = shown(sea)
+    made_by_an_earlier_version(sea, folder)
+    bpy.ops.wm.save_mainfile()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
+    ob, scene = bpy.data.objects["Ocean"], bpy.context.scene
+    scene.frame_set(4)
+    (modifier,) = node_group.modifiers(ob)
+    assert modifier.node_group[node_group.MARK] == node_group.VERSION
+    assert ob.libocean.use_bake and ob.libocean.problem == ""
+    found = shown(ob)
+    assert (found.pop("jacobian") == 1.0).all() and np.ptp(there["jacobian"]) > 0.5
+    assert_same(found, there)
+    said = [text for text, _ in bake_state.state(ob, scene)]
+    assert "Not in the bake: jacobian, detail" in said
+    kept = times(folder)
+    bpy.context.view_layer.objects.active = ob
+    bpy.ops.libocean.bake()  # adds it
+    after = times(folder)
+    assert {name: after[name] for name in kept} == kept
+    added = {name.split(".")[1] for name in set(after) - set(kept)}
+    assert added == {"jacobian", "detail1", "detail2", "detail3"}
+    assert_same(shown(ob), there)
+    assert not any("Not in the bake" in text for text, _ in bake_state.state(ob, scene))
+
+
+@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
+def test_sizes_are_told(scene, sea, kind):
+    """What is expected are the samples, of at most three bands; what is there are the files."""
+    from libocean_addon import bake_plan, bake_state, baked
+
+    sea.libocean.use_detail = True
+    if kind == "HORIZON":
+        bpy.data.objects.remove(sea)
+        bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_6")
+        sea = bpy.context.object
+        sea.libocean.resolution, sea.libocean.horizon_vertices = 64, 20000
+        sea.libocean.use_detail = True
+    bpy.ops.libocean.bake(frame_start=2, frame_end=2)
+    folder = baked.folder_path(sea)
+    one = {path.name.split(".")[1]: read_exr(path)[1] for path in folder.glob("*.0002.exr")}
+    bands = [planes for field, planes in one.items() if field.startswith("detail")]
+    assert len(bands) == 3
+    samples = sum(plane.size for planes in one.values() for plane in planes.values())
+    assert bake_plan.size_estimate(sea, 64, 5) == 5 * 4 * samples
+    size = sum(path.stat().st_size for path in folder.iterdir())
+    said = [text for text, _ in bake_state.state(sea, scene)]
+    assert f"3 of 3 frames, {size / 1e6:.1f} MB" in said
+    assert bpy.ops.libocean.free_bake(delete_files=True) == {"FINISHED"}
+    assert not folder.exists()
+
+
+def test_tiles_of_animated_limits_are_refused(scene, sea):
+    sea.libocean.use_detail = True
+    for frame, value in ((2, 1.0), (5, 0.5)):
+        sea.libocean.longest_wavelength = value
+        sea.libocean.keyframe_insert("longest_wavelength", frame=frame)
+    assert "The limits of the wavelength are animated" in failing(bpy.ops.libocean.bake)
+    sea.libocean.use_detail = False
+    assert bpy.ops.libocean.bake() == {"FINISHED"}
+
+
 # Live and baked ---------------------------------------------------------------
 
 
@@ -372,7 +463,7 @@ def test_free_returns_to_live(scene, sea, tmp_path):
     assert_same(shown(sea), live)
     scene.frame_set(5)
     assert not np.array_equal(shown(sea)["position"], live["position"])
-    assert len(times(files(tmp_path))) == 6 * 4
+    assert len(times(files(tmp_path))) == 6 * len(FIELDS)
     assert not bpy.ops.libocean.free_bake.poll()
     assert not [image for image in bpy.data.images if image.source == "SEQUENCE"]
 
@@ -396,7 +487,7 @@ def test_a_copy_plays_the_same_bake(scene, sea, tmp_path):
     assert_same(shown(copy), live)
     bpy.ops.libocean.free_bake(delete_files=True)
     assert_same(shown(sea), live)
-    assert len(times(files(tmp_path))) == 6 * 4
+    assert len(times(files(tmp_path))) == 6 * len(FIELDS)
 
 
 def test_a_bake_of_another_object_is_not_overwritten(sea, tmp_path):
@@ -610,7 +701,7 @@ def test_a_stopped_bake_keeps_what_is_finished_and_goes_on(scene, sea, tmp_path)
     assert {name.split(".")[2] for name in finished} == {"0001", "0002"}
     bpy.ops.libocean.bake()
     after = times(files(tmp_path))
-    assert len(after) == 6 * 4
+    assert len(after) == 6 * len(FIELDS)
     assert {name: after[name] for name in finished} == finished
 
 
@@ -677,7 +768,7 @@ def test_escape_stops_it_in_the_interface(tmp_path):
     assert said["invoked"] == [["RUNNING_MODAL"], ["RUNNING_MODAL"]]
     assert "of 2002 frames; ESC stops" in said["state"]
     assert said["after_escape"] is False
-    assert 3 * 4 <= said["files"] < 2002 * 4
+    assert 3 * len(FIELDS) <= said["files"] < 2002 * len(FIELDS)
     assert said["after_the_end"] is True
 
 

@@ -58,17 +58,19 @@ def library_seconds(ob, side: int) -> float:
     return statistics.median(times[1:])  # the first fetches foam up to its time
 
 
-@pytest.mark.parametrize("side", [512, 1024])
-def test_a_played_frame_costs_less_than_blenders_own(scene, side, record_property):
+@pytest.mark.parametrize("side, use_detail", [(512, False), (512, True), (1024, False)])
+def test_a_played_frame_costs_less_than_blenders_own(scene, side, use_detail, record_property):
     theirs = built_in(side)
     their_seconds, their_vertices = frame_seconds(scene, theirs)
     bpy.data.objects.remove(theirs)
     ob = ours(side)
+    ob.libocean.use_detail = use_detail
     seconds, vertices = frame_seconds(scene, ob)
     share = library_seconds(ob, side) / seconds
     ratio = seconds / vertices / (their_seconds / their_vertices)
     print(
-        f"\n{bpy.app.version_string}, {side}: {1e3 * seconds:.1f} ms, {vertices} vertices; "
+        f"\n{bpy.app.version_string}, {side}{' with detail' * use_detail}: "
+        f"{1e3 * seconds:.1f} ms, {vertices} vertices; "
         f"Blender's {1e3 * their_seconds:.1f} ms, {their_vertices}; "
         f"a vertex {ratio:.3f}, the library's share {share:.2f}"
     )

@@ -7,7 +7,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import plane, positions
+from conftest import parallel_camera, plane, positions, shine
 from libocean_addon import compat, material
 
 IOR = 1.333
@@ -29,12 +29,7 @@ def fresnel(degrees: float, ior: float = IOR) -> float:
 @pytest.fixture(autouse=True)
 def studio(scene):
     """A parallel view of 8 pixels a side."""
-    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-    scene.collection.objects.link(camera)
-    camera.data.type = "ORTHO"
-    camera.data.ortho_scale = 1.0
-    camera.data.clip_end = 1000.0
-    scene.camera = camera
+    parallel_camera(scene).data.ortho_scale = 1.0
     scene.world = bpy.data.worlds.new("World")
     compat.use_nodes(scene.world)
     scene.render.engine = "CYCLES"
@@ -155,26 +150,70 @@ def test_short_waves_take_the_mirror_from_the_far_sea(scene, tmp_path):
     assert (got < 0.7 * fresnel(80.0)).all()
 
 
-def test_full_foam_has_the_albedo_of_foam(scene, tmp_path):
-    ob = plane(200.0, 2)
-    water(ob)
-    put(ob, "cover", 1.0)
-    look(scene, 30.0)
-    albedo = material.WATER_TYPES[material.DEFAULT_TYPE]["foam_albedo"]
-    assert picture(scene, tmp_path) == pytest.approx(albedo, rel=0.02)
+THIN, THICK = np.array((0.22, 0.29, 0.31)), np.array((0.80, 0.80, 0.80))
 
 
-def test_thin_foam_breaks_up_into_flakes_of_the_same_cover(scene, tmp_path):
-    ob = plane(200.0, 2)
-    water(ob, Water_Colour=BLACK)
-    put(ob, "cover", 0.4)
-    look(scene, 0.0)
-    scene.camera.data.ortho_scale = 10.0
-    scene.render.resolution_x = scene.render.resolution_y = 64
+def foam_albedo(cover: float) -> np.ndarray:
+    """Of what is white: foam_mean_thickness of foam_lace.glsl."""
+    thickness = cover / 0.7 if cover < 0.35 else 1.0 - 0.175 / cover
+    return THIN + (THICK - THIN) * thickness
+
+
+FAR = 0.1  # rad: a pixel is then 5 m wide
+SEVERAL_TILES = 66.0
+
+
+def wide_picture(scene, tmp_path) -> np.ndarray:
+    scene.camera.data.ortho_scale = SEVERAL_TILES
+    scene.render.resolution_x = scene.render.resolution_y = 128
     scene.cycles.samples = 16
-    cover = (picture(scene, tmp_path)[..., 1] - fresnel(0.0)) / 0.55
-    assert cover.mean() == pytest.approx(0.4, abs=0.1)
-    assert np.quantile(cover, 0.9) > 0.6 and np.quantile(cover, 0.1) < 0.05
+    scene.cycles.filter_width = 0.01  # a pixel is a point
+    return picture(scene, tmp_path)
+
+
+def test_detail_bends_the_normal_and_leaves_the_roughness(scene, tmp_path):
+    """A slope upwards away from the viewer, which is all that the mesh lacks."""
+    ob = plane(200.0, 2)
+    slope = math.tan(math.radians(20.0))
+    water(ob, Water_Colour=BLACK, Roughness=0.0, Detail=(0.0, slope, 0.03))
+    put(ob, "slope_variance", 0.03)
+    look(scene, 70.0)
+    assert seen(scene, tmp_path) == pytest.approx(fresnel(50.0), rel=0.02)
+    water(ob, Water_Colour=BLACK, Roughness=0.0, Detail=(0.0, 0.0, 0.03))
+    look(scene, 80.0)
+    assert seen(scene, tmp_path) == pytest.approx(fresnel(80.0), rel=0.02)
+
+
+@pytest.mark.parametrize("cover", [1.0, 0.5, 0.2])
+def test_far_foam_has_the_albedo_of_foam(scene, tmp_path, cover):
+    ob = plane(200.0, 2)
+    water(ob, Water_Colour=BLACK, Bubble_Colour=BLACK, Pixel_Angle=FAR)
+    put(ob, "cover", cover)
+    look(scene, 0.0)
+    want = cover * foam_albedo(cover) + (1.0 - cover) * fresnel(0.0)
+    assert picture(scene, tmp_path) == pytest.approx(np.broadcast_to(want, (8, 8, 3)), rel=0.02)
+
+
+def test_near_foam_is_thin_and_thick_and_as_bright_as_far_foam(scene, tmp_path):
+    ob = plane(200.0, 2)
+    cover = 0.4
+    water(ob, Water_Colour=BLACK, Bubble_Colour=BLACK, Pixel_Angle=0.0)
+    put(ob, "cover", cover)
+    look(scene, 0.0)
+    near = wide_picture(scene, tmp_path)
+    assert np.quantile(near, 0.98) > 0.7 and np.quantile(near, 0.02) < 0.03
+    want = cover * foam_albedo(cover) + (1.0 - cover) * fresnel(0.0)
+    assert near.mean(axis=(0, 1)) == pytest.approx(want, rel=0.02)
+
+
+def test_bubbles_colour_the_water_where_foam_has_been(scene, tmp_path):
+    ob = plane(200.0, 2)
+    bubbles = (0.1, 0.2, 0.3)
+    water(ob, Water_Colour=BLACK, Bubble_Colour=(*bubbles, 1.0))
+    put(ob, "foam", 0.5)
+    look(scene, 0.0)
+    want = fresnel(0.0) + (1.0 - fresnel(0.0)) * 0.5**3 * np.array(bubbles)
+    assert seen(scene, tmp_path) == pytest.approx(want, rel=0.02)
 
 
 def test_light_through_water_follows_beer_and_lambert(scene, tmp_path):
@@ -242,16 +281,61 @@ def test_under_water_a_patch_is_closed_and_water_is_all_round(scene, tmp_path):
     assert min(positions(ob)[:, 2]) > -1.0
 
 
+def test_eevee_shows_as_much_foam(scene, tmp_path):
+    """Cells as wide as pixels too: Eevee's own filter would leave a tenth to a half of it."""
+    scene.render.engine = EEVEE
+    look(scene, 0.0)
+    scene.render.resolution_x = scene.render.resolution_y = 200
+    ob = plane(400.0, 2)
+    made = water(ob)
+    put(ob, "cover", 0.3)
+    node = next(n for n in made.node_tree.nodes if n.type == "GROUP")
+    shine(ob, made, node.outputs["Foam"])
+    for wide in (6.6, SEVERAL_TILES, 2 * SEVERAL_TILES):
+        scene.camera.data.ortho_scale = wide
+        node.inputs["Pixel Angle"].default_value = wide / 200 / 50.0
+        assert seen(scene, tmp_path) == pytest.approx(0.3, rel=0.05), wide
+
+
 def test_eevee_shows_foam_on_water(scene, tmp_path):
     scene.render.engine = EEVEE
     look(scene, 30.0)
     ob = plane(200.0, 2)
-    water(ob)
+    water(ob, Pixel_Angle=FAR)
     dark = seen(scene, tmp_path)
     put(ob, "cover", 1.0)
     bright = seen(scene, tmp_path)
     assert (dark > 0.005).all() and (dark < 0.2).all()
-    assert bright == pytest.approx(0.55, rel=0.1)
+    assert bright == pytest.approx(foam_albedo(1.0), rel=0.1)
+
+
+def foam_inputs(ob) -> dict[str, float]:
+    tree = ob.material_slots[0].material.node_tree
+    node = next(n for n in tree.nodes if n.type == "GROUP")
+    names = ("Wind Direction", "Foam Stretch", "Foam Streaks", "Pixel Angle")
+    return {name: node.inputs[name].default_value for name in names}
+
+
+def test_foam_is_that_of_the_sea_and_the_camera(scene):
+    """Streaks and long cells are of gales; a camera says how wide a pixel is."""
+    scene.camera.data.type = "PERSP"
+    scene.camera.data.lens = 36.0
+    scene.camera.data.sensor_width = 36.0
+    scene.render.resolution_x, scene.render.resolution_y = 1000, 500
+    bpy.ops.libocean.add(preset="beaufort_3")
+    calm = foam_inputs(bpy.context.object)
+    assert calm["Foam Streaks"] == 0.0 and calm["Foam Stretch"] == 1.5
+    assert calm["Pixel Angle"] == pytest.approx(1.0 / 1000)
+    bpy.ops.libocean.add(preset="beaufort_10")
+    ob = bpy.context.object
+    ob.libocean.waves[0].wind_direction = 30.0
+    scene.camera.data.lens = 72.0
+    assert bpy.ops.libocean.add_material() == {"FINISHED"}
+    gale = foam_inputs(ob)
+    assert gale["Foam Streaks"] == pytest.approx(0.3)
+    assert gale["Foam Stretch"] == pytest.approx(2.2)
+    assert gale["Wind Direction"] == pytest.approx(30.0, abs=3.0)
+    assert gale["Pixel Angle"] == pytest.approx(0.5 / 1000)
 
 
 def test_a_new_ocean_is_of_water(scene):
@@ -315,5 +399,5 @@ def test_all_that_can_be_tuned_says_what_it_is():
         if hasattr(group, "inputs")
         else [item for item in group.interface.items_tree if item.in_out == "INPUT"]
     )
-    assert len(sockets) == 10
+    assert len(sockets) == 26
     assert all(socket.description for socket in sockets)

@@ -81,7 +81,7 @@ def texts_in(path: Path) -> set[tuple[str, str]]:
 
 def sockets_of_the_water() -> set[tuple[str, str]]:
     names = compat.input_identifiers(water_shader.get_group())
-    return {("*", name) for name in [*names, "Surface", "Volume"]}
+    return {("*", name) for name in [*names, "Surface", "Volume", "Foam"]}
 
 
 def short_labels() -> set[tuple[str, str]]:

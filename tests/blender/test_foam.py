@@ -1,0 +1,293 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Foam of the material: its formulas, that as much of it is seen as the cover says, near and far,
+and that waves take it along."""
+
+import os
+import subprocess
+
+import bpy
+import numpy as np
+import pytest
+from conftest import (
+    attribute,
+    by_nodes,
+    evaluated_mesh,
+    geometry_group,
+    plane,
+    positions,
+    rest,
+    shine,
+    taken,
+)
+from libocean_addon import compat, foam_images, foam_nodes, material
+from libocean_addon.bundled import libocean
+from libocean_addon.node_builder import Builder
+
+# The formulas -------------------------------------------------------------------
+
+FORMULAS = {
+    "Ocean_Add_Uniform_": foam_nodes.add_uniform,
+    "Ocean_Unite_Uniform_": foam_nodes.unite_uniform,
+    "Ocean_Foam_Mask_": foam_nodes.foam_mask,
+    "Ocean_Foam_Thickness_": foam_nodes.foam_thickness,
+    "Ocean_Foam_Mean_Thickness_": lambda t, a, _, c: foam_nodes.foam_mean_thickness(t, a, c),
+    "Ocean_Foam_Faded_": lambda t, a, b, c: foam_nodes.foam_faded(t, a, b, c, 0.86),
+}
+
+
+@pytest.fixture(scope="module")
+def calls(tmp_path_factory):
+    """Lines of a formula of foam_lace.glsl: arguments and value, by name."""
+    if "OCEAN_POVRAY_SAMPLES" not in os.environ:
+        pytest.skip("built without what prints them")
+    folder = tmp_path_factory.mktemp("calls")
+    subprocess.run([os.environ["OCEAN_POVRAY_SAMPLES"], str(folder)], check=True)
+    lines = [line.split(",") for line in (folder / "foam_lace.csv").read_text().split()]
+    return {
+        name: np.array([line[1:] for line in lines if line[0] == name], float)
+        for name in {line[0] for line in lines}
+    }
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_the_formulas_are_those_of_foam_lace_glsl(calls, name):
+    """To single precision, of which one by the edge makes a multiple."""
+    assert calls.keys() == FORMULAS.keys()
+    *arguments, expected = calls[name].T
+    found = by_nodes(FORMULAS[name], np.stack(arguments, axis=1))
+    # An edge or a share in the divisor.
+    divisor = arguments[2] if name in ("Ocean_Foam_Mask_", "Ocean_Add_Uniform_") else 0.35
+    error = np.abs(found - expected) * np.minimum(divisor, 1.0)
+    print(f"\n{name}: {len(expected)} calls, {np.abs(found - expected).max():.2g}")
+    assert error.max() < 8 * 2.0**-24
+
+
+# The textures -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", foam_images.SIDES)
+def test_the_textures_keep_16_bits_in_a_saved_file(scene, tmp_path, kind):
+    texture = libocean.foam_texture(kind, size=foam_images.SIDES[kind])
+    name = foam_images.get(kind).name
+    assert foam_images.get(kind).name == name, "one for all"
+    foam_images.get(kind).use_fake_user = True
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "foam.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "foam.blend"))
+    image = bpy.data.images[name]
+    assert tuple(image.size) == texture.shape
+    assert image.colorspace_settings.name == "Non-Color"
+    shown = np.array(image.pixels[:], np.float32).reshape(*texture.shape, -1)
+    assert np.abs(shown[..., 0] - texture).max() <= 0.5001 / 65535
+
+
+def test_they_are_small():
+    assert sum(foam_images.get(kind).packed_file.size for kind in foam_images.SIDES) < 3_200_000
+
+
+# What is seen -------------------------------------------------------------------
+
+
+def foam_of(ob, **inputs):
+    made = material.make(material.DEFAULT_TYPE)
+    node = next(node for node in made.node_tree.nodes if node.type == "GROUP")
+    for name, value in inputs.items():
+        node.inputs[name.replace("_", " ")].default_value = value
+    shine(ob, made, node.outputs["Foam"])
+
+
+NEAR, PART, FAR = 0.0, 1.3, 10.0  # pixels as wide as so many of the widest cells
+
+
+@pytest.mark.parametrize("streaks", [0.0, 0.3])
+@pytest.mark.parametrize("cells", [NEAR, PART, FAR])
+def test_the_net_is_white_on_the_share_that_is_covered(studio, tmp_path, cells, streaks):
+    """Eleven tiles are a period of the net, which is 1.5 times as long as wide; the other textures
+    have many of theirs in it."""
+    ob = plane(198.0, 2)
+    camera = studio.camera.data
+    camera.ortho_scale = 198.0
+    studio.render.resolution_x, studio.render.resolution_y = 1200, 800
+    if cells == FAR:  # nothing of the pattern is left
+        studio.render.resolution_percentage = 10
+    distance = np.hypot(100.0, 0.0)
+    print()
+    cover = ob.data.attributes.new("cover", "FLOAT", "POINT")
+    for wanted in (0.02, 0.1, 0.3, 0.7):
+        cover.data.foreach_set("value", np.full(len(ob.data.vertices), wanted, np.float32))
+        foam_of(ob, Foam_Streaks=streaks, Pixel_Angle=cells * 0.86 / distance)
+        found = taken(studio, tmp_path)[..., 0]
+        print(f"cells {cells}, streaks {streaks}, cover {wanted}: {found.mean() / wanted - 1:+.2%}")
+        assert found.mean() == pytest.approx(wanted, rel=0.02)
+        spread = found.std() / np.sqrt(wanted * (1.0 - wanted))
+        assert spread < 1e-3 if cells == FAR else spread > (0.6 if cells == NEAR else 0.2)
+
+
+# The waves take it along ----------------------------------------------------------
+
+
+def labels(ob) -> np.ndarray:
+    found = attribute(ob, "label")
+    assert (found[:, 2] == 1.0).all()
+    return found[:, :2].astype(np.float64)
+
+
+def assert_at_rest(ob, places: np.ndarray, tolerance: float) -> None:
+    """Labels are the places at rest: what is left of the positions is displacement."""
+    assert np.abs(labels(ob) - places).max() <= tolerance
+    assert np.ptp(positions(ob)[:, :2] - rest(ob)[:, :2]) > 0.5, "no wave moves anything"
+
+
+@pytest.mark.parametrize("where", [(0.0, 0.0), (1000.5, -300.25)])
+@pytest.mark.parametrize("turn", [0.0, 0.6])
+def test_labels_are_places_at_rest_in_every_frame(scene, where, turn):
+    bpy.ops.libocean.add(preset="beaufort_6")
+    ob = bpy.context.object
+    ob.libocean.resolution = 128
+    ob.location = (*where, 3.0)
+    ob.rotation_euler.z = turn
+    places = rest(ob)[:, :2].astype(np.float64)
+    cosine, sine = np.cos(turn), np.sin(turn)
+    places = places @ np.array([[cosine, sine], [-sine, cosine]]) + where
+    bpy.context.view_layer.update()
+    for frame in (1, 40):
+        scene.frame_set(frame)
+        assert_at_rest(ob, places, 2e-4)
+
+
+def test_labels_go_on_from_patch_to_patch(scene):
+    """Where two meet, beyond the period's end."""
+    bpy.ops.libocean.add(preset="beaufort_6")
+    first = bpy.context.object
+    period = first.libocean.patch_size
+    bpy.ops.libocean.add(preset="beaufort_6", location=(period, 0.0, 0.0))
+    second = bpy.context.object
+    for ob in (first, second):
+        ob.libocean.resolution = 64
+    scene.frame_set(1)
+    seam = [
+        np.isclose(rest(ob)[:, 0], side * period / 2) for ob, side in ((first, 1), (second, -1))
+    ]
+    assert seam[0].sum() == seam[1].sum() == 65
+    assert np.abs(labels(first)[seam[0]] - labels(second)[seam[1]]).max() < 1e-4
+
+
+def test_labels_of_a_horizon_lie_in_the_world(scene):
+    """Wherever camera and object are: a vertex is its label and the displacement there."""
+    scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(scene.camera)
+    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_6")
+    ob = bpy.context.object
+    ob.libocean.resolution = 64
+    ob.libocean.horizon_vertices = 20000
+    ob.libocean.horizon_distance = 2000.0
+    period = ob.libocean.patch_size
+    for camera, place in (
+        ((0, 0), (0, 0)),
+        ((371.3, -12.9), (0, 0)),
+        ((40.0, 80.0), (1.7 * period, 9.0)),
+    ):
+        scene.camera.location = (*camera, 5.0)
+        ob.location = (*place, 0.0)
+        bpy.context.view_layer.update()
+        scene.frame_set(20)
+        near = attribute(ob, "ocean_ring")[:, 0] + attribute(ob, "ocean_ring")[:, 1] == 0
+        found = labels(ob)[near]
+        size = 64
+        index = found / (period / size)
+        assert np.abs(index - np.rint(index)).max() < 2e-3, "vertices lie on samples"
+        index = np.rint(index).astype(int) % size
+        with libocean.preset("beaufort_6") as sea:
+            sea.set("resolution", "64")
+            moved = sea.surface(19 / 24, size).displacement[index[:, 1], index[:, 0]]
+        world = positions(ob)[near] + np.array(ob.location)
+        assert np.abs(world[:, :2] - found - moved[:, :2]).max() < 1e-3
+        assert np.abs(moved[:, :2]).max() > 0.5
+
+
+def test_a_mesh_without_foam_pays_for_no_labels(scene):
+    bpy.ops.libocean.add(preset="beaufort_6", use_material=False)
+    bpy.context.object.libocean.use_foam = False
+    names = set(evaluated_mesh(bpy.context.object).attributes.keys())
+    assert "ocean_normal" in names and "label" not in names
+
+
+def texture_at(kind: str, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Bilinear, by tiles."""
+    texture = libocean.foam_texture(kind, size=foam_images.SIDES[kind]).astype(np.float64)
+    side = len(texture)
+    x, y = u * side - 0.5, v * side - 0.5
+    i, j = np.floor(x).astype(int), np.floor(y).astype(int)
+    x, y = x - i, y - j
+    row, above = (
+        texture[k % side, i % side] * (1 - x) + texture[k % side, (i + 1) % side] * x
+        for k in (j, j + 1)
+    )
+    return row * (1 - y) + above * y
+
+
+def add_uniform(a, b, share):
+    z = a + share * b
+    low, high = z**2 / (2 * share), 1 - (1 + share - z) ** 2 / (2 * share)
+    return np.where(z < share, low, np.where(z > 1, high, z - share / 2))
+
+
+def mask_at(places: np.ndarray, cover: float, direction: float, streaks: float) -> np.ndarray:
+    """What ocean.inc shows at labels near the eye."""
+    cosine, sine = np.cos(np.radians(direction)), np.sin(np.radians(direction))
+    x, y = places[..., 0], places[..., 1]
+    u, v = (x * cosine + y * sine) / 12, (y * cosine - x * sine) / 12
+    along = u / 1.5
+    larger = texture_at("lace", (3 * along + v) / 11, (3 * v - along) / 11)
+    z = np.minimum(larger, 0.08 + texture_at("lace", along, v))
+    z = z + np.clip(z - 0.08, 0, 1) * (1 - z)
+    z = add_uniform(z, texture_at("bubbles", 12 / 1.3 * u, 12 / 1.3 * v), 0.3)
+    z = add_uniform(z, texture_at("streaks", 12 / 97 * u, 12 / 97 * v), streaks)
+    return np.clip(0.5 + (cover - z) / 0.1, 0, 1)
+
+
+def cover_evenly(ob, cover: float) -> None:
+    """In the place of what the sea says."""
+    group = geometry_group("Even")
+    b = Builder(group)
+    value = b.number("ADD", cover, 0.0)
+    stored = b.store(b.node("NodeGroupInput").outputs[0], "cover", "FLOAT", value)
+    b.link(stored, b.node("NodeGroupOutput").inputs[0])
+    ob.modifiers.new("Even", "NODES").node_group = group
+
+
+def test_waves_take_the_net_along(studio, tmp_path):
+    """At two times the foam of a choppy sea is that of the label: it is seen where the waves have
+    taken it, and nowhere else."""
+    bpy.ops.libocean.add(preset="beaufort_6")
+    ob = bpy.context.object
+    ob.libocean.resolution = 128
+    cover, direction, streaks = 0.4, 30.0, 0.2
+    cover_evenly(ob, cover)
+    studio.camera.data.ortho_scale = 25.0
+    studio.render.resolution_x = studio.render.resolution_y = 128
+    told = bpy.data.materials.new("Labels")
+    compat.use_nodes(told)
+    read = told.node_tree.nodes.new("ShaderNodeAttribute")
+    read.attribute_name = "label"
+    moved = []
+    for frame in (1, 40):
+        studio.frame_set(frame)
+        foam_of(
+            ob,
+            Pixel_Angle=0.0,
+            Wind_Direction=direction,
+            Foam_Streaks=streaks,
+            Foam_Stretch=1.5,
+        )
+        seen = taken(studio, tmp_path)[..., 0]
+        shine(ob, told, read.outputs["Vector"])
+        places = taken(studio, tmp_path)
+        assert (places[..., 2] > 0.5).all()
+        expected = mask_at(places.astype(np.float64), cover, direction, streaks)
+        # A step of the texture is a fifth of the mask where a label is wrong by a texel.
+        print(f"\nframe {frame}: {np.abs(seen - expected).max():.2g}")
+        assert np.abs(seen - expected).max() < 0.02
+        assert 0.2 < expected.mean() < 0.6 and expected.std() > 0.3
+        moved.append(places[..., :2])
+    assert np.abs(moved[1] - moved[0]).max() > 0.3, "nothing has moved"
