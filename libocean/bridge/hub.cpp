@@ -63,10 +63,9 @@ Hub::Hub(HubOptions options, std::vector<std::unique_ptr<Source>> sources)
       sources_(std::move(sources)),
       record_(values_.find("app.record")),
       frame_rate_(values_.find("app.frame_rate")) {
-    MapFile file = options_.map.empty() ? parse_map(options_.map_text, "the map", values_)
-                                        : read_map(options_.map, values_);
-    std::error_code unknown;
-    map_time_ = std::filesystem::last_write_time(utf8_path(options_.map), unknown);
+    if (!options_.map.empty()) options_.map_text = read_map_text(options_.map);
+    MapFile file =
+        parse_map(options_.map_text, options_.map.empty() ? "the map" : options_.map, values_);
     const auto& devices = file.devices.empty() ? options_.devices : file.devices;
     for (const DeviceRule& device : devices) {
         for (const Channel& channel : channels()) {
@@ -243,9 +242,15 @@ void Hub::look_around() {
     std::error_code gone;
     const auto time = std::filesystem::last_write_time(utf8_path(options_.map), gone);
     if (gone || time == map_time_) return;
-    map_time_ = time;
+    // Two writes in one tick of the file system's clock have one time: it is read until that is
+    // old.
+    const auto age = std::filesystem::file_time_type::clock::now() - time;
+    if (age > std::chrono::seconds(2)) map_time_ = time;
     try {
-        MapFile file = read_map(options_.map, values_);
+        std::string text = read_map_text(options_.map);
+        if (text == options_.map_text) return;
+        options_.map_text = std::move(text);
+        MapFile file = parse_map(options_.map_text, options_.map, values_);
         say("MAP " + options_.map + " is read again" +
             (file.devices == map_devices_ ? "" : "; its boards are others from the next start on"));
         mapping_ = std::make_unique<Mapping>(std::move(file), values_);

@@ -197,8 +197,8 @@ MapFile parse_map(std::string_view toml, const std::string& name, const ValueTab
     return file;
 }
 
-MapFile read_map(const std::string& path, const ValueTable& values) {
-    return parse_map(text::read_file(path, kMaxMapBytes), path, values);
+std::string read_map_text(const std::string& path) {
+    return text::read_file(path, kMaxMapBytes);
 }
 
 }  // namespace ocean::bridge

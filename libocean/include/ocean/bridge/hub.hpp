@@ -41,8 +41,8 @@ class TakeRecorder {
 
 struct HubOptions {
     Sea sea = {};
-    std::string map = {};  // a file, read again when it changes; "" = map_text
-    std::string map_text = {};
+    std::string map = {};          // a file, read again when it changes
+    std::string map_text = {};     // in its place where there is none
     std::string take_folder = {};  // where recordings go; "" = the current one
     /// Boards of a map that has no [[device]].
     std::vector<DeviceRule> devices = {};

@@ -98,8 +98,8 @@ inline constexpr std::size_t kMostRules = 256;
 /// Names and ranges are those of the table. Throws Error bad_file "NAME:LINE: key = value: what is
 /// wrong; allowed: ...".
 MapFile parse_map(std::string_view toml, const std::string& name, const ValueTable& values);
-/// The same from a file of at most 1 MiB.
-MapFile read_map(const std::string& path, const ValueTable& values);
+/// Of a file of at most 1 MiB.
+std::string read_map_text(const std::string& path);
 
 /// What a board does to which nobody gave a map: a1 is wind_speed, a2 choppiness, d1 app.pause, d2
 /// app.record.
