@@ -18,6 +18,7 @@ import bpy
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "preview")]
 import hosts  # noqa: E402
+import models  # noqa: E402
 import scenes  # noqa: E402
 
 
@@ -52,6 +53,24 @@ def add_sky(scene, picture: str) -> None:
     world.node_tree.links.new(texture.outputs["Color"], nodes["Background"].inputs["Color"])
 
 
+def add_float(ocean, name: str, x: float, y: float, heading: float) -> None:
+    model = models.MODELS[name]()
+    mesh = bpy.data.meshes.new(name)
+    points, faces, slots, smooth = [], [], [], []
+    for number, part in enumerate(model.parts):
+        faces += [tuple(i + len(points) for i in face) for face in part.faces]
+        points += part.points
+        slots += [number] * len(part.faces)
+        smooth += [part.smooth] * len(part.faces)
+        mesh.materials.append(scenes.paint(f"{name} {number}", part.colour, roughness=0.9))
+    mesh.from_pydata(points, [], faces)
+    mesh.polygons.foreach_set("material_index", slots)
+    mesh.polygons.foreach_set("use_smooth", smooth)
+    ob = bpy.data.objects.new(name, mesh)
+    bpy.context.scene.collection.objects.link(ob)
+    scenes.afloat(ob, ocean, (x, y), heading, length=model.length, width=model.width)
+
+
 def main() -> None:
     name, sea, sky, picture, samples, size = sys.argv[sys.argv.index("--") + 1 :]
     view = hosts.view_of(name)
@@ -64,6 +83,13 @@ def main() -> None:
     add_sky(scene, sky)
     add_sun(scene, *view["sun"])
     ocean = scenes.ocean_of(Path(sea).resolve(), view["water"])
+    ocean.libocean.use_detail = True
+    # Anew: of this sea, sun, camera and air.
+    bpy.context.view_layer.objects.active = ocean
+    ocean.select_set(True)
+    bpy.ops.libocean.add_material(water_type=view["water"], visibility=view["visibility"])
+    for each in view["floats"]:
+        add_float(ocean, *each)
     scene.frame_set(view["frame"])
     if ocean.libocean.problem:
         sys.exit(ocean.libocean.problem)

@@ -4,8 +4,8 @@
 
 usage: blender --background --python renders/blender/scenes.py -- SCENE PICTURE [SAMPLES] [PERCENT]
 
-The add-on must be installed. SCENE is open_sea, dusk, storm or volume; PICTURE ends in .jpg or
-.png. The last two scenes also need the command `ocean` (or another by the environment variable
+The add-on must be installed. SCENE is open_sea, dusk, storm, volume or below; PICTURE ends in .jpg
+or .png. Storm and volume also need the command `ocean` (or another by the environment variable
 OCEAN), and volume OpenVDB's Python module.
 """
 
@@ -172,13 +172,13 @@ def discus_buoy():
     return buoy
 
 
-def afloat(buoy, ocean, place, heading: float) -> None:
-    buoy.location = (*place, 0.0)
-    buoy.rotation_euler.z = math.radians(heading)
+def afloat(ob, ocean, place, heading: float, *, length: float = 3.0, width: float = 3.0) -> None:
+    ob.location = (*place, 0.0)
+    ob.rotation_euler.z = math.radians(heading)
     bpy.ops.object.select_all(action="DESELECT")
-    buoy.select_set(True)
+    ob.select_set(True)
     bpy.ops.libocean.add_float(ocean=ocean.name)
-    buoy.libocean_float.length = buoy.libocean_float.width = 3.0
+    ob.libocean_float.length, ob.libocean_float.width = length, width
 
 
 # The scenes -------------------------------------------------------------------
@@ -240,6 +240,26 @@ def volume(scene) -> None:
     volumes.arrows(places, velocities, 1.15, volumes.speed_paint())
 
 
+def below(scene) -> None:
+    """Beaufort 5 from 6 m below, at a weather buoy: the sun's light in shafts, the sky in Snell's
+    window, foam against it."""
+    enable_addon()
+    sun = {"sun_elevation": math.radians(60.0), "sun_bearing": math.radians(25.0)}
+    bpy.ops.libocean.add_scene(preset="beaufort_5", water_type="jerlov_ib", **sun)
+    ocean = bpy.context.object
+    bpy.ops.libocean.add_material(
+        water_type="jerlov_ib", underwater=True, god_rays=True, focus_depth=12.0
+    )
+    ocean.libocean.patch_size = 150.0  # finer maps: shafts as narrow as 0.15 m
+    ocean.libocean.use_detail = True
+    camera(scene, (0.0, 0.0, -6.0), (-6.0, 0.3, -2.6), 18.0)
+    afloat(discus_buoy(), ocean, (-5.0, 2.2), 25.0)
+    scene.render.resolution_x, scene.render.resolution_y = 960, 540
+    # What few rays find by themselves is left to those that are sent there.
+    scene.cycles.sample_clamp_indirect = 1.0
+    scene.frame_set(73)
+
+
 def bake(sea: Path, *arguments: str) -> Path:
     """Volumes of a sea's first frame, by the command in OCEAN."""
     folder = Path(tempfile.mkdtemp(prefix="libocean-"))
@@ -250,7 +270,7 @@ def bake(sea: Path, *arguments: str) -> Path:
     return output
 
 
-SCENES = {"open_sea": open_sea, "dusk": dusk, "storm": storm, "volume": volume}
+SCENES = {"open_sea": open_sea, "dusk": dusk, "storm": storm, "volume": volume, "below": below}
 
 
 def main() -> None:

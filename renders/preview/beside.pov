@@ -3,7 +3,7 @@
 //
 // A view of views.toml, as ocean-preview shows it: the same sea, sky, sun, water and camera.
 //   ocean povray SEA -o PARTS && renders/preview/hosts.py povray VIEW > PARTS/view.inc
-//   povray renders/preview/beside.pov +LPARTS +FE +W960 +H540 +A0.05 +AM2 +R3
+//   povray renders/preview/beside.pov +LPARTS +FE +W960 +H540 -A
 // With Declare=Only_Sky=1 it is the sky alone, all around: what Blender's world shows.
 #version 3.7;
 #include "ocean.inc"
@@ -26,5 +26,7 @@ global_settings { assumed_gamma 1.0 max_trace_level 6 }
     Ocean_Eye_At(View_Eye, View_Angle)
     Ocean_Sun(View_Sun_Altitude, View_Sun_Bearing)
     Ocean_Sky(0)
+    #declare Painted = finish { diffuse 1 ambient 0 emission Ocean_Sky_Light }
+    View_Floats()
     object { Ocean_View(View_Eye, View_Target, View_Angle, 2) Ocean_Material(View_Water) no_reflection }
 #end

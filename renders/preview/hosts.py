@@ -19,6 +19,8 @@ import sys
 import tomllib
 from pathlib import Path
 
+import models
+
 HERE = Path(__file__).resolve().parent
 HOSTS = ("preview", "povray", "blender")
 
@@ -68,6 +70,7 @@ def preview_words(view: dict) -> list[str]:
         words |= {"heading": f"{view['heading']:g}", "pitch": f"{view['pitch']:g}"}
     words |= {"angle": f"{view['angle']:g}", "sun": joined(view["sun"]), "water": view["water"]}
     words |= {"map": view["map"], "foam-map": view["foam_map"]}
+    words |= {"visibility": f"{view['visibility']:g}"}
     return [str(word) for name, value in words.items() for word in (f"--{name}", value)]
 
 
@@ -75,6 +78,13 @@ def povray_words(view: dict) -> str:
     def vector(of) -> str:
         return f"<{of[0]:.9g}, {of[2]:.9g}, {of[1]:.9g}>"
 
+    floats = ""
+    for name, x, y, heading in view["floats"]:
+        model = models.MODELS[name]()
+        sides = f"{model.length}, {model.width}"
+        floats += (
+            f"object {{ Ocean_Float({models.povray(model)}, {x}, {y}, {heading}, {sides}) }}\n"
+        )
     return (
         f"#declare View_Eye = {vector(view['eye'])};\n"
         f"#declare View_Target = {vector(target(view))};\n"
@@ -82,6 +92,8 @@ def povray_words(view: dict) -> str:
         f"#declare View_Sun_Altitude = {view['sun'][0]};\n"
         f"#declare View_Sun_Bearing = {view['sun'][1]};\n"
         f'#declare View_Water = "{view["water"]}";\n'
+        f"#declare Ocean_Visibility = {view['visibility']};\n"
+        f"#macro View_Floats()\n{floats}#end\n"
     )
 
 
@@ -149,7 +161,9 @@ def sheet(pictures: list, width: int = 426, height: int = 240, gap: int = 4):
 #   smoothly falls from side to side, correlates
 # - glint: its middle at the sun's bearing, and as bright
 # - light: of the water's upper, middle and lower third, which is far, in between and near
-# - by eye: colour of crests, edges of foam, nothing that repeats
+# - near detail: deviation of the lower half from its means of 9 x 9 pixels, within 1.5 times
+# - foam: share of bright pixels away from the glint, in each third, within 1.5 times from 1 % on
+# - by eye: colour of crests, edges of foam, haze at the horizon, nothing that repeats
 
 
 def luminance(picture):
@@ -166,7 +180,7 @@ def horizon_row(view: dict, picture) -> float:
     focal = 0.5 * width / math.tan(math.radians(view["angle"]) / 2)
     first = int(0.5 * height + focal * math.tan(math.radians(view["pitch"] + dip))) - 15
     edges = -numpy.diff(luminance(picture)[first : first + 30], axis=0)
-    clear = edges.max(0) > 0.1
+    clear = edges.max(0) > min(0.1, 0.5 * float(numpy.median(edges.max(0))))  # in haze
     return float(numpy.median(edges.argmax(0)[clear])) + first + 1
 
 
@@ -206,6 +220,19 @@ def glint(view: dict, picture, horizon: float) -> tuple[float, float]:
     return view["heading"] - math.degrees(math.atan2(x, ahead)), float(columns.max())
 
 
+def fine_contrast(picture) -> float:
+    """Of the lower half."""
+    field = luminance(picture)[picture.shape[0] // 2 :]
+    return float((field[5:-4, 5:-4] - blurred(field, 9)).std())
+
+
+def foam_share(view: dict, third) -> float:
+    """Of bright pixels in the half that is away from the sun's glitter."""
+    half = third.shape[1] // 2
+    left = math.sin(math.radians(view["sun"][1] - view["heading"])) > 0.0
+    return float((luminance(third[:, half:] if left else third[:, :half]) > 0.6).mean())
+
+
 def measure(folder: Path) -> None:
     """Prints the list above in numbers, of FOLDER/VIEW.HOST.png."""
     import numpy
@@ -221,6 +248,8 @@ def measure(folder: Path) -> None:
             light = [" ".join(f"{c:.2f}" for c in third.mean((0, 1))) for third in thirds]
             where = f"horizon {rows[host]:g}, glint {bearing:6.1f} of {bright:.2f}"
             print(f"  {host:8} {where}, light", *light, sep="  ")
+            foam = " ".join(f"{100 * foam_share(view, third):.1f} %" for third in thirds)
+            print(f"{'':11}fine contrast {fine_contrast(picture):.4f}, foam {foam}")
         lowest = max(rows.values())
         fields = {host: crests(picture, lowest).ravel() for host, picture in pictures.items()}
         for first, second in (HOSTS[:2], HOSTS[::2], HOSTS[1:]):
