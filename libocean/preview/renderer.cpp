@@ -130,7 +130,7 @@ struct Renderer::Parts {
         const std::size_t others = 1 + 3 * parts.cascades + parts.covers;
         const bool room =
             others + kFoamTextures.size() + 1 <= static_cast<std::size_t>(texture_units);
-        parts.lace = seen && room && lace_maps.ready();
+        parts.lace = seen && room;
         const bool slopes = options.view == View::shaded || options.view == View::normal ||
                             options.view == View::slope || options.view == View::numbers;
         const std::size_t before = others + (parts.lace ? kFoamTextures.size() + 1 : 0);
@@ -265,6 +265,7 @@ struct Renderer::Parts {
     }
 
     void bind_maps(gl::ShaderProgram& program, const ShownSea& sea, const WaterParts& parts) {
+        const bool lace_ready = parts.lace && lace_maps.ready();
         bind_sky(program);
         GLint unit = 1;
         const auto bind = [&](const std::string& name, unsigned texture, GLuint filter) {
@@ -285,10 +286,15 @@ struct Renderer::Parts {
             bind("cover_map[" + std::to_string(v) + "]", sea.covers[v].texture, sampler.name());
         }
         if (parts.lace) {
-            bind("lace_map", lace_maps.texture(FoamTextureKind::lace), 0);
-            bind("bubble_map", lace_maps.texture(FoamTextureKind::bubbles), 0);
-            bind("streak_map", lace_maps.texture(FoamTextureKind::streaks), 0);
-            bind("lace_shares", lace_maps.shares(), 0);
+            // One program for before and after: another one would stop a window that is in use.
+            program.set("lace_ready", lace_ready ? 1 : 0);
+            const auto bind_lace = [&](const char* name, unsigned texture) {
+                bind(name, lace_ready ? texture : sea.covers[0].texture, 0);
+            };
+            bind_lace("lace_map", lace_maps.texture(FoamTextureKind::lace));
+            bind_lace("bubble_map", lace_maps.texture(FoamTextureKind::bubbles));
+            bind_lace("streak_map", lace_maps.texture(FoamTextureKind::streaks));
+            bind_lace("lace_shares", lace_maps.shares());
         }
         for (std::size_t d = 0; d < parts.tiles; ++d) {
             bind("tile_map[" + std::to_string(d) + "]", sea.tiles[d].texture, 0);
