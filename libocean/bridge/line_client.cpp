@@ -9,6 +9,7 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -75,12 +76,17 @@ class LineClient::Core {
         return take();
     }
 
-    void set(const std::string& given, const std::string& value) {
+    void set(const std::string& given, const std::string& value, bool as_wish) {
         if (given.empty() || (given + value).find_first_of("\r\n") != std::string::npos) return;
         const std::string name = full_name(given);
         const std::lock_guard lock(mutex_);
         wanted_[name] = value;
-        drop_value(name);
+        if (as_wish) {
+            reported_.erase(name);
+            drop_values(name);
+        } else {
+            reported_.insert(name);
+        }
         wake();
     }
 
@@ -97,13 +103,24 @@ class LineClient::Core {
 
     std::vector<ClientEvent> take() {
         value_at_.clear();
+        turned_.clear();
         line_count_ = 0;
         return std::exchange(events_, {});
     }
-    void drop_value(const std::string& name) {
-        const auto found = value_at_.find(name);
-        if (found == value_at_.end()) return;
-        events_.erase(events_.begin() + static_cast<std::ptrdiff_t>(found->second));
+    static bool is_value(const ClientEvent& event, const std::string& name) {
+        return event.kind == Kind::value && event.name == name;
+    }
+    void drop_values(const std::string& name) {
+        if (!value_at_.contains(name)) return;
+        std::erase_if(events_, [&](const ClientEvent& event) { return is_value(event, name); });
+        index_values();
+    }
+    /// Of what two writers have made of a value in turn the latest of each.
+    void keep_one_of(const std::string& name) {
+        const auto of_it = [&](const ClientEvent& event) { return is_value(event, name); };
+        const auto first = std::ranges::find_if(events_, of_it);
+        if (first == events_.begin() + static_cast<std::ptrdiff_t>(value_at_.at(name))) return;
+        events_.erase(first);
         index_values();
     }
     void index_values() {
@@ -115,17 +132,25 @@ class LineClient::Core {
     void deliver(ClientEvent event) {
         const std::lock_guard lock(mutex_);
         if (event.kind == Kind::value) {
-            if (wanted_.contains(event.name) || on_its_way(event.name)) return;
-            const auto [found, added] = value_at_.try_emplace(event.name, events_.size());
-            if (!added) {
-                events_[found->second].text = std::move(event.text);
-                return;
+            const bool overtaken = wanted_.contains(event.name) || on_its_way(event.name);
+            if (overtaken && !reported_.contains(event.name)) return;
+            const bool turned = turned_.erase(event.name) > 0;
+            if (const auto found = value_at_.find(event.name); found != value_at_.end()) {
+                if (!turned) {
+                    events_[found->second].text = std::move(event.text);
+                    return;
+                }
+                keep_one_of(event.name);
             }
-        } else if (++line_count_ > kMostLines) {
-            const auto oldest = std::ranges::find_if(
-                events_, [](const ClientEvent& old) { return old.kind != Kind::value; });
-            events_.erase(oldest);
-            index_values();
+            value_at_[event.name] = events_.size();
+        } else {
+            if (event.kind == Kind::writer) turned_.insert(event.name);
+            if (++line_count_ > kMostLines) {
+                const auto oldest = std::ranges::find_if(
+                    events_, [](const ClientEvent& old) { return old.kind != Kind::value; });
+                events_.erase(oldest);
+                index_values();
+            }
         }
         events_.push_back(std::move(event));
         arrived_.notify_all();
@@ -362,7 +387,9 @@ class LineClient::Core {
     bool greeted_ = false;
     bool woken_ = false;
     std::vector<ClientEvent> events_;
-    std::map<std::string, std::size_t> value_at_;  // of events_
+    std::map<std::string, std::size_t> value_at_;  // of events_, the latest of a name
+    std::set<std::string> turned_;                 // names that have another writer since that
+    std::set<std::string> reported_;               // names that were reported last, not set
     std::size_t line_count_ = 0;
     std::map<std::string, std::string> wanted_;  // to be sent
     std::deque<std::string> lines_;
@@ -393,7 +420,11 @@ std::vector<ClientEvent> LineClient::wait(std::chrono::milliseconds longest) {
 }
 
 void LineClient::set(const std::string& name, const std::string& value) {
-    core_->set(name, value);
+    core_->set(name, value, true);
+}
+
+void LineClient::report(const std::string& name, const std::string& value) {
+    core_->set(name, value, false);
 }
 
 void LineClient::send(const std::string& line) {

@@ -69,6 +69,33 @@ TEST(LineClient, SetsTheLatestAndHearsNoEcho) {
     for (std::size_t i = 0; i + 1 < seen.size(); ++i) EXPECT_TRUE(seen[i] == "33") << seen[i];
 }
 
+TEST(LineClient, WhatItReportsTakesNoWishAway) {
+    const Served served({}, kKnob);
+    LineClient client({.server = served.server.endpoint(), .names = {"app.time"}});
+    const auto joined = wait_for(client, Kind::connected);
+    ASSERT_TRUE(joined);
+    RawClient raw = served.client();
+    raw.ask("SUBSCRIBE app.time");
+    client.report("app.frame_rate", "5");
+    client.report("app.time", "1");
+    EXPECT_EQ(raw.line_with("UPD app.time 1"), "UPD app.time 1");
+    raw.send("SET app.time 50\n");
+    EXPECT_EQ(raw.line_with("UPD app.time 50"), "UPD app.time 50");
+    // Its owner, who draws a long frame, hears of the wish after it has said how its clock was.
+    std::this_thread::sleep_for(300ms);
+    client.report("app.time", "2");
+    client.report("app.time", "3");
+    EXPECT_EQ(raw.line_with("UPD app.time 3"), "UPD app.time 3");
+    std::string writer, wished;
+    for (const ClientEvent& event : client.events()) {
+        if (event.name != "app.time") continue;
+        if (event.kind == Kind::writer) writer = event.text;
+        if (event.kind == Kind::value && event.text == "50") wished = writer;
+    }
+    EXPECT_FALSE(wished.empty());
+    EXPECT_NE(wished, joined->name);
+}
+
 TEST(LineClient, ComesBackWithWhatWasSetMeanwhile) {
     auto served = std::make_unique<Served>(ServerOptions{}, kKnob);
     const Endpoint endpoint = served->server.endpoint();

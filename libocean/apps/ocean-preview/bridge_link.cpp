@@ -165,7 +165,7 @@ void BridgeLink::tell(const std::string& name, const std::string& value) {
         return;
     }
     told_[name] = value;
-    client_.set(name, value);
+    is_of_the_sea(name) ? client_.set(name, value) : client_.report(name, value);
 }
 
 std::string BridgeLink::mover(const std::string& name) const {

@@ -47,8 +47,9 @@ class LineClient {
     LineClient& operator=(const LineClient&) = delete;
 
     bool connected() const;
-    /// What has come since the last call, in order; of a value that came often the latest. While a
-    /// set() of a value is on its way, older words of the bridge about it are left out.
+    /// What has come since the last call, in order; of a value that came often the latest, of one
+    /// that two have moved in turn the latest of each. While a set() of a value is on its way, older
+    /// words of the bridge about it are left out.
     std::vector<ClientEvent> events();
     /// The same, after waiting for something to be there.
     std::vector<ClientEvent> wait(std::chrono::milliseconds longest);
@@ -56,6 +57,8 @@ class LineClient {
     /// The bridge is to have this value: of several for one name the latest is sent, and of those
     /// while there is no connection too, when there is.
     void set(const std::string& name, const std::string& value);
+    /// So it stands here: as set(), but what another has wished of it meanwhile is heard.
+    void report(const std::string& name, const std::string& value);
     /// Any line, as it is; dropped while there is no connection.
     void send(const std::string& line);
 
