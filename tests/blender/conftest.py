@@ -15,6 +15,9 @@ import pytest
 
 def pytest_configure(config):
     config.addinivalue_line("markers", "only_reads: needs no fresh Blender, half a second to make")
+    config.addinivalue_line(
+        "markers", "slow: for the stage bpy of scripts/test, not for each change"
+    )
 
 
 @pytest.fixture(autouse=True)

@@ -248,6 +248,7 @@ def test_a_mesh_of_its_own_plays_it_too(scene, tmp_path):
         assert np.allclose(values, moved[name], atol=1e-5), name
 
 
+@pytest.mark.slow
 def test_a_horizon_plays_around_the_camera(scene, tmp_path):
     scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     bpy.context.collection.objects.link(scene.camera)
@@ -396,7 +397,7 @@ def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
     assert not any("Not in the bake" in text for text, _ in bake_state.state(ob, scene))
 
 
-@pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
+@pytest.mark.parametrize("kind", ["PATCH", pytest.param("HORIZON", marks=pytest.mark.slow)])
 def test_sizes_are_told(scene, sea, kind):
     """What is expected are the samples, of at most three bands; what is there are the files."""
     from libocean_addon import bake_plan, bake_state, baked

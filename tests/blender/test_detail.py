@@ -130,7 +130,12 @@ def as_read(band) -> float:
     return 2.0 * mean
 
 
-@pytest.mark.parametrize("pixel", [0.0, 0.05, 0.15, 0.4, 2.0])
+SLOW = pytest.mark.slow
+
+
+@pytest.mark.parametrize(
+    "pixel", [0.0, pytest.param(0.05, marks=SLOW), 0.15, pytest.param(0.4, marks=SLOW), 2.0]
+)
 def test_mesh_and_detail_and_roughness_are_the_sea(studio, tmp_path, pixel):
     """pixel: its width in metres. Of the sea's mean square slope the mesh has what its map has, the
     detail what is seen of it, and the roughness all but what is said to be seen."""
@@ -175,6 +180,7 @@ def fine_contrast(picture: np.ndarray) -> float:
     return float((grey[4:-4, 4:-4] - means).std())
 
 
+@pytest.mark.slow
 def test_near_water_is_no_silk(scene, tmp_path):
     """At 1.6 m above Beaufort 4."""
     bpy.ops.libocean.add_scene(preset=PRESET, camera_height=1.6)
@@ -267,6 +273,7 @@ def above(ob, scene):
     scene.render.resolution_x = scene.render.resolution_y = 200
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("remapped", [100, 150])
 def test_a_bake_shows_the_slopes_of_the_live_sea(studio, tmp_path, remapped):
     """Also where the files are others than before; beyond them those of the first and the last.
@@ -372,6 +379,7 @@ def test_after_a_bake_the_live_tiles_are_back(scene, tmp_path, free):
             assert np.array_equal(one, band.slope)
 
 
+@pytest.mark.slow
 def test_baked_again_nothing_of_the_old_files_is_shown(scene, tmp_path):
     """Which Blender keeps in memory, by the image."""
     ob = ocean()

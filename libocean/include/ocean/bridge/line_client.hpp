@@ -48,8 +48,8 @@ class LineClient {
 
     bool connected() const;
     /// What has come since the last call, in order; of a value that came often the latest, of one
-    /// that two have moved in turn the latest of each. While a set() of a value is on its way, older
-    /// words of the bridge about it are left out.
+    /// that two have moved in turn the latest of each. While a set() of a value is on its way,
+    /// older words of the bridge about it are left out.
     std::vector<ClientEvent> events();
     /// The same, after waiting for something to be there.
     std::vector<ClientEvent> wait(std::chrono::milliseconds longest);
