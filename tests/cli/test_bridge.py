@@ -374,19 +374,26 @@ def test_the_terminal_client_at_a_terminal(start):
         os.close(ours)
 
 
-def test_the_terminal_client_where_no_bridge_is():
+@pytest.mark.parametrize("typing", [0.0, 0.7], ids=["at_once", "slowly"])
+def test_the_terminal_client_where_no_bridge_is(typing):
+    """Whether it hears that nobody is there before all is typed or after."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))  # nobody listens, and nobody else can
         port = probe.getsockname()[1]
-        done = subprocess.run(
+        program = subprocess.Popen(
             [BRIDGE, "--client", f"127.0.0.1:{port}"],
-            input="PING\n",
-            capture_output=True,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
             text=True,
-            timeout=PATIENCE,
         )
-    assert done.returncode == 1
-    assert done.stderr == f"ocean-bridge: 127.0.0.1:{port}: Connection refused\n"
+        try:
+            time.sleep(typing)
+            said = program.communicate("PING\n", timeout=PATIENCE)[1]
+        finally:
+            program.kill()
+    assert program.returncode == 1
+    assert said == f"ocean-bridge: 127.0.0.1:{port}: Connection refused\n"
 
 
 @pytest.mark.parametrize(

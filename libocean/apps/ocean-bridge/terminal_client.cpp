@@ -53,6 +53,7 @@ void run_terminal_client(const bridge::Endpoint& server, const std::string& toke
     const InterruptWatch::LastAct last(context.interrupts, [&input] { input.restore(); });
     bridge::LineClient client({.server = server, .token = token, .subscribe = false});
     std::vector<std::string> early;  // typed before there was a connection
+    std::string why_not;             // there is no connection
     bool was_connected = false;
     bool leaving = false;
     for (;;) {
@@ -75,10 +76,11 @@ void run_terminal_client(const bridge::Endpoint& server, const std::string& toke
             was_connected = was_connected || event.kind == Kind::connected;
             if (event.kind != Kind::lost) continue;
             if (leaving) return input.restore();
-            // A pipe does not wait for a bridge to come.
-            if (input.ended() && !was_connected) {
-                throw Error(ErrorKind::output, server.text() + ": " + event.text);
-            }
+            why_not = event.text;
+        }
+        // A pipe does not wait for a bridge to come.
+        if (input.ended() && !was_connected && !why_not.empty()) {
+            throw Error(ErrorKind::output, server.text() + ": " + why_not);
         }
         if (!events.empty()) input.show();
     }
