@@ -18,8 +18,11 @@ from .node_builder import Builder
 
 TILE = 12.0
 """Metres of a tile of the net that the lengths below belong to."""
-_LACE_CELL, _BUBBLE_CELL = 0.86, 0.041  # m, the widest: kFoamTextures of ocean/foam_texture.hpp
-_BUBBLE_TILE, _STREAK_TILE = 1.3, 97.0
+# m, and the widest cells: kFoamTextures of ocean/foam_texture.hpp
+_LACE_CELL = 0.86
+_BUBBLE_TILE = 1.3
+_BUBBLE_CELL = 0.041
+_STREAK_TILE = 97.0
 _LARGER_BEGINS = 0.08
 _BUBBLES = 0.3
 _LEAST_SHARE = 1e-3  # the formula of the sum has none of 0; this one is not seen

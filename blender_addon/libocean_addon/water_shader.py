@@ -30,8 +30,9 @@ DEFAULT_TYPE = "jerlov_ii"
 _ROUGHNESS = 0.03
 # Of a lens of 50 mm in a picture 1920 pixels wide.
 PIXEL_ANGLE = 36.0 / 50.0 / 1920.0
-_THIN_FOAM, _THICK_FOAM = (0.22, 0.29, 0.31), (0.80, 0.80, 0.80)
-_BUBBLES = (0.012, 0.060, 0.066)
+_THIN_FOAM = (0.22, 0.29, 0.31)
+_THICK_FOAM = (0.80, 0.80, 0.80)
+_PLUME = (0.012, 0.060, 0.066)  # what bubbles below the surface send back
 
 
 class Tree(Builder):
@@ -87,7 +88,7 @@ def _declare(group) -> None:
     triple(
         "Bubble Colour",
         "Color",
-        (*_BUBBLES, 1.0),
+        (*_PLUME, 1.0),
         "What bubbles that breakers drove down add to the water's colour",
     )
     number("Foam Amount", 1.0, 0.0, 10.0, "How much of the attribute cover is shown; 0: none")

@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Foam is the same in every host: its sizes and colours are written in four languages, here they
+are compared as text."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+import libocean
+
+ROOT = Path(__file__).parents[2]
+NUMBER = r"[-+]?[0-9]*\.?[0-9]+(?:e[-+]?[0-9]+)?"
+
+
+def text(path):
+    return (ROOT / path).read_text()
+
+
+SHADER = text("shaders/preview/foam_look.glsl")
+MACROS = text("povray_macros/ocean.inc")
+NODES = text("blender_addon/libocean_addon/foam_nodes.py") + text(
+    "blender_addon/libocean_addon/water_shader.py"
+)
+LIBRARY = text("libocean/include/ocean/foam_texture.hpp")
+TEXTURES = text("libocean/io/povray/foam_declarations.cpp")
+
+
+def after(source, pattern):
+    """The one number, or the numbers in parentheses, that stand behind a pattern."""
+    found = re.findall(rf"\b{pattern}\s*=\s*(?:vec3)?([<(][^>)]*[>)]|{NUMBER})", source)
+    assert len(found) == 1, f"{pattern}: {found}"
+    return [float(number) for number in re.findall(NUMBER, found[0])]
+
+
+def tile_and_cell(kind):
+    found = re.search(rf'"{kind}", ({NUMBER}), ({NUMBER})', LIBRARY)
+    assert float(found[1]) == libocean.foam_texture_period(kind)
+    return float(found[1]), float(found[2])
+
+
+@pytest.mark.parametrize(
+    "kind, host, tile, cell",
+    [
+        ("lace", SHADER, "lace_tile", "lace_cell"),
+        ("bubbles", SHADER, "bubble_tile", "bubble_cell"),
+        ("streaks", SHADER, "streak_tile", None),
+        ("lace", MACROS, "Ocean_Foam_Tile_", "Ocean_Lace_Cell_"),
+        ("bubbles", MACROS, "Ocean_Bubble_Tile_", "Ocean_Bubble_Cell_"),
+        ("streaks", MACROS, "Ocean_Streak_Tile_", None),
+        ("lace", NODES, "TILE", "_LACE_CELL"),
+        ("bubbles", NODES, "_BUBBLE_TILE", "_BUBBLE_CELL"),
+        ("streaks", NODES, "_STREAK_TILE", None),
+    ],
+)
+def test_textures_are_as_large_as_the_library_makes_them(kind, host, tile, cell):
+    asked = tile_and_cell(kind)
+    assert after(host, tile) == [asked[0]]
+    if cell is not None:
+        assert after(host, cell) == [asked[1]]
+
+
+@pytest.mark.parametrize(
+    "shader, macros, nodes",
+    [
+        ("foam_span", "Ocean_Foam_Span_", "_SPAN"),
+        ("foam_height", None, "_HEIGHT"),
+        ("foam_plume", "Ocean_Foam_Plume_", "_PLUME"),
+        ("thin_foam", "Ocean_Thin_Foam_", "_THIN_FOAM"),
+        ("thick_foam", "Ocean_Thick_Foam_", "_THICK_FOAM"),
+        ("foam_edge", "Ocean_Foam_Edge_", None),
+    ],
+)
+def test_foam_looks_the_same(shader, macros, nodes):
+    asked = after(SHADER, shader)
+    assert macros is None or after(MACROS, macros) == asked
+    assert nodes is None or after(NODES, nodes) == asked
+
+
+def test_the_exporter_reckons_with_the_macros_span():
+    assert after(TEXTURES, "kSpan") == after(MACROS, "Ocean_Foam_Span_")
