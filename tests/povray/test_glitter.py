@@ -7,7 +7,7 @@ from math import erfc
 
 import numpy
 import pytest
-from conftest import read_png
+from conftest import floats_of, read_png
 from test_crest_and_haze import fresnel
 
 FAINT = 0.002  # of the sun, so that what it makes of the water is within a PNG's range
@@ -39,11 +39,10 @@ def density(elevation, altitude, slopes, seen):
     )
 
 
-def glitter(folder, elevation, altitude, lean, share, near):
-    """A flat black sea whose normals lean to the eye, seen at an elevation, degrees."""
-    e, a = numpy.radians([elevation, altitude])
-    folder.run(
-        f"""global_settings {{ assumed_gamma 1.0 }}
+def black_sea(altitude):
+    """No light but a sun's at azimuth 0, which water alone mirrors, at labels that are places."""
+    a = numpy.radians(altitude)
+    return f"""global_settings {{ assumed_gamma 1.0 }}
 Ocean_Load("sea_0001")
 #undef Ocean_Cover
 #declare Ocean_Cover = function(x, z) {{ 0 }}
@@ -56,8 +55,6 @@ Ocean_Load("sea_0001")
 #end
 #declare Ocean_Sky_Light = 0;
 #declare Ocean_Crest_Light = 0;
-#declare Ocean_Detail_Bands_ = 0;
-#declare Ocean_Repeats_ = {1000 if near else 1e-3};
 #declare Ocean_Sun_Altitude = {altitude};
 #declare Ocean_Sun_Direction = <{numpy.cos(a):.12f}, {numpy.sin(a):.12f}, 0>;
 #declare Ocean_Sun_Colour = <1, 1, 1>;
@@ -65,19 +62,58 @@ Ocean_Load("sea_0001")
 #declare Ocean_Sky_Around_ = array[11];
 #for (I, 0, 10) #declare Ocean_Sky_Around_[I] = <0, 0, 0>; #end
 light_source {{ 1e7*Ocean_Sun_Direction rgb {FAINT} parallel point_at 0 }}
-Ocean_Eye_At(<{-100 * numpy.cos(e)}, {100 * numpy.sin(e)}, 0>, 1)
-#declare Ocean_Pixel_ = {1e-9 if near else 1};
-camera {{ location Ocean_Eye_ right 1e-4*x up 1e-4*y look_at 0 }}
+"""
+
+
+def flat_sheet(lean, share):
+    """A material and the end of its mesh follow it."""
+    return f"""
 #declare N = vnormalize(<{-lean}, 1, 0>);
 mesh2 {{
-    vertex_vectors {{ 3, <-90, 0, -90>, <-90, 0, 90>, <200, 0, 0> }}
+    vertex_vectors {{ 3, <-900, 0, -900>, <-900, 0, 900>, <2000, 0, 0> }}
     normal_vectors {{ 3, N + 1e-4*z, N - 1e-4*z, N }}
     uv_vectors {{ 3, <0, {share}>, <0, {share}>, <0, {share}> }}
     face_indices {{ 1, <0, 1, 2> }}
     Ocean_Material("jerlov_ii")
-}}"""
+}}
+"""
+
+
+def glitter(folder, elevation, altitude, lean, share, near):
+    """A flat black sea whose normals lean to the eye, seen at an elevation, degrees."""
+    e = numpy.radians(elevation)
+    folder.run(
+        f"""{black_sea(altitude)}
+#declare Ocean_Detail_Bands_ = 0;
+#declare Ocean_Repeats_ = {1000 if near else 1e-3};
+Ocean_Eye_At(<{-100 * numpy.cos(e)}, {100 * numpy.sin(e)}, 0>, 1)
+#declare Ocean_Pixel_ = {1e-9 if near else 1};
+camera {{ location Ocean_Eye_ right 1e-4*x up 1e-4*y look_at 0 }}
+{flat_sheet(lean, share)}"""
     )
     return read_png(folder.path / "out.png").mean() / FAINT
+
+
+def rippled_glitter(folder, elevation, altitude, pixel):
+    """30 m of flat sea with ripples, as pixels of so many radians show it: what they hide of the
+    slopes, 0 .. 1, the mean of the light, and its deviation over the mean."""
+    e = numpy.radians(elevation)
+    log = folder.run(
+        f"""{black_sea(altitude)}
+#declare Ocean_Repeats_ = 1000;
+Ocean_Eye_At(<{-1000 * numpy.cos(e)}, {1000 * numpy.sin(e)}, 0>, 1)
+#declare Ocean_Pixel_ = {pixel};
+camera {{ location Ocean_Eye_ right 0.03*x up 0.03*y look_at 0 }}
+{flat_sheet(0.0, 0.0)}
+#debug concat("V ", str(Ocean_Detail_Left_(0, 0, 0), 0, 4), "\\n")""",
+        "+A0.01",
+        "+AM1",
+        "+R2",
+        width=100,
+        height=100,
+    )
+    light = read_png(folder.path / "out.png").mean(2) / FAINT
+    return floats_of(log)[0], light.mean(), light.std() / light.mean()
 
 
 @pytest.mark.parametrize("elevation,altitude", [(20, 20), (8, 8), (5, 35), (12, 30)])
@@ -89,6 +125,20 @@ def test_near_glitter_is_fresnels_share_of_the_sun_over_what_is_seen(choppy, ele
     expected = density(e, a, lost, seen_of(numpy.sqrt(lost / 2), numpy.tan(e))[0] * numpy.cos(e))
     print(f"\n{seen:.4f}, expected {expected:.4f}: {seen / expected:.3f}")
     assert seen == pytest.approx(expected, rel=0.20)
+
+
+def test_what_ripples_show_and_what_they_hide_glitter_together(choppy):
+    """On the way from ripples to none the mean goes straight from one to the other, and what is
+    shown moves the glitter of what is hidden."""
+    shown, some, most, hidden = (
+        rippled_glitter(choppy, 12, 30, pixel) for pixel in (1e-9, 1e-4, 2e-4, 4e-4)
+    )
+    assert shown[0] < 0.05 and 0.5 < some[0] < 0.7 and 0.8 < most[0] < 0.95 and hidden[0] > 0.99
+    for share, mean, contrast in (some, most):
+        straight = shown[1] + share * (hidden[1] - shown[1])
+        print(f"\n{share:.2f} hidden: {mean / straight:.3f} of the line, contrast {contrast:.3f}")
+        assert mean == pytest.approx(straight, rel=0.20)
+        assert contrast > 0.15
 
 
 @pytest.mark.parametrize("altitude", [12.0, 20.0, 35.0, 50.0])
