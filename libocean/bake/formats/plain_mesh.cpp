@@ -109,8 +109,8 @@ std::uint64_t plain_mesh_bytes(const BakePlan& plan) {
            plain_mesh_triangles(plan) * 3 * sizeof(int);
 }
 
-io::Mesh make_plain_mesh(const FrameWork& work) {
-    io::Mesh mesh = io::make_patch_mesh(work.maps.front());
+io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces) {
+    io::Mesh mesh = io::make_patch_mesh(work.maps.front(), faces);
     if (plain_mesh_of(work.plan).axes == io::Axes::yup) io::turn_y_up(mesh);
     return mesh;
 }

@@ -39,7 +39,7 @@ bool is_plain_mesh(const BakeFile& file);
 std::uint64_t plain_mesh_vertices(const BakePlan& plan);
 std::uint64_t plain_mesh_triangles(const BakePlan& plan);
 std::uint64_t plain_mesh_bytes(const BakePlan& plan);
-io::Mesh make_plain_mesh(const FrameWork& work);
+io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces = io::Faces::triangles);
 void adopt_plain_mesh(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options);
 
 }  // namespace ocean

@@ -150,16 +150,21 @@ bool is_baked(const BakeFile& file) {
     return head.starts_with("#usda") && head.find(mark) != std::string::npos;
 }
 
+/// Of a frame's vertices: faces are in the topology alone.
+std::uint64_t vertex_bytes(const BakePlan& plan) {
+    return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
+}
+
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
     const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
     if (file.part == kTopology && is_shared(file)) return comments + faces * 5 * sizeof(int);
     if (is_shared(file)) return comments;
-    return comments + plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
+    return comments + vertex_bytes(plan);
 }
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
-    const io::Mesh mesh = make_plain_mesh(work);
+    const io::Mesh mesh = make_plain_mesh(work, io::Faces::none);
     const auto strings = plain_mesh_strings(work.plan, work.frame);
     work.put(files.front(),
              [&] { io::write_usd_frame(mesh, strings, work.frame, files.front().path); });
@@ -181,7 +186,7 @@ const BakeFormat kUsdFormat = {
     .hides_gaps = true,
     .recipe = recipe,
     .is_baked = is_baked,
-    .frame_bytes = plain_mesh_bytes,
+    .frame_bytes = vertex_bytes,
     .most_bytes = most_bytes,
     .write = write,
     .read_header = io::read_usd_header,

@@ -48,7 +48,7 @@ std::vector<int> patch_triangles(int n) {
     return triangles;
 }
 
-Mesh make_patch_mesh(const Surface& surface) {
+Mesh make_patch_mesh(const Surface& surface, Faces faces) {
     require_channels(surface, {Channel::dx, Channel::dy, Channel::height});
     const auto n = static_cast<std::size_t>(surface.resolution());
     const double cell = surface.period() / static_cast<double>(n);
@@ -89,7 +89,7 @@ Mesh make_patch_mesh(const Surface& surface) {
             if (cover) mesh.cover.push_back(surface.channel(Channel::cover)[at]);
         }
     }
-    mesh.triangles = patch_triangles(surface.resolution());
+    if (faces == Faces::triangles) mesh.triangles = patch_triangles(surface.resolution());
     return mesh;
 }
 

@@ -24,8 +24,9 @@ struct Mesh {
 /// grid of a power of two (2^-16 m, coarser for large patches), which keeps the seam of copies that
 /// lie a period apart free of cracks when the period lies on it too, as every whole number does.
 /// Needs dx, dy, height; takes the normal, foam, cover and velocity too, if it was evaluated with
-/// them.
-Mesh make_patch_mesh(const Surface& surface);
+/// them. Faces::none: vertices alone, for files that have the faces elsewhere.
+enum class Faces { none, triangles };
+Mesh make_patch_mesh(const Surface& surface, Faces faces = Faces::triangles);
 /// y up instead of z: (x, z, -y).
 void turn_y_up(Mesh& mesh);
 /// Its triangles alone, which are the same for all maps of so many samples a side.
