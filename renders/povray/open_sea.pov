@@ -13,7 +13,7 @@ Ocean_Load("sea_0001")
 #declare Target = Eye + <1, -0.085, 0.03>;
 camera { location Eye right x*image_width/image_height angle 52 look_at Target }
 Ocean_Eye_At(Eye, 52)
-Ocean_Sun(21, 24)
+Ocean_Sun(21, 38)
 Ocean_Sky(0.45)
 object { Ocean_View(Eye, Target, 52, 1.6) Ocean_Material("jerlov_ii") no_reflection }
 
