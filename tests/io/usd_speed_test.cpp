@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame of a million vertices, with all that a stage has, from its maps to a file that is whole: of
-// the processor's time, the system's for the file included, since other work counts for less there.
+// A frame of a million vertices, with all that a stage has, from its maps to a whole file: of the
+// processor's time, the system's for the file included; other work counts for less there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
