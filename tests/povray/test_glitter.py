@@ -66,7 +66,7 @@ light_source {{ 1e7*Ocean_Sun_Direction rgb {FAINT} parallel point_at 0 }}
 
 
 def flat_sheet(lean, share):
-    """A material and the end of its mesh follow it."""
+    """Water whose normals lean to -x, of whose slopes the mesh has lost a share."""
     return f"""
 #declare N = vnormalize(<{-lean}, 1, 0>);
 mesh2 {{

@@ -24,13 +24,13 @@ NODES = text("blender_addon/libocean_addon/foam_nodes.py") + text(
     "blender_addon/libocean_addon/water_shader.py"
 )
 LIBRARY = text("libocean/include/ocean/foam_texture.hpp")
-TEXTURES = text("libocean/io/povray/foam_declarations.cpp")
+EXPORTER = text("libocean/io/povray/foam_declarations.cpp")
 
 
-def after(source, pattern):
-    """The one number, or the numbers in parentheses, that stand behind a pattern."""
-    found = re.findall(rf"\b{pattern}\s*=\s*(?:vec3)?([<(][^>)]*[>)]|{NUMBER})", source)
-    assert len(found) == 1, f"{pattern}: {found}"
+def value_of(source, name):
+    """The one number, or the numbers in brackets, that a name is set to."""
+    found = re.findall(rf"\b{name}\s*=\s*(?:vec3)?([<(][^>)]*[>)]|{NUMBER})", source)
+    assert len(found) == 1, f"{name}: {found}"
     return [float(number) for number in re.findall(NUMBER, found[0])]
 
 
@@ -56,9 +56,9 @@ def tile_and_cell(kind):
 )
 def test_textures_are_as_large_as_the_library_makes_them(kind, host, tile, cell):
     asked = tile_and_cell(kind)
-    assert after(host, tile) == [asked[0]]
+    assert value_of(host, tile) == [asked[0]]
     if cell is not None:
-        assert after(host, cell) == [asked[1]]
+        assert value_of(host, cell) == [asked[1]]
 
 
 @pytest.mark.parametrize(
@@ -73,10 +73,10 @@ def test_textures_are_as_large_as_the_library_makes_them(kind, host, tile, cell)
     ],
 )
 def test_foam_looks_the_same(shader, macros, nodes):
-    asked = after(SHADER, shader)
-    assert macros is None or after(MACROS, macros) == asked
-    assert nodes is None or after(NODES, nodes) == asked
+    asked = value_of(SHADER, shader)
+    assert macros is None or value_of(MACROS, macros) == asked
+    assert nodes is None or value_of(NODES, nodes) == asked
 
 
 def test_the_exporter_reckons_with_the_macros_span():
-    assert after(TEXTURES, "kSpan") == after(MACROS, "Ocean_Foam_Span_")
+    assert value_of(EXPORTER, "kSpan") == value_of(MACROS, "Ocean_Foam_Span_")

@@ -104,9 +104,12 @@ std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
     return 2 * side * side;
 }
 
+std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan) {
+    return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
+}
+
 std::uint64_t plain_mesh_bytes(const BakePlan& plan) {
-    return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float) +
-           plain_mesh_triangles(plan) * 3 * sizeof(int);
+    return plain_mesh_vertex_bytes(plan) + plain_mesh_triangles(plan) * 3 * sizeof(int);
 }
 
 io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces) {

@@ -38,6 +38,8 @@ std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file);
 bool is_plain_mesh(const BakeFile& file);
 std::uint64_t plain_mesh_vertices(const BakePlan& plan);
 std::uint64_t plain_mesh_triangles(const BakePlan& plan);
+/// Of a frame in memory: its vertices, and these with their triangles.
+std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan);
 std::uint64_t plain_mesh_bytes(const BakePlan& plan);
 io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces = io::Faces::triangles);
 void adopt_plain_mesh(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options);

@@ -150,17 +150,12 @@ bool is_baked(const BakeFile& file) {
     return head.starts_with("#usda") && head.find(mark) != std::string::npos;
 }
 
-/// Of a frame's vertices: faces are in the topology alone.
-std::uint64_t vertex_bytes(const BakePlan& plan) {
-    return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
-}
-
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
     const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
     if (file.part == kTopology && is_shared(file)) return comments + faces * 5 * sizeof(int);
     if (is_shared(file)) return comments;
-    return comments + vertex_bytes(plan);
+    return comments + plain_mesh_vertex_bytes(plan);
 }
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
@@ -186,7 +181,7 @@ const BakeFormat kUsdFormat = {
     .hides_gaps = true,
     .recipe = recipe,
     .is_baked = is_baked,
-    .frame_bytes = vertex_bytes,
+    .frame_bytes = plain_mesh_vertex_bytes,
     .most_bytes = most_bytes,
     .write = write,
     .read_header = io::read_usd_header,

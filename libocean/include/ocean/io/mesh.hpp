@@ -20,12 +20,14 @@ struct Mesh {
     std::vector<int> triangles;     // three vertex numbers each, counter-clockwise from above
 };
 
+/// none: vertices alone, for files that have the faces elsewhere.
+enum class Faces { none, triangles };
+
 /// One period of the displaced surface, (N+1)^2 vertices with the seam closed. Vertices lie on a
 /// grid of a power of two (2^-16 m, coarser for large patches), which keeps the seam of copies that
 /// lie a period apart free of cracks when the period lies on it too, as every whole number does.
 /// Needs dx, dy, height; takes the normal, foam, cover and velocity too, if it was evaluated with
-/// them. Faces::none: vertices alone, for files that have the faces elsewhere.
-enum class Faces { none, triangles };
+/// them.
 Mesh make_patch_mesh(const Surface& surface, Faces faces = Faces::triangles);
 /// y up instead of z: (x, z, -y).
 void turn_y_up(Mesh& mesh);
