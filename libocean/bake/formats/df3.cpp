@@ -16,6 +16,7 @@
 #include "ocean/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -20,6 +20,7 @@
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/memory.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "sha256.hpp"

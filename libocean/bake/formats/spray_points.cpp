@@ -10,6 +10,7 @@
 #include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/memory.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
 

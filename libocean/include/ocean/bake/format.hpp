@@ -16,12 +16,12 @@
 
 #include "ocean/io/frame_label.hpp"
 #include "ocean/io/image.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
 
 class BakedHeader;
+class Ocean;
 struct BakeOptions;
 struct BakePlan;
 struct Catalogue;
