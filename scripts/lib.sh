@@ -23,7 +23,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
         libfftw3-dev glslang-tools spirv-tools python3-numpy python3-pytest python3-openimageio
         openimageio-tools openexr clang libclang-rt-14-dev valgrind blender libegl1 libegl-mesa0 libgl1
         libgl1-mesa-dri xvfb xauth xdotool telnet netcat-openbsd python3-meshio python3-openvdb
-        libopenvdb-tools umockdev libumockdev-dev liblo-tools)
+        libopenvdb-tools umockdev libumockdev-dev liblo-tools ccache lld)
     bench_packages=(
         "${build_packages[@]}" libbenchmark-dev libfftw3-dev valgrind python3-venv ca-certificates)
     gl_packages=("${test_packages[@]}" mesa-vulkan-drivers)
@@ -94,10 +94,14 @@ ensure_tool() {
     .venv/bin/python -m pip install --quiet --disable-pip-version-check "$1"
 }
 
-# build_preset PRESET [TARGET...]: configures and builds in build/PRESET.
+# build_preset PRESET [-DOPTION=VALUE...] [TARGET...]: configures and builds in build/PRESET.
 build_preset() {
-    local preset=$1
+    local preset=$1 options=()
     shift
-    cmake --preset "$preset" --log-level=NOTICE >/dev/null
+    while [[ ${1:-} == -D* ]]; do
+        options+=("$1")
+        shift
+    done
+    cmake --preset "$preset" "${options[@]}" --log-level=NOTICE >/dev/null || return
     cmake --build "build/$preset" ${1:+--target "$@"}
 }

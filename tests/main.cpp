@@ -4,6 +4,12 @@
 // The main function of every GoogleTest program.
 #include <gtest/gtest.h>
 
+#include "paths.hpp"
+
+std::string ocean::test::source_dir() {
+    return OCEAN_SOURCE_DIR;
+}
+
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

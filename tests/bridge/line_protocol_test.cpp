@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "paths.hpp"
+
 namespace ocean::bridge {
 namespace {
 
@@ -94,7 +96,7 @@ TEST(LineProtocol, WhatIsSentIsOnePrintableLine) {
 
 /// The page's table of commands is the program's.
 TEST(LineProtocol, ThePageHasTheCommandsOfTheProgram) {
-    std::ifstream file(OCEAN_SOURCE_DIR "/libocean/bridge/PROTOCOL.md");
+    std::ifstream file(test::source_dir() + "/libocean/bridge/PROTOCOL.md");
     std::stringstream page;
     page << file.rdbuf();
     std::string expected;

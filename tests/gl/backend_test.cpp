@@ -16,6 +16,7 @@
 #include "ocean/gl/backend.hpp"
 #include "ocean/gl/context.hpp"
 #include "ocean/ocean.hpp"
+#include "paths.hpp"
 #include "temporary_folder.hpp"
 #include "unit/test_seas.hpp"
 
@@ -300,7 +301,7 @@ TEST(GlBackend, RunsOnTheDriverThatTheTestIsFor) {
 TEST(GlBackend, ADriverThatComputesWronglyIsRefused) {
     const test::TemporaryFolder folder;
     const std::filesystem::path shaders = folder.file("shaders");
-    std::filesystem::copy(std::filesystem::path(OCEAN_SOURCE_DIR) / "shaders", shaders,
+    std::filesystem::copy(std::filesystem::path(test::source_dir()) / "shaders", shaders,
                           std::filesystem::copy_options::recursive);
     const auto spoil = [&](const char* file, const std::string& right, const std::string& wrong) {
         const std::filesystem::path path = shaders / file;

@@ -13,10 +13,11 @@
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
+#include "paths.hpp"
 
 namespace ocean::test {
 
-inline const std::string kData = OCEAN_TEST_DATA;
+inline const std::string kData = data_dir();
 inline const std::string kBuoy = kData + "/spectra/ndbc_41010.data_spec";
 
 struct Refusal {
