@@ -36,7 +36,9 @@ struct VoxelRange {
     std::array<int, 3> count;
     double size = 0.0;  // m
 
-    double place(int axis, int index) const { return size * (first[axis] + index); }
+    double place(int axis, int index) const {
+        return size * (first[static_cast<std::size_t>(axis)] + index);
+    }
     std::size_t columns() const {
         return static_cast<std::size_t>(count[0]) * static_cast<std::size_t>(count[1]);
     }
