@@ -30,8 +30,8 @@ using asio::ip::tcp;
 /// beat against them.
 constexpr auto kLeastUpdateInterval = std::chrono::milliseconds(2);
 constexpr auto kLookAround = std::chrono::milliseconds(500);
-/// What clients have to take the last line in.
-constexpr auto kLastWords = std::chrono::milliseconds(50);
+/// What clients have to take the last line in; the end waits for those alone that do not read.
+constexpr auto kLastWords = std::chrono::milliseconds(500);
 constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kMostClients = 100'000;
 /// A report, or an event. Their order counts.
@@ -254,14 +254,15 @@ class LineServer::Core {
         }
         if (osc_) osc_->close();
         for (const auto& connection : all()) connection->leave(event_line("STOP"));
+        hub_.stop();
+        hub_.finish();
+        for (const std::string& event : hub_.events()) log(event);
+        // From now on: saving a take may need longer than that.
         last_timer_.expires_after(kLastWords);
         last_timer_.async_wait([this](asio::error_code) {
             for (const auto& connection : all()) connection->end("");
         });
         if (connections_.empty()) last_timer_.cancel();
-        hub_.stop();
-        hub_.finish();
-        for (const std::string& event : hub_.events()) log(event);
     }
 
     const ServerOptions options_;

@@ -20,7 +20,7 @@ import threading
 import time
 from pathlib import Path
 
-PATIENCE = 30  # s
+PATIENCE = 120  # s; on a busy machine
 SEA = """libocean = 1
 [grid]
 resolution = 64

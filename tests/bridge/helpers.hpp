@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,13 +25,14 @@
 
 namespace ocean::bridge::test {
 
-/// Far beyond what anything takes: a test that runs into it has failed.
-inline constexpr int kPatience = 20'000;  // ms
+/// Far beyond what anything takes on a busy machine: a test that runs into it has failed.
+inline constexpr int kPatience = 120'000;  // ms
 
 /// The other end of a board: the test reports, and sees what outputs were told.
 struct Board {
     Source::Listener listener;
     std::vector<std::pair<std::string, double>> told;
+    std::function<void()> when_told;  // in the server's thread, which it may hold
 };
 
 class TestSource : public Source {
@@ -43,6 +45,7 @@ class TestSource : public Source {
     void stop() override {}
     void put(const std::string& channel, double value) override {
         board_->told.emplace_back(channel, value);
+        if (board_->when_told) board_->when_told();
     }
 
   private:

@@ -58,7 +58,8 @@ class Listening {
     }
     std::vector<Report> wait_for(std::size_t count) {
         std::unique_lock lock(mutex_);
-        changed_.wait_for(lock, 20s, [&] { return reports_.size() >= count; });
+        changed_.wait_for(lock, std::chrono::milliseconds(test::kPatience),
+                          [&] { return reports_.size() >= count; });
         return reports_;
     }
 

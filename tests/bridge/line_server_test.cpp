@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <future>
 #include <mutex>
 
 #include "helpers.hpp"
@@ -168,7 +169,8 @@ TEST(LineServer, CommandsThatComeTooFastWait) {
     const auto start = Clock::now();
     raw.send(questions);
     for (int i = 0; i < 75; ++i) ASSERT_EQ(raw.line(), "OK");
-    EXPECT_GE(Clock::now() - start, 400ms);  // 50 at once, 25 at 50 a second
+    // 50 at once, 25 at 50 a second: a busy machine makes it longer, never shorter.
+    EXPECT_GE(Clock::now() - start, 400ms);
 }
 
 TEST(LineServer, OneClientTooManyIsToldSo) {
@@ -187,8 +189,12 @@ TEST(LineServer, OneClientTooManyIsToldSo) {
 TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
     const Served served({.idle = 100ms}, kKnob);
     RawClient idle = served.client();
-    RawClient listener = served.client();
-    EXPECT_EQ(listener.ask("SUBSCRIBE wind_speed"), "OK");
+    // On a busy machine one that is about to subscribe may be let go before it has.
+    std::optional<RawClient> subscriber;
+    do {
+        subscriber.emplace(served.client());
+    } while (subscriber->ask("SUBSCRIBE wind_speed") != "OK");
+    RawClient& listener = *subscriber;
     EXPECT_EQ(idle.line(), "ERR IDLE nothing was said for too long");
     EXPECT_EQ(idle.line(), "");
     EXPECT_EQ(listener.ask("PING"), "VAL wind_speed unset");
@@ -198,11 +204,11 @@ TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
 TEST(LineServer, WhoNeverReadsIsLetGo) {
     const Served served({.stalled = 200ms}, kKnob);
     RawClient stalled(served.server.endpoint(), 4096);
+    ASSERT_TRUE(stalled.line().starts_with("OBP "));  // it is a client
     // Answers to begin with: of updates alone, which are coalesced, it takes long until nothing
     // more fits between the two.
     for (int i = 0; i < 4; ++i) stalled.send("LIST\n");
     stalled.send("SUBSCRIBE\n");
-    ASSERT_TRUE(comes_true([&] { return served.server.clients() == 1; }));
     served.turn(0);
     double wind = 0.0;
     EXPECT_TRUE(comes_true([&] {
@@ -214,9 +220,22 @@ TEST(LineServer, WhoNeverReadsIsLetGo) {
 TEST(LineServer, ABoardThatFloodsLeavesClientsTheirTurn) {
     const Served served({}, kKnob);
     RawClient raw = served.client();
-    constexpr int kReports = 60'000;
+    // The server is held at a lamp until all that the board says and a question wait for it.
+    std::promise<void> held;
+    std::promise<void> go_on;
+    served.board->when_told = [&, once = true]() mutable {
+        if (!std::exchange(once, false)) return;
+        held.set_value();
+        go_on.get_future().wait();
+    };
+    RawClient other = served.client();
+    other.send("SET app.frame_rate 60\n");
+    held.get_future().wait();
+    constexpr int kReports = 6'000;
     for (int i = 1; i <= kReports; ++i) served.turn(70.0 * i / kReports);
-    const std::string answer = raw.ask("GET wind_speed");
+    raw.send("GET wind_speed\n");
+    go_on.set_value();
+    const std::string answer = raw.line();
     ASSERT_TRUE(answer.starts_with("VAL wind_speed "));
     EXPECT_NE(answer, "VAL wind_speed 70") << "first came all that the board said";
     EXPECT_TRUE(comes_true([&] { return raw.ask("GET wind_speed") == "VAL wind_speed 70"; }));
@@ -235,7 +254,7 @@ TEST(LineServer, ATokenComesFirst) {
     EXPECT_EQ(guesser.ask("AUTH y"), "ERR AUTH this is not the token");
     EXPECT_EQ(guesser.ask("AUTH z"), "ERR AUTH this is not the token");
     EXPECT_EQ(guesser.line(), "");
-    EXPECT_GE(Clock::now() - start, 1900ms);
+    EXPECT_GE(Clock::now() - start, 1900ms);  // a second after each; a busy machine adds to it
 }
 
 TEST(LineServer, BeyondThisMachineATokenIsNeeded) {

@@ -89,6 +89,7 @@ struct System {
     std::mutex mutex;
     std::vector<std::string> names;
     bool works = true;
+    int looks = 0;
     int plugs = 0;  // of whatever is there
     int opened_at = 0;
     std::string open;
@@ -116,6 +117,10 @@ struct System {
         const std::lock_guard lock(mutex);
         if (receiver) receiver(bytes);
     }
+    int how_often_looked() {
+        const std::lock_guard lock(mutex);
+        return looks;
+    }
     std::vector<Bytes> what_was_sent() {
         const std::lock_guard lock(mutex);
         return sent;
@@ -127,6 +132,7 @@ class TestPorts : public MidiPorts {
     explicit TestPorts(std::shared_ptr<System> system) : system_(std::move(system)) {}
     std::vector<std::string> inputs() override {
         const std::lock_guard lock(system_->mutex);
+        ++system_->looks;
         if (!system_->works) throw Error(ErrorKind::not_found, "no ALSA sequencer");
         return system_->names;
     }
@@ -252,7 +258,11 @@ TEST_F(MidiController, ASystemWithoutMidiIsSaidOnceAndLookedAtAgain) {
     system->plug("x 20:0");
     begin({});
     ASSERT_TRUE(ear.hears_event("m BUSY: no ALSA sequencer"));
-    std::this_thread::sleep_for(20ms);
+    const int before = system->how_often_looked();
+    for (int i = 0; i < test::kPatience && system->how_often_looked() < before + 3; ++i) {
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_GE(system->how_often_looked(), before + 3);
     EXPECT_EQ(ear.events().size(), 1u);
     system->work(true);
     EXPECT_TRUE(ear.hears_event("m CONNECTED: x 20:0"));

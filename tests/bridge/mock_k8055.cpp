@@ -138,6 +138,7 @@ void MockK8055::tick() {
         if (transfer.done || !transfer.is_in()) continue;
         transfer.bytes = report_;
         finish(transfer, 0);
+        witness_.reported();
         if (std::exchange(is_new_, false)) {
             witness_.sent(Clock::now());
         }
@@ -221,7 +222,10 @@ long MockK8055::answer(gulong request, UMockdevIoctlData* argument) {
             return switch_driver(
                 Block(argument, 0, sizeof(usbdevfs_ioctl)).as<usbdevfs_ioctl>()->ioctl_code);
         case USBDEVFS_DISCONNECT_CLAIM:
-            if (refused_) return -EBUSY;
+            if (refused_) {
+                witness_.refused();
+                return -EBUSY;
+            }
             if (std::exchange(kernel_driver_, false)) witness_.kernel_driver(false);
             claimed_ = true;
             return 0;

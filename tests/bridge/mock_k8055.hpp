@@ -24,7 +24,9 @@ class MockK8055 {
     struct Witness {
         std::function<void(const Bytes&)> out = [](const Bytes&) {};
         std::function<void(Clock::time_point)> sent = [](Clock::time_point) {};  // a new state
+        std::function<void()> reported = [] {};                                  // any state
         std::function<void(bool)> kernel_driver = [](bool) {};                   // is bound
+        std::function<void()> refused = [] {};                                   // a claim
         std::function<void(const std::string&)> error = [](const std::string&) {};
     };
 

@@ -20,7 +20,7 @@ import pytest
 BRIDGE = os.environ.get("OCEAN_BRIDGE", "")
 if not BRIDGE:
     pytest.skip("the bridge is not built", allow_module_level=True)
-PATIENCE = 30  # s
+PATIENCE = 120  # s; on a busy machine
 TOKEN = "0123456789abcdef"
 
 
@@ -374,8 +374,8 @@ def test_the_terminal_client_at_a_terminal(start):
         os.close(ours)
 
 
-@pytest.mark.parametrize("typing", [0.0, 0.7], ids=["at_once", "slowly"])
-def test_the_terminal_client_where_no_bridge_is(typing):
+@pytest.mark.parametrize("slowly", [False, True], ids=["at_once", "slowly"])
+def test_the_terminal_client_where_no_bridge_is(slowly):
     """Whether it hears that nobody is there before all is typed or after."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))  # nobody listens, and nobody else can
@@ -388,7 +388,8 @@ def test_the_terminal_client_where_no_bridge_is(typing):
             text=True,
         )
         try:
-            time.sleep(typing)
+            if slowly:
+                assert program.stdout.readline() == "(no bridge: Connection refused)\n"
             said = program.communicate("PING\n", timeout=PATIENCE)[1]
         finally:
             program.kill()

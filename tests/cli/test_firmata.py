@@ -98,7 +98,7 @@ class Arduino:
     def run(self, begins: bool, answers: bool):
         buffer = b""
         while self.running:
-            if not select.select([self.master], [], [], 0.005)[0]:
+            if not select.select([self.master], [], [], 0.005)[0]:  # to see that it is unplugged
                 continue
             try:
                 buffer += os.read(self.master, 4096)
@@ -332,6 +332,7 @@ def test_a_board_at_rest_costs_nothing(start, board):
         lines = [line for task in tasks for line in task.read_text().splitlines()]
         return sum(int(line.split()[1]) for line in lines if line.startswith("voluntary_ctxt"))
 
-    before = wakes()
-    time.sleep(3)
-    assert wakes() - before < 30
+    # Rest shows in a time alone: a second, and more on a busy machine, which wakes nobody the more.
+    before, begun = wakes(), time.monotonic()
+    time.sleep(1)
+    assert wakes() - before < 10 * (time.monotonic() - begun)

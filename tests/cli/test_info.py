@@ -36,10 +36,12 @@ def state_of(ocean, *arguments):
 
 
 def columns(text):
-    header, *lines = text.splitlines()
-    cells = [line.split(",") for line in lines]
-    numbers = [[float(cell) if cell else math.nan for cell in row] for row in cells]
-    return dict(zip(header.split(","), np.array(numbers).T, strict=True))
+    header, body = text.split("\n", 1)
+    names = header.split(",")
+    for empty, number in ((",,", ",nan,"), (",,", ",nan,"), (",\n", ",nan\n"), ("\n", ",")):
+        body = body.replace(empty, number)
+    numbers = np.fromstring(body.rstrip(","), sep=",").reshape(-1, len(names))
+    return dict(zip(names, numbers.T, strict=True))
 
 
 SWELL = """libocean = 1

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """PLY and OBJ of a sea, read by meshio, beside the EXR of the same frame, read by OpenImageIO."""
 
-import time
-
 import meshio
 import numpy
 import OpenImageIO as oiio
 import pytest
+from conftest import children_seconds
 
 N = 64
 PERIOD = 200.0
@@ -152,8 +151,9 @@ def test_frames_shards_and_resume(ocean, extension):
 
 
 def test_a_mesh_of_512_squared_takes_less_than_two_seconds(ocean):
-    start = time.monotonic()
+    """Of the processor: what runs beside the test does not count."""
+    before = children_seconds()
     bake(ocean, "-o", "a.obj", "--resolution", "512")
-    seconds = time.monotonic() - start
-    print(f"OBJ of 512 x 512 in {seconds:.2f} s")
-    assert seconds < 2.0
+    used = children_seconds() - before
+    print(f"OBJ of 512 x 512 in {used:.2f} s")
+    assert 0.0 < used < 2.0

@@ -152,7 +152,7 @@ def test_a_killed_bake_leaves_whole_files_and_goes_on(gale):
         stderr=subprocess.DEVNULL,
     )
     out = gale.folder / "out"
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 120
     while not out.is_dir() or len(list(out.glob("s.*.ply"))) < 3:
         assert time.monotonic() < deadline and bake.poll() is None
         time.sleep(0.002)

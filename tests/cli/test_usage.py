@@ -136,7 +136,7 @@ def test_a_terminal_gets_a_bar_with_eta(ocean):
         stdout=subprocess.DEVNULL,
         stderr=slave,
         check=True,
-        timeout=60,
+        timeout=120,
     )
     os.close(slave)
     text = b""

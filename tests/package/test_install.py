@@ -74,8 +74,29 @@ def sea_and_height(tmp_path_factory):
     return path, f"{height:.9g}\n"
 
 
+KNOWN = "-DCMAKE_PLATFORM_INFO_INITIALIZED=1"
+
+
+@pytest.fixture(scope="module")
+def compilers(tmp_path_factory):
+    """What CMake finds out about the compilers, once for all projects that it configures."""
+    folder = tmp_path_factory.mktemp("compilers")
+    (folder / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(compilers LANGUAGES C CXX)\n"
+    )
+    run(CMAKE, "-S", folder, "-B", folder)
+    return next(folder.glob("CMakeFiles/*/CMakeCXXCompiler.cmake")).parent
+
+
+@pytest.fixture
+def folder(compilers, tmp_path):
+    """A folder for a build that knows the compilers, which KNOWN tells CMake."""
+    shutil.copytree(compilers, tmp_path / "CMakeFiles" / compilers.name)
+    return tmp_path
+
+
 def build(project: str, folder: Path, prefix: Path) -> Path:
-    run(CMAKE, "-S", HERE / project, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run(CMAKE, "-S", HERE / project, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}", KNOWN)
     run(CMAKE, "--build", folder)
     return folder / "height"
 
@@ -89,7 +110,7 @@ def look_for(prefix: Path, folder: Path, package: str, *options) -> str:
         'message("targets: ${targets}")\n'
     )
     done = subprocess.run(
-        [CMAKE, "-S", folder, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}", *options],
+        [CMAKE, "-S", folder, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}", KNOWN, *options],
         capture_output=True,
         text=True,
         check=False,
@@ -114,25 +135,25 @@ def test_the_package_names_no_place(everything):
         assert not re.findall(r"""(?:^|[\s"';=:]|-[IL])/[\w.].*""", path.read_text(), re.M), path
 
 
-def test_a_cpp_program_shows_the_sea_of_the_build(everything, sea_and_height, tmp_path):
+def test_a_cpp_program_shows_the_sea_of_the_build(everything, sea_and_height, folder):
     sea, height = sea_and_height
-    assert run(build("cpp", tmp_path, everything), sea) == height
+    assert run(build("cpp", folder, everything), sea) == height
 
 
-def test_a_cpp_program_shows_the_sea_by_a_gpu(everything, sea_and_height, tmp_path):
+def test_a_cpp_program_shows_the_sea_by_a_gpu(everything, sea_and_height, folder):
     sea, _ = sea_and_height
-    by_gpu, by_cpu = map(float, run(build("gpu", tmp_path, everything), sea).split())
+    by_gpu, by_cpu = map(float, run(build("gpu", folder, everything), sea).split())
     assert abs(by_gpu - by_cpu) < 1e-5
     assert abs(by_cpu) > 1e-3
 
 
-def test_static_libraries_go_into_a_shared_one(everything, tmp_path):
-    build("plugin", tmp_path, everything)
+def test_static_libraries_go_into_a_shared_one(everything, folder):
+    build("plugin", folder, everything)
 
 
-def test_a_c_host_needs_the_component_library_alone(c_host, sea_and_height, tmp_path):
+def test_a_c_host_needs_the_component_library_alone(c_host, sea_and_height, folder):
     sea, height = sea_and_height
-    assert run(build("c", tmp_path, c_host), sea) == height
+    assert run(build("c", folder, c_host), sea) == height
     assert not list(c_host.rglob("*.a")) + list(c_host.rglob("*.hpp"))
 
 
@@ -168,8 +189,8 @@ def test_a_c_program_by_pkg_config(c_host, sea_and_height, tmp_path):
         ("COMPONENTS c OPTIONAL_COMPONENTS vdb", "ocean::c"),
     ],
 )
-def test_components_bring_what_they_need(everything, tmp_path, components, targets):
-    said = look_for(everything, tmp_path, f"0.1 REQUIRED {components}")
+def test_components_bring_what_they_need(everything, folder, components, targets):
+    said = look_for(everything, folder, f"0.1 REQUIRED {components}")
     assert said.endswith(f"targets: {targets}")
 
 
@@ -180,21 +201,20 @@ def test_components_bring_what_they_need(everything, tmp_path, components, targe
         ("c_host", "core", "c"),
     ],
 )
-def test_a_missing_component_is_named(request, tmp_path, prefix, missing, installed):
-    folder = request.getfixturevalue(prefix)
-    said = look_for(folder, tmp_path, f"REQUIRED COMPONENTS c {missing}")
+def test_a_missing_component_is_named(request, folder, prefix, missing, installed):
+    said = look_for(request.getfixturevalue(prefix), folder, f"REQUIRED COMPONENTS c {missing}")
     assert f"No component '{missing}' is installed, but these are: {installed}." in said
 
 
 @pytest.mark.parametrize("version", ["0.2", "1.0", "0.0.9"])
-def test_another_minor_version_is_refused(everything, tmp_path, version):
-    said = look_for(everything, tmp_path, f"{version} REQUIRED")
+def test_another_minor_version_is_refused(everything, folder, version):
+    said = look_for(everything, folder, f"{version} REQUIRED")
     assert f'compatible with requested version "{version}"' in said
     assert f"version: {libocean.__version__}" in said
 
 
-def test_a_missing_dependency_is_named(everything, tmp_path):
+def test_a_missing_dependency_is_named(everything, folder):
     said = look_for(
-        everything, tmp_path, "COMPONENTS seafile", "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON"
+        everything, folder, "COMPONENTS seafile", "-DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON"
     )
     assert "libocean could not be found because dependency ZLIB could not be found" in said

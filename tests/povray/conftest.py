@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs `ocean povray` and POV-Ray itself in folders of their own."""
 
+import functools
 import os
 import re
 import shutil
 import subprocess
+import tempfile
 from pathlib import Path
 
 import numpy
@@ -16,6 +18,7 @@ import libocean
 
 OCEAN = os.environ.get("OCEAN", "")
 N, PERIOD = 128, 100.0  # of the sea that sea_text gives
+EXPORTS = tempfile.TemporaryDirectory(prefix="povray_exports")  # removed at the session's end
 
 
 def pytest_collection_modifyitems(items):
@@ -40,15 +43,31 @@ wind_direction = 25.0
 """
 
 
+@functools.cache
+def exported(sea: str, *arguments) -> Path:
+    """Returns a folder that `ocean povray` wrote once in this session; Folder copies it."""
+    path = Path(tempfile.mkdtemp(dir=EXPORTS.name))
+    export(path, sea, *arguments)
+    return path
+
+
+def export(path: Path, sea: str, *arguments):
+    (path / "its_sea.toml").write_text(sea)
+    done = ocean(path, "povray", "its_sea.toml", "-o", ".", *arguments)
+    assert done.returncode == 0, done.stderr
+
+
 class Folder:
-    """A folder that `ocean povray` wrote."""
+    """A folder as `ocean povray` writes it. An export costs a second, most of it foam textures:
+    tests that ask for the same sea in an empty folder share one, each in a copy of its own."""
 
     def __init__(self, path: Path, sea: str, *arguments):
         self.path = path
         path.mkdir(parents=True, exist_ok=True)
-        (path / "its_sea.toml").write_text(sea)
-        done = ocean(path, "povray", "its_sea.toml", "-o", ".", *arguments)
-        assert done.returncode == 0, done.stderr
+        if any(path.iterdir()):
+            export(path, sea, *arguments)
+        else:
+            shutil.copytree(exported(sea, *arguments), path, dirs_exist_ok=True)
 
     def run(self, scene: str, *arguments, width=8, height=8, good=True) -> str:
         """What POV-Ray says of a scene, which begins with ocean.inc."""

@@ -1,9 +1,24 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""Seconds that POV-Ray takes to read. ctest runs nothing beside these: of two that wait for memory
-at once one may take half as long again as alone, and the other not."""
+"""Seconds of the processor that POV-Ray takes to read, as ratios of two scenes. Other work on the
+machine only adds to them, at times to one scene alone: scenes are read in turn, the least seconds
+of each count, and a ratio that is too large is measured again."""
 
 from conftest import Folder, parse_seconds, sea_text
+
+
+def ratio_of_least(read, read_reference, bound):
+    """Returns the ratio of the least parse seconds of two scenes, of two readings each, or of up to
+    six while it exceeds `bound`."""
+    seconds, reference = [], []
+    for reading in range(6):
+        seconds.append(parse_seconds(read()))
+        reference.append(parse_seconds(read_reference()))
+        ratio = min(seconds) / min(reference)
+        if reading > 0 and ratio <= bound:
+            break
+    print(f"\n{seconds} s over {reference} s: {ratio:.2f}")
+    return ratio
 
 
 def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
@@ -11,26 +26,21 @@ def test_a_choppy_frame_is_small_and_parses_fast(tmp_path):
     exact = Folder(tmp_path / "df3", sea, "--near-only")
     text = Folder(tmp_path / "mesh2", sea, "--format", "mesh2")
     scene = 'Ocean_Load("sea_0001")\nobject { Ocean_Mesh() }'
-    seconds = {"df3": [], "mesh2": []}
-    for _ in range(3):
-        seconds["df3"].append(parse_seconds(exact.run(scene)))
-        seconds["mesh2"].append(parse_seconds(text.run(scene)))
-    ratio = min(seconds["df3"]) / min(seconds["mesh2"])
     size = (exact.path / "sea_0001.df3").stat().st_size
     share = size / (text.path / "sea_0001.inc").stat().st_size
-    print(f"\n{seconds}, ratio {ratio:.2f}; {size} bytes, {share:.3f} of the text")
-    assert ratio <= 2.5
+    print(f"\n{size} bytes, {share:.3f} of the text")
     assert share <= 0.25
+    assert ratio_of_least(lambda: exact.run(scene), lambda: text.run(scene), 2.5) <= 2.5
 
 
 def test_the_view_parses_as_fast_as_a_period_of_its_sea(tmp_path):
     """At 512 samples; before its rows lay where pixels are it took 5.7 times as long."""
     folder = Folder(tmp_path, sea_text(resolution=512, period=690.0, wind=12.3))
-    seconds = {"Ocean_Mesh()": [], "Ocean_View(<0, 8, 0>, <10, 7, 0>, 60, 1)": []}
-    for _ in range(3):
-        for form, times in seconds.items():
-            scene = f'Ocean_Load("sea_0001")\nobject {{ {form} }}'
-            times.append(parse_seconds(folder.run(scene, width=480, height=270)))
-    mesh, view = map(min, seconds.values())
-    print(f"\nview {view:.2f} s, mesh {mesh:.2f} s: {view / mesh:.2f}")
-    assert view <= 5.7 / 4 * mesh
+
+    def read(form):
+        scene = f'Ocean_Load("sea_0001")\nobject {{ {form} }}'
+        return folder.run(scene, width=480, height=270)
+
+    bound = 5.7 / 4
+    view = "Ocean_View(<0, 8, 0>, <10, 7, 0>, 60, 1)"
+    assert ratio_of_least(lambda: read(view), lambda: read("Ocean_Mesh()"), bound) <= bound

@@ -98,15 +98,17 @@ Ocean_Eye_At(Ocean_Eye, Ocean_View_Angle)
 Ocean_Sun(30, 20)
 Ocean_Sky(0.2)
 object { Ocean_Surface Ocean_Material("jerlov_ii") }"""
+    few_rows = ["+SR150", "+ER157"]
     arguments = {"width": 480, "height": 270}
     for scene in (
         '#version 3.7;\n#include "ocean.inc"\n#include "view_0001.inc"\n',
         '#version 3.7;\n#include "view_0001.inc"\n#include "ocean.inc"\n',
     ):
-        baked = parse_seconds(povray(tmp_path, scene + mesh, **arguments))
+        baked = parse_seconds(povray(tmp_path, scene + mesh, *few_rows, **arguments))
     made = parse_seconds(
         folder.run(
             'Ocean_Load("sea_0001")\nobject { Ocean_View(<0, 8, 0>, <10, 7, 0>, 60, 1) }',
+            *few_rows,
             **arguments,
         )
     )

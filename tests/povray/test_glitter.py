@@ -109,8 +109,8 @@ camera {{ location Ocean_Eye_ right 0.03*x up 0.03*y look_at 0 }}
         "+A0.01",
         "+AM1",
         "+R2",
-        width=100,
-        height=100,
+        width=60,
+        height=60,
     )
     light = read_png(folder.path / "out.png").mean(2) / FAINT
     return floats_of(log)[0], light.mean(), light.std() / light.mean()

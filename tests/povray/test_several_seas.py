@@ -15,6 +15,11 @@ CALM = sea_text(resolution=32, period=60.0, wind=3.0)
 ROUGH = sea_text(resolution=64, period=150.0, wind=8.0)
 
 
+def frames(format_):
+    """Arguments of the exports, which the tests share."""
+    return "--frames", "1-3", "--format", format_
+
+
 def refusal(folder, name):
     """What Ocean_Load says of a frame."""
     return re.sub(r"\s+", " ", folder.run(f'Ocean_Load("{name}")', good=False))
@@ -22,7 +27,7 @@ def refusal(folder, name):
 
 @pytest.mark.parametrize("format_", FORMATS)
 def test_frames_that_are_left_of_another_sea_are_refused(tmp_path, format_):
-    Folder(tmp_path, ROUGH, "--frames", "1-3", "--format", format_)
+    Folder(tmp_path, ROUGH, *frames(format_))
     folder = Folder(tmp_path, CALM, "--frames", "1-2", "--format", format_)
     log = refusal(folder, "sea_0003")
     assert "is frame 3 at 0.083 s of another sea" in log and "Ocean_Open" in log
@@ -37,8 +42,8 @@ def test_the_same_sea_on_another_map_is_another_sea(tmp_path):
 
 @pytest.mark.parametrize("format_", FORMATS)
 def test_frames_of_other_folders_and_names_are_refused(tmp_path, format_):
-    other = Folder(tmp_path / "other", ROUGH, "--frames", "1-2", "--format", format_)
-    folder = Folder(tmp_path / "own", CALM, "--frames", "1-2", "--format", format_)
+    other = Folder(tmp_path / "other", ROUGH, *frames(format_))
+    folder = Folder(tmp_path / "own", CALM, *frames(format_))
     for path in other.path.glob("sea_0002*"):
         shutil.copy(path, folder.path)
     assert "of another sea" in refusal(folder, "sea_0002")
@@ -50,8 +55,8 @@ def test_frames_of_other_folders_and_names_are_refused(tmp_path, format_):
 @pytest.mark.parametrize("resolution", [32, 64])
 def test_a_map_without_its_words_is_refused(tmp_path, resolution):
     """Another sea's density file beside the words of ours: of our size and of another."""
-    other = Folder(tmp_path / "other", ROUGH.replace("= 64", f"= {resolution}", 1))
-    folder = Folder(tmp_path / "own", CALM)
+    other = Folder(tmp_path / "other", ROUGH.replace("= 64", f"= {resolution}", 1), *frames("df3"))
+    folder = Folder(tmp_path / "own", CALM, *frames("df3"))
     shutil.copy(other.path / "sea_0001.df3", folder.path)
     assert "is not the frame that sea_0001.df3.inc tells of" in refusal(folder, "sea_0001")
     (folder.path / "sea_0001.df3.inc").unlink()
@@ -63,7 +68,7 @@ def test_two_seas_in_one_scene_are_each_their_own(tmp_path, format_):
     """By rays from above, after both are made; with a material, which reads the maps when it is
     rendered."""
     for name, sea in (("calm", CALM), ("rough", ROUGH)):
-        Folder(tmp_path / name, sea, "--format", format_)
+        Folder(tmp_path / name, sea, *frames(format_))
     places = [(7.3, 11.1), (31.0, 18.5), (52.4, 44.0)]
     probes = "\n".join(
         f'#debug concat("V ", str(trace({sea}, <{x}, 99, {z}>, -y).y, 0, 6), "\\n")'
