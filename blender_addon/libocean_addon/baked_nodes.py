@@ -95,13 +95,10 @@ class BakedFields:
     def half_texel(self):
         return self.inputs["Half Texel"]
 
-    def _mixed(self, name: str, place, interpolation: str):
-        b = self.b
-        frames = (self.before, self.after)
-        before, after = (
-            b.texture(self.inputs[name], place, interpolation, frame) for frame in frames
-        )
-        return b.mix_colors(before, after, self.fraction)
+    def _read(self, name: str, place, interpolation: str):
+        """The images before and after."""
+        image, frames = self.inputs[name], (self.before, self.after)
+        return (self.b.texture(image, place, interpolation, frame) for frame in frames)
 
     def _from_file(self, color, alpha):
         """The vector, from the axes tnb: (x, z, y)."""
@@ -109,11 +106,19 @@ class BakedFields:
         return self.b.color(x, y, z, alpha)
 
     def color(self, field: str, place, interpolation: str):
-        return self._from_file(self._mixed(field, place, interpolation), self.lost_slopes())
+        mixed = self.b.mix(*self._read(field, place, interpolation), self.fraction)
+        return self._from_file(mixed, self.lost_slopes())
 
     def far(self, field: str, place):
-        mixed = self._mixed(ring_nodes.far_image(field), place, "Linear")
+        images = self._read(ring_nodes.far_image(field), place, "Linear")
+        if not self.has_alpha(field):
+            return self._from_file(self.b.mix(*images, self.fraction), 1.0)
+        mixed = self.b.mix_colors(*images, self.fraction)
         return self._from_file(mixed, self.b.alpha(mixed))
+
+    def has_alpha(self, field: str) -> bool:
+        """Whether its fourth component says anything: the variance of the slopes left out."""
+        return field == "Normal"
 
     def lost_slopes(self):
         return self.inputs["Slope Variance"]

@@ -159,8 +159,7 @@ def _build(
         slope, variance = t.math("ADD", more, slope), t.number("ADD", its_variance, variance)
     result = t.math("MULTIPLY_ADD", slope, (1.0, 1.0, 0.0), t.vector(0.0, 0.0, variance))
     t.link(result, t.node("NodeGroupOutput").inputs[SOCKET])
-    for number, made in enumerate(group.nodes):
-        made.location = (220 * (number // 5), -260 * (number % 5))
+    t.arrange(rows=5)
     group[_MADE_OF] = made_of
     _remove_unused_sequences(before)
 

@@ -157,8 +157,7 @@ def _body_group():
     t.feed(dark.outputs["Geometry"], both.inputs[0])
     t.feed(inputs["Geometry"], both.inputs[0])
     t.feed(both.outputs[0], t.node("NodeGroupOutput").inputs[0])
-    for number, made in enumerate(group.nodes):
-        made.location = (200 * number, 0)
+    t.arrange(width=200)
     return group
 
 

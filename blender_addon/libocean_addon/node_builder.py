@@ -11,8 +11,18 @@ from . import compat
 _COMPONENTS = ("Red", "Green", "Blue", "Alpha")
 
 
+def _is_so(owner, name: str, value) -> bool:
+    """Whether a property has this value already, to the bit."""
+    now = getattr(owner, name)
+    return (tuple(now) if isinstance(value, tuple) else now) == value
+
+
 class Builder:
-    """Adds nodes to a group and links them. Values are outputs of nodes, or constants."""
+    """Adds nodes to a group and links them. Values are outputs of nodes, or constants.
+
+    Blender goes through the whole group after each change, so that building takes more than the
+    square of the number of nodes: nothing is set that is so by itself, places are set all at once.
+    """
 
     def __init__(self, group) -> None:
         self.group = group
@@ -20,11 +30,18 @@ class Builder:
     def node(self, kind: str, **settings):
         made = self.group.nodes.new(kind)
         for key, value in settings.items():
-            setattr(made, key, value)
+            if not _is_so(made, key, value):
+                setattr(made, key, value)
         return made
 
     def link(self, output, socket) -> None:
         self.group.links.new(output, socket)
+
+    def arrange(self, *, rows: int = 1, width: int = 220, height: int = 260) -> None:
+        """Lays out all nodes in columns of so many rows."""
+        nodes = self.group.nodes
+        places = ((width * (n // rows), -height * (n % rows)) for n in range(len(nodes)))
+        nodes.foreach_set("location", [part for place in places for part in place])
 
     def math(self, operation: str, *operands, result: str = "Vector"):
         """Vector math; an operand is an output or a value. result: "Value" where it is a number."""
@@ -70,7 +87,7 @@ class Builder:
     def feed(self, value, socket) -> None:
         if isinstance(value, bpy.types.NodeSocket):
             self.link(value, socket)
-        else:
+        elif not _is_so(socket, "default_value", value):
             socket.default_value = value
 
     def switch(self, kind: str, condition, off, on):

@@ -104,6 +104,9 @@ class _LiveFields:
     def far(self, field: str, place):
         return self.color(far_image(field), place, "Linear")
 
+    def has_alpha(self, _field: str) -> bool:
+        return True
+
     def cover_power(self):
         return self.shown(COVER_POWER, "FLOAT")
 
@@ -226,8 +229,7 @@ def _build(group, kind: str, *, baked: bool) -> None:
     is_turned = b.number("GREATER_THAN", angle, SMALLEST_TURN)
     result = b.switch("GEOMETRY", is_turned, level, branch(turned=True))
     b.link(result, b.node("NodeGroupOutput").inputs[0])
-    for number, made in enumerate(group.nodes):
-        made.location = (220 * (number // 4), -240 * (number % 4))
+    b.arrange(rows=4, height=240)
 
 
 def is_ours(group) -> bool:

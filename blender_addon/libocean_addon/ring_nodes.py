@@ -133,7 +133,8 @@ class Rings:
         b, fields = self.b, self.fields
         finest = fields.color(field, self.finest, "Linear")
         own, next_ = (fields.far(field, place) for place in (self.own, self.next))
-        return b.mix_colors(b.switch("RGBA", self.on_finest, own, finest), next_, self.blend)
+        mix = b.mix_colors if fields.has_alpha(field) else b.mix
+        return mix(b.switch("RGBA", self.on_finest, own, finest), next_, self.blend)
 
     def normal(self, geometry):
         geometry, normal = compat.capture(self.b.group, geometry, self.color("Normal"))

@@ -64,8 +64,7 @@ def _build(group) -> None:
     for geometry in (drops.outputs["Geometry"], inputs["Geometry"]):
         b.link(geometry, both.inputs[0])
     b.link(both.outputs[0], b.node("NodeGroupOutput").inputs[0])
-    for number, made in enumerate(group.nodes):
-        made.location = (200 * number, 0)
+    b.arrange(width=200)
 
 
 def is_ours(group) -> bool:
@@ -128,7 +127,6 @@ def material():
     output = tree.node("ShaderNodeOutputMaterial")
     nothing = tree.shader("ShaderNodeBsdfTransparent")
     tree.feed(tree.mix_shaders(there, nothing, drops), output.inputs["Surface"])
-    for number, node in enumerate(made.node_tree.nodes):
-        node.location = (200 * number, 0)
+    tree.arrange(width=200)
     compat.fade_in_eevee(made)
     return made

@@ -369,8 +369,7 @@ def _build(group) -> None:
     t.feed(t.mix_shaders(crest_nodes.seen_haze(t, inputs), sea, air), output.inputs["Surface"])
     t.feed(_volume(t, inputs), output.inputs["Volume"])
     t.feed(foam.mask, output.inputs["Foam"])
-    for number, made in enumerate(group.nodes):
-        made.location = (220 * (number // 5), -260 * (number % 5))
+    t.arrange(rows=5)
 
 
 def is_water(node) -> bool:

@@ -61,4 +61,9 @@ double CoverPower::of(Ocean& sea, double time, int resolution) {
     return power_;
 }
 
+Pending CoverPower::pending() const {
+    if (!job_) return Pending::nothing;
+    return job_->done() ? Pending::ready : Pending::in_work;
+}
+
 }  // namespace ocean::preview

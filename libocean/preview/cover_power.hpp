@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "ocean/ocean.hpp"
+#include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
 
@@ -22,6 +23,8 @@ class CoverPower {
     /// Ocean::cover_power of a sea at a time, on maps of that resolution, or the one before until
     /// it is solved; of what is asked for meanwhile the last is solved next. Throws Error.
     double of(Ocean& sea, double time, int resolution);
+    /// Returns whether it is being solved, or is solved and the next call of of() takes it.
+    Pending pending() const;
 
   private:
     struct Job;

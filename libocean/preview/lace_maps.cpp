@@ -109,6 +109,12 @@ LaceMaps::Levels LaceMaps::make(int threads) {
     return made;
 }
 
+Pending LaceMaps::pending() const {
+    if (!making_.valid()) return Pending::nothing;
+    const bool made = making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    return made ? Pending::ready : Pending::in_work;
+}
+
 bool LaceMaps::ready() {
     if (ready_) return true;
     if (!making_.valid() && !waits_) making_ = std::async(std::launch::async, make, 1);

@@ -13,6 +13,7 @@
 
 #include "ocean/foam_texture.hpp"
 #include "ocean/gl/objects.hpp"
+#include "ocean/preview/sea_maps.hpp"
 
 namespace ocean::preview {
 
@@ -36,6 +37,8 @@ class LaceMaps {
 
     /// Whether they are there; begins to make them.
     bool ready();
+    /// Returns whether another thread makes them, or has and the next call of ready() takes them.
+    Pending pending() const;
     unsigned texture(FoamTextureKind kind) const {
         return textures_[static_cast<std::size_t>(kind)].name();
     }

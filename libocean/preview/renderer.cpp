@@ -110,7 +110,8 @@ struct Renderer::Parts {
     gl::Sampler sampler;
     gl::Buffer frame;
     GLint texture_units = 16;
-    GLint units_used = 0;  // by the last program
+    GLint units_used = 0;    // by the last program
+    bool lace_used = false;  // by the last picture
 
     /// Of preview/NAME.vert and preview/NAME.frag.
     gl::ShaderProgram& program(Programs& known, const std::string& name, const WaterParts& parts) {
@@ -266,6 +267,7 @@ struct Renderer::Parts {
 
     void bind_maps(gl::ShaderProgram& program, const ShownSea& sea, const WaterParts& parts) {
         const bool lace_ready = parts.lace && lace_maps.ready();
+        lace_used = parts.lace;
         bind_sky(program);
         GLint unit = 1;
         const auto bind = [&](const std::string& name, unsigned texture, GLuint filter) {
@@ -392,6 +394,10 @@ std::size_t Renderer::most_cascades() const {
     // Three maps of each cascade, two covers and the sky.
     return std::min(kMostCascades,
                     static_cast<std::size_t>(std::max(parts_->texture_units - 3, 3)) / 3);
+}
+
+Pending Renderer::pending() const {
+    return parts_->lace_used ? parts_->lace_maps.pending() : Pending::nothing;
 }
 
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,

@@ -119,6 +119,7 @@ class SeaMaps::Source {
     void foam_changed() {
         if (computed_) computed_->foam_changed();
     }
+    Pending pending() const { return cover_power_.pending(); }
     std::int64_t foam_settling_ticks(const Ocean& sea) const {
         return computed_ ? computed_->foam_settling_ticks() : sea.foam_settling_ticks();
     }
@@ -356,6 +357,10 @@ void SeaMaps::foam_changed(double from) {
 
 void SeaMaps::foam_changed() {
     source_->foam_changed();
+}
+
+Pending SeaMaps::pending() const {
+    return source_->pending();
 }
 
 std::int64_t SeaMaps::foam_settling_ticks(const Ocean& sea) const {

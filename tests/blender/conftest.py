@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A fresh Blender for each test, and what its meshes are compared with."""
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -22,19 +23,94 @@ def pytest_configure(config):
 
 @pytest.fixture(autouse=True)
 def empty_file(request):
-    """Factory settings switch add-ons off: it is switched on again."""
-    is_on = "libocean_addon" in bpy.context.preferences.addons
+    """Nothing of the test before is left: neither data, nor handlers, nor preferences. Factory
+    settings, which switch add-ons off, take ten times as long as a new file: they are for the
+    first test, and after one that touched the preferences."""
+    preferences = bpy.context.preferences
+    is_on = "libocean_addon" in preferences.addons
     if is_on and request.node.get_closest_marker("only_reads"):
-        yield
         return
-    bpy.ops.wm.read_factory_settings(use_empty=True)
+    if is_on and not preferences.is_dirty:
+        bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    else:
+        factory_settings(use_empty=True)
+
+
+def factory_settings(**settings) -> None:
+    bpy.ops.wm.read_factory_settings(**settings)
     bpy.ops.preferences.addon_enable(module="libocean_addon")
-    yield
+    bpy.context.preferences.is_dirty = False
+
+
+@pytest.fixture(scope="session", autouse=True)
+def built_once(tmp_path_factory):
+    """Building a node group takes Blender up to seconds, by the cube of its nodes: what the add-on
+    built in one file is brought into the next ones from there."""
+    from libocean_addon import foam_images, material, node_group, water_shader
+
+    def has_foam() -> bool:  # a group of its own shows these images
+        return any(foam_images.MARK in image for image in bpy.data.images)
+
+    with pytest.MonkeyPatch.context() as patch:
+        folder = tmp_path_factory.mktemp("built")
+        patch.setattr(node_group, "get", once(node_group.get, folder))
+        water = once(water_shader.get_group, folder, unless=has_foam)
+        for module in (water_shader, material):
+            patch.setattr(module, "get_group", water)
+        yield
+
+
+def once(get, folder: Path, unless=lambda: False):
+    """`get`, which makes a node group where the file has none, but only for the first file."""
+    made: dict[str, Path] = {}  # by name
+    names: dict[tuple, str] = {}
+
+    def found(*arguments, **settings):
+        key = (*arguments, *settings.items())
+        name = names.get(key)
+        if name and name not in bpy.data.node_groups and not unless():
+            with bpy.data.libraries.load(str(made[name])) as (_, into):
+                into.node_groups = [name]
+            bpy.data.libraries.remove(bpy.data.libraries[made[name].name])
+        before = set(bpy.data.node_groups.keys())
+        group = get(*arguments, **settings)
+        if name is None and group.name not in before:
+            names[key] = group.name
+            made[group.name] = folder / f"{len(made)}_{group.name.strip('.')}.blend"
+            bpy.data.libraries.write(str(made[group.name]), {group})
+        return group
+
+    return found
 
 
 @pytest.fixture
 def scene():
     return bpy.context.scene
+
+
+@contextlib.contextmanager
+def presets_with(**values):
+    """What is added meanwhile has these values from the first on: with fewer samples than a preset,
+    or foam without a past, a sea is made in no time."""
+    from libocean_addon.bundled import libocean
+
+    whole = libocean.preset
+
+    def preset(name: str):
+        sea = whole(name)
+        sea.set_all({key: str(value) for key, value in values.items()})
+        return sea
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(libocean, "preset", preset)
+        yield
+
+
+def add_ocean(resolution: int, *, sea: dict | None = None, **arguments):
+    """Adds an ocean with maps of so many samples. sea: other values than the preset has."""
+    with presets_with(resolution=resolution, **(sea or {})):
+        assert bpy.ops.libocean.add(**arguments) == {"FINISHED"}
+    return bpy.context.object
 
 
 def evaluated_mesh(ob):
@@ -115,9 +191,11 @@ def in_another_process(folder: Path, body: str, *arguments, **environment) -> No
 @pytest.fixture
 def shot(scene):
     """A small sea seen from above, its heights as light."""
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6", use_material=False)
-    ob = bpy.context.object
-    ob.libocean.resolution = 64
+    return shot_of(scene, add_ocean(64, kind="PATCH", preset="beaufort_6", use_material=False))
+
+
+def shot_of(scene, ob):
+    """A view of a sea from above, its heights as light."""
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     bpy.context.collection.objects.link(camera)
     camera.location.z = 100.0
@@ -144,9 +222,14 @@ def shot(scene):
 
 def pixels(path: Path) -> np.ndarray:
     """[row, column, channel], the bottom row first."""
-    image = bpy.data.images.load(str(path))
+    return pixels_of(bpy.data.images.load(str(path)))
+
+
+def pixels_of(image) -> np.ndarray:
     width, height = image.size
-    return np.array(image.pixels[:], np.float32).reshape(height, width, 4)
+    out = np.empty(width * height * image.channels, np.float32)
+    image.pixels.foreach_get(out)
+    return out.reshape(height, width, image.channels)
 
 
 def rendered(scene, path: Path) -> np.ndarray:

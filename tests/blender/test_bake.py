@@ -14,12 +14,15 @@ import bpy
 import numpy as np
 import pytest
 from conftest import (
+    add_ocean,
     attribute,
     evaluated_mesh,
     pixels,
     plane,
     positions,
+    presets_with,
     rendered,
+    shot_of,
     start_another_process,
 )
 
@@ -27,13 +30,15 @@ FIELDS = ("displacement", "cover", "velocity", "normal", "jacobian")
 
 
 @pytest.fixture
-def sea(scene, shot, tmp_path):
+def sea(scene, tmp_path):
     """A small sea in a saved file, its shot of four frames."""
-    shot.libocean.foam_coverage = "threshold"
-    shot.libocean.foam_threshold = 0.9  # so that a sea of few samples has foam
+    # A sea of few samples has foam by a threshold; a short life makes its past short.
+    foam = {"foam_coverage": "threshold", "foam_threshold": 0.9, "foam_lifetime": 1.0}
+    ob = add_ocean(64, sea=foam, kind="PATCH", preset="beaufort_6", use_material=False)
+    shot_of(scene, ob)
     scene.frame_start, scene.frame_end = 2, 5
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
-    return shot
+    return ob
 
 
 def files(tmp_path: Path) -> Path:
@@ -229,8 +234,8 @@ def test_between_frames_it_lies_between(scene, sea):
 def test_a_mesh_of_its_own_plays_it_too(scene, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     ob = plane(40.0, 20)
-    bpy.ops.libocean.add_modifier()
-    ob.libocean.resolution = 64
+    with presets_with(resolution=64):
+        bpy.ops.libocean.add_modifier()
     ob.location = (-1234.5, 77.0, 3.0)
     scene.frame_set(3)
     live = shown(ob)
@@ -569,8 +574,7 @@ def test_missing_files_are_told(sea, tmp_path):
 
 
 def test_an_unsaved_file_has_no_folder_for_it(scene):
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-    bpy.context.object.libocean.resolution = 32
+    add_ocean(32, kind="PATCH", preset="beaufort_6")
     assert "Save the blend file first" in failing(bpy.ops.libocean.bake)
 
 
@@ -714,7 +718,7 @@ folder = arguments[0]
 bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, "shot.blend"))
 bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
 ob = bpy.context.object
-ob.libocean.resolution = 256
+ob.libocean.resolution = 64
 scene = bpy.context.scene
 said = {}
 
@@ -763,7 +767,7 @@ def test_escape_stops_it_in_the_interface(tmp_path):
     display = ["xvfb-run", "-a", "-s", "-screen 0 1280x800x24 +extension GLX"]
     window = [bpy.app.binary_path, "--factory-startup", "--enable-event-simulate"]
     subprocess.run(
-        [*display, *window, "--python", script, "--", tmp_path], timeout=120, capture_output=True
+        [*display, *window, "--python", script, "--", tmp_path], timeout=300, capture_output=True
     )
     said = json.loads((tmp_path / "said.json").read_text())
     assert said["invoked"] == [["RUNNING_MODAL"], ["RUNNING_MODAL"]]

@@ -8,7 +8,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, in_another_process, plane, positions
+from conftest import add_ocean, attribute, in_another_process, plane, positions, presets_with
 from libocean_addon import (
     compat,
     first_view,
@@ -184,8 +184,7 @@ def sky_world(scene, *, elevation: float, disc: bool = True, rotation: float = 0
 
 
 def ocean():
-    bpy.ops.libocean.add(preset="beaufort_2")
-    return bpy.context.object
+    return add_ocean(64, preset="beaufort_2")
 
 
 def of_water(ob, name: str) -> tuple:
@@ -334,7 +333,8 @@ def test_where_no_sun_shines_there_is_none(scene):
 
 
 def test_a_new_scene_has_its_sun(scene):
-    bpy.ops.libocean.add_scene(preset="beaufort_6")
+    with presets_with(resolution=64):
+        bpy.ops.libocean.add_scene(preset="beaufort_6")
     ob = bpy.context.object
     lamp = next(ob for ob in bpy.context.scene.objects if ob.type == "LIGHT")
     assert_follows_lamp(ob, lamp)

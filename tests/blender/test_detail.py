@@ -9,11 +9,14 @@ import bpy
 import numpy as np
 import pytest
 from conftest import (
+    add_ocean,
     attribute,
     by_nodes,
     in_another_process,
     pixels,
+    pixels_of,
     plane,
+    presets_with,
     shine,
     taken,
 )
@@ -98,10 +101,12 @@ def test_bands_fade_as_slope_tiles_glsl_says():
 # As much slope as the sea has -----------------------------------------------------
 
 PRESET = "beaufort_4"
+NO_PAST = {"foam_lifetime": 0}  # of the foam, which is not what is looked at here
 
 
 def ocean(kind: str = "PATCH"):
-    bpy.ops.libocean.add(kind=kind, preset=PRESET)
+    with presets_with(**NO_PAST):
+        bpy.ops.libocean.add(kind=kind, preset=PRESET)
     ob = bpy.context.object
     ob.libocean.use_detail = True
     return ob
@@ -206,7 +211,7 @@ def shown_by(ob) -> list[np.ndarray]:
     node, _ = nodes_of(ob)
     images = {n.image for n in node.node_tree.nodes if n.type == "TEX_IMAGE"}
     images = sorted(images, key=lambda image: image.name)
-    return [np.array(i.pixels[:], np.float32).reshape(*i.size, 4)[..., :2] for i in images]
+    return [pixels_of(image)[..., :2] for image in images]
 
 
 def test_the_tiles_are_those_of_the_frame_and_the_sea(scene):
@@ -318,9 +323,10 @@ for frame in arguments[2:]:
 
 def near_water(scene, tmp_path):
     """Crests against the sun, from a boat."""
-    bpy.ops.libocean.add_scene(preset="beaufort_6", sun_elevation=0.2, sun_bearing=0.0)
+    with presets_with(resolution=64):
+        bpy.ops.libocean.add_scene(preset="beaufort_6", sun_elevation=0.2, sun_bearing=0.0)
     ob = bpy.context.object
-    ob.libocean.resolution, ob.libocean.horizon_vertices = 64, 20000
+    ob.libocean.horizon_vertices = 20000
     scene.frame_set(2)  # the first that has files: its mean square slope is kept
     ob.libocean.use_detail = True
     scene.render.engine = "CYCLES"
@@ -425,8 +431,7 @@ def test_another_material_shows_it_too(scene):
 def test_a_second_sea_with_the_same_material_leaves_it_alone(scene):
     ob = ocean()
     scene.frame_set(1)
-    bpy.ops.libocean.add(preset="beaufort_8", use_material=False)
-    other = bpy.context.object
+    other = add_ocean(64, preset="beaufort_8", use_material=False)
     other.libocean.use_detail = True
     other.data.materials.append(ob.material_slots[0].material)
     scene.frame_set(2)
@@ -437,7 +442,8 @@ def test_a_second_sea_with_the_same_material_leaves_it_alone(scene):
 
 
 def test_what_somebody_put_there_stays(scene):
-    bpy.ops.libocean.add(preset=PRESET)
+    with presets_with(**NO_PAST):
+        bpy.ops.libocean.add(preset=PRESET)
     ob = bpy.context.object
     tree = ob.material_slots[0].material.node_tree
     own = tree.nodes.new("ShaderNodeCombineXYZ")

@@ -7,7 +7,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import pixels
+from conftest import factory_settings, pixels, presets_with
 from libocean_addon import compat, first_view
 
 
@@ -25,8 +25,7 @@ def rendered(tmp_path, samples=8):
 @pytest.fixture
 def default_file():
     """Cube, lamp and camera, as Blender begins."""
-    bpy.ops.wm.read_factory_settings()
-    bpy.ops.preferences.addon_enable(module="libocean_addon")
+    factory_settings()
     bpy.data.objects.remove(bpy.data.objects["Cube"])
     return bpy.context.scene
 
@@ -56,7 +55,8 @@ def test_the_first_picture_shows_sky_over_a_darker_sea(default_file, tmp_path):
 def test_it_is_undone_in_one_step(default_file):
     bpy.ops.ed.undo_push(message="before")
     names = {ob.name for ob in bpy.data.objects}
-    bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
+    with presets_with(resolution=64):
+        bpy.ops.libocean.add_scene("EXEC_DEFAULT", True)
     assert {ob.name for ob in bpy.data.objects} > names
     bpy.ops.ed.undo()
     assert {ob.name for ob in bpy.data.objects} == names
@@ -66,7 +66,8 @@ def test_it_is_undone_in_one_step(default_file):
 @pytest.mark.parametrize("elevation", [0.0, 3.0, 17.0, 90.0])
 def test_the_lamp_stands_where_the_sky_is_brightest(default_file, elevation):
     """Its direction, and its light falls to red and to nothing as it sets."""
-    bpy.ops.libocean.add_scene(sun_elevation=math.radians(elevation), sun_bearing=0.3)
+    with presets_with(resolution=64):
+        bpy.ops.libocean.add_scene(sun_elevation=math.radians(elevation), sun_bearing=0.3)
     sun = bpy.data.objects["Ocean Sun"]
     bpy.context.view_layer.update()
     direction = np.array(sun.matrix_world)[:3, 2]  # it shines along -z

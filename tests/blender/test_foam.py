@@ -10,10 +10,12 @@ import bpy
 import numpy as np
 import pytest
 from conftest import (
+    add_ocean,
     attribute,
     by_nodes,
     evaluated_mesh,
     geometry_group,
+    pixels_of,
     plane,
     positions,
     rest,
@@ -77,8 +79,7 @@ def test_the_textures_keep_16_bits_in_a_saved_file(scene, tmp_path, kind):
     image = bpy.data.images[name]
     assert tuple(image.size) == texture.shape
     assert image.colorspace_settings.name == "Non-Color"
-    shown = np.array(image.pixels[:], np.float32).reshape(*texture.shape, -1)
-    assert np.abs(shown[..., 0] - texture).max() <= 0.5001 / 65535
+    assert np.abs(pixels_of(image)[..., 0] - texture).max() <= 0.5001 / 65535
 
 
 def test_they_are_small():
@@ -107,9 +108,9 @@ def test_the_net_is_white_on_the_share_that_is_covered(studio, tmp_path, cells, 
     ob = plane(198.0, 2)
     camera = studio.camera.data
     camera.ortho_scale = 198.0
-    studio.render.resolution_x, studio.render.resolution_y = 1200, 800
+    studio.render.resolution_x, studio.render.resolution_y = 690, 460
     if cells == FAR:  # nothing of the pattern is left
-        studio.render.resolution_percentage = 10
+        studio.render.resolution_percentage = 20
     distance = np.hypot(100.0, 0.0)
     print()
     cover = ob.data.attributes.new("cover", "FLOAT", "POINT")
@@ -141,9 +142,7 @@ def assert_at_rest(ob, places: np.ndarray, tolerance: float) -> None:
 @pytest.mark.parametrize("where", [(0.0, 0.0), (1000.5, -300.25)])
 @pytest.mark.parametrize("turn", [0.0, 0.6])
 def test_labels_are_places_at_rest_in_every_frame(scene, where, turn):
-    bpy.ops.libocean.add(preset="beaufort_6")
-    ob = bpy.context.object
-    ob.libocean.resolution = 128
+    ob = add_ocean(128, preset="beaufort_6")
     ob.location = (*where, 3.0)
     ob.rotation_euler.z = turn
     places = rest(ob)[:, :2].astype(np.float64)
@@ -157,13 +156,9 @@ def test_labels_are_places_at_rest_in_every_frame(scene, where, turn):
 
 def test_labels_go_on_from_patch_to_patch(scene):
     """Where two meet, beyond the period's end."""
-    bpy.ops.libocean.add(preset="beaufort_6")
-    first = bpy.context.object
+    first = add_ocean(64, preset="beaufort_6")
     period = first.libocean.patch_size
-    bpy.ops.libocean.add(preset="beaufort_6", location=(period, 0.0, 0.0))
-    second = bpy.context.object
-    for ob in (first, second):
-        ob.libocean.resolution = 64
+    second = add_ocean(64, preset="beaufort_6", location=(period, 0.0, 0.0))
     scene.frame_set(1)
     seam = [
         np.isclose(rest(ob)[:, 0], side * period / 2) for ob, side in ((first, 1), (second, -1))
@@ -176,9 +171,7 @@ def test_labels_of_a_horizon_lie_in_the_world(scene):
     """Wherever camera and object are: a vertex is its label and the displacement there."""
     scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     scene.collection.objects.link(scene.camera)
-    bpy.ops.libocean.add(kind="HORIZON", preset="beaufort_6")
-    ob = bpy.context.object
-    ob.libocean.resolution = 64
+    ob = add_ocean(64, kind="HORIZON", preset="beaufort_6")
     ob.libocean.horizon_vertices = 20000
     ob.libocean.horizon_distance = 2000.0
     period = ob.libocean.patch_size
@@ -206,9 +199,9 @@ def test_labels_of_a_horizon_lie_in_the_world(scene):
 
 
 def test_a_mesh_without_foam_pays_for_no_labels(scene):
-    bpy.ops.libocean.add(preset="beaufort_6", use_material=False)
-    bpy.context.object.libocean.use_foam = False
-    names = set(evaluated_mesh(bpy.context.object).attributes.keys())
+    ob = add_ocean(64, preset="beaufort_6", use_material=False)
+    ob.libocean.use_foam = False
+    names = set(evaluated_mesh(ob).attributes.keys())
     assert "ocean_normal" in names and "label" not in names
 
 
@@ -259,9 +252,7 @@ def cover_evenly(ob, cover: float) -> None:
 def test_waves_take_the_net_along(studio, tmp_path):
     """At two times the foam of a choppy sea is that of the label: it is seen where the waves have
     taken it, and nowhere else."""
-    bpy.ops.libocean.add(preset="beaufort_6")
-    ob = bpy.context.object
-    ob.libocean.resolution = 128
+    ob = add_ocean(128, preset="beaufort_6")
     cover, direction, streaks = 0.4, 30.0, 0.2
     cover_evenly(ob, cover)
     studio.camera.data.ortho_scale = 25.0

@@ -7,8 +7,8 @@ from collections import Counter
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, evaluated_mesh, positions, rest
-from libocean_addon import atlas, meshes, ring_nodes
+from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
+from libocean_addon import atlas, changes, meshes, ring_nodes
 from libocean_addon.bundled import libocean
 
 FRAMES = (1, 40, 250)
@@ -21,6 +21,8 @@ libocean = 1
 [grid]
 resolution = 64
 patch_size = {period}
+[surface]
+foam_lifetime = 1.0
 [[waves]]
 spectrum = "jonswap"
 wind_speed = {wind}
@@ -36,12 +38,12 @@ def horizon(scene, tmp_path):
         scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
         bpy.context.collection.objects.link(scene.camera)
         scene.camera.location = (*camera, 5.0)
-        bpy.ops.libocean.add(kind="HORIZON")
-        ob = bpy.context.object
+        ob = add_ocean(64, kind="HORIZON")
         path = tmp_path / "sea.toml"
         path.write_text(SEA.format(period=period, wind=wind))
-        ob.libocean.horizon_vertices = 20000
-        ob.libocean.horizon_distance = 5000.0
+        with changes.quiet():  # the mesh is made once, for the sea that is loaded
+            ob.libocean.horizon_vertices = 20000
+            ob.libocean.horizon_distance = 5000.0
         assert bpy.ops.libocean.load_sea(filepath=str(path)) == {"FINISHED"}
         return ob, libocean.open(path)
 

@@ -5,15 +5,13 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import positions, rest
+from conftest import add_ocean, factory_settings, positions, rest
 
 
 @pytest.fixture
 def asset(tmp_path):
     """A file with a small sea in a collection; its path and how it looks at frame 10."""
-    bpy.ops.libocean.add(kind="PATCH", preset="beaufort_6")
-    ob = bpy.context.object
-    ob.libocean.resolution = 64
+    ob = add_ocean(64, kind="PATCH", preset="beaufort_6")
     bpy.context.scene.frame_set(10)
     want = positions(ob)
     collection = bpy.data.collections.new("Sea")
@@ -21,8 +19,7 @@ def asset(tmp_path):
     collection.objects.link(ob)
     path = tmp_path / "asset.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    bpy.ops.preferences.addon_enable(module="libocean_addon")
+    factory_settings(use_empty=True)
     return path, want
 
 

@@ -7,7 +7,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from conftest import parallel_camera, plane, positions, shine
+from conftest import add_ocean, parallel_camera, pixels_of, plane, positions, shine
 from libocean_addon import compat, material
 
 IOR = 1.333
@@ -79,7 +79,7 @@ def picture(scene, tmp_path) -> np.ndarray:
     scene.render.filepath = str(tmp_path / "picture.exr")
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(scene.render.filepath)
-    pixels = np.array(image.pixels[:], np.float32).reshape(*image.size, 4)
+    pixels = pixels_of(image)
     bpy.data.images.remove(image)
     return pixels[..., :3]
 
@@ -265,8 +265,7 @@ def test_deep_water_from_below_mirrors_outside_snells_window(scene, tmp_path):
 
 
 def test_under_water_a_patch_is_closed_and_water_is_all_round(scene, tmp_path):
-    bpy.ops.libocean.add(preset="beaufort_1")
-    ob = bpy.context.object
+    ob = add_ocean(64, preset="beaufort_1")
     bpy.ops.libocean.add_material(water_type="jerlov_ib", underwater=True)
     assert min(positions(ob)[:, 2]) < -99.0
     sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
@@ -322,12 +321,10 @@ def test_foam_is_that_of_the_sea_and_the_camera(scene):
     scene.camera.data.lens = 36.0
     scene.camera.data.sensor_width = 36.0
     scene.render.resolution_x, scene.render.resolution_y = 1000, 500
-    bpy.ops.libocean.add(preset="beaufort_3")
-    calm = foam_inputs(bpy.context.object)
+    calm = foam_inputs(add_ocean(256, preset="beaufort_3"))
     assert calm["Foam Streaks"] == 0.0 and calm["Foam Stretch"] == 1.5
     assert calm["Pixel Angle"] == pytest.approx(1.0 / 1000)
-    bpy.ops.libocean.add(preset="beaufort_10")
-    ob = bpy.context.object
+    ob = add_ocean(256, preset="beaufort_10")
     ob.libocean.waves[0].wind_direction = 30.0
     scene.camera.data.lens = 72.0
     assert bpy.ops.libocean.add_material() == {"FINISHED"}
@@ -339,11 +336,9 @@ def test_foam_is_that_of_the_sea_and_the_camera(scene):
 
 
 def test_a_new_ocean_is_of_water(scene):
-    bpy.ops.libocean.add(preset="beaufort_4")
-    ob = bpy.context.object
+    ob = add_ocean(64, preset="beaufort_4")
     assert ob.material_slots[0].material.name == "Ocean Jerlov II"
-    bpy.ops.libocean.add(preset="beaufort_4", use_material=False)
-    assert not bpy.context.object.material_slots
+    assert not add_ocean(64, preset="beaufort_4", use_material=False).material_slots
 
 
 @pytest.mark.parametrize("name", material.WATER_TYPES)
@@ -359,10 +354,8 @@ def test_every_water_is_made_of_the_library_s_numbers(name):
 
 
 def test_one_click_gives_every_selected_ocean_the_material():
-    bpy.ops.libocean.add(preset="beaufort_2", use_material=False)
-    first = bpy.context.object
-    bpy.ops.libocean.add(preset="beaufort_2", use_material=False)
-    second = bpy.context.object
+    first = add_ocean(64, preset="beaufort_2", use_material=False)
+    second = add_ocean(64, preset="beaufort_2", use_material=False)
     second.libocean.use_foam = False
     old = bpy.data.materials.new("Old")
     second.data.materials.append(old)
@@ -383,7 +376,7 @@ def test_what_is_no_ocean_takes_no_ocean_material():
 
 
 def test_undo_brings_the_old_material_back():
-    bpy.ops.libocean.add(preset="beaufort_2")
+    add_ocean(64, preset="beaufort_2")
     bpy.ops.ed.undo_push(message="before")
     bpy.ops.libocean.add_material(water_type="jerlov_i")
     bpy.ops.ed.undo_push(message="after")

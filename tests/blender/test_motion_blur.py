@@ -5,6 +5,7 @@
 import bpy
 import numpy as np
 import pytest
+from conftest import pixels
 from libocean_addon.bundled import libocean
 
 SEA = """
@@ -86,8 +87,7 @@ def moments(scene, path, *, blur: bool) -> tuple[np.ndarray, np.ndarray]:
     scene.render.use_motion_blur = blur
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
-    image = bpy.data.images.load(str(path))
-    light = np.array(image.pixels[:], np.float64).reshape(HIGH, WIDE, 4)[..., 0]
+    light = pixels(path)[..., 0].astype(np.float64)
     light /= light.sum()
     along = (np.arange(WIDE) + 0.5 - WIDE / 2) * (VIEW / WIDE)
     centre = np.array([light.sum(axis=0) @ along, light.sum(axis=1) @ along])

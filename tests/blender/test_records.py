@@ -6,6 +6,7 @@ from pathlib import Path
 
 import bpy
 import pytest
+from conftest import add_ocean
 from libocean_addon import live, open_sea, parameter_values, records
 from libocean_addon.bundled import libocean
 
@@ -16,8 +17,7 @@ MODEL = str(SPECTRA / "swan_nz_west_coast.spec")
 
 @pytest.fixture
 def ocean():
-    bpy.ops.libocean.add(preset="beaufort_2", use_material=False)
-    return bpy.context.object
+    return add_ocean(64, preset="beaufort_2", use_material=False)
 
 
 def height_of(ob) -> float:

@@ -5,7 +5,7 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import attribute, plane, positions, rest
+from conftest import add_ocean, attribute, plane, positions, presets_with, rest
 from libocean_addon.bundled import libocean
 
 FRAMES = (1, 40, 250)
@@ -16,6 +16,8 @@ libocean = 1
 [grid]
 resolution = 64
 patch_size = {period}
+[surface]
+foam_lifetime = 1.0
 [random]
 seed = {seed}
 [[waves]]
@@ -44,8 +46,7 @@ def significant_wave_height(sea) -> float:
 
 
 def patch(load, period=ROUND, seed=1):
-    bpy.ops.libocean.add(kind="PATCH")
-    ob = bpy.context.object
+    ob = add_ocean(64, kind="PATCH")
     return ob, load(ob, period, seed)
 
 
@@ -98,7 +99,8 @@ def test_a_patch_is_the_surface(scene, load, frame, period):
 def test_any_mesh_shows_the_surface_where_it_lies(scene, load, periods, tolerance, period):
     ob = plane(period, 50)
     ob.location = ((periods + 0.37) * period, -(periods + 0.81) * period, 0)
-    assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
+    with presets_with(resolution=64):
+        assert bpy.ops.libocean.add_modifier() == {"FINISHED"}
     sea = load(ob, period)
     for frame in FRAMES:
         scene.frame_set(frame)
@@ -127,7 +129,8 @@ def test_what_is_turned_shows_the_same_sea(scene, load, is_patch, tilt):
         ob, sea = patch(load)
     else:
         ob = plane(ROUND, 50)
-        bpy.ops.libocean.add_modifier()
+        with presets_with(resolution=64):
+            bpy.ops.libocean.add_modifier()
         sea = load(ob)
     ob.location, ob.rotation_euler = (31.7, -12.2, 3.0), (tilt, 0.0, 0.6)
     bpy.context.view_layer.update()

@@ -11,7 +11,7 @@ from pathlib import Path
 import bpy
 import libocean_addon
 import pytest
-from conftest import plane
+from conftest import add_ocean, plane
 from libocean_addon import (
     bake_state,
     compat,
@@ -89,7 +89,7 @@ def short_labels() -> set[tuple[str, str]]:
 
 
 def states() -> set[tuple[str, str]]:
-    bpy.ops.libocean.add(use_material=False)
+    add_ocean(64, use_material=False)
     return {(translations.SEA, label) for label, _ in live.state_of(bpy.context.object)}
 
 
@@ -177,7 +177,7 @@ def test_blenders_own_words_do_not_come_before_the_seas(german, entry):
 
 
 def test_the_panel_asks_for_the_seas_words():
-    bpy.ops.libocean.add(use_material=False)
+    add_ocean(64, use_material=False)
     settings = bpy.context.object.libocean
     for entry in parameter_values.TABLE:
         group = settings.waves[0] if entry["section"] == "waves" else settings
@@ -195,7 +195,7 @@ def test_the_panel_asks_for_the_seas_words():
 
 
 def test_an_operator_that_fails_says_so_in_german(german):
-    bpy.ops.libocean.add(use_material=False)
+    add_ocean(64, use_material=False)
     with pytest.raises(RuntimeError, match="Eine See hat mindestens ein Wellensystem"):
         bpy.ops.libocean.remove_waves()
     with pytest.raises(RuntimeError, match="Das letzte Bild, 3, kommt vor dem ersten, 5"):
@@ -222,7 +222,7 @@ def test_the_words_go_with_the_add_on(german):
 
 
 def test_what_the_library_says_stays_as_it_is(german, tmp_path):
-    bpy.ops.libocean.add(use_material=False)
+    add_ocean(64, use_material=False)
     path = tmp_path / "bad.toml"
     path.write_text("libocean = 1\n[grid]\npatch_size = -3\n")
     with pytest.raises(RuntimeError, match="patch_size"):

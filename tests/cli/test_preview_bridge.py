@@ -5,6 +5,7 @@
 import os
 import random
 import re
+import signal
 import socket
 import subprocess
 import threading
@@ -32,6 +33,7 @@ spectrum = "jonswap"
 wind_speed = 9.0
 wind_direction = 30.0
 """
+PATIENCE = 240.0  # s, for what hangs; not for what is slow on a busy machine
 KEPT = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
 
 
@@ -52,7 +54,7 @@ class Bridge:
 
     def say(self, *lines: str) -> socket.socket:
         """As a client of its own; the connection, which has been greeted and answered."""
-        connection = socket.create_connection(("127.0.0.1", self.port), timeout=10)
+        connection = socket.create_connection(("127.0.0.1", self.port), timeout=PATIENCE)
         reader = connection.makefile("r", encoding="utf-8", newline="\n")
         assert reader.readline().startswith("OBP 1 ")
         for line in lines:
@@ -63,7 +65,31 @@ class Bridge:
 
     def end(self):
         self.program.terminate()
-        self.program.wait(timeout=10)
+        self.program.wait(timeout=PATIENCE)
+
+
+def wait_for(condition, *programs: subprocess.Popen):
+    """Until it is so, while these programs run."""
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline:
+        found = condition()
+        if found:
+            return found
+        assert all(program.poll() is None for program in programs)
+        time.sleep(0.02)
+    raise AssertionError("waited for nothing")
+
+
+def lines_of(stream) -> list[str]:
+    """All that comes, as it comes."""
+    lines = []
+    threading.Thread(target=lambda: lines.extend(stream), daemon=True).start()
+    return lines
+
+
+def seconds_of_processor(program: subprocess.Popen) -> float:
+    fields = Path(f"/proc/{program.pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 @pytest.fixture
@@ -81,7 +107,9 @@ def bridge(folder):
 
 def preview(folder: Path, *arguments) -> subprocess.CompletedProcess:
     command = [PREVIEW, *map(str, arguments)]
-    return subprocess.run(command, cwd=folder, env=KEPT, capture_output=True, text=True, timeout=60)
+    return subprocess.run(
+        command, cwd=folder, env=KEPT, capture_output=True, text=True, timeout=PATIENCE
+    )
 
 
 def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge):
@@ -92,14 +120,18 @@ def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge):
     assert still.returncode == 0, still.stderr
     assert still.stdout == alone
     # The first report says where the knob is; from the second on it moves the wind.
-    bridge.say("OUT board0/a1 10", "OUT board0/a1 128")
-    time.sleep(0.5)
+    connection = bridge.say("OUT board0/a1 10", "OUT board0/a1 128")
+    reader = connection.makefile("r")
+
+    def wind_of_the_bridge() -> str:
+        connection.sendall(b"GET waves.0.wind_speed\r\n")
+        value = reader.readline().split()[2]
+        return value if value != "unset" and float(value) > 10.0 else ""
+
+    wind = wait_for(wind_of_the_bridge)
     moved = preview(folder, *join, "--offscreen", "a.png", "--size", "64x36")
     assert moved.returncode == 0 and (folder / "a.png").exists()
-    connection = bridge.say()
-    connection.sendall(b"GET waves.0.wind_speed\r\n")
-    wind = connection.makefile("r").readline().split()[2]
-    assert float(wind) > 10.0
+    assert wind_of_the_bridge() == wind
     expected = preview(
         folder, "sea.toml", "--set", f"wind_speed={wind}", "--time", 5, "--probe", "3,4"
     )
@@ -107,26 +139,27 @@ def test_a_sea_is_drawn_as_the_board_has_it(folder, bridge):
 
 
 def test_a_knob_moves_the_sea_that_is_shown(folder, bridge):
-    join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4", "--follow", 8)
+    join = ("sea.toml", "--bridge", bridge.address, "--time", 5, "--probe", "3,4", "--follow")
     follows = subprocess.Popen(
-        [PREVIEW, *map(str, join)], cwd=folder, env=KEPT, stdout=subprocess.PIPE, text=True
+        [PREVIEW, *map(str, join), "600"], cwd=folder, env=KEPT, stdout=subprocess.PIPE, text=True
     )
     first = follows.stdout.readline().split(",")
     assert first[1:3] == ["3", "4"]
+    start = seconds_of_processor(follows)
     hand = bridge.say("OUT board0/a1 10")
-    latencies = []
     heights = [first[3]]
     for value in (60, 120, 180, 90):
-        start = time.monotonic()
         hand.sendall(f"OUT board0/a1 {value}\r\n".encode())
         line = follows.stdout.readline().split(",")
-        latencies.append(time.monotonic() - start)
         assert line[3] != heights[-1]
         heights.append(line[3])
-    assert follows.wait(timeout=20) == 0
-    # From the report to the other height on standard output; a quiet machine takes some 10 ms.
-    print("report to another height, ms:", [round(1000 * latency, 1) for latency in latencies])
-    assert sorted(latencies)[1] < 1.0
+    # It follows at once: another height is a small part of what the start is.
+    assert seconds_of_processor(follows) - start < 4 * 0.5 * start
+    follows.send_signal(signal.SIGINT)
+    assert follows.wait(timeout=PATIENCE) == 130
+    # After its seconds it ends by itself.
+    done = preview(folder, *join, 0.1, "--no-detail")
+    assert done.returncode == 0 and done.stdout, done.stderr
 
 
 @pytest.mark.parametrize("backend", ["cpu", "gl"])
@@ -139,7 +172,7 @@ def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, backend
         hand.sendall(f"OUT board0/a1 {random.randint(30, 200)}\r\n".encode())
         hand.sendall(f"OUT board0/a2 {random.randint(30, 200)}\r\n".encode())
         hand.recv(4096)
-        time.sleep(0.02)
+        time.sleep(0.02)  # as fast as hands are: reports are as many as they like
     assert performs.returncode == 0
     take = tomllib.loads((folder / "performed.toml").read_text())["take"]["lines"]
     assert len(take) > 50 and {line.split()[1] for line in take} > {"waves.0.wind_speed"}
@@ -166,7 +199,7 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
     )
     try:
         watch = bridge.say()
-        watch.settimeout(60.0)
+        watch.settimeout(PATIENCE)
         watch.sendall(b"SUBSCRIBE app.time\r\n")
         told = watch.makefile("r", encoding="utf-8")
 
@@ -184,26 +217,24 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
             hand.sendall(f"{line}\r\n".encode())
             return reader.readline().strip()
 
-        def wait_for(condition):
-            for _ in range(600):
-                if condition():
-                    return
-                assert window.poll() is None
-                time.sleep(0.1)
-            raise AssertionError("waited for nothing")
+        def time_of_the_sea() -> float:
+            return float(ask("GET app.time").split()[2])
 
         # It says how fast it draws, and where its clock is.
-        wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0)
+        wait_for(lambda: float(ask("GET app.frame_rate").split()[2]) > 0.0, window)
         assert ask("RECORD START storm.take") == "OK"
         ask("OUT board0/a1 10")
         for value in (60, 120, 180):
             assert ask(f"OUT board0/a1 {value}") == "OK"
-            time.sleep(0.5)
+            # Each is heard at a time of its own: the window tells its clock when it has heard.
+            for _ in range(2):
+                before = time_of_the_sea()
+                wait_for(lambda before=before: time_of_the_sea() > before, window)
         # Another sea is shown too, and is in no take.
         assert ask("SET random.seed 12") == "OK"
         assert ask("RECORD STOP") == "OK"
         saved = folder / "storm.toml"
-        wait_for(saved.exists)
+        wait_for(saved.exists, window)
         sea = tomllib.loads(saved.read_text())
         assert {line.split()[1] for line in sea["take"]["lines"]} == {"waves.0.wind_speed"}
         assert float(sea["take"]["lines"][0].split()[0]) > 0.0
@@ -212,7 +243,7 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
 
         def stands() -> bool:
             before = ask("GET app.time")
-            time.sleep(1.5)
+            time.sleep(1.0)  # of a clock that stands nothing is told: it would be several times
             return ask("GET app.time") == before
 
         # When it tells this as its own time, it has heard of the pause before.
@@ -221,30 +252,35 @@ def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
             pass
         while writer_of_the_time() != the_window:
             pass
-        wait_for(lambda: float(ask("GET app.time").split()[2]) == 50.0)
+        wait_for(lambda: time_of_the_sea() == 50.0, window)
         assert stands()
         assert ask("SET app.time 100") == "OK"
         assert ask("SET app.pause 0") == "OK"
-        wait_for(lambda: float(ask("GET app.time").split()[2]) > 100.5)
-        # A button that is held for a moment only.
-        time.sleep(1.0)
+        wait_for(lambda: time_of_the_sea() > 100.5, window)
+        # A button that is held for a moment only, perhaps for less than a frame.
         assert ask("SET app.pause 1") == "OK"
         time.sleep(0.2)
         assert ask("SET app.pause 0") == "OK"
-        wait_for(lambda: float(ask("GET app.time").split()[2]) > 103.0)
+        paused_at = time_of_the_sea()
+        wait_for(lambda: time_of_the_sea() > paused_at + 1.0, window)
     finally:
         window.terminate()
-        window.wait(timeout=10)
+        window.wait(timeout=PATIENCE)
 
 
 def test_of_two_windows_one_has_the_clock_and_both_follow_it(folder, bridge, display):
+    told = []
+
     def open_window() -> subprocess.Popen:
-        return subprocess.Popen(
-            [PREVIEW, "sea.toml", "--size", "64x64", "--bridge", bridge.address],
+        window = subprocess.Popen(
+            [PREVIEW, "sea.toml", "--size", "64x64", "--bridge", bridge.address, "-v"],
             cwd=folder,
             env=os.environ | {"DISPLAY": display},
-            stderr=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
         )
+        told.append(lines_of(window.stderr))
+        return window
 
     hand = bridge.say()
     reader = hand.makefile("r", encoding="utf-8")
@@ -263,33 +299,29 @@ def test_of_two_windows_one_has_the_clock_and_both_follow_it(folder, bridge, dis
         tell("SUBSCRIBE app.time")
         first = clock_of(r"EVT WRITER app.time (\S+)")[1]
         windows.append(open_window())
-        # It has joined when it has asked for what it will be told.
-        asks = [line for line in bridge.lines if "SUBSCRIBE" in line]
-        while len([line for line in bridge.lines if "SUBSCRIBE" in line]) == len(asks):
-            assert windows[1].poll() is None
-            time.sleep(0.1)
-        time.sleep(1.0)
+        # It knows whose clock is shown when it knows the values.
+        wait_for(lambda: any("its values have come" in line for line in told[1]), *windows)
         tell("SET app.time 500")
         clock_of(r"EVT WRITER app.time (?!" + first + ")")
         clock_of(r"EVT WRITER app.time " + first)
         # What it had said of its clock before it heard may come between.
-        clock_of(r"UPD app.time 50\d")
+        clock_of(r"UPD app.time [5-8]\d\d")
         # From now on nobody but the first window tells it, until that is closed.
         times = [float(clock_of("UPD app.time (.*)")[1]) for _ in range(4)]
-        assert times == sorted(times) and 500.0 < times[0] < times[-1] < 510.0
+        assert times == sorted(times) and 500.0 < times[0] < times[-1] < 900.0
         windows[0].terminate()
         second = clock_of(r"EVT WRITER app.time (\S+)")[1]
         assert second != first
-        assert 500.0 < float(clock_of("UPD app.time (.*)")[1]) < 530.0
+        assert 500.0 < float(clock_of("UPD app.time (.*)")[1]) < 900.0
     finally:
         for window in windows:
             window.terminate()
-            window.wait(timeout=10)
+            window.wait(timeout=PATIENCE)
 
 
 def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
     first = Bridge(folder)
-    join = ("sea.toml", "--bridge", first.address, "--probe", "3,4", "--follow", 6, "-v")
+    join = ("sea.toml", "--bridge", first.address, "--probe", "3,4", "--follow", 600, "-v")
     follows = subprocess.Popen(
         [PREVIEW, *map(str, join)],
         cwd=folder,
@@ -301,13 +333,15 @@ def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
     follows.stdout.readline()
     first.say("SET wind_speed 17")
     moved = follows.stdout.readline().split(",", 1)[1]
+    errors = lines_of(follows.stderr)
     first.end()
-    out, errors = follows.communicate(timeout=30)
-    assert follows.returncode == 0
+    wait_for(lambda: any("lost" in line for line in errors), follows)
+    follows.send_signal(signal.SIGINT)
+    out = follows.stdout.read()
+    assert follows.wait(timeout=PATIENCE) == 130  # until then it was there
     expected = preview(folder, "sea.toml", "--set", "wind_speed=17", "--probe", "3,4").stdout
     # Its foam has only begun.
     assert moved.split(",")[:6] == expected.split(",")[:6] and out == ""
-    assert "lost" in errors
 
 
 @pytest.mark.parametrize(

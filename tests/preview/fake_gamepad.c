@@ -5,7 +5,8 @@
  * GLFW (LD_PRELOAD) it answers in its place. The file that FAKE_GAMEPAD names begins with "gamepad"
  * or, for one whose layout nobody knows, "joystick"; then come six axes (left x, y, right x, y,
  * left and right trigger) and four buttons (A, B, X, Y), as numbers. Without the file nothing is
- * plugged in. */
+ * plugged in. Each time that the program asks whether it is there, the file that FAKE_GAMEPAD_SEEN
+ * names is written: how often it has asked since the other file changed, and what that holds. */
 #include <GLFW/glfw3.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,8 +31,38 @@ static int read_file(void) {
     return strcmp(kind, "gamepad") == 0 ? 1 : 2;
 }
 
+/* The first line of the file that moves it; empty without one. */
+static void first_line(char* line, int size) {
+    const char* name = getenv("FAKE_GAMEPAD");
+    FILE* file = name ? fopen(name, "r") : NULL;
+    line[0] = '\0';
+    if (!file) return;
+    if (!fgets(line, size, file)) line[0] = '\0';
+    fclose(file);
+}
+
+static void tell_seen(void) {
+    static char last[256];
+    static int times;
+    char line[256], beside[4096];
+    const char* name = getenv("FAKE_GAMEPAD_SEEN");
+    FILE* file;
+    if (!name) return;
+    first_line(line, sizeof line);
+    times = strcmp(line, last) == 0 ? times + 1 : 1;
+    strcpy(last, line);
+    snprintf(beside, sizeof beside, "%s.new", name);
+    file = fopen(beside, "w");
+    if (!file) return;
+    fprintf(file, "%d %s", times, line);
+    fclose(file);
+    rename(beside, name);
+}
+
 int glfwJoystickPresent(int joystick) {
-    return joystick == GLFW_JOYSTICK_1 && read_file() != 0 ? GLFW_TRUE : GLFW_FALSE;
+    if (joystick != GLFW_JOYSTICK_1) return GLFW_FALSE;
+    tell_seen();
+    return read_file() != 0 ? GLFW_TRUE : GLFW_FALSE;
 }
 
 int glfwGetGamepadState(int joystick, GLFWgamepadstate* state) {

@@ -51,6 +51,7 @@ void perform(const std::string& source, const std::string& backend, const std::s
                                                  *app::preview_backend(backend), options, sea,
                                                  context.info());
                                          }});
+    live.near_detail = false;  // of no height
     std::mt19937 random(3);
     const auto between = [&](double least, double most) {
         return std::to_string(std::uniform_real_distribution<double>(least, most)(random));

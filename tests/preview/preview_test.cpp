@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <random>
+#include <thread>
 
 #include "gl/leftovers.hpp"
 #include "ocean/cascades.hpp"
@@ -316,13 +317,14 @@ TEST_F(PreviewTest, ALivePictureDoesNotWaitForItsCover) {
         sea.set("wind_speed", wind);
         Ocean same(sea, {});
         const double expected = mean_cover(same, 6.0, 128);
-        const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        double found = 0.0;
-        do {
-            found = mean_cover(maps.show(sea, 6.0));
-            EXPECT_EQ(sea.stage_runs().cover_power, 0);
-        } while (std::abs(found / expected - 1.0) > 0.02 &&
-                 std::chrono::steady_clock::now() < late);
+        maps.show(sea, 6.0);
+        // What is solved meanwhile is of the wind before: the next picture asks for this one.
+        for (Pending pending; (pending = maps.pending()) != Pending::nothing;) {
+            if (pending == Pending::ready) maps.show(sea, 6.0);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        const double found = mean_cover(maps.show(sea, 6.0));
+        EXPECT_EQ(sea.stage_runs().cover_power, 0);
         EXPECT_NEAR(found / expected, 1.0, 0.02) << wind;
     }
 }

@@ -95,6 +95,7 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
     applying_ = false;
     if (!values_known_ && !values_.empty() && Clock::now() - joined_ > kSnapshot) {
         values_known_ = true;
+        say("its values have come");
         tell_values(sea, false);
     }
     return changed;
@@ -195,6 +196,7 @@ void BridgeLink::tell_clock(const LiveSea& sea, double frame_rate) {
 
 void BridgeLink::say(std::string text) {
     if (log_.size() == kMostLines) log_.erase(log_.begin());
+    if (wishes_.said) wishes_.said(text);
     log_.push_back(std::move(text));
 }
 

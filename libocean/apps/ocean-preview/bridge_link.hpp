@@ -22,6 +22,8 @@ namespace ocean::app {
 struct BridgeWishes {
     /// `name` is what the take is to be called, "" anything.
     std::function<void(bool on, const std::string& name)> record;
+    /// Called with each line of the log, where somebody reads it at once.
+    std::function<void(const std::string& line)> said = {};
 };
 
 class BridgeLink {

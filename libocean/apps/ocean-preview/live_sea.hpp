@@ -87,6 +87,8 @@ class LiveSea {
     const Computing& computing() const { return computing_; }
     /// Seconds until foam that began empty is what it always is.
     double foam_settling() const;
+    /// Returns whether the sea will look otherwise though its clock stands; see SeaMaps.
+    preview::Pending pending() const { return maps_->pending(); }
 
   private:
     OceanOptions ocean_options(const Computing& computing) const;

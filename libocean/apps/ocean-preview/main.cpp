@@ -3,11 +3,13 @@
 //
 // `ocean-preview`: from a sea file to its picture.
 #include <memory>
+#include <vector>
 
 #include "command_line.hpp"
 #include "ocean/error.hpp"
 #include "ocean/version.hpp"
 #include "offscreen_run.hpp"
+#include "picture_list.hpp"
 #include "preview_options.hpp"
 #include "window.hpp"
 
@@ -24,22 +26,37 @@ pauses, B changes the camera, X the view, Y goes back to where it began.
 --probe prints x,y, the height of the mesh there and that of the maps (m), the
 square of the slope that is shown, the mean square slope that the light gets as
 roughness and the share of foam; nothing behind x,y where nothing is drawn.
+-v tells scripts how far the window is, on standard error: "the window is open"
+when it shows its first picture and listens, "written: FILE" for each file, and
+"at rest: 1280x720, mouse at 90,40, 12 keys, 3 clicks, 0 held" whenever all that
+was done is shown and nothing moves until more is: the clock stands, the sea has
+faded, foam is complete. The numbers are the window's size, the mouse's place,
+the keys and buttons pressed since the start, and those that are down. Lines of
+its bridge begin with "bridge:", among them "joined" and "its values have come".
 Exit codes: 0 done, 1 failed at run time (no GPU, disk), 2 wrong usage or bad sea
 file, 130 interrupted.)";
 
 void run(const PreviewWords& words, const Context& context) {
-    const PreviewOptions options = preview_options(words);
+    EnvironmentFiles environments;
+    const PreviewOptions options = preview_options(words, environments);
+    std::vector<ListedPicture> pictures;
+    if (!words.pictures.empty()) pictures = read_picture_list(words.pictures, words);
     const Sea sea = open_sea(words.sea);
     require_fit(options, sea);
+    for (const ListedPicture& picture : pictures) require_fit(picture.options, sea);
     const bool in_window = options.offscreen.empty() && options.record.empty() &&
-                           options.probes.empty() && options.budget == 0;
+                           words.pictures.empty() && options.probes.empty() && options.budget == 0;
     if (options.serve && !in_window) {
         throw Error(ErrorKind::invalid_value, "--serve is for the window; --bridge joins a bridge");
+    }
+    if (options.bridge && !words.pictures.empty()) {
+        throw Error(ErrorKind::invalid_value,
+                    "--pictures are of the sea as its file has it: no --bridge");
     }
     if (in_window) {
         run_window(options, sea, words.sea, context);
     } else {
-        run_offscreen(options, sea, words.sea.source, context);
+        run_offscreen(options, pictures, sea, words.sea.source, context);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "bridge_run.hpp"
@@ -43,6 +44,11 @@ Device open_device(const std::string& name) {
     }
     drawing.reset();
     return {std::make_unique<gl::HeadlessContext>(), *backend};
+}
+
+double time_of(const PreviewOptions& options, const Sea& sea) {
+    if (options.frame) return sea.time_of(*options.frame);
+    return options.time.value_or(sea.parameters.time.start);
 }
 
 preview::DrawOptions draw_options(const PreviewOptions& options) {
@@ -84,43 +90,65 @@ class OffscreenRun {
 
     void print_probes(double time) {
         if (options_.probes.empty()) return;
-        const preview::ShownSea shown = maps_.show(sea_, time);
+        const preview::ShownSea& shown = shown_at(time);
         for (const auto& place : options_.probes) {
             context_.console.data(probe_line(renderer_, shown, options_, place));
         }
     }
 
-    void draw(double time, const std::string& path) {
-        if (is_stage_picture(options_.view)) {
+    void draw(const PreviewOptions& options, double time, const std::string& path) {
+        if (is_stage_picture(options.view)) {
+            const auto cascade = static_cast<std::size_t>(std::max(0, options.cascade.value_or(0)));
             const StagePicture stage =
-                make_stage_picture(stages_, sea_, time,
-                                   static_cast<std::size_t>(std::max(0, cascade())), options_.view);
+                make_stage_picture(stages_, sea_, time, cascade, options.view);
             const InterruptWatch::Hold whole = context_.interrupts.hold();
             return io::write_png(path, stage.width, stage.height, stage.rgb);
         }
-        const preview::ShownSea shown = maps_.show(sea_, time);
+        const preview::ShownSea& shown = shown_at(time);
         const InterruptWatch::Hold whole = context_.interrupts.hold();
-        write_picture(path, renderer_, shown, options_.camera, options_.look,
-                      draw_options(options_), options_.samples.value_or(kSamples));
+        write_picture(path, renderer_, shown, options.camera, options.look, draw_options(options),
+                      options.samples.value_or(kSamples));
     }
 
     void record(const std::string& stem) {
         const OutputPattern pattern(options_.record + "/" + stem + ".####.png");
         io::make_folder(options_.record);
-        context_.console.begin(static_cast<int>(options_.frames.size()),
-                               std::to_string(options_.frames.size()) + " pictures", {});
+        begin(options_.frames.size());
         for (const int frame : options_.frames) {
-            const auto start = std::chrono::steady_clock::now();
-            const std::string path = pattern.file(frame);
-            draw(sea_.sea().time_of(frame), path);
-            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-            context_.console.step(frame, seconds.count(), {path});
+            draw_step(frame, options_, sea_.sea().time_of(frame), pattern.file(frame));
+        }
+        context_.console.finish();
+    }
+
+    void draw_list(const std::vector<ListedPicture>& pictures) {
+        begin(pictures.size());
+        int number = 0;
+        for (const auto& [path, options] : pictures) {
+            draw_step(++number, options, time_of(options, sea_.sea()), path);
         }
         context_.console.finish();
     }
 
   private:
-    int cascade() const { return options_.cascade.value_or(-1); }
+    /// Probes and pictures of one moment share its maps.
+    const preview::ShownSea& shown_at(double time) {
+        if (!shown_ || shown_->time != time) {
+            shown_.reset();
+            shown_ = maps_.show(sea_, time);
+        }
+        return *shown_;
+    }
+    void begin(std::size_t pictures) {
+        context_.console.begin(static_cast<int>(pictures), std::to_string(pictures) + " pictures",
+                               {});
+    }
+    void draw_step(int number, const PreviewOptions& options, double time,
+                   const std::string& path) {
+        const auto start = std::chrono::steady_clock::now();
+        draw(options, time, path);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        context_.console.step(number, seconds.count(), {path});
+    }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         maps.live = false;
@@ -133,6 +161,7 @@ class OffscreenRun {
     preview::SeaMaps maps_;
     preview::Renderer renderer_;
     gl::StageMaker stages_;
+    std::optional<preview::ShownSea> shown_;  // what maps_ holds
 };
 
 /// The sea as a bridge has moved it.
@@ -210,23 +239,24 @@ std::string stem_of(const std::string& source) {
     return stem.empty() || stem == "-" ? "sea" : stem;
 }
 
-void run_offscreen(const PreviewOptions& options, const Sea& sea, const std::string& source,
-                   const Context& context) {
+void run_offscreen(const PreviewOptions& options, const std::vector<ListedPicture>& pictures,
+                   const Sea& sea, const std::string& source, const Context& context) {
+    if (!options.offscreen.empty()) require_picture_folder(options.offscreen);
+    for (const ListedPicture& picture : pictures) require_picture_folder(picture.path);
     const Device device = open_device(options.backend);
     const gl::HeadlessContext::Current current(*device.context);
     context.console.note("drawn by " + device.context->info().text() + "; the sea by " +
                          std::string(device.backend.name));
-    const double time = options.frame  ? sea.time_of(*options.frame)
-                        : options.time ? *options.time
-                                       : sea.parameters.time.start;
+    const double time = time_of(options, sea);
     if (options.bridge) return draw_with_bridge(options, sea, context, device, time);
     OffscreenRun run(options, sea, context, device);
     run.print_probes(time);
     if (!options.offscreen.empty()) {
-        run.draw(time, options.offscreen);
+        run.draw(options, time, options.offscreen);
         context.console.data(options.offscreen + "\n");
     }
     if (!options.record.empty()) run.record(stem_of(source));
+    if (!pictures.empty()) run.draw_list(pictures);
     if (options.budget > 0) print_budget(options, sea, context, device, time);
 }
 

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "command.hpp"
 #include "ocean/sea.hpp"
+#include "picture_list.hpp"
 #include "preview_options.hpp"
 
 namespace ocean::app {
@@ -16,7 +18,7 @@ namespace ocean::app {
 std::string stem_of(const std::string& source);
 
 /// Throws Error.
-void run_offscreen(const PreviewOptions& options, const Sea& sea, const std::string& source,
-                   const Context& context);
+void run_offscreen(const PreviewOptions& options, const std::vector<ListedPicture>& pictures,
+                   const Sea& sea, const std::string& source, const Context& context);
 
 }  // namespace ocean::app

@@ -3,12 +3,16 @@
 #include "picture_file.hpp"
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 #include "ocean/bake/frames.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/png.hpp"
+#include "ocean/platform.hpp"
 #include "ocean/preview/canvas.hpp"
 
 namespace ocean::app {
@@ -34,6 +38,14 @@ void require_picture_name(const std::string& path, const std::string& option) {
     const std::string extension = OutputPattern(path).extension();
     if (extension == ".png" || extension == ".exr") return;
     throw Error(ErrorKind::invalid_value, option + ": '" + path + "' does not end in .png or .exr");
+}
+
+void require_picture_folder(const std::string& path) {
+    const std::filesystem::path folder = utf8_path(path).parent_path();
+    std::error_code unreadable;
+    if (folder.empty() || std::filesystem::is_directory(folder, unreadable)) return;
+    throw Error(ErrorKind::output,
+                "cannot write '" + path + "': there is no folder " + text::to_utf8(folder));
 }
 
 void write_picture(const std::string& path, preview::Renderer& renderer,

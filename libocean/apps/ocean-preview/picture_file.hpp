@@ -13,6 +13,9 @@ namespace ocean::app {
 /// Throws Error invalid_value, which names the option, of a file that is neither .png nor .exr.
 void require_picture_name(const std::string& path, const std::string& option);
 
+/// Throws Error output unless the folder of a picture exists, before it is drawn in vain.
+void require_picture_folder(const std::string& path);
+
 /// Of a pixel, so that crests have no steps.
 inline constexpr int kSamples = 4;
 

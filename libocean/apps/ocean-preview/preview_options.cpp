@@ -104,7 +104,8 @@ void join_bridge(const PreviewWords& words, PreviewOptions& options) {
     options.follow = within(*words.follow, "--follow", 0.0, 1e6);
 }
 
-void place_environment(const PreviewWords& words, preview::Look& look) {
+void place_environment(const PreviewWords& words, EnvironmentFiles& environments,
+                       preview::Look& look) {
     if (words.environment.empty()) {
         if (!words.environment_turn) return;
         throw Error(ErrorKind::invalid_value, "--environment-turn is for --environment");
@@ -112,9 +113,13 @@ void place_environment(const PreviewWords& words, preview::Look& look) {
     if (!words.sun.empty()) {
         throw Error(ErrorKind::invalid_value, "--environment has a sun of its own: no --sun");
     }
-    const io::Panorama sphere = io::read_exr_panorama(words.environment);
-    look.environment = std::make_shared<const preview::Environment>(
-        preview::make_environment(sphere.width, sphere.height, sphere.rgb));
+    auto& environment = environments[words.environment];
+    if (!environment) {
+        const io::Panorama sphere = io::read_exr_panorama(words.environment);
+        environment = std::make_shared<const preview::Environment>(
+            preview::make_environment(sphere.width, sphere.height, sphere.rgb));
+    }
+    look.environment = environment;
     look.environment_turn =
         within(words.environment_turn.value_or(0.0), "--environment-turn", -3600.0, 3600.0);
 }
@@ -167,6 +172,11 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display", kOptional,
            NotEmpty{}, "--offscreen"},
           {"--frames", &words.frames, "LIST", "1-250x2, in comma lists; of --record"},
+          {"--pictures", &words.pictures, "LIST.txt",
+           "Write a picture for each line of a file, all from one start: FILE, and the options of "
+           "when, camera, light and picture in which it differs from what is given here, such as "
+           "north.png --heading 90",
+           kOptional, NotEmpty{}, "--offscreen"},
           {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
           {"--samples", &words.samples, "N",
            "Of a pixel, 1 .. 64 or what the driver has (default 4; 1 in a window without a GPU)",
@@ -213,7 +223,7 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
     };
 }
 
-PreviewOptions preview_options(const PreviewWords& words) {
+PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments) {
     PreviewOptions options;
     place_camera(words, options.camera);
     preview::Look& look = options.look;
@@ -223,7 +233,7 @@ PreviewOptions preview_options(const PreviewWords& words) {
         look.sun_altitude = sun[0];
         look.sun_bearing = sun[1];
     }
-    place_environment(words, look);
+    place_environment(words, environments, look);
     if (words.exposure) look.exposure = within(*words.exposure, "--exposure", 0.0, 1000.0);
     if (words.visibility) look.visibility = within(*words.visibility, "--visibility", 0.0, 1e9);
     if (words.crest_light) {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +29,8 @@ struct PreviewWords {
     std::optional<double> heading, pitch, angle, exposure, visibility, crest_light, time,
         environment_turn;
     std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
-    std::string water, offscreen, record, frames, environment, bridge, token_file, serve, board_map;
+    std::string water, offscreen, record, frames, pictures, environment, bridge, token_file, serve,
+        board_map;
     bool dummy = false;
     std::optional<double> follow;
     std::vector<std::string> probes;
@@ -61,8 +64,10 @@ struct PreviewOptions {
 };
 
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
+/// Skies by the names of their files: one that several pictures have is read once.
+using EnvironmentFiles = std::map<std::string, std::shared_ptr<const preview::Environment>>;
 /// Throws Error invalid_value.
-PreviewOptions preview_options(const PreviewWords& words);
+PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments);
 /// Throws Error invalid_value if they ask for what the sea does not have.
 void require_fit(const PreviewOptions& options, const Sea& sea);
 

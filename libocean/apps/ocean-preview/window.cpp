@@ -100,6 +100,10 @@ struct HandAct {
 /// What happened in a window since it was last looked at: a key may be down for less than a frame.
 struct Events {
     bool any = false;
+    // Since the window opened.
+    int keys_pressed = 0;
+    int clicks = 0;
+    int held = 0;                // keys and buttons that are down
     std::vector<int> keys;       // that went down
     std::vector<int> with_ctrl;  // of them
     double wheel = 0.0;
@@ -114,6 +118,7 @@ struct Events {
             all.add([=](GLFWwindow* window) {
                 ImGui_ImplGlfw_KeyCallback(window, key, code, action, mods);
             });
+            all.count(action, all.keys_pressed);
             if (action != GLFW_PRESS) return;
             all.keys.push_back(key);
             if ((mods & GLFW_MOD_CONTROL) != 0) all.with_ctrl.push_back(key);
@@ -126,6 +131,7 @@ struct Events {
             Events& all = events(of);
             const auto at = static_cast<std::size_t>(button);
             if (at < all.buttons_.size()) all.buttons_[at] = action == GLFW_PRESS;
+            all.count(action, all.clicks);
             all.add([=](GLFWwindow* window) {
                 ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
             });
@@ -147,6 +153,14 @@ struct Events {
         glfwSetWindowRefreshCallback(window, [](GLFWwindow* of) { happened(of); });
     }
 
+    /// "1000x700, mouse at 90,659, 12 keys, 3 clicks, 0 held".
+    std::string text(GLFWwindow* window) const {
+        int width = 0, height = 0;
+        glfwGetWindowSize(window, &width, &height);
+        return format_text("%dx%d, mouse at %.0f,%.0f, %d keys, %d clicks, %d held", width, height,
+                           x_, y_, keys_pressed, clicks, held);
+    }
+
     void forget() {
         any = false;
         keys.clear();
@@ -160,6 +174,10 @@ struct Events {
         return *static_cast<Events*>(glfwGetWindowUserPointer(window));
     }
     static void happened(GLFWwindow* window) { events(window).any = true; }
+    void count(int action, int& presses) {
+        if (action == GLFW_PRESS) ++presses, ++held;
+        if (action == GLFW_RELEASE) --held;
+    }
     void add(std::function<void(GLFWwindow* window)> tell_gui) {
         any = true;
         acts.push_back({x_, y_, buttons_, std::move(tell_gui)});
@@ -270,6 +288,7 @@ class Preview {
             if (link_ && link_->apply(sea_)) frames_to_draw_ = 3;
             if (frames_to_draw_ > 0 || !sea_.paused || sea_.fading()) draw();
             if (frames_to_draw_ > 0) --frames_to_draw_;
+            if (!std::exchange(began_, true)) context_.console.note("the window is open");
             events_.forget();
         }
         // What was recorded is dear, and was not to be lost with the window.
@@ -296,16 +315,30 @@ class Preview {
     /// While the sea stands still nothing is done but what a person wants.
     void wait_for_something() {
         const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-        const bool still = sea_.paused && !sea_.fading() && frames_to_draw_ == 0;
+        bool still = sea_.paused && !sea_.fading() && frames_to_draw_ == 0;
+        const preview::Pending pending = std::max(renderer_.pending(), sea_.pending());
+        if (still && pending == preview::Pending::ready) {
+            frames_to_draw_ = 1;
+            still = false;
+        }
+        tell_rest(still && pending == preview::Pending::nothing);
         if (iconified || still) {
             // A gamepad tells of nothing: it is asked.
             // Nor does a bridge.
-            const bool listens = (gamepad_.is_there() && !iconified) || link_;
+            // Nor do textures that another thread makes.
+            const bool listens = (gamepad_.is_there() && !iconified) || link_ ||
+                                 pending == preview::Pending::in_work;
             glfwWaitEventsTimeout(listens ? 0.03 : 0.25);
         } else {
             glfwPollEvents();
         }
         if (events_.any) frames_to_draw_ = 3;  // what is under the mouse is known a frame late
+    }
+
+    /// For scripts: all that a hand has done is shown, and nothing moves until it does more.
+    void tell_rest(bool rests) {
+        if (rests && !rests_) context_.console.note("at rest: " + events_.text(window_));
+        rests_ = rests;
     }
 
     bool pressed(int key) const {
@@ -443,9 +476,12 @@ class Preview {
     }
 
     void join(const bridge::LineClientOptions& bridge) {
-        link_.emplace(bridge, BridgeWishes{.record = [this](bool on, const std::string& name) {
-                          record(on, name);
-                      }});
+        link_.emplace(
+            bridge,
+            BridgeWishes{
+                .record = [this](bool on, const std::string& name) { record(on, name); },
+                .said =
+                    [this](const std::string& line) { context_.console.note("bridge: " + line); }});
         state_.bridge.link = &*link_;
     }
 
@@ -706,6 +742,7 @@ class Preview {
     double mouse_x_ = 0.0, mouse_y_ = 0.0;
     double scale_ = pixel_scale(info_);
     int frames_to_draw_ = 3;
+    bool began_ = false, rests_ = false;
     int frames_of_backend_ = 0;
     std::string picture_asked_;  // ".png" or ".exr", of what is drawn next
 };

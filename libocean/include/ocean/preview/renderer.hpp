@@ -55,6 +55,9 @@ class Renderer {
 
     /// That a sea may have, or two that are faded into each other together.
     std::size_t most_cascades() const;
+    /// Returns whether the picture that was drawn last will look otherwise when it is drawn again,
+    /// of a live renderer: the foam's pattern is made beside the pictures.
+    Pending pending() const;
     /// Clears depth and colour. Of a host's context it leaves other bindings behind: program,
     /// textures, uniform buffer 0, depth test, viewport. Throws Error.
     void draw(const ShownSea& sea, const Camera& camera, const Look& look,

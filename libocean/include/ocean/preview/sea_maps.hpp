@@ -95,6 +95,10 @@ struct SeaMapsOptions {
     bool operator==(const SeaMapsOptions&) const = default;
 };
 
+/// What another thread makes for the pictures to come. While it is in work pictures are without it;
+/// when it is ready the next one has it.
+enum class Pending { nothing, in_work, ready };
+
 /// Needs the context that was current when it was made to be current in every call, the destructor
 /// too. OpenGL 4.1 core, or 4.3 to compute.
 class SeaMaps {
@@ -114,6 +118,9 @@ class SeaMaps {
     void foam_changed();
     /// Ticks of the foam's clock until foam that began empty is what it always is.
     std::int64_t foam_settling_ticks(const Ocean& sea) const;
+    /// Returns whether the same sea at the same time will look otherwise, of live maps: their cover
+    /// is solved beside the pictures.
+    Pending pending() const;
 
     class Source;
 

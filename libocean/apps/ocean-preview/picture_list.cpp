@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "picture_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "ocean/checked_text.hpp"
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+#include "picture_file.hpp"
+
+namespace ocean::app {
+namespace {
+
+constexpr std::size_t kMaxListBytes = std::size_t{16} << 20;
+constexpr double kMostNumber = 1e300;
+constexpr int kMostWholeNumber = 1'000'000'000;
+
+std::vector<std::string> words_of(std::string_view line) {
+    constexpr std::string_view kBlanks = " \t\r";
+    std::vector<std::string> words;
+    for (std::size_t at = 0; (at = line.find_first_not_of(kBlanks, at)) != line.npos;) {
+        if (line[at] == '#') break;
+        std::string word;
+        bool quoted = false;
+        for (; at < line.size() && (quoted || kBlanks.find(line[at]) == kBlanks.npos); ++at) {
+            if (line[at] == '"') {
+                quoted = !quoted;
+            } else {
+                word += line[at];
+            }
+        }
+        if (quoted) throw Error(ErrorKind::bad_file, "a \" has no other end");
+        words.push_back(std::move(word));
+    }
+    return words;
+}
+
+/// Whether an option is of one picture and not of the sea or the whole run.
+bool is_of_a_picture(const OptionGroup& group, const Option& option) {
+    constexpr std::array kGroups{"When", "Camera", "Light", "Picture"};
+    constexpr std::array kOthers{"--offscreen", "--record", "--frames", "--pictures", "--probe"};
+    return std::ranges::count(kGroups, group.name) != 0 &&
+           std::ranges::count(kOthers, option.names) == 0;
+}
+
+/// What the words of all pictures say is given up where a line says what excludes it.
+void give_up_for(const std::string& name, PreviewWords& words) {
+    if (name == "--time") words.frame.reset();
+    if (name == "--frame") words.time.reset();
+    if (name == "--look-at") words.heading.reset(), words.pitch.reset();
+    if (name == "--heading" || name == "--pitch") words.look_at.clear();
+    if (name == "--environment") words.sun.clear();
+    if (name == "--sun") words.environment.clear(), words.environment_turn.reset();
+}
+
+void require_allowed(const Option& option, const std::string& value) {
+    if (const auto* rule = std::get_if<OneOf>(&option.rule)) {
+        if (std::ranges::count(rule->words, value) != 0) return;
+        std::string allowed;
+        for (const std::string& word : rule->words) allowed += (allowed.empty() ? "" : ", ") + word;
+        throw Error(ErrorKind::invalid_value,
+                    option.names + ": '" + value + "' is none of " + allowed);
+    }
+    if (const auto* rule = std::get_if<Within>(&option.rule)) {
+        parse_whole_number(value, option.names, rule->lowest, rule->highest);
+    }
+}
+
+void assign(const Option& option, const std::string& value) {
+    require_allowed(option, value);
+    std::visit(
+        [&](auto target) {
+            using Target = decltype(target);
+            if constexpr (std::is_same_v<Target, bool*>) {
+                *target = true;
+            } else if constexpr (std::is_same_v<Target, std::string*>) {
+                *target = value;
+            } else if constexpr (std::is_same_v<Target, std::optional<double>*>) {
+                *target = parse_number(value, option.names, -kMostNumber, kMostNumber);
+            } else if constexpr (std::is_same_v<Target, std::optional<int>*>) {
+                *target =
+                    parse_whole_number(value, option.names, -kMostWholeNumber, kMostWholeNumber);
+            }
+        },
+        option.target);
+}
+
+const Option& option_of(const std::vector<OptionGroup>& groups, const std::string& name) {
+    for (const OptionGroup& group : groups) {
+        for (const Option& option : group.options) {
+            if (option.names == name && is_of_a_picture(group, option)) return option;
+        }
+    }
+    throw Error(ErrorKind::invalid_value, "'" + name +
+                                              "' is no option of one picture; allowed are those of "
+                                              "when, camera, light and picture");
+}
+
+struct GivenOption {
+    const Option& option;
+    std::string value;
+};
+
+/// "--heading 90", "--heading=90", "--wireframe".
+std::vector<GivenOption> given_options(const std::vector<std::string>& line,
+                                       const std::vector<OptionGroup>& groups) {
+    std::vector<GivenOption> given;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const std::size_t equals = line[i].find('=');
+        const Option& option = option_of(groups, line[i].substr(0, equals));
+        std::string value;
+        if (std::holds_alternative<bool*>(option.target)) {
+            // A flag has no value.
+        } else if (equals != std::string::npos) {
+            value = line[i].substr(equals + 1);
+        } else if (++i < line.size()) {
+            value = line[i];
+        } else {
+            throw Error(ErrorKind::invalid_value, option.names + " has no value");
+        }
+        given.push_back({option, std::move(value)});
+    }
+    return given;
+}
+
+ListedPicture picture_of(const std::vector<std::string>& line, PreviewWords words,
+                         EnvironmentFiles& environments) {
+    require_picture_name(line[0], "a line begins with the file of its picture");
+    words.offscreen = line[0];
+    const std::vector<OptionGroup> groups = preview_option_groups(words);
+    const std::vector<GivenOption> given = given_options(line, groups);
+    for (const auto& [option, value] : given) give_up_for(option.names, words);
+    for (const auto& [option, value] : given) assign(option, value);
+    if (words.time && words.frame) {
+        throw Error(ErrorKind::invalid_value, "--frame excludes --time");
+    }
+    return {words.offscreen, preview_options(words, environments)};
+}
+
+}  // namespace
+
+std::vector<ListedPicture> read_picture_list(const std::string& file, const PreviewWords& words) {
+    std::vector<ListedPicture> pictures;
+    EnvironmentFiles environments;
+    std::size_t number = 0;
+    for (const std::string& line : split(text::read_file_or_pipe(file, kMaxListBytes), '\n')) {
+        ++number;
+        try {
+            const std::vector<std::string> of_line = words_of(line);
+            if (!of_line.empty()) pictures.push_back(picture_of(of_line, words, environments));
+        } catch (const Error& error) {
+            throw text::error_at(error.kind(), file, number, error.what());
+        }
+    }
+    return pictures;
+}
+
+}  // namespace ocean::app
