@@ -813,7 +813,7 @@ def test_a_hand_starts_and_stops_a_bridge(hand):
     hand.do(*words)
     # Clicks, keys of the address, and those that xdotool holds to type it.
     hand.clicks += 4
-    hand.keys += len("ctrl a".split()) + len(f"127.0.0.1:{address[1]}") + len(["shift", "Return"])
+    hand.keys += len(["ctrl", "a"]) + len(f"127.0.0.1:{address[1]}") + len(["shift", "Return"])
     client = hand.wait_for(join)
     assert client.readline().startswith("OBP 1 ")
     # The window is a client of its own, which tells how fast it draws.
