@@ -182,6 +182,12 @@ def test_what_is_wrong_in_a_list_is_said_with_its_line(folder, line, words):
     assert not (folder / "first.png").exists()
 
 
+def test_a_list_without_a_picture_is_refused(folder):
+    (folder / "list.txt").write_text("# none\n\n")
+    done = run(folder, "sea.toml", "--pictures", "list.txt")
+    assert done.returncode == 2 and "list.txt: names no picture" in done.stderr, done.stderr
+
+
 @pytest.mark.parametrize("backend", ["cpu", "gl"])
 def test_a_frame_has_a_budget(folder, backend):
     told = good(folder, "sea.toml", "--budget", 5, "--size", "64x36", "--foam-map", 128,

@@ -158,6 +158,7 @@ std::vector<ListedPicture> read_picture_list(const std::string& file, const Prev
             throw text::error_at(error.kind(), file, number, error.what());
         }
     }
+    if (pictures.empty()) throw Error(ErrorKind::bad_file, file + ": names no picture");
     return pictures;
 }
 
