@@ -190,6 +190,30 @@ def test_what_a_board_performed_is_baked_as_it_was_shown(folder, bridge, backend
         assert abs(heights - baked).max() < 1e-5 * 4 * baked.std()
 
 
+def test_a_window_that_never_recorded_says_nothing_of_it(folder, bridge, display):
+    """Its word could end a take that another has just begun."""
+    window = subprocess.Popen(
+        [PREVIEW, "sea.toml", "--size", "320x200", "--bridge", bridge.address],
+        cwd=folder,
+        env=os.environ | {"DISPLAY": display},
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        watch = bridge.say()
+        watch.settimeout(PATIENCE)
+        watch.sendall(b"SUBSCRIBE app.time app.record\r\n")
+        told = []
+        for line in watch.makefile("r", encoding="utf-8"):
+            told.append(line.strip())
+            if sum(line.startswith("UPD app.time") for line in told) == 4:
+                break
+        assert any("WRITER app.time" in line for line in told), told
+        assert not any("WRITER app.record" in line for line in told), told
+    finally:
+        window.terminate()
+        window.wait(timeout=PATIENCE)
+
+
 def test_a_window_that_is_joined_writes_the_take(folder, bridge, display):
     window = subprocess.Popen(
         [PREVIEW, "sea.toml", "--size", "320x200", "--bridge", bridge.address],
