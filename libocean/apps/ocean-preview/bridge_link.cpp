@@ -191,8 +191,8 @@ void BridgeLink::tell_clock(const LiveSea& sea, double frame_rate) {
     tell("app.time", format_text("%.3f", sea.time()));
     tell("app.pause", sea.paused ? "1" : "0");
     tell("app.speed", shortest_text(static_cast<float>(sea.speed)));
-    // A window that has never recorded says nothing of it: its "0" could be sent while another's wish
-    // to record is on the wire, and would end that take.
+    // A window that has never recorded says nothing of it: its "0" could be sent while another's
+    // wish to record is on the wire, and would end that take.
     if (sea.recording() || told_.contains("app.record")) {
         tell("app.record", sea.recording() ? "1" : "0");
     }
