@@ -225,7 +225,7 @@ OCEAN_API ocean_result ocean_parameters_json(char* out, size_t* size);
 /* What `ocean info --json` prints, a JSON object: builds the spectrum when needed.
  * BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size);
-/* What a spectrum file holds, a JSON array. BAD_FILE, BUFFER_TOO_SMALL. */
+/* The records of a spectrum file that can be read, a JSON array. BAD_FILE, BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* size);
 /* The sea file of a preset ("beaufort_6"); with name = NULL the names of all, a JSON array.
  * NOT_FOUND, BUFFER_TOO_SMALL. */

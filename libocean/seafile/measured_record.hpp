@@ -21,13 +21,13 @@ inline constexpr std::string_view kMeasuredRecord = "measured_record";
 struct RecordKey {
     std::string_view key;
     std::variant<std::string SpectrumRecord::*, double SpectrumRecord::*,
-                 std::vector<double> SpectrumRecord::*>
+                 std::vector<double> SpectrumRecord::*, std::vector<std::string> SpectrumRecord::*>
         member;
     bool may_be_nan = false;             // elements of a list
     std::size_t most = kMaxFrequencies;  // elements of a list
 };
 
-inline constexpr std::array<RecordKey, 13> kRecordKeys = {{
+inline constexpr std::array<RecordKey, 14> kRecordKeys = {{
     {"station", &SpectrumRecord::station},
     {"time", &SpectrumRecord::time},
     {"latitude", &SpectrumRecord::latitude},
@@ -41,6 +41,7 @@ inline constexpr std::array<RecordKey, 13> kRecordKeys = {{
     {"b2", &SpectrumRecord::b2, true},
     {"direction", &SpectrumRecord::direction},
     {"directional_density", &SpectrumRecord::directional_density, false, kMaxDirectionalValues},
+    {"warnings", &SpectrumRecord::warnings, false, kMaxRecordWarnings},
 }};
 
 }  // namespace ocean

@@ -41,6 +41,21 @@ class RecordReader {
         }
         value = text->get();
     }
+    void store(std::vector<std::string>& texts, const toml::node& node) const {
+        const toml::array* list = node.as_array();
+        const auto good = [](const toml::node& item) {
+            const auto* text = item.as_string();
+            return text != nullptr && text->get().size() <= kMaxRecordWarningBytes;
+        };
+        if (list == nullptr || list->size() > key_->most ||
+            !std::all_of(list->begin(), list->end(), good)) {
+            throw wrong(node, "an array of at most " + std::to_string(key_->most) +
+                                  " texts of at most " + std::to_string(kMaxRecordWarningBytes) +
+                                  " bytes");
+        }
+        texts.clear();
+        for (const toml::node& item : *list) texts.push_back(item.as_string()->get());
+    }
     void store(double& value, const toml::node& node) const {
         const std::optional<double> number = number_of(node);
         if (!number || !std::isfinite(*number)) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <map>
 
 #include "ocean/checked_text.hpp"
 #include "ocean/directional_record.hpp"
@@ -25,6 +26,7 @@ namespace {
 constexpr std::int64_t kTimeTolerance = 30;  // minutes
 constexpr double kPlaceTolerance = 50.0;     // km
 constexpr double kDegree = kPi / 180.0;
+constexpr std::size_t kMostWarnings = 50;  // of one file
 
 struct Position {
     double latitude;
@@ -184,7 +186,17 @@ const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
         candidates = position ? at_position(candidates, *position, file)
                               : at_station(candidates, choice.place, file);
     }
-    return choice.time.empty() ? *candidates.front() : at_time(candidates, choice.time, file);
+    const SpectrumRecord& chosen =
+        choice.time.empty() ? *candidates.front() : at_time(candidates, choice.time, file);
+    if (chosen.fault.empty()) return chosen;
+    const auto other =
+        std::find_if(candidates.begin(), candidates.end(), [](const SpectrumRecord* record) {
+            return record->fault.empty() && !record->time.empty();
+        });
+    throw Error(ErrorKind::bad_file,
+                chosen.fault + (other != candidates.end()
+                                    ? "; a record that can be read is that of " + (*other)->time
+                                    : std::string()));
 }
 
 RecordSummary summarize(const SpectrumRecord& record) {
@@ -199,7 +211,7 @@ RecordSummary summarize(const SpectrumRecord& record) {
             highest = record.density[i];
             summary.peak_period = 1.0 / record.frequency[i];
         }
-        if (!record.has_moments() && !record.is_directional()) continue;
+        if (!record.has_directions()) continue;
         const std::complex<double> c1 = first_moment(record, i);
         if (std::isnan(c1.real()) || !(energy > 0.0)) continue;
         mean += energy * c1;
@@ -213,9 +225,53 @@ RecordSummary summarize(const SpectrumRecord& record) {
     return summary;
 }
 
+std::vector<std::string> records_warnings(std::span<const SpectrumRecord> records) {
+    struct Said {
+        std::string text;
+        const SpectrumRecord* first;
+        std::size_t count;
+    };
+    std::vector<Said> said;
+    std::map<std::string, std::size_t> place;
+    std::size_t left_out = 0;
+    const auto say = [&](const std::string& text, const SpectrumRecord& record) {
+        const auto [at, added] = place.try_emplace(text, said.size());
+        if (!added) {
+            ++said[at->second].count;
+        } else if (said.size() < kMostWarnings) {
+            said.push_back({text, &record, 1});
+        } else {
+            place.erase(at);
+            ++left_out;
+        }
+    };
+    for (const SpectrumRecord& record : records) {
+        for (const std::string& warning : record.warnings) say(warning, record);
+        if (!record.fault.empty()) {
+            say("cannot be read: " + record.fault, record);
+        } else if (!record.has_directions()) {
+            say("says nothing of directions: a sea sends its waves to the wind_direction of the "
+                "wave system, which is 0, the east, where none is given",
+                record);
+        }
+    }
+    std::vector<std::string> texts;
+    for (const Said& one : said) {
+        const std::string station = one.first->station.empty() ? "" : " " + one.first->station;
+        const std::string who = records.size() == 1 ? "the record"
+                                : one.count == 1    ? "record " + one.first->time + station
+                                                    : std::to_string(one.count) + " of " +
+                                                       std::to_string(records.size()) + " records";
+        texts.push_back(who + ": " + one.text);
+    }
+    if (left_out > 0) texts.push_back(std::to_string(left_out) + " more warnings are left out");
+    return texts;
+}
+
 std::string records_json(std::span<const SpectrumRecord> records) {
     JsonArray list(JsonLines{1});
     for (const SpectrumRecord& record : records) {
+        if (!record.fault.empty()) continue;
         const RecordSummary summary = summarize(record);
         const double mean = summary.mean_direction / kDegree;
         JsonObject line;
@@ -233,6 +289,7 @@ std::string records_json(std::span<const SpectrumRecord> records) {
         number("directional_spread", summary.directional_spread / kDegree);
         line.add("directions", directions_name(record));
         line.add("frequencies", record.frequency.size());
+        line.add("warnings", json_array(record.warnings));
         list.add(line);
     }
     return list.text() + "\n";

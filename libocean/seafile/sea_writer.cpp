@@ -37,6 +37,11 @@ std::string text_if_known(const std::string& value) {
 std::string text_if_known(double value) {
     return value != value ? "" : toml_number(value);
 }
+std::string text_if_known(const std::vector<std::string>& texts) {
+    std::string out;
+    for (const std::string& text : texts) out += "\n    " + toml_string(text) + ",";
+    return out.empty() ? "" : "[" + out + "\n]";
+}
 std::string text_if_known(const std::vector<double>& values) {
     return values.empty() ? "" : array_text(values);
 }

@@ -136,10 +136,17 @@ std::optional<std::string> read_companion(const std::string& path) {
 }  // namespace
 
 std::string record_fault(const SpectrumRecord& record) {
+    if (!record.fault.empty()) return record.fault;
     for (const auto fault : {energy_fault, moment_fault, direction_fault, place_fault}) {
         if (std::string message = fault(record); !message.empty()) return message;
     }
     return "";
+}
+
+void require_readable(std::span<const SpectrumRecord> records) {
+    const auto readable = [](const SpectrumRecord& record) { return record.fault.empty(); };
+    if (records.empty() || std::any_of(records.begin(), records.end(), readable)) return;
+    throw Error(ErrorKind::bad_file, records.front().fault);
 }
 
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format,
@@ -149,10 +156,13 @@ std::vector<SpectrumRecord> read_format(const SpectrumFormat& format,
     };
     std::vector<SpectrumRecord> records = format.read(source);
     if (records.empty()) throw fail("holds no spectrum");
-    for (const SpectrumRecord& record : records) {
+    for (SpectrumRecord& record : records) {
+        if (!record.fault.empty()) continue;
+        clean_record(record);
         const std::string fault = record_fault(record);
-        if (!fault.empty()) throw fail("record " + record.time + ": " + fault);
+        if (!fault.empty()) record.fault = fail("record " + record.time + ": " + fault).what();
     }
+    require_readable(records);
     return records;
 }
 

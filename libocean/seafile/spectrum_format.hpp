@@ -30,7 +30,8 @@ struct SpectrumSource {
 struct SpectrumFormat {
     std::string_view name;
     bool (*recognises)(std::string_view content);
-    /// Throws Error bad_file "NAME:LINE: ...".
+    /// A record that cannot be read has its `fault` and costs no other. Throws Error bad_file
+    /// "NAME:LINE: ..." for what concerns the whole file.
     std::vector<SpectrumRecord> (*read)(const SpectrumSource& source);
 };
 
@@ -44,9 +45,9 @@ extern const SpectrumFormat kDatawell;        // formats/datawell.cpp
 extern const SpectrumFormat kTriaxys;         // formats/triaxys.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
-/// Reads by one format; the file must hold a spectrum, and none may have a fault.
+/// Reads by one format. The file must hold a spectrum without a fault; others have theirs in `fault`.
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
-/// read_spectra on content that is in memory already. Every record it gives is without a fault.
+/// read_spectra on content that is in memory already.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);
 
 }  // namespace ocean

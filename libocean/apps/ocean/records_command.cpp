@@ -26,8 +26,12 @@ std::string direction_cell(const RecordSummary& summary) {
 }
 
 std::string line(const SpectrumRecord& record) {
-    const RecordSummary summary = summarize(record);
     const auto known = [](const std::string& text) { return text.empty() ? "-" : text; };
+    if (!record.fault.empty()) {
+        return format_text("%-16s  %-12s cannot be read\n", known(record.time).c_str(),
+                           known(record.station).c_str());
+    }
+    const RecordSummary summary = summarize(record);
     return format_text("%-16s  %-12s %9s %10s %7s %7s %6s %5s %6s\n", known(record.time).c_str(),
                        known(record.station).c_str(), cell(record.latitude, "%.4f").c_str(),
                        cell(record.longitude, "%.4f").c_str(), cell(record.depth, "%.4g").c_str(),
@@ -38,6 +42,7 @@ std::string line(const SpectrumRecord& record) {
 
 void run(const std::string& file, const Context& context) {
     const std::vector<SpectrumRecord> records = read_any_spectra(file);
+    for (const std::string& warning : records_warnings(records)) context.console.warning(warning);
     if (context.options.json) return context.console.data(records_json(records));
     context.console.data(format_text("%-16s  %-12s %9s %10s %7s %7s %6s %5s %6s\n", "time, UTC",
                                      "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",

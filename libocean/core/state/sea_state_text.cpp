@@ -59,8 +59,26 @@ constexpr double kMuchFolded = 0.01;
 
 }  // namespace
 
+/// What the readers of its measured records had to assume, and what no record says.
+void add_record_warnings(const Parameters& parameters, SeaState& state) {
+    for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
+        const WaveSystem& system = parameters.waves[i];
+        if (system.spectrum != SpectrumKind::measured || system.measured == nullptr) continue;
+        const std::string name = "waves." + std::to_string(i);
+        for (const std::string& warning : system.measured->warnings) {
+            state.warnings.push_back(name + ".file: " + warning);
+        }
+        if (system.measured->has_directions() || system.wind_direction) continue;
+        state.warnings.push_back(name + ".file says nothing of directions: the waves travel to " +
+                                 name +
+                                 ".wind_direction = " + fixed_text(system.direction_degrees(), 0) +
+                                 ", to the east, spread as " + name + ".spreading says");
+    }
+}
+
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     const auto warn = [&state](std::string text) { state.warnings.push_back(std::move(text)); };
+    add_record_warnings(parameters, state);
     if (flat) {
         warn("the sea is flat: no wave system has any energy (wind_speed = 0?)");
         return;

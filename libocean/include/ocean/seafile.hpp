@@ -20,7 +20,8 @@ inline constexpr int kSeaFileVersion = 1;
 inline constexpr std::size_t kMaxSeaFileBytes = std::size_t{4} << 20;
 
 /// All records of a spectrum file, in file order, whatever its format: it is recognised by content.
-/// Text formats, and .gz of them where zlib is there. Throws Error bad_file "PATH:LINE: ...".
+/// Text formats, and .gz of them where zlib is there. A record that cannot be read has its `fault`
+/// and costs no other. Throws Error bad_file "PATH:LINE: ..." if none can be read.
 std::vector<SpectrumRecord> read_spectra(const std::string& path);
 /// read_spectra or a program's own, which knows formats that need more libraries.
 using SpectrumReader = std::function<std::vector<SpectrumRecord>(const std::string& path)>;
@@ -65,14 +66,18 @@ struct RecordChoice {
     std::string place;  // a station's name, or "LATITUDE,LONGITUDE": the nearest within 50 km
 };
 /// The place is chosen first. Throws Error invalid_value for a choice that says nothing, not_found
-/// that names the nearest there is.
+/// that names the nearest there is, bad_file with the fault of the record that is chosen.
 const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
                                     const RecordChoice& choice, const std::string& file);
 /// JSON, one object a record: time, station, latitude, longitude, depth, significant_wave_height
 /// [m], peak_period [s], mean_direction [degrees counter-clockwise from +x, travelling to],
 /// coming_from [the same, degrees clockwise from north], directional_spread [degrees], directions
-/// ("none", "moments" or "full"), frequencies [how many]; null where it is not known.
+/// ("none", "moments" or "full"), frequencies [how many], warnings; null where it is not known.
+/// Records with a fault are left out: records_warnings names them.
 std::string records_json(std::span<const SpectrumRecord> records);
+/// What the readers warn of, a sentence for each warning and each record that cannot be read; what
+/// several records have in common is said once, with their number.
+std::vector<std::string> records_warnings(std::span<const SpectrumRecord> records);
 
 /// Where waves come from, as sailors name it: degrees clockwise from north, 0 <= d < 360, of the
 /// direction they travel to, degrees counter-clockwise from +x. NaN stays NaN.

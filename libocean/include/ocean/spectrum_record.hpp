@@ -35,8 +35,15 @@ struct SpectrumRecord {
     std::vector<double> direction;            // degrees, 0 <= d < 360, ascending, 3 or more
     std::vector<double> directional_density;  // m^2/Hz/degree, >= 0, [frequency][direction]
 
+    // What its reader had to assume, to leave out or to set right: sentences for people.
+    std::vector<std::string> warnings;
+    // Why it cannot be used, "PATH:LINE: what is wrong"; empty for a good one. Of a record with a
+    // fault only time and place are told.
+    std::string fault;
+
     bool has_moments() const { return !a1.empty(); }
     bool is_directional() const { return !direction.empty(); }
+    bool has_directions() const { return has_moments() || is_directional(); }
     bool operator==(const SpectrumRecord&) const = default;
 };
 
