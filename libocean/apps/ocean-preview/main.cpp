@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "console.hpp"
 #include "ocean/error.hpp"
+#include "ocean/sea_state.hpp"
 #include "ocean/version.hpp"
 #include "offscreen_run.hpp"
 #include "picture_list.hpp"
@@ -52,6 +54,10 @@ void run(const PreviewWords& words, const Context& context) {
     if (options.bridge && !words.pictures.empty()) {
         throw Error(ErrorKind::invalid_value,
                     "--pictures are of the sea as its file has it: no --bridge");
+    }
+    for (const std::string& warning :
+         full_development_warnings(sea.at(sea.parameters.time.start))) {
+        context.console.warning(warning);
     }
     if (in_window) {
         run_window(options, sea, words.sea, context);
