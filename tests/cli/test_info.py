@@ -102,7 +102,9 @@ def test_a_fetch_beyond_full_development_is_warned_of_wherever_the_sea_goes(ocea
 
 
 def test_a_take_that_lets_the_wind_fall_is_warned_of_by_its_bake(ocean):
-    ocean.write("fall.toml", LIGHT.replace("5.0", "20.0") + '[take]\nlines = ["0.1 wind_speed 5"]\n')
+    ocean.write(
+        "fall.toml", LIGHT.replace("5.0", "20.0") + '[take]\nlines = ["0.1 wind_speed 5"]\n'
+    )
     done = ocean("bake", "fall.toml", "--frames", "1-24", "-o", "out/sea_####.exr")
     assert done.returncode == 0, done.stderr
     found = re.findall(r"warning: frame (\d+): waves\.0\.fetch", done.stderr)
