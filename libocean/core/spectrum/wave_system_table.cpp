@@ -19,17 +19,16 @@ namespace {
 
 /// Bounds of the error of linear interpolation between two rows.
 struct Tolerance {
-    double peak;   // of the largest density
-    double tail;   // of the density itself, beyond the peak, where the slopes of the sea come from
-    double floor;  // of the largest density: how small an error in the tail is no error
+    double peak;  // of the largest density
+    double tail;  // of the density itself, beyond the peak, where the slopes of the sea come from
 };
 /// The error of a bent density is largest in the middle between two rows.
-constexpr Tolerance kInTheMiddle = {5e-5, 1e-3, 1e-14};
+constexpr Tolerance kInTheMiddle = {5e-5, 1e-3};
 /// Where the bend turns between two rows, the chord crosses the density, perhaps in the middle
 /// itself. The error t (1 - t) (a + b (1 - 2 t)) at a share t of the way is largest near 0.23 from
 /// the end; that of a wide interval, whose bend turns near its end, near 0.14. Between these
 /// shares it may be 1 % larger.
-constexpr Tolerance kBesideTheMiddle = {0.99e-4, 1.1e-3, 1e-9};
+constexpr Tolerance kBesideTheMiddle = {0.99e-4, 1.1e-3};
 constexpr double kSharesBeside[] = {0.23, 0.77, 0.14, 0.86};
 
 struct Rows {
@@ -60,18 +59,20 @@ class RowRefinement {
 
   private:
     bool holds(double chord, double value, bool beyond_peak, const Tolerance& tolerance) const {
-        const double tail =
-            beyond_peak ? tolerance.tail * value + tolerance.floor * largest_ : largest_;
+        const double tail = beyond_peak ? tolerance.tail * value + 1e-14 * largest_ : largest_;
         return std::abs(value - chord) <= std::min(tolerance.peak * largest_, tail);
     }
 
     bool holds_beside_the_middle(double low, double at_low, double high, double at_high) const {
-        for (const double share : kSharesBeside) {
+        // The far tail bends one way, and nothing of the peak can hide in it.
+        if (std::max(at_low, at_high) < kBesideTheMiddle.peak * largest_) return true;
+        const auto holds_at = [&](double share, const Tolerance& tolerance) {
             const double chord = at_low + share * (at_high - at_low);
-            const double value = density_(low + share * (high - low));
-            if (!holds(chord, value, low >= peak_, kBesideTheMiddle)) return false;
-        }
-        return true;
+            return holds(chord, density_(low + share * (high - low)), low >= peak_, tolerance);
+        };
+        if (holds_at(0.23, kInTheMiddle) && holds_at(0.77, kInTheMiddle)) return true;
+        return std::ranges::all_of(kSharesBeside,
+                                   [&](double share) { return holds_at(share, kBesideTheMiddle); });
     }
 
     const Density& density_;
