@@ -55,14 +55,18 @@ void run(const PreviewWords& words, const Context& context) {
         throw Error(ErrorKind::invalid_value,
                     "--pictures are of the sea as its file has it: no --bridge");
     }
-    for (const std::string& warning :
-         full_development_warnings(sea.at(sea.parameters.time.start))) {
-        context.console.warning(warning);
-    }
+    const auto warn = [&] {
+        const Parameters parameters = sea.at(sea.parameters.time.start);
+        for (const std::string& warning : full_development_warnings(parameters)) {
+            context.console.warning(warning);
+        }
+    };
     if (in_window) {
+        warn();
         run_window(options, sea, words.sea, context);
     } else {
         run_offscreen(options, pictures, sea, words.sea.source, context);
+        warn();
     }
 }
 
