@@ -171,6 +171,19 @@ void tell_gaps(const Bake& bake) {
         ranges_text(missing));
 }
 
+/// Warns of waves beyond full development, in a take of those of the first frame that has some.
+void warn_of_development(const BakePlan& plan, BakeHost& host) {
+    const bool plays = !plan.sea.take.empty();
+    for (const int frame : plan.frames) {
+        const Parameters parameters = plan.sea.at(plan.sea.time_of(frame));
+        const std::vector<std::string> warnings = full_development_warnings(parameters);
+        for (const std::string& warning : warnings) {
+            host.warning(plays ? "frame " + std::to_string(frame) + ": " + warning : warning);
+        }
+        if (!warnings.empty() || !plays) return;
+    }
+}
+
 void bake_frames(const Bake& bake, const WorkShare& share, ManifestKeeper& keeper) {
     const BakePlan& plan = bake.plan;
     std::vector<std::unique_ptr<FrameBaker>> bakers;
@@ -234,6 +247,7 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     if (!plan.backend_note.empty()) host.note(plan.backend_note);
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
                           share.threads_each));
+    warn_of_development(plan, host);
     Ocean ocean(plan.sea, {.threads = plan.threads});
     ocean.modes();  // once, for all workers
     const Bake bake{plan, ocean, manifest, host};

@@ -16,19 +16,22 @@ namespace ocean {
 namespace {
 
 /// WMO Manual on Codes, table 1100. The wind is the mean of the force; with this fetch JONSWAP
-/// gives the probable wave height of the open sea. The patch is about 8 peak wavelengths.
+/// gives the probable wave height of the open sea. Forces 1 to 3 raise less, even fully developed
+/// [Pierson and Moskowitz 1964]: height and period of their open sea are given, and the fetch is
+/// that of full development or the least there is. The patch is about 8 peak wavelengths.
 struct Beaufort {
     std::string_view name;
-    double wind_speed;   // m/s
-    double wave_height;  // m
-    double fetch;        // m
-    double patch_size;   // m
+    double wind_speed;         // m/s
+    double wave_height;        // m
+    double fetch;              // m
+    double patch_size;         // m
+    double peak_period = 0.0;  // s; 0 where height and period follow from wind and fetch
 };
 constexpr std::array<Beaufort, 13> kBeaufort = {{
     {"calm", 0.0, 0.0, 300e3, 100.0},
-    {"light air", 0.8, 0.1, 27e3, 35.0},
-    {"light breeze", 2.4, 0.2, 16e3, 52.0},
-    {"gentle breeze", 4.3, 0.6, 44e3, 150.0},
+    {"light air", 0.8, 0.1, 1e3, 35.0, 1.66},
+    {"light breeze", 2.4, 0.2, 7e3, 52.0, 2.03},
+    {"gentle breeze", 4.3, 0.6, 22e3, 150.0, 3.46},
     {"moderate breeze", 6.7, 1.0, 54e3, 230.0},
     {"fresh breeze", 9.3, 2.0, 110e3, 460.0},
     {"strong breeze", 12.3, 3.0, 150e3, 690.0},
@@ -107,6 +110,11 @@ Parameters wind_sea(double wind_speed, double fetch, double patch_size) {
     return parameters;
 }
 
+void set_waves(Parameters& parameters, double height, double period) {
+    parameters.waves.front().significant_wave_height = height;
+    parameters.waves.front().peak_period = period;
+}
+
 Preset beaufort(std::size_t force) {
     const Beaufort& row = kBeaufort[force];
     const std::string wind = " (" + plain(row.wind_speed) + " m/s), waves of ";
@@ -116,8 +124,16 @@ Preset beaufort(std::size_t force) {
         "Mean wind of the force at 10 m and probable wave height of the open sea: WMO code table\n"
         "1100. The height is not set: it follows from wind and fetch by JONSWAP, and the fetch is\n"
         "the one that gives it. The patch holds about 8 of the most energetic waves.";
-    return make_preset("beaufort_" + std::to_string(force), description, kNotes,
-                       wind_sea(row.wind_speed, row.fetch, row.patch_size));
+    constexpr std::string_view kSetNotes =
+        "Mean wind of the force at 10 m and probable wave height of the open sea: WMO code table\n"
+        "1100. Height and period are set: a fully developed sea of so little wind is lower, and\n"
+        "the open sea has waves of other winds too. The fetch is about that of full development.\n"
+        "The patch holds about 8 of the most energetic waves.";
+    Parameters parameters = wind_sea(row.wind_speed, row.fetch, row.patch_size);
+    const bool is_set = row.peak_period > 0.0;
+    if (is_set) set_waves(parameters, row.wave_height, row.peak_period);
+    return make_preset("beaufort_" + std::to_string(force), description,
+                       is_set ? kSetNotes : kNotes, parameters);
 }
 
 Preset douglas(std::size_t degree) {
@@ -131,10 +147,7 @@ Preset douglas(std::size_t degree) {
         "wind sea of steepness 0.036, and wind and fetch give about this height and period by\n"
         "themselves. The patch holds about 8 of the most energetic waves.";
     Parameters parameters = wind_sea(row.wind_speed, row.fetch, row.patch_size);
-    if (row.wave_height > 0.0) {
-        parameters.waves.front().significant_wave_height = row.wave_height;
-        parameters.waves.front().peak_period = row.peak_period;
-    }
+    if (row.wave_height > 0.0) set_waves(parameters, row.wave_height, row.peak_period);
     return make_preset("douglas_" + std::to_string(degree), description, kNotes, parameters);
 }
 

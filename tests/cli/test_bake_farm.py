@@ -616,8 +616,8 @@ def test_json_lines_count_what_became_of_each_frame(ocean, blocked):
 def test_a_reader_who_leaves_ends_the_bake_with_a_manifest(ocean):
     """As `| head` does: without a word, every file whole and listed."""
     done = ocean.shell(
-        '"$OCEAN" bake sea.toml --frames 1-5000 -o out/s.####.exr --products height --json'
-        " | head -n 2; exit ${PIPESTATUS[0]}"
+        '"$OCEAN" bake sea.toml --set fetch=80000 --frames 1-5000 -o out/s.####.exr'
+        " --products height --json | head -n 2; exit ${PIPESTATUS[0]}"
     )
     assert done.returncode == 128 + signal.SIGPIPE
     assert {event["event"] for event in events(done)} == {"start", "frame"}

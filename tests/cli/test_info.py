@@ -71,6 +71,46 @@ def test_a_sea_that_cannot_be_is_warned_of(ocean):
     assert any("folded over on" in warning for warning in state["warnings"])
 
 
+LIGHT = """libocean = 1
+[grid]
+resolution = 32
+patch_size = 200.0
+[[waves]]
+spectrum = "jonswap"
+wind_speed = 5.0
+"""
+
+
+def test_a_fetch_beyond_full_development_is_warned_of_wherever_the_sea_goes(ocean):
+    """5 m/s over the default fetch of 300 km: JONSWAP [Hasselmann 1973] gives 1.97 m, the fully
+    developed sea [Pierson and Moskowitz 1964] has 0.561 m, which JONSWAP has at 30.5 km."""
+    ocean.write("light.toml", LIGHT)
+    warning = r"warning: waves\.0\.fetch = 300000 m .* 1\.97 m, .* 0\.561 m .* 30500 m"
+    assert re.search(warning, ocean("info", "light.toml").stderr)
+    assert state_of(ocean, "light.toml")["significant_wave_height"]["asked"] == pytest.approx(
+        1.974, abs=5e-4
+    ), "the sea is what was asked for"
+    for command in (
+        ["bake", "light.toml", "--frames", "1-3", "-o", "out/sea_####.exr"],
+        ["povray", "light.toml", "-o", "folder"],
+    ):
+        done = ocean(*command)
+        assert done.returncode == 0, done.stderr
+        assert len(re.findall(warning, done.stderr)) == 1, done.stderr
+    developed = ocean("info", "light.toml", "--set", "fetch=30500").stderr
+    assert "full development" not in developed
+
+
+def test_a_take_that_lets_the_wind_fall_is_warned_of_by_its_bake(ocean):
+    ocean.write(
+        "fall.toml", LIGHT.replace("5.0", "20.0") + '[take]\nlines = ["0.1 wind_speed 5"]\n'
+    )
+    done = ocean("bake", "fall.toml", "--frames", "1-24", "-o", "out/sea_####.exr")
+    assert done.returncode == 0, done.stderr
+    found = re.findall(r"warning: frame (\d+): waves\.0\.fetch", done.stderr)
+    assert len(found) == 1 and int(found[0]) > 3, done.stderr
+
+
 def test_json_has_the_documented_keys(ocean):
     state = state_of(ocean, "sea.toml")
     for name in PAIRS:

@@ -109,7 +109,8 @@ def test_verbose_says_more(ocean):
 
 
 def test_json_progress_is_a_line_for_each_event(ocean):
-    done = ocean("bake", "sea.toml", "-o", "out/s.####.exr", "--frames", "3-5", "--json")
+    bake = ["bake", "sea.toml", "-o", "out/s.####.exr", "--frames", "3-5", "--json"]
+    done = ocean(*bake, "--set", "fetch=80000")  # of a sea without a warning
     events = [json.loads(line) for line in done.stderr.splitlines()]
     assert [event["event"] for event in events] == ["start", "frame", "frame", "frame", "done"]
     assert [event["frame"] for event in events[1:4]] == [3, 4, 5]

@@ -31,7 +31,9 @@ TEST(Presets, BeaufortForcesHaveTheWindAndWavesOfTheWmoTable) {
         const std::string name = "beaufort_" + std::to_string(force);
         const Sea sea = parse_sea(find_preset(name).toml, name, "");
         EXPECT_EQ(sea.parameters.waves[0].wind_speed, wind[force]);
-        EXPECT_FALSE(sea.parameters.waves[0].significant_wave_height.has_value());
+        const bool is_set = force >= 1 && force <= 3;
+        EXPECT_EQ(sea.parameters.waves[0].significant_wave_height.has_value(), is_set) << force;
+        EXPECT_EQ(sea.parameters.waves[0].peak_period.has_value(), is_set) << force;
         EXPECT_NEAR(state_of(name).significant_wave_height.asked, height[force],
                     0.03 * height[force]);
     }
@@ -50,6 +52,26 @@ TEST(Presets, DouglasDegreesHaveTheMiddleOfTheirHeights) {
         EXPECT_NEAR(own.significant_wave_height.asked, height[degree], 0.05 * height[degree])
             << "wind and fetch give the height by themselves";
         EXPECT_NEAR(own.peak_period.asked, state.peak_period.asked, 0.03 * state.peak_period.asked);
+    }
+}
+
+TEST(Presets, HaveNoMoreFetchThanAFullyDevelopedSea) {
+    for (const Preset& preset : presets()) {
+        const Sea sea = parse_sea(preset.toml, preset.name, "");
+        EXPECT_TRUE(full_development_warnings(sea.parameters).empty()) << preset.name;
+    }
+}
+
+// Forces 1 to 3 with the fetch that made their height by itself: 27, 16 and 44 km.
+TEST(Presets, LightBeaufortForcesLookAsTheyDidWithAnImpossibleFetch) {
+    const double height[] = {0.1009, 0.2034, 0.5996};
+    const double period[] = {1.663, 2.033, 3.461};
+    const double slope[] = {0.007497, 0.013655, 0.014146};
+    for (int i = 0; i < 3; ++i) {
+        const SeaState state = state_of("beaufort_" + std::to_string(i + 1));
+        EXPECT_NEAR(state.significant_wave_height.asked, height[i], 0.02 * height[i]);
+        EXPECT_NEAR(state.peak_period.asked, period[i], 0.002 * period[i]);
+        EXPECT_NEAR(state.mean_square_slope.resolved, slope[i], 0.03 * slope[i]);
     }
 }
 

@@ -10,7 +10,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
@@ -98,6 +100,142 @@ TEST(SeaState, WarnsOfWavesTooHighForTheirDepth) {
     parameters.waves.front().significant_wave_height.reset();
     parameters.waves.front().spectrum = SpectrumKind::tma;
     EXPECT_FALSE(warns(state_of(parameters), "water.depth"));
+}
+
+Parameters fetch_limited(double wind, double fetch, SpectrumKind kind = SpectrumKind::jonswap) {
+    Parameters parameters;
+    WaveSystem& system = parameters.waves.front();
+    system.spectrum = kind;
+    system.wind_speed = wind;
+    system.fetch = fetch;
+    return parameters;
+}
+
+std::string development_warning(const Parameters& parameters) {
+    const std::vector<std::string> warnings = full_development_warnings(parameters);
+    EXPECT_LE(warnings.size(), 1u);
+    return warnings.empty() ? "" : warnings.front();
+}
+
+// Pierson and Moskowitz: m0 = 8.1e-3 (1.026 U)^4 / (4 * 0.74 g^2), 0.561 m at 5 m/s and 0.0225 m
+// at 1 m/s. JONSWAP with gamma = 3.3 has that at chi = g F/U^2 = 1.196e4: 30.5 km and 1.22 km.
+TEST(SeaState, WarnsOfAFetchBeyondFullDevelopmentWithBothHeights) {
+    const std::string five = development_warning(fetch_limited(5.0, 300e3));
+    for (const char* part : {"waves.0.fetch = 300000 m", "a wind of 5 m/s", "1.97 m", "0.561 m",
+                             "30500 m", "waves.0.significant_wave_height"}) {
+        EXPECT_NE(five.find(part), std::string::npos) << part << " in " << five;
+    }
+    Parameters tma = fetch_limited(1.0, 300e3, SpectrumKind::tma);
+    tma.water.depth = 40.0;
+    const std::string one = development_warning(tma);
+    for (const char* part : {"0.464 m", "0.0225 m", "1220 m"}) {
+        EXPECT_NE(one.find(part), std::string::npos) << part << " in " << one;
+    }
+    EXPECT_TRUE(warns(state_of(tma), "full development"));
+    EXPECT_FALSE(warns(state_of(test::wind_sea()), "full development"));
+}
+
+TEST(SeaState, AFetchOfFullDevelopmentGivesTheHeightThatTheWarningNames) {
+    for (const double gamma : {1.0, 3.3, 7.0}) {
+        for (const double gravity : {3.7, 9.81}) {
+            Parameters parameters = fetch_limited(12.0, 1e6);
+            parameters.water.gravity = gravity;
+            parameters.waves.front().peak_enhancement = gamma;
+            const std::string text = development_warning(parameters);
+            const std::size_t at = text.find("from a fetch of ");
+            ASSERT_NE(at, std::string::npos) << text;
+            parameters.waves.front().fetch = std::stod(text.substr(at + 16));
+            const double height = make_directional_spectrum(parameters)
+                                      .moments(parameters.water)
+                                      .significant_wave_height();
+            const double wind = 1.026 * 12.0;
+            const double developed = 4.0 * std::sqrt(8.1e-3 / 2.96) * wind * wind / gravity;
+            EXPECT_NEAR(height / developed, 1.0, 3e-3) << text;
+            EXPECT_EQ(development_warning(parameters), "");
+        }
+    }
+}
+
+// A quarter of the energy is the scatter of fully developed seas, (3.6 +- 0.9)e-3 [Young 1999]. It
+// goes with chi^1.1 [Hasselmann 1973].
+TEST(SeaState, WarnsOfMoreThanTheScatterOfFullyDevelopedSeas) {
+    const double limit = 1.196e4 * 100.0 / 9.81 * std::pow(1.25, 1.0 / 1.1);
+    EXPECT_EQ(development_warning(fetch_limited(10.0, 0.99 * limit)), "");
+    EXPECT_NE(development_warning(fetch_limited(10.0, 1.01 * limit)), "");
+}
+
+// The peak of Pierson and Moskowitz at 5 m/s: 2 pi 1.026 * 5 / (0.8772 * 9.81) = 3.75 s; that of
+// JONSWAP over 300 km: 6.86 s. They meet at chi = 1.88e4: 48 km.
+TEST(SeaState, WarnsOfThePeriodAloneWhereTheHeightIsGiven) {
+    Parameters parameters = fetch_limited(5.0, 300e3);
+    WaveSystem& system = parameters.waves.front();
+    system.significant_wave_height = 0.5;
+    const std::string text = development_warning(parameters);
+    for (const char* part :
+         {"a peak period of 6.86 s", "3.75 s", "47900 m", "waves.0.peak_period"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+    }
+    EXPECT_EQ(text.find("significant"), std::string::npos) << text;
+    system.fetch = 60e3;
+    EXPECT_EQ(development_warning(parameters), "") << "8 % of the period, within its scatter";
+    system.fetch = 300e3;
+    system.peak_period = 9.0;
+    EXPECT_EQ(development_warning(parameters), "") << "swell: nothing follows from the fetch";
+    system.significant_wave_height.reset();
+    EXPECT_NE(
+        development_warning(parameters).find("1.97 m, where a fully developed sea has 0.561 m"),
+        std::string::npos)
+        << "the period alone is given";
+}
+
+TEST(SeaState, NamesTheWaveSystemWhoseFetchIsTooLong) {
+    Parameters parameters = fetch_limited(15.0, 300e3);
+    parameters.waves.push_back(fetch_limited(4.0, 300e3).waves.front());
+    parameters.waves.push_back(parameters.waves.back());
+    const std::vector<std::string> warnings = full_development_warnings(parameters);
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0].find("waves.1.fetch"), 0u);
+    EXPECT_EQ(warnings[1].find("waves.2.fetch"), 0u);
+}
+
+TEST(SeaState, SpectraWithoutFetchAndSeasWithoutWindAreNotBeyondFullDevelopment) {
+    for (const SpectrumKind kind : {SpectrumKind::phillips, SpectrumKind::pierson_moskowitz}) {
+        EXPECT_EQ(development_warning(fetch_limited(5.0, 1e7, kind)), "");
+    }
+    EXPECT_EQ(development_warning(fetch_limited(0.0, 1e7)), "");
+    EXPECT_NE(development_warning(fetch_limited(1e-5, 1e7)), "") << "finite numbers";
+    EXPECT_EQ(development_warning(fetch_limited(75.0, 1e6)), "");
+}
+
+// At a depth of 2 m waves grow less with the fetch: 300 km, of 274 km of full development, give
+// 1.35 m, and 3000 km 2.27 m, where the deep formulas give 5.2 m and 18 m.
+TEST(SeaState, ShallowWaterIsComparedWithAFullyDevelopedSeaOfItsDepth) {
+    Parameters parameters = fetch_limited(15.0, 300e3, SpectrumKind::tma);
+    parameters.water.depth = 2.0;
+    EXPECT_EQ(development_warning(parameters), "");
+    parameters.waves.front().fetch = 3e6;
+    const std::string text = development_warning(parameters);
+    EXPECT_NE(text.find("2.27 m, where a fully developed sea has 1.33 m"), std::string::npos)
+        << text;
+    parameters.waves.front().fetch = 1.196e4 * 225.0 / 9.81;
+    const double developed =
+        make_directional_spectrum(parameters).moments(parameters.water).significant_wave_height();
+    EXPECT_NEAR(developed, 1.33, 0.005);
+}
+
+// A take that lets the wind fall leaves the fetch: the warning is that of the moment, and a gliding
+// spreading, which has two shares of one wave system, gives one.
+TEST(SeaState, WarnsOfTheMomentOfATake) {
+    Sea sea;
+    sea.parameters = fetch_limited(20.0, 300e3);
+    sea.take.events = {
+        {10.0, find_parameter("wind_speed"), 5.0},
+        {10.0, find_parameter("spreading"), std::string("hasselmann")},
+    };
+    EXPECT_EQ(development_warning(sea.at(9.0)), "");
+    ASSERT_EQ(sea.at(10.5).waves.size(), 2u);
+    EXPECT_NE(development_warning(sea.at(10.5)), "");
+    EXPECT_NE(development_warning(sea.at(60.0)).find("a wind of 5 m/s"), std::string::npos);
 }
 
 TEST(SeaState, TheFoldedShareIsThatOfTheMapsAndWarnsFromOnePercent) {

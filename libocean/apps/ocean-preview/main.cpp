@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "console.hpp"
 #include "ocean/error.hpp"
+#include "ocean/sea_state.hpp"
 #include "ocean/version.hpp"
 #include "offscreen_run.hpp"
 #include "picture_list.hpp"
@@ -53,10 +55,18 @@ void run(const PreviewWords& words, const Context& context) {
         throw Error(ErrorKind::invalid_value,
                     "--pictures are of the sea as its file has it: no --bridge");
     }
+    const auto warn = [&] {
+        const Parameters parameters = sea.at(sea.parameters.time.start);
+        for (const std::string& warning : full_development_warnings(parameters)) {
+            context.console.warning(warning);
+        }
+    };
     if (in_window) {
+        warn();
         run_window(options, sea, words.sea, context);
     } else {
         run_offscreen(options, pictures, sea, words.sea.source, context);
+        warn();
     }
 }
 

@@ -14,6 +14,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/parameter_table.hpp"
+#include "ocean/sea_state.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
@@ -458,10 +459,18 @@ void choose_backend(PanelState& state) {
     ImGui::EndCombo();
 }
 
-/// What was written or refused, at the foot of the window; and what the mouse points at.
-void speak(const PanelState& state) {
+/// Warnings of the sea and what was written or refused, at the foot of the window; and what the
+/// mouse points at.
+void speak(LiveSea& sea, const PanelState& state) {
     if (!state.under_mouse.empty()) ImGui::SetTooltip("%s", state.under_mouse.c_str());
-    if (state.message.empty()) return;
+    std::string text;
+    if (state.shown) {
+        for (const std::string& warning : full_development_warnings(sea.now())) {
+            text += warning + "\n";
+        }
+    }
+    text += state.message;
+    if (text.empty()) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({size.x - 8.0f, size.y - 8.0f}, ImGuiCond_Always, {1.0f, 1.0f});
     ImGui::SetNextWindowBgAlpha(0.7f);
@@ -469,7 +478,7 @@ void speak(const PanelState& state) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushTextWrapPos(std::max(200.0f, 0.6f * size.x));
-    ImGui::TextUnformatted(state.message.c_str());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::End();
 }
@@ -519,7 +528,7 @@ void undo(LiveSea& sea, PanelState& state) {
 
 void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
                 PanelState& state) {
-    speak(state);
+    speak(sea, state);
     if (!state.shown) return;
     constexpr float kMargin = 8.0f;
     ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);

@@ -17,10 +17,19 @@ namespace ocean {
 
 namespace {
 
-// Bounds of linear interpolation between two rows: of the peak, and, beyond the peak where the
-// slopes of the sea come from, of the value itself.
-constexpr double kPeakTolerance = 5e-5;
-constexpr double kTailTolerance = 1e-3;
+/// Bounds of the error of linear interpolation between two rows.
+struct Tolerance {
+    double peak;  // of the largest density
+    double tail;  // of the density itself, beyond the peak, where the slopes of the sea come from
+};
+/// The error of a bent density is largest in the middle between two rows.
+constexpr Tolerance kInTheMiddle = {5e-5, 1e-3};
+/// Where the bend turns between two rows, the chord crosses the density, perhaps in the middle
+/// itself. The error t (1 - t) (a + b (1 - 2 t)) at a share t of the way is largest near 0.23 from
+/// the end; that of a wide interval, whose bend turns near its end, near 0.14. Between these
+/// shares it may be 1 % larger.
+constexpr Tolerance kBesideTheMiddle = {0.99e-4, 1.1e-3};
+constexpr double kSharesBeside[] = {0.23, 0.77, 0.14, 0.86};
 
 struct Rows {
     std::vector<double> omega;
@@ -37,9 +46,9 @@ class RowRefinement {
     void refine(double low, double at_low, double high, double at_high, int depth) {
         const double middle = 0.5 * (low + high);
         const double value = density_(middle);
-        const double error = std::abs(value - 0.5 * (at_low + at_high));
-        const double tail = low < peak_ ? largest_ : kTailTolerance * value + 1e-14 * largest_;
-        if (depth == 0 || error <= std::min(kPeakTolerance * largest_, tail)) {
+        const bool beyond = low >= peak_;
+        if (depth == 0 || (holds(0.5 * (at_low + at_high), value, beyond, kInTheMiddle) &&
+                           holds_beside_the_middle(low, at_low, high, at_high))) {
             rows_.omega.push_back(high);
             rows_.density.push_back(at_high);
             return;
@@ -49,6 +58,23 @@ class RowRefinement {
     }
 
   private:
+    bool holds(double chord, double value, bool beyond_peak, const Tolerance& tolerance) const {
+        const double tail = beyond_peak ? tolerance.tail * value + 1e-14 * largest_ : largest_;
+        return std::abs(value - chord) <= std::min(tolerance.peak * largest_, tail);
+    }
+
+    bool holds_beside_the_middle(double low, double at_low, double high, double at_high) const {
+        // The far tail bends one way, and nothing of the peak can hide in it.
+        if (std::max(at_low, at_high) < kBesideTheMiddle.peak * largest_) return true;
+        const auto holds_at = [&](double share, const Tolerance& tolerance) {
+            const double chord = at_low + share * (at_high - at_low);
+            return holds(chord, density_(low + share * (high - low)), low >= peak_, tolerance);
+        };
+        if (holds_at(0.23, kInTheMiddle) && holds_at(0.77, kInTheMiddle)) return true;
+        return std::ranges::all_of(kSharesBeside,
+                                   [&](double share) { return holds_at(share, kBesideTheMiddle); });
+    }
+
     const Density& density_;
     double peak_;
     double largest_;

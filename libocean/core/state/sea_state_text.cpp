@@ -5,6 +5,7 @@
 #include "state/sea_state_text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "modes/mode_lattice.hpp"
 #include "ocean/json.hpp"
@@ -103,6 +104,7 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
              " m: a real sea has broken before its significant height is 0.6 of the depth; allow "
              "more depth, less height, or take spectrum = \"tma\"");
     }
+    for (std::string& text : full_development_warnings(parameters)) warn(std::move(text));
     if (state.loop_error > 0.05) {
         warn("time.loop_period = " + fixed_text(parameters.time.loop_period, 1) +
              " s moves the waves " + fixed_text(100.0 * state.loop_error, 1) +

@@ -59,9 +59,9 @@ class DirectionalSpectrum {
     std::vector<double> row_sum_;
 };
 
-/// Adds up all wave systems. Energy of each parametric system exact to 1e-5, density to 1e-4 of its
-/// peak; a measured one is linear between its listed frequencies and 0 beyond them.
-/// Needs validated parameters. The bits are the same for any number of threads.
+/// Adds up all wave systems. Energy of each parametric system exact to 1e-5, the shape of its
+/// density to 1e-4 of its peak; a measured one is linear between its listed frequencies and 0
+/// beyond them. Needs validated parameters. The bits are the same for any number of threads.
 DirectionalSpectrum make_directional_spectrum(const Parameters& parameters, ThreadPool& pool);
 /// On the caller's thread alone.
 DirectionalSpectrum make_directional_spectrum(const Parameters& parameters);

@@ -77,6 +77,11 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
 /// whitecap_coverage, foam_threshold and folded_share of a state of the same sea, and the warning
 /// of folds.
 void add_whitecaps(const Modes& modes, const SurfaceSettings& settings, SeaState& state);
+/// Returns a sentence for each JONSWAP or TMA system whose fetch makes waves beyond those of a
+/// fully developed sea [Pierson and Moskowitz 1964], with both heights, or both periods where the
+/// height is given, and the fetch of full development. A system whose height and period are both
+/// given has none. Reads the wave systems and the water; sea_state() has these warnings too.
+std::vector<std::string> full_development_warnings(const Parameters& parameters);
 /// The object of `ocean info --json`.
 std::string sea_state_json(const SeaState& state);
 

@@ -45,7 +45,9 @@ double pierson_moskowitz_peak(double wind_speed_10, double gravity);
 /// sigma  width of the peak in units of omega_p: 0.07 for omega <= omega_p, 0.09 above
 /// [Hasselmann 1973] eq. 2.4.1, the powers of chi from their section 2.
 /// Range: chi up to some 1e4. From 1.9e4 on (U = 10 m/s: 190 km) omega_p lies below that of
-/// pierson_moskowitz_peak, though nothing grows any more; the formula does not stop there.
+/// pierson_moskowitz_peak, and with gamma = 3.3 the variance is larger from 1.2e4 on (120 km),
+/// though nothing grows any more; the formula does not stop there. full_development_warnings()
+/// reports such seas.
 /// Limits: gamma = 1 is the shape of Pierson and Moskowitz, m0 = alpha g^2 / (5 omega_p^4);
 /// omega >> omega_p gives alpha g^2 omega^-5; omega -> 0 gives 0.
 /// Tests: Spectrum.JonswapGoldenPeaksAndHeights, JonswapLimits,
