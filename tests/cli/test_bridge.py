@@ -11,6 +11,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import termios
 import threading
 import time
 from pathlib import Path
@@ -199,6 +200,25 @@ def test_telnet_types_commands(start):
     peer = bridge.log.wait_for(r"(127\.0\.0\.1:\d+) connected")[1]
     bridge.log.wait_for(re.escape(peer) + ": set choppiness 0.5$")
     bridge.log.wait_for(re.escape(peer) + " ended")
+
+
+def test_telnet_shows_answers_after_control_c(start):
+    """telnet asks DO TIMING-MARK then, and throws away what comes until it is answered."""
+    bridge = start("--dummy")
+    pid, screen = pty.fork()
+    if pid == 0:
+        os.execv(shutil.which("telnet"), ["telnet", "127.0.0.1", str(bridge.port)])
+    try:
+        lines = Lines(os.fdopen(os.dup(screen), errors="replace"))
+        lines.wait_for("OBP 1 ")
+        os.write(screen, b"SET wind_spe")
+        os.write(screen, termios.tcgetattr(screen)[6][termios.VINTR])
+        os.write(screen, b"GET choppiness\n")
+        lines.wait_for("^VAL choppiness 1$")
+    finally:
+        os.kill(pid, signal.SIGKILL)
+        os.waitpid(pid, 0)
+        os.close(screen)
 
 
 def test_netcat_pipes_a_script_and_loses_no_line(start):
