@@ -174,7 +174,7 @@ TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {
         {bytes("/p\0\0,[ff]\0\0\0\0\0\0\0\0\0\0\0"), "the types [ff]; allowed"},
         {bytes("/p\0\0,[[i]T]\0\0\0\0\1"), "the types [[i]T]; allowed"},
         {bytes("/p\0\0,fbf\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"), "the types fbf; allowed"},
-        {bytes("/p\0\0,x\0\0who knows how long\0\0\0"), "the types x; allowed"},
+        {bytes("/p\0\0,x\0\0who knows how long\0\0"), "the types x; allowed"},
         {bytes("/p\0\0,") + std::string(18, 'f') + '\0' + std::string(72, '\0'), "too many"},
         {bytes("/p\0\0,f\0\0"), "not what its types say"},
         {bytes("/p\0\0,f\0\0\0\0\0\0\0\0\0\0"), "not what its types say"},
