@@ -255,7 +255,15 @@ std::optional<std::string> Learner::map_of(const std::string& channel,
     }
     const auto [low, high] = std::ranges::minmax(values);
     if (high - low < kMoved * (gesture.range[1] - gesture.range[0])) return std::nullopt;
-    return lines(channel, knob_, as_knob(gesture.range, is_midi(channel)));
+    std::array<double, 2> range = gesture.range;
+    // A device that never sends the fine byte ends before the end of 14 bits.
+    constexpr double kCoarse = 128.0;
+    const bool is_coarse =
+        is_one_of(letters, {"nrpn", "rpn"}) && std::ranges::all_of(values, [](double value) {
+            return std::remainder(value, kCoarse) == 0.0;
+        });
+    if (is_coarse) range[1] = 127.0 * kCoarse;
+    return lines(channel, knob_, as_knob(range, is_midi(channel)));
 }
 
 std::string Learner::lines(const std::string& channel, const Target& target,

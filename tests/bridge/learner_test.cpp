@@ -87,6 +87,7 @@ std::string map_of(const std::string& channel, const std::string& more) {
 }
 const std::string kFader = "in = [0, 127] hysteresis = 0 takeover = \"pickup\" ";
 const std::string kWide = "in = [0, 16383] hysteresis = 0 takeover = \"pickup\" ";
+const std::string kCoarse = "in = [0, 16256] hysteresis = 0 takeover = \"pickup\" ";
 std::string turned(const std::string& code) {
     return map_of("m/cc16", "mode = \"relative\" code = \"" + code + "\" step = 0.33 ");
 }
@@ -146,9 +147,9 @@ TEST(Learner, TellsValuesOfFourteenBits) {
         nrpn.plays({0xB0, 99, 1, 98, 8, 6, 10, 38, 0}).plays({99, 1, 98, 8, 6, 80, 38, 16}).rests(),
         Lessons{map_of("m/nrpn136", kWide)});
     EXPECT_EQ(nrpn.plays({99, 1, 98, 9, 6, 10}).plays({6, 80}).rests(),
-              Lessons{map_of("m/nrpn137", kWide)});
+              Lessons{map_of("m/nrpn137", kCoarse)});
     EXPECT_EQ(nrpn.plays({101, 0, 100, 0, 6, 10}).plays({6, 80}).rests(),
-              Lessons{map_of("m/rpn0", kWide)});
+              Lessons{map_of("m/rpn0", kCoarse)});
     EXPECT_EQ(Hand().says("m/pb1", {8192, 10000, 16383}).rests(), Lessons{map_of("m/pb1", kWide)});
 }
 

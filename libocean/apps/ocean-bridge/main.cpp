@@ -22,10 +22,11 @@ Boards are those of the map's [[device]]; without any, and without --dummy and -
 each Velleman K8055 that is plugged in: board0 to board3, as its jumpers say.
 Without --map the knob a1 of board0 is wind_speed, a2 choppiness, its button d1 app.pause
 and d2 app.record; the map is read again when its file changes.
-A map's mode = "relative" is for endless knobs of MIDI: each step is a hundredth of out, or
-step; pair0 .. pair31, nrpn0 .. and rpn0 .. are values of 14 bits, 0 .. 16383.
-ocean-bridge --learn >map.toml writes the map of the controls that are moved; PROTOCOL.md has
-all its keys. Without --map it looks for K8055 boards and the first MIDI controller.
+A map's mode = "relative" is for endless knobs of MIDI, with code = "twos_complement",
+"binary_offset" or "signed_bit": a step is a hundredth of out, or what step says, from what
+the value is. midi0/pair0 .. pair31, nrpn0 .. nrpn16383 and rpn0 .. rpn16383 are values of 14
+bits, 0 .. 16383. --learn >map.toml writes the map of the controls that are moved: of the
+boards of --map, or of each K8055 and the first MIDI controller. PROTOCOL.md has all keys.
 A script and a replay are lines SECONDS CHANNEL VALUE, such as 0.5 board0/a1 128.
 Try it: ocean-bridge --dummy, then telnet 127.0.0.1 4747 and HELP.
 Exit codes: 0 done, 1 failed at run time, 2 wrong usage or bad file, 130 interrupted.)";
