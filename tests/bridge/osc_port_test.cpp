@@ -146,7 +146,7 @@ TEST(OscPort, ABundleDeliversItsOwnBesideWhatIsForOthers) {
         "\0\0\0\x1c/page/picture\0\0\0,b\0\0\0\0\0\4abcd"s
         "\0\0\0\x1c/ocean/wind_speed\0\0\0,f\0\0\x41\x60\0\0"s,
         served);
-    EXPECT_EQ(client.line(), "EVT WRITER wind_speed osc:127.0.0.1");
+    ASSERT_EQ(client.line(), "EVT WRITER wind_speed osc:127.0.0.1");
     EXPECT_EQ(client.line(), "UPD wind_speed 14");
     EXPECT_TRUE(log.waits_for(
         "/page/picture: its arguments are of the types b; allowed: i, h, f, d, s, S, T, F"));
