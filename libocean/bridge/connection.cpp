@@ -51,6 +51,8 @@ Connection::Connection(Socket socket, const Host& host)
     asio::error_code ignored;
     socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
     socket_.set_option(asio::socket_base::keep_alive(true), ignored);
+    // Telnet's Synch sends its Data Mark as urgent: out of band it would be missing behind its IAC.
+    socket_.set_option(asio::socket_base::out_of_band_inline(true), ignored);
     socket_.set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
 }
 
@@ -106,7 +108,10 @@ void Connection::work() {
             input_ = Input::waits_for_room;
             return;
         }
-        const auto line = splitter_.next(unread_);
+        std::string replies;
+        const auto line = splitter_.next(unread_, &replies);
+        if (!replies.empty()) put_bytes(replies);
+        if (!open_) return;
         if (!line) return read();
         tokens_ -= 1.0;
         handle(*line);
@@ -279,8 +284,11 @@ void Connection::tell(std::string_view event) {
 }
 
 void Connection::put(std::string_view line) {
-    out_ += line;
-    out_ += "\r\n";
+    put_bytes(std::string(line) + "\r\n");
+}
+
+void Connection::put_bytes(std::string_view bytes) {
+    out_ += bytes;
     if (out_.size() > kMostWaiting) return end("it takes nothing of what it is sent");
     if (!writing_.empty() || std::exchange(flush_posted_, true)) return;
     // After what is being done now: lines that come together leave together.

@@ -60,6 +60,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     void list();
     void help();
     void put(std::string_view line);
+    /// As they are: telnet's commands are no lines.
+    void put_bytes(std::string_view bytes);
     void flush();
     void refuse(std::string_view code, const std::string& text) { put(refusal_line({code, text})); }
 

@@ -20,6 +20,14 @@ std::vector<DeviceRule> usual_devices() {
     return devices;
 }
 
+std::vector<DeviceRule> devices_to_learn() {
+    std::vector<DeviceRule> devices = usual_devices();
+#ifdef OCEAN_HAVE_RTMIDI
+    devices.push_back({"midi0", MidiDevice{}});
+#endif
+    return devices;
+}
+
 std::vector<std::unique_ptr<Source>> make_sources(std::span<const DeviceRule> devices) {
     std::vector<std::unique_ptr<Source>> sources;
     std::vector<K8055Board> k8055_boards;  // one thread of libusb serves them all

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "ocean/checked_text.hpp"
 #include "ocean/line_reader.hpp"
@@ -50,6 +51,21 @@ bool is_clean(std::string_view text) {
     return true;
 }
 
+// [RFC 854] p. 14, and [RFC 1184] section 2.5 for Suspend and Abort.
+constexpr unsigned char kSuspend = 237;
+constexpr unsigned char kAbort = 238;
+constexpr unsigned char kBreak = 243;
+constexpr unsigned char kInterrupt = 244;
+constexpr unsigned char kAreYouThere = 246;
+constexpr unsigned char kEraseCharacter = 247;
+constexpr unsigned char kEraseLine = 248;
+constexpr unsigned char kSubBegins = 250;
+constexpr unsigned char kWill = 251;
+constexpr unsigned char kWont = 252;
+constexpr unsigned char kDo = 253;
+constexpr unsigned char kDont = 254;
+constexpr unsigned char kIac = 255;
+
 std::string joined(std::string_view word, std::string_view name, std::string_view value) {
     std::string line(word);
     line += ' ';
@@ -90,35 +106,103 @@ std::optional<std::variant<Request, Refusal>> parse_request(std::string_view lin
     return request;
 }
 
-bool LineSplitter::is_text(unsigned char byte) {
-    constexpr unsigned char kCommand = 0xFF;
-    constexpr unsigned char kSubBegins = 0xFA;
-    constexpr unsigned char kSubEnds = 0xF0;
+LineSplitter::Byte LineSplitter::take_telnet(unsigned char byte, std::string* replies) {
     switch (telnet_) {
         case Telnet::text:
-            if (byte != kCommand) return true;
+            if (byte != kIac) return Byte::text;
             telnet_ = Telnet::command;
             break;
         case Telnet::command:
-            // WILL, WON'T, DO and DON'T have an option behind them.
-            telnet_ = byte == kSubBegins                     ? Telnet::sub
-                      : byte > kSubBegins && byte < kCommand ? Telnet::option
-                                                             : Telnet::text;
-            break;
+            return take_command(byte, replies);
         case Telnet::option:
             telnet_ = Telnet::text;
+            // WON'T and DON'T need no answer, or two that refuse would do so for ever.
+            if (replies != nullptr && (command_ == kDo || command_ == kWill)) {
+                *replies += static_cast<char>(kIac);
+                *replies += static_cast<char>(command_ == kDo ? kWont : kDont);
+                *replies += static_cast<char>(byte);
+            }
             break;
         case Telnet::sub:
-            if (byte == kCommand) telnet_ = Telnet::sub_command;
+            if (byte == kIac) {
+                telnet_ = Telnet::sub_command;
+            } else if (++sub_size_ > kLongestLine) {
+                // It has lost its end, which must not swallow all that follows.
+                telnet_ = Telnet::text;
+                too_long_ = true;
+            }
             break;
         case Telnet::sub_command:
-            telnet_ = byte == kSubEnds ? Telnet::text : Telnet::sub;
+            if (byte == kIac) {
+                telnet_ = Telnet::sub;  // an escaped 255 of the option's own
+            } else {
+                return take_command(byte, replies);  // SE, or one that breaks it off
+            }
             break;
     }
-    return false;
+    return Byte::none;
 }
 
-std::optional<LineSplitter::Line> LineSplitter::finish() {
+LineSplitter::Byte LineSplitter::take_command(unsigned char byte, std::string* replies) {
+    telnet_ = Telnet::text;
+    switch (byte) {
+        case kIac:
+            return Byte::text;
+        case kSubBegins:
+            telnet_ = Telnet::sub;
+            sub_size_ = 0;
+            break;
+        case kWill:
+        case kWont:
+        case kDo:
+        case kDont:
+            telnet_ = Telnet::option;
+            command_ = byte;
+            break;
+        case kAreYouThere:
+            if (replies != nullptr) *replies += event_line("HERE") + "\r\n";
+            break;
+        case kEraseCharacter:
+            return Byte::erase_character;
+        case kInterrupt:
+        case kBreak:
+        case kAbort:
+        case kSuspend:
+        case kEraseLine:
+            return Byte::erase_line;
+        default:
+            break;  // No Operation, Data Mark, Go Ahead, Abort Output and what has no meaning here
+    }
+    return Byte::none;
+}
+
+void LineSplitter::add(char byte) {
+    line_ += byte;
+    if (line_.size() <= kLongestLine) return;
+    too_long_ = true;
+    line_.clear();
+}
+
+void LineSplitter::erase_character() {
+    while (!line_.empty()) {
+        const bool is_first = (static_cast<unsigned char>(line_.back()) & 0xC0) != 0x80;
+        line_.pop_back();
+        if (is_first) return;
+    }
+}
+
+void LineSplitter::erase_word() {
+    const std::size_t last = line_.find_last_not_of(" \t");
+    const std::size_t blank = last == std::string::npos ? last : line_.find_last_of(" \t", last);
+    line_.erase(blank == std::string::npos ? 0 : blank + 1);
+}
+
+void LineSplitter::drop_line() {
+    line_.clear();
+    too_long_ = false;
+}
+
+LineSplitter::Line LineSplitter::finish() {
     Line line{std::move(line_), ""};
     line_.clear();
     if (too_long_) {
@@ -130,21 +214,38 @@ std::optional<LineSplitter::Line> LineSplitter::finish() {
     return line;
 }
 
-std::optional<LineSplitter::Line> LineSplitter::next(std::string_view& bytes) {
+std::optional<LineSplitter::Line> LineSplitter::next(std::string_view& bytes,
+                                                     std::string* replies) {
+    constexpr char kBackspace = '\b';
+    constexpr char kDelete = '\x7F';
+    constexpr char kControlC = '\x03';
+    constexpr char kControlU = '\x15';
+    constexpr char kControlW = '\x17';
     while (!bytes.empty()) {
         const char byte = bytes.front();
         bytes.remove_prefix(1);
-        if (!is_text(static_cast<unsigned char>(byte))) continue;
-        if (byte == '\n' || (after_return_ && byte == '\0')) {
-            after_return_ = false;
-            return finish();
-        }
-        if (after_return_) line_ += '\r';  // one that ended nothing
-        after_return_ = byte == '\r';
-        if (!after_return_) line_ += byte;
-        if (line_.size() > kLongestLine) {
-            too_long_ = true;
-            line_.clear();
+        const Byte kind = take_telnet(static_cast<unsigned char>(byte), replies);
+        if (kind == Byte::none) continue;
+        const bool after_return = std::exchange(after_return_, false);
+        if (kind == Byte::erase_character) {
+            erase_character();
+        } else if (kind == Byte::erase_line) {
+            drop_line();
+        } else if (byte == '\r') {
+            after_return_ = true;
+            if (!after_return) return finish();
+        } else if (byte == '\n') {
+            if (!after_return) return finish();
+        } else if (byte == '\0' && after_return) {
+            continue;
+        } else if (byte == kBackspace || byte == kDelete) {
+            erase_character();
+        } else if (byte == kControlW) {
+            erase_word();
+        } else if (byte == kControlU || byte == kControlC) {
+            drop_line();
+        } else {
+            add(byte);
         }
     }
     return std::nullopt;

@@ -48,7 +48,10 @@ class RuleReader : private SectionReader {
 
     MapRule map() {
         MapRule rule;
+        bool has_code = false;
+        bool has_in = false;
         bool has_out = false;
+        bool has_step = false;
         while (next()) {
             if (key() == "from") {
                 rule.from = channel();
@@ -56,8 +59,12 @@ class RuleReader : private SectionReader {
                 rule.to = value_name();
             } else if (key() == "mode") {
                 rule.mode = word<Mode>();
+            } else if (key() == "code") {
+                rule.code = word<RelativeCode>();
+                has_code = true;
             } else if (key() == "in") {
                 rule.in = range(true);
+                has_in = true;
             } else if (key() == "out") {
                 rule.out = range(false);
                 has_out = true;
@@ -79,20 +86,32 @@ class RuleReader : private SectionReader {
                 rule.debounce = number(0.0, kLongestSmoothing) / 1000.0;
             } else if (key() == "step") {
                 rule.step = number(-kLargest, kLargest);
+                has_step = true;
             } else if (key() == "wrap") {
                 rule.wrap = flag();
             } else {
                 throw unknown(
                     "from, to, mode, in, out, curve, invert, deadzone, hysteresis, smooth_ms, "
-                    "takeover, edge, debounce_ms, step, wrap");
+                    "takeover, edge, debounce_ms, code, step, wrap");
             }
         }
         require(rule.from, rule.to);
-        const bool counts = rule.mode == Mode::increment;
+        const bool turns = rule.mode == Mode::relative;
+        const bool counts = rule.mode == Mode::increment || turns;
         if ((rule.mode == Mode::range && !has_out) ||
             (counts && (!has_out || rule.out[0] >= rule.out[1]))) {
             throw fail("out is missing or empty; allowed: [LOWEST, HIGHEST]");
         }
+        if (turns != has_code) {
+            throw fail(turns ? "code is missing; allowed: " + words_of<RelativeCode>()
+                             : "code is one of mode = \"relative\" alone");
+        }
+        if (turns && !wire(rule.from).starts_with("cc")) {
+            throw fail("from is no MIDI controller; allowed: such as midi0/cc16");
+        }
+        if (!has_in) rule.in = whole_range(rule.from);
+        if (turns && !has_step) rule.step = usual_step(rule);
+        if (counts) require_step(rule);
         if (rule.mode == Mode::range) require_room(rule);
         require_outputs(rule);
         return rule;
@@ -118,6 +137,14 @@ class RuleReader : private SectionReader {
     }
 
   private:
+    /// Channels of 14 bits, and the last of each kind.
+    struct Wide {
+        std::string_view letters;
+        int last;
+    };
+    static constexpr std::array kWide = {Wide{"pair", 31}, Wide{"nrpn", 16383}, Wide{"rpn", 16383},
+                                         Wide{"pb", 1}};
+
     /// "gamma:2.2" or another word.
     void curve(MapRule& rule) const {
         constexpr std::string_view kGamma = "gamma:";
@@ -135,7 +162,39 @@ class RuleReader : private SectionReader {
     }
     std::string channel() const {
         if (!is_channel_name(text())) throw refused("a channel, such as board0/a1");
+        const std::string_view name = wire(text());
+        for (const auto& [letters, last] : kWide) {
+            if (name.starts_with(letters) &&
+                text::parse_number(name.substr(letters.size())) > static_cast<double>(last)) {
+                throw refused("a channel; the last of this kind is " + std::string(letters) +
+                              std::to_string(last));
+            }
+        }
         return text();
+    }
+    /// "a1" of "board0/a1".
+    static std::string_view wire(std::string_view channel) {
+        return channel.substr(channel.find('/') + 1);
+    }
+    /// What a channel of MIDI has by its definition, and the inputs of a K8055.
+    static std::array<double, 2> whole_range(std::string_view channel) {
+        const std::string_view name = wire(channel);
+        const bool is_wide = std::ranges::any_of(
+            kWide, [&](const auto& wide) { return name.starts_with(wide.letters); });
+        if (is_wide) return {0.0, 16383.0};
+        if (name.starts_with("cc")) return {0.0, 127.0};
+        return {0.0, 255.0};
+    }
+    /// A hundredth of `out`; of a whole number at least one.
+    double usual_step(const MapRule& rule) const {
+        const double hundredth = (rule.out[1] - rule.out[0]) / 100.0;
+        if (!values_.is_whole(values_.find(rule.to))) return hundredth;
+        return std::max(std::round(hundredth), 1.0);
+    }
+    void require_step(const MapRule& rule) const {
+        if (!values_.is_whole(values_.find(rule.to)) || rule.step == std::round(rule.step)) return;
+        throw fail("step = " + plain_text(rule.step) + " is no step of " + rule.to +
+                   "; allowed: whole numbers");
     }
     std::string value_name() const {
         try {

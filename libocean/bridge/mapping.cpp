@@ -61,6 +61,21 @@ double curved(Curve curve, double gamma, double x) {
     return x;
 }
 
+int relative_steps(RelativeCode code, double byte) {
+    constexpr int kHalf = 64;
+    if (!(byte >= 0.0 && byte < 2.0 * kHalf)) return 0;
+    const int value = static_cast<int>(byte);
+    switch (code) {
+        case RelativeCode::twos_complement:
+            return value < kHalf ? value : value - 2 * kHalf;
+        case RelativeCode::binary_offset:
+            return value - kHalf;
+        case RelativeCode::signed_bit:
+            break;
+    }
+    return value < kHalf ? value : kHalf - value;
+}
+
 /// A channel whose place is a value.
 class Mapping::Knob {
   public:
@@ -219,7 +234,7 @@ class Mapping::Button {
     Clock::time_point rests_from_{};
 };
 
-/// A channel that counts, and goes round when it is full.
+/// A channel that counts and goes round when it is full, or says by how much it was turned.
 class Mapping::Counter {
   public:
     Counter(MapRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
@@ -227,11 +242,10 @@ class Mapping::Counter {
     const std::string& channel() const { return rule_.from; }
 
     std::optional<Setting> report(const Report& report, const ValueTable& values) {
-        const double before = std::exchange(count_, report.value).value_or(report.value);
-        const double round = rule_.in[1] - rule_.in[0] + 1.0;
-        const double counts = std::remainder(report.value - before, round);
+        const double counts = counts_of(report);
         if (counts == 0.0) return std::nullopt;
-        const double value = inside(values.number(entry_) + rule_.step * counts);
+        const double current = values.number(entry_);
+        const double value = inside(current, current + rule_.step * counts);
         return Setting{entry_, rounded(value, "%.12g"), rule_.from};  // whole ones stay whole
     }
 
@@ -241,9 +255,18 @@ class Mapping::Counter {
     void forget_place() { count_.reset(); }
 
   private:
-    double inside(double value) const {
+    double counts_of(const Report& report) {
+        if (rule_.mode == Mode::relative) return relative_steps(rule_.code, report.value);
+        const double before = std::exchange(count_, report.value).value_or(report.value);
+        const double round = rule_.in[1] - rule_.in[0] + 1.0;
+        return std::remainder(report.value - before, round);
+    }
+    /// A value that another hand has put outside of `out` comes back step by step, and not at once.
+    double inside(double current, double value) const {
         const auto [lowest, highest] = rule_.out;
-        if (!rule_.wrap) return std::clamp(value, lowest, highest);
+        if (!rule_.wrap) {
+            return std::clamp(value, std::min(lowest, current), std::max(highest, current));
+        }
         const double width = highest - lowest;
         return value - width * std::floor((value - lowest) / width);
     }
@@ -277,7 +300,7 @@ Mapping::Mapping(MapFile file, const ValueTable& values) : state_(std::make_uniq
         const std::size_t entry = values.find(rule.to);
         if (rule.mode == Mode::range) {
             state_->knobs.emplace_back(std::move(rule), entry);
-        } else if (rule.mode == Mode::increment) {
+        } else if (rule.mode == Mode::increment || rule.mode == Mode::relative) {
             state_->counters.emplace_back(std::move(rule), entry);
         } else {
             state_->buttons.emplace_back(std::move(rule), entry);

@@ -14,11 +14,13 @@
 
 namespace ocean::bridge {
 
-inline constexpr int kMidiNumbers = 128;    // of controllers and of notes
-inline constexpr int kMidiHighest = 127;    // value of a controller
-inline constexpr int kBendHighest = 16383;  // 14 bits; 8192 is the middle
+inline constexpr int kMidiNumbers = 128;   // of controllers and of notes
+inline constexpr int kMidiHighest = 127;   // value of a controller
+inline constexpr int kMidiPairs = 32;      // coarse controllers 0 .. 31, each with a fine one
+inline constexpr int kMidiWidest = 16383;  // 14 bits; of the pitch wheel 8192 is the middle
 
-enum class MidiKind { controller, note, bend };
+/// The last three are joined from controllers (midi_joiner.hpp).
+enum class MidiKind { controller, note, bend, pair, nrpn, rpn };
 
 /// A message of a channel, 1 .. 16. A note's value is 1 while it is held.
 struct MidiReport {

@@ -3,12 +3,15 @@
 #include "ocean/bridge/midi_source.hpp"
 
 #include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
+#include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "midi_source_of_ports.hpp"
 #include "ocean/checked_text.hpp"
@@ -19,17 +22,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Where each kind begins among midi_channels().
-constexpr std::size_t kControllers = 0;
-constexpr std::size_t kNotes = kControllers + kMidiNumbers;
-constexpr std::size_t kBend = kNotes + kMidiNumbers;
-constexpr std::size_t kLeds = kBend + 1;
+// Where the outputs begin among midi_channels().
+constexpr std::size_t kLeds = 2 * kMidiNumbers + 1 + kMidiPairs;
 constexpr std::size_t kLamps = kLeds + kMidiNumbers;
 
-std::size_t index_of(const MidiReport& report) {
-    const auto number = static_cast<std::size_t>(report.number);
-    if (report.kind == MidiKind::bend) return kBend;
-    return (report.kind == MidiKind::note ? kNotes : kControllers) + number;
+/// "cc7" of controller 7.
+std::string channel_of(const MidiReport& report) {
+    constexpr std::array<std::string_view, 6> kLetters = {"cc", "n", "pb", "pair", "nrpn", "rpn"};
+    return std::string(kLetters[static_cast<std::size_t>(report.kind)]) +
+           std::to_string(report.number);
 }
 
 /// Ports that are no controllers: the kernel's own loop, and bridges.
@@ -91,14 +92,17 @@ class MidiSource : public Source {
         std::unique_lock lock(mutex_);
         while (!stopped_) {
             const Orders orders = std::exchange(orders_, {});
+            const bool is_due = due_ && Clock::now() >= *due_;
             lock.unlock();
             for (const auto& [index, value] : orders) tell(index, value);
+            if (is_due) report_late();
             if (Clock::now() >= next_look) {
                 look_around();
                 next_look = Clock::now() + look_;
             }
             lock.lock();
-            changed_.wait_until(lock, next_look, [this] { return stopped_ || !orders_.empty(); });
+            if (stopped_ || !orders_.empty()) continue;
+            changed_.wait_until(lock, due_ ? std::min(*due_, next_look) : next_look);
         }
         lock.unlock();
         if (!open_.empty()) put_out();
@@ -125,6 +129,11 @@ class MidiSource : public Source {
 
     void leave() {
         ports_->close();
+        {
+            const std::lock_guard hearing(hearing_);
+            parser_ = {};
+            joiner_ = {};
+        }
         open_.clear();
         be_there(false);
         listener_.event(id_ + std::string(kLost));
@@ -136,8 +145,6 @@ class MidiSource : public Source {
             return small(name).find(small(device_.port)) != std::string::npos;
         });
         if (port == names.end()) return;
-        parser_ = {};
-        places_.clear();
         if (!ports_->open(*port, [this](auto bytes) { receive(bytes); })) return;
         open_ = *port;
         be_there(true);
@@ -145,16 +152,37 @@ class MidiSource : public Source {
         for (const auto& [index, value] : told_) send(index, value);
     }
 
-    /// In the ports' thread, which lives between open() and close().
+    /// In the ports' thread, which lives between open() and close(). Each message is told, also one
+    /// that says the same as that before: of an endless knob that is a step.
     void receive(std::span<const std::uint8_t> bytes) {
+        const std::lock_guard hearing(hearing_);
+        const Clock::time_point now = Clock::now();
         for (const MidiReport& report : parser_.feed(bytes)) {
             if (device_.channel != 0 && report.channel != device_.channel) continue;
-            const std::size_t index = index_of(report);
-            const auto [place, is_new] = places_.try_emplace(index, report.value);
-            if (!is_new && std::exchange(place->second, report.value) == report.value) continue;
-            listener_.report(
-                {Clock::now(), channels_[index].name, static_cast<double>(report.value), true});
+            report_all(std::span(&report, 1), now);
+            report_all(joiner_.take(report, now), now);
         }
+        set_due();
+    }
+    void report_late() {
+        const std::lock_guard hearing(hearing_);
+        const Clock::time_point now = Clock::now();
+        report_all(joiner_.advance(now), now);
+        set_due();
+    }
+    void report_all(std::span<const MidiReport> reports, Clock::time_point now) const {
+        for (const MidiReport& report : reports) {
+            listener_.report(
+                {now, id_ + "/" + channel_of(report), static_cast<double>(report.value), true});
+        }
+    }
+    void set_due() {
+        const auto due = joiner_.next();
+        {
+            const std::lock_guard lock(mutex_);
+            if (std::exchange(due_, due) == due) return;
+        }
+        changed_.notify_all();
     }
 
     void tell(std::size_t index, int value) {
@@ -182,15 +210,17 @@ class MidiSource : public Source {
     std::condition_variable changed_;
     bool stopped_ = false;
     bool there_ = false;
-    Orders orders_;  // not told yet
+    Orders orders_;                         // not told yet
+    std::optional<Clock::time_point> due_;  // of a value that waits for its fine byte
     // Of the source's thread.
     std::unique_ptr<MidiPorts> ports_;
     std::string open_;     // the port's name
     std::string trouble_;  // that was said
     Orders told_;
-    // Of the ports' thread.
+    // Held while something is reported, so that nothing overtakes what came before it.
+    std::mutex hearing_;
     MidiParser parser_;
-    Orders places_;
+    MidiJoiner joiner_;
     std::thread thread_;
 };
 
@@ -205,7 +235,10 @@ std::vector<Channel> midi_channels(const std::string& board) {
     };
     add("cc", kMidiHighest, false);
     add("n", 1.0, false);
-    channels.push_back({board + "/pb1", 0.0, kBendHighest, false});
+    channels.push_back({board + "/pb1", 0.0, kMidiWidest, false});
+    for (int i = 0; i < kMidiPairs; ++i) {
+        channels.push_back({board + "/pair" + std::to_string(i), 0.0, kMidiWidest, false});
+    }
     add("led", kMidiHighest, true);
     add("lamp", kMidiHighest, true);
     return channels;

@@ -66,16 +66,21 @@ Error refused(const std::string& why) {
 }
 
 /// The type tags of a message, which stand behind its address. liblo 0.31 reads the length of a
-/// blob before it knows that four bytes are left (lo_validate_blob): what we have no use for does
-/// not get there.
-std::string_view checked_types(std::string_view bytes) {
+/// blob before it knows that four bytes are left (lo_validate_blob): types that are not taken do
+/// not get there, nor does a message whose length they do not tell.
+std::string_view checked_types(const std::string& address, std::string_view bytes) {
     constexpr std::string_view kTaken = "ihfdsSTF";
     const std::string_view types = bytes.substr(0, bytes.find('\0'));
-    if (!types.starts_with(',')) throw refused("the types of its arguments are missing");
-    if (types.size() > 1 + kMostOscArguments) throw refused("it has too many arguments");
+    if (!types.starts_with(',')) {
+        throw refused(address + ": the types of its arguments are missing");
+    }
     if (types.find_first_not_of(kTaken, 1) != std::string_view::npos) {
-        throw refused("its arguments are of the types " + text::printable(types.substr(1)) +
+        throw refused(address + ": its arguments are of the types " +
+                      text::printable(types.substr(1), kMostOscArguments) +
                       "; allowed: i, h, f, d, s, S, T, F");
+    }
+    if (types.size() > 1 + kMostOscArguments) {
+        throw refused(address + ": it has too many arguments");
     }
     return types.substr(1);
 }
@@ -117,7 +122,7 @@ OscMessage parse_message(std::string_view bytes) {
     OscMessage message{std::string(bytes.substr(0, end)), {}};
     const std::string_view rest = bytes.substr(std::min(end / 4 * 4 + 4, bytes.size()));
     if (rest.empty()) return message;  // old senders have no types where they have no arguments
-    const std::string_view types = checked_types(rest);
+    const std::string_view types = checked_types(message.address, rest);
     std::string copy(bytes);
     const Message parsed(lo_message_deserialise(copy.data(), copy.size(), nullptr));
     if (!parsed) throw refused(message.address + ": its bytes are not what its types say");
@@ -134,26 +139,43 @@ std::size_t take_size(std::string_view& bytes) {
     return size;
 }
 
+/// The elements of a bundle by their sizes alone, whatever is in them.
+std::vector<std::string_view> elements_of(std::string_view bundle) {
+    if (bundle.size() < kBundleHead) throw refused("a bundle ends in its time");
+    bundle.remove_prefix(kBundleHead);
+    std::vector<std::string_view> elements;
+    while (!bundle.empty()) {
+        const std::size_t size = take_size(bundle);
+        elements.push_back(bundle.substr(0, size));
+        bundle.remove_prefix(size);
+    }
+    return elements;
+}
+
 std::string size_bytes(std::size_t size) {
     std::string bytes;
     for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(size >> shift & 0xFF);
     return bytes;
 }
 
-/// A message or a bundle.
-void parse_element(std::string_view bytes, int depth, std::vector<OscMessage>& messages) {
+std::size_t size_of(const OscPacket& packet) {
+    return packet.messages.size() + packet.left_out.size();
+}
+
+/// Adds a message, or all of a bundle that can be read, up to one message too many.
+void parse_element(std::string_view bytes, int depth, OscPacket& packet) {
     if (!bytes.starts_with(kBundleTag)) {
-        if (messages.size() == kMostOscMessages) throw refused("it has too many messages");
-        messages.push_back(parse_message(bytes));
+        packet.messages.push_back(parse_message(bytes));
         return;
     }
     if (depth == kDeepestOscBundle) throw refused("its bundles are too deep");
-    if (bytes.size() < kBundleHead) throw refused("a bundle ends in its time");
-    bytes.remove_prefix(kBundleHead);
-    while (!bytes.empty()) {
-        const std::size_t size = take_size(bytes);
-        parse_element(bytes.substr(0, size), depth + 1, messages);
-        bytes.remove_prefix(size);
+    for (const std::string_view element : elements_of(bytes)) {
+        if (size_of(packet) > kMostOscMessages) return;
+        try {
+            parse_element(element, depth + 1, packet);
+        } catch (const Error& error) {
+            packet.left_out.emplace_back(error.what());
+        }
     }
 }
 
@@ -180,11 +202,12 @@ void add(lo_message message, const OscArgument& argument) {
 
 void require_osc() {}
 
-std::vector<OscMessage> parse_osc_packet(std::string_view bytes) {
+OscPacket parse_osc_packet(std::string_view bytes) {
     if (bytes.size() % 4 != 0) throw refused("its length is no multiple of four");
-    std::vector<OscMessage> messages;
-    parse_element(bytes, 0, messages);
-    return messages;
+    OscPacket packet;
+    parse_element(bytes, 0, packet);
+    if (size_of(packet) > kMostOscMessages) throw refused("it has too many messages");
+    return packet;
 }
 
 std::string osc_packet(const OscMessage& message) {
@@ -214,7 +237,7 @@ void require_osc() {
     throw Error(ErrorKind::unsupported, "this build is without liblo, which OSC needs");
 }
 
-std::vector<OscMessage> parse_osc_packet(std::string_view) {
+OscPacket parse_osc_packet(std::string_view) {
     require_osc();
     return {};
 }

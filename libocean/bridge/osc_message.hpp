@@ -33,9 +33,17 @@ inline constexpr int kDeepestOscBundle = 8;
 /// Throws Error unsupported in a build without liblo, as all that follows may.
 void require_osc();
 
-/// The messages of a packet in their order, also those of bundles in bundles. Throws Error
-/// invalid_value where any byte of it is wrong, or any type is not of i, h, f, d, s, S, T, F.
-std::vector<OscMessage> parse_osc_packet(std::string_view bytes);
+/// A packet that was read.
+struct OscPacket {
+    std::vector<OscMessage> messages;   // in their order, also those of bundles in bundles
+    std::vector<std::string> left_out;  // why, for each element of a bundle that cannot be read
+};
+
+/// Reads a message or a bundle. A bundle says how long each of its elements is: one that cannot be
+/// read, such as a message for another program with types that are not of i, h, f, d, s, S, T, F,
+/// is left out alone. Throws Error invalid_value for a packet that is no more than one such
+/// message, whose own bundle has sizes that do not fit, or which has too many elements.
+OscPacket parse_osc_packet(std::string_view bytes);
 /// Whole numbers are `i`, or `h` where 32 bits are too few; the rest is as its type says.
 std::string osc_packet(const OscMessage& message);
 /// As bundles that count at once, in as few packets as networks carry in one piece.

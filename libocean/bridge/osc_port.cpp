@@ -133,7 +133,9 @@ void OscPort::take(std::string_view packet) {
     if (senders_.is_first(from)) host_.log("osc " + text_of(sender_) + " sends");
     writer_ = writer_name(from);
     try {
-        for (const OscMessage& message : parse_osc_packet(packet)) obey(message);
+        const OscPacket parsed = parse_osc_packet(packet);
+        for (const OscMessage& message : parsed.messages) obey(message);
+        for (const std::string& why : parsed.left_out) complain(why);
     } catch (const Error& error) {
         complain(error.what());
     }

@@ -143,6 +143,33 @@ TEST(LineServer, HostileLinesAreAnsweredAndHarmNobody) {
     EXPECT_EQ(raw.line(), "OK");
 }
 
+/// As the telnet of netkit and PuTTY do it; answers stand in the order of what they answer.
+TEST(LineServer, TelnetsInterruptIsAnswered) {
+    const Served served({.commands_per_second = 1e6}, kKnob);
+    RawClient raw = served.client();
+    raw.send("PING\r\nSET wind_spe\xFF\xF4\xFF\xFD\x06PING\r\n");
+    EXPECT_EQ(raw.line(), "OK");
+    EXPECT_EQ(raw.line(), "\xFF\xFC\x06OK");
+    // Synch: the Data Mark is urgent, and the byte behind it is no command of telnet.
+    raw.send("\xFF\xF4\xFF");
+    const char mark = '\xF2';
+    ASSERT_EQ(::send(raw.descriptor(), &mark, 1, MSG_OOB), 1);
+    EXPECT_EQ(raw.ask("\xFF\xF6PING"), "EVT HERE");
+    EXPECT_EQ(raw.line(), "OK");
+    // One that asks for ever and reads nothing is held back as any other, and harms nobody.
+    RawClient flood = served.client();
+    std::string asks;
+    for (int i = 0; i < 100'000; ++i) asks += "\xFF\xFD\x06";
+    std::size_t sent = 0;
+    for (int i = 0; i < 200; ++i) {
+        const auto count =
+            ::send(flood.descriptor(), asks.data(), asks.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (count > 0) sent += static_cast<std::size_t>(count);
+    }
+    EXPECT_LT(sent, std::size_t{16} << 20);  // what the system's buffers hold, of 60 MB
+    EXPECT_EQ(raw.ask("PING"), "OK");
+}
+
 /// What is not read is not kept: a flood of questions is throttled, not stored.
 TEST(LineServer, AFloodThatNeverReadsIsHeldBack) {
     const Served served({.commands_per_second = 1e6}, kKnob);

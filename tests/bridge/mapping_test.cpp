@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include "ocean/error.hpp"
 
@@ -261,6 +262,102 @@ TEST(Mapping, LargeWholeNumbersAreCountedToo) {
     EXPECT_EQ(desk.value("seed"), 1234568.0);
 }
 
+std::string endless(const std::string& code, const std::string& more = "") {
+    return "[[map]]\nfrom = \"m/cc16\"\nto = \"wind_speed\"\nmode = \"relative\"\ncode = \"" +
+           code + "\"\nout = [0, 30]\n" + more;
+}
+
+/// The bytes that endless knobs send, as their makers' manuals and the hosts that take them have
+/// it.
+TEST(Mapping, ABytesStepsByItsCode) {
+    struct Row {
+        int byte, twos_complement, binary_offset, signed_bit;
+    };
+    for (const Row& row : {Row{0x00, 0, -64, 0}, Row{0x01, 1, -63, 1}, Row{0x02, 2, -62, 2},
+                           Row{0x3F, 63, -1, 63}, Row{0x40, -64, 0, 0}, Row{0x41, -63, 1, -1},
+                           Row{0x42, -62, 2, -2}, Row{0x7E, -2, 62, -62}, Row{0x7F, -1, 63, -63}}) {
+        EXPECT_EQ(relative_steps(RelativeCode::twos_complement, row.byte), row.twos_complement);
+        EXPECT_EQ(relative_steps(RelativeCode::binary_offset, row.byte), row.binary_offset);
+        EXPECT_EQ(relative_steps(RelativeCode::signed_bit, row.byte), row.signed_bit);
+    }
+    for (const double no_byte : {-1.0, 128.0, 1e9, std::nan("")}) {
+        EXPECT_EQ(relative_steps(RelativeCode::twos_complement, no_byte), 0);
+    }
+}
+
+/// A step is a hundredth of `out`, from what the value is.
+TEST(Mapping, AnEndlessKnobStepsOnFromTheValue) {
+    for (const auto& [code, up, two_up, down] : {std::tuple("twos_complement", 0x01, 0x02, 0x7F),
+                                                 std::tuple("binary_offset", 0x41, 0x42, 0x3F),
+                                                 std::tuple("signed_bit", 0x01, 0x02, 0x41)}) {
+        Desk desk(endless(code));
+        desk.write("wind_speed", "12");
+        const auto turn = [&](int byte) {
+            desk.turn(byte, "m/cc16", true);
+            return desk.value();
+        };
+        EXPECT_NEAR(turn(up), 12.3, 1e-12) << code;  // the first byte counts
+        EXPECT_NEAR(turn(up), 12.6, 1e-12) << code;  // and so does the same once more
+        EXPECT_NEAR(turn(two_up), 13.2, 1e-12) << code;
+        EXPECT_NEAR(turn(down), 12.9, 1e-12) << code;
+        desk.write("wind_speed", "20");  // another hand
+        EXPECT_NEAR(turn(down), 19.7, 1e-12) << code;
+        desk.plug("m");
+        EXPECT_NEAR(turn(down), 19.4, 1e-12) << code;
+    }
+}
+
+TEST(Mapping, AnEndlessKnobEndsAtTheEndsOfItsRange) {
+    Desk desk(endless("twos_complement", "step = 5\n"));
+    const auto turn = [&](int byte) {
+        desk.turn(byte, "m/cc16", true);
+        return desk.value();
+    };
+    desk.write("wind_speed", "22");
+    EXPECT_EQ(turn(2), 30.0);
+    EXPECT_EQ(turn(1), 30.0);
+    EXPECT_EQ(turn(0x7F), 25.0);
+    EXPECT_EQ(turn(0x40), 0.0);
+    EXPECT_EQ(turn(0x7F), 0.0);
+    desk.write("wind_speed", "50");  // beyond `out`: it comes back and does not jump
+    EXPECT_EQ(turn(1), 50.0);
+    EXPECT_EQ(turn(0x7F), 45.0);
+    EXPECT_EQ(turn(1), 45.0);
+    Desk backwards(endless("twos_complement", "step = -0.5\n"));
+    backwards.write("wind_speed", "10");
+    backwards.turn(1, "m/cc16", true);
+    EXPECT_EQ(backwards.value(), 9.5);
+    Desk round(
+        "[[map]]\nfrom = \"m/cc16\"\nto = \"wind_direction\"\nmode = \"relative\"\ncode = "
+        "\"signed_bit\"\nout = [0, 360]\nwrap = true\n");
+    round.write("wind_direction", "358");
+    round.turn(1, "m/cc16", true);
+    EXPECT_NEAR(round.value("wind_direction"), 1.6, 1e-9);
+    // Of a whole number the step is one at least.
+    Desk whole(
+        "[[map]]\nfrom = \"m/cc16\"\nto = \"seed\"\nmode = \"relative\"\ncode = "
+        "\"signed_bit\"\nout = [0, 20]\n");
+    whole.write("seed", "7");
+    whole.turn(1, "m/cc16", true);
+    EXPECT_EQ(whole.value("seed"), 8.0);
+}
+
+/// Without `in` a channel of MIDI has the range that its kind has.
+TEST(Mapping, AChannelOfMidiIsAsWideAsItsKind) {
+    for (const auto& [channel, highest] :
+         {std::pair("m/pair7", 16383.0), std::pair("m/nrpn136", 16383.0),
+          std::pair("m/rpn0", 16383.0), std::pair("m/pb1", 16383.0), std::pair("m/cc7", 127.0),
+          std::pair("board0/a1", 255.0)}) {
+        Desk desk("[[map]]\nfrom = \"" + std::string(channel) +
+                  "\"\nto = \"wind_speed\"\nout = [0, 30]\nhysteresis = 0\n");
+        desk.turn(0, channel, true);
+        desk.turn(highest / 3.0, channel, true);
+        EXPECT_NEAR(desk.value(), 10.0, 1e-4) << channel;
+        desk.turn(highest, channel, true);
+        EXPECT_EQ(desk.value(), 30.0) << channel;
+    }
+}
+
 std::string button(const std::string& mode, const std::string& more = "") {
     return "[[map]]\nfrom = \"board0/d1\"\nto = \"app.pause\"\nmode = \"" + mode + "\"\n" + more;
 }
@@ -385,6 +482,19 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{knob("invert = 1\n"), "test.toml:5: invert = 1: allowed: true or false"},
         Mistake{knob("wrap = 1\n"), "test.toml:5: wrap = 1: allowed: true or false"},
         Mistake{knob("step = true\n"), "test.toml:5: step = true: allowed: -1000000000 .. "},
+        Mistake{endless("gray"),
+                "code = \"gray\": allowed: twos_complement, binary_offset, signed_bit"},
+        Mistake{"[[map]]\nfrom = \"m/cc1\"\nto = \"swell\"\nmode = \"relative\"\nout = [0, 1]\n",
+                "test.toml:1: code is missing; allowed: twos_complement"},
+        Mistake{knob("code = \"signed_bit\"\n"), "code is one of mode = \"relative\" alone"},
+        Mistake{"[[map]]\nfrom = \"b/a1\"\nto = \"swell\"\nmode = \"relative\"\ncode = "
+                "\"signed_bit\"\nout = [0, 1]\n",
+                "from is no MIDI controller; allowed: such as midi0/cc16"},
+        Mistake{"[[map]]\nfrom = \"m/pair32\"\n", "the last of this kind is pair31"},
+        Mistake{"[[map]]\nfrom = \"m/nrpn16384\"\n", "the last of this kind is nrpn16383"},
+        Mistake{"[[map]]\nfrom = \"b/c1\"\nto = \"seed\"\nmode = \"increment\"\nout = [0, 9]\n"
+                "step = 0.5\n",
+                "step = 0.5 is no step of random.seed; allowed: whole numbers"},
         Mistake{counter(""), "test.toml:1: out is missing or empty"},
         Mistake{counter("out = [5, 5]\n"), "test.toml:1: out is missing or empty"},
         Mistake{knob("deadzone = 200\n"), "test.toml:1: deadzone or hysteresis leaves nothing"},

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "listening.hpp"
+#include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "midi_source_of_ports.hpp"
 #include "ocean/bridge/midi_source.hpp"
@@ -82,6 +83,97 @@ TEST(MidiParser, ItDoesNotMatterWhereAStreamIsCut) {
         reports.insert(reports.end(), rest.begin(), rest.end());
         EXPECT_EQ(reports, whole) << cut;
     }
+}
+
+/// What is joined of a stream, with a clock that the test moves.
+class Joined {
+  public:
+    Joined& play(const Bytes& bytes) {
+        for (const MidiReport& report : parser_.feed(bytes)) hear(joiner_.take(report, now_));
+        return *this;
+    }
+    Joined& pass(Clock::duration time = MidiJoiner::kFineWait) {
+        now_ += time;
+        hear(joiner_.advance(now_));
+        return *this;
+    }
+    bool rests() const { return !joiner_.next(); }
+    /// "pair7 = 8224" of each value, with "2:" before those of MIDI channel 2.
+    std::vector<std::string> values() { return std::exchange(values_, {}); }
+
+  private:
+    void hear(const std::vector<MidiReport>& reports) {
+        for (const MidiReport& report : reports) {
+            const std::string kind = report.kind == MidiKind::pair   ? "pair"
+                                     : report.kind == MidiKind::nrpn ? "nrpn"
+                                                                     : "rpn";
+            values_.push_back(
+                (report.channel > 1 ? std::to_string(report.channel) + ":" : std::string()) + kind +
+                std::to_string(report.number) + " = " + std::to_string(report.value));
+        }
+    }
+    MidiParser parser_;
+    MidiJoiner joiner_;
+    Clock::time_point now_{1h};
+    std::vector<std::string> values_;
+};
+using Values = std::vector<std::string>;
+
+/// [MIDI 1.0], "Control Change": cc7 is the coarse byte of a fader, cc39 its fine one.
+TEST(MidiJoiner, TwoBytesAreOneValueAndNoJumpBetweenThem) {
+    Joined fader;
+    EXPECT_EQ(fader.play({0xB0, 0x07, 0x40, 0xB0, 0x27, 0x20}).values(), Values{"pair7 = 8224"});
+    // Over the edge of a coarse step, both ways: no value in between.
+    EXPECT_EQ(fader.play({7, 0x3F}).values(), Values{});
+    EXPECT_EQ(fader.play({39, 0x7F}).values(), Values{"pair7 = 8191"});
+    EXPECT_EQ(fader.play({7, 0x40, 39, 0}).values(), Values{"pair7 = 8192"});
+    EXPECT_EQ(fader.play({7, 127, 39, 127, 7, 0, 39, 0}).values(),
+              (Values{"pair7 = 16383", "pair7 = 0"}));
+    // The fine byte alone is a small step.
+    EXPECT_EQ(fader.play({39, 5, 39, 6}).values(), (Values{"pair7 = 5", "pair7 = 6"}));
+    EXPECT_TRUE(fader.rests());
+    // The coarse byte alone means that the fine one is 0, once that has had its time.
+    EXPECT_EQ(fader.play({7, 2}).pass(9ms).values(), Values{});
+    EXPECT_EQ(fader.pass(1ms).values(), Values{"pair7 = 256"});
+    EXPECT_EQ(fader.play({7, 3, 7, 4}).values(), Values{"pair7 = 384"});
+    EXPECT_EQ(fader.pass().values(), Values{"pair7 = 512"});
+    EXPECT_TRUE(fader.rests());
+}
+
+TEST(MidiJoiner, PlainControllersAreNoPairs) {
+    Joined plain;
+    EXPECT_EQ(plain.play({0xB0, 7, 1, 7, 2, 8, 3, 64, 9}).pass().values(), Values{});
+    EXPECT_EQ(plain.play({39, 4}).values(), Values{"pair7 = 260"});
+    // A fine byte whose coarse one nobody has heard says nothing; nor do those of other channels.
+    EXPECT_EQ(plain.play({0xB1, 39, 4, 0xB0, 40, 4}).values(), (Values{"pair8 = 388"}));
+    EXPECT_EQ(plain.play({0xB1, 7, 1, 39, 1}).values(), (Values{"2:pair7 = 129"}));
+    EXPECT_EQ(plain.play({0x90, 7, 1, 0xE0, 7, 1}).values(), Values{});
+}
+
+TEST(MidiJoiner, NrpnAndRpnAreSelectedAndThenSet) {
+    Joined midi;
+    EXPECT_EQ(midi.play({0xB0, 0x63, 0x01, 0xB0, 0x62, 0x08, 0xB0, 0x06, 0x50, 0xB0, 0x26, 0x10})
+                  .values(),
+              Values{"nrpn136 = 10256"});
+    // The selection holds, also where it is sent again, and its fine byte alone is a small step.
+    EXPECT_EQ(midi.play({6, 0x51, 38, 0x11}).values(), Values{"nrpn136 = 10385"});
+    EXPECT_EQ(midi.play({99, 1, 98, 8, 38, 0x12}).values(), Values{"nrpn136 = 10386"});
+    // One that sends the coarse byte alone is heard after the time of the fine one, or with what
+    // comes next.
+    EXPECT_EQ(midi.play({99, 1, 98, 9, 6, 2}).pass(5ms).values(), Values{});
+    EXPECT_EQ(midi.play({99, 1}).values(), Values{"nrpn137 = 256"});
+    EXPECT_EQ(midi.play({98, 10, 6, 3}).pass().values(), Values{"nrpn138 = 384"});
+    // Another number has not said anything coarse yet.
+    EXPECT_EQ(midi.play({98, 11, 38, 5}).values(), Values{});
+    // RPN 0/0, the range of the wheel, in between; each MIDI channel has a selection of its own.
+    EXPECT_EQ(midi.play({101, 0, 100, 0, 6, 2, 38, 0}).values(), Values{"rpn0 = 256"});
+    EXPECT_EQ(midi.play({0xB5, 6, 1, 38, 1}).values(), Values{"6:pair6 = 129"});
+    EXPECT_EQ(midi.play({99, 127, 98, 126, 6, 127, 38, 127}).values(),
+              Values{"6:nrpn16382 = 16383"});
+    // Null selects nothing, and half a number is none.
+    EXPECT_EQ(midi.play({0xB0, 99, 127, 98, 127, 6, 1, 38, 1}).pass().values(), Values{});
+    EXPECT_EQ(Joined().play({0xB0, 99, 1, 6, 1, 38, 1}).pass().values(), Values{});
+    EXPECT_TRUE(midi.rests());
 }
 
 /// A system whose ports the test plugs.
@@ -181,20 +273,35 @@ class MidiController : public testing::Test {
     std::unique_ptr<Source> source;
 };
 
-TEST_F(MidiController, ReportsEachPlaceOnceAndThatAHandDidIt) {
+TEST_F(MidiController, ReportsEachMessageAndThatAHandDidIt) {
     system->plug("nanoKONTROL2:nanoKONTROL2 MIDI 1 20:0");
     begin({});
     ASSERT_TRUE(ear.hears_event("m CONNECTED: nanoKONTROL2:nanoKONTROL2 MIDI 1 20:0"));
     system->play({0xB0, 7, 100, 7, 100, 7, 101, 0x95, 36, 90, 36, 0, 0xE0, 0, 64});
     ASSERT_TRUE(ear.hears([](const auto& reports) {
-        return reports.size() == 5 && std::ranges::all_of(reports, &Report::moved);
+        return reports.size() == 6 && std::ranges::all_of(reports, &Report::moved);
     }));
-    EXPECT_EQ(ear.values(), (std::vector<std::string>{"m/cc7 = 100", "m/cc7 = 101", "m/n36 = 1",
-                                                      "m/n36 = 0", "m/pb1 = 8192"}));
-    for (const char* name : {"m/cc0", "m/cc127", "m/n0", "m/n127", "m/led0", "m/lamp127"}) {
+    EXPECT_EQ(ear.values(), (std::vector<std::string>{"m/cc7 = 100", "m/cc7 = 100", "m/cc7 = 101",
+                                                      "m/n36 = 1", "m/n36 = 0", "m/pb1 = 8192"}));
+    for (const char* name : {"m/cc0", "m/cc127", "m/n0", "m/n127", "m/pb1", "m/pair0", "m/pair31",
+                             "m/led0", "m/led127", "m/lamp0", "m/lamp127"}) {
         EXPECT_NE(find_channel(source->channels(), name), nullptr) << name;
         EXPECT_TRUE(is_channel_name(name));
     }
+}
+
+/// The coarse byte of a selected number without its fine one is reported when that is late, by the
+/// source's own thread.
+TEST_F(MidiController, ReportsValuesOfFourteenBits) {
+    system->plug("x 20:0");
+    begin({});
+    ASSERT_TRUE(ear.hears_events(1));
+    system->play({0xB0, 7, 64, 39, 32});
+    system->play({99, 1, 98, 8, 6, 80});
+    ASSERT_TRUE(ear.hears([](const auto& reports) { return reports.size() == 7; }));
+    EXPECT_EQ(ear.values(),
+              (std::vector<std::string>{"m/cc7 = 64", "m/cc39 = 32", "m/pair7 = 8224", "m/cc99 = 1",
+                                        "m/cc98 = 8", "m/cc6 = 80", "m/nrpn136 = 10240"}));
 }
 
 TEST_F(MidiController, OneOfItsChannelsAloneCounts) {
@@ -240,15 +347,15 @@ TEST_F(MidiController, LampsAreLitAgainAndPutOutAtTheEnd) {
     EXPECT_EQ(system->what_was_sent().size(), 5u);
 }
 
-TEST_F(MidiController, ItsPlacesAreForgottenWhenItGoes) {
+TEST_F(MidiController, WhatItHasBegunIsForgottenWhenItGoes) {
     system->plug("x 20:0");
     begin({});
     ASSERT_TRUE(ear.hears_events(1));
     system->play({0xB0, 7, 1, 8});
     system->replug();  // between two looks
     ASSERT_TRUE(ear.hears_events(3));
-    system->play({0xB0, 7, 1});
-    EXPECT_EQ(ear.values(), (std::vector<std::string>{"m/cc7 = 1", "m/cc7 = 1"}));
+    system->play({9, 0xB0, 39, 1});
+    EXPECT_EQ(ear.values(), (std::vector<std::string>{"m/cc7 = 1", "m/cc39 = 1"}));
     EXPECT_EQ(ear.events(),
               (std::vector<std::string>{"m CONNECTED: x 20:0", "m LOST", "m CONNECTED: x 20:0"}));
 }
@@ -330,8 +437,8 @@ TEST(MidiOfThisSystem, AControllerComesPlaysAndGoes) {
             const MidiMessage message = control_change(3, 7, value);
             controller->sendMessage(message.data(), message.size());
         }
-        ASSERT_TRUE(ear.hears([](const auto& reports) { return reports.size() == 2; }));
-        EXPECT_EQ(ear.values(), (std::vector<std::string>{"m/cc7 = 5", "m/cc7 = 6"}));
+        ASSERT_TRUE(ear.hears([](const auto& reports) { return reports.size() == 3; }));
+        EXPECT_EQ(ear.values(), (std::vector<std::string>{"m/cc7 = 5", "m/cc7 = 5", "m/cc7 = 6"}));
         controller.reset();
         ASSERT_TRUE(ear.hears_event("m LOST"));
         ear.forget();

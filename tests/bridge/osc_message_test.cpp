@@ -26,12 +26,17 @@ const std::string kFoo = bytes(
 std::string bundle_of(const std::vector<std::string>& elements) {
     std::string bundle = bytes("#bundle\0\0\0\0\0\0\0\0\1");
     for (const std::string& element : elements) {
-        bundle += bytes("\0\0");
-        bundle += static_cast<char>(element.size() >> 8);
+        bundle += '\0';
+        bundle += static_cast<char>(element.size() >> 16);
+        bundle += static_cast<char>(element.size() >> 8 & 0xFF);
         bundle += static_cast<char>(element.size() & 0xFF);
         bundle += element;
     }
     return bundle;
+}
+
+std::vector<OscMessage> messages_of(const std::string& packet) {
+    return parse_osc_packet(packet).messages;
 }
 
 std::string refusal_of(const std::string& packet) {
@@ -44,13 +49,13 @@ std::string refusal_of(const std::string& packet) {
 }
 
 TEST(OscMessage, TheSpecificationsExamplesAreReadAndWritten) {
-    const auto oscillator = parse_osc_packet(kOscillator);
+    const auto oscillator = messages_of(kOscillator);
     ASSERT_EQ(oscillator.size(), 1u);
     EXPECT_EQ(oscillator[0].address, "/oscillator/4/frequency");
     ASSERT_EQ(oscillator[0].arguments.size(), 1u);
     EXPECT_EQ(oscillator[0].arguments[0], OscArgument(440.0f));
     EXPECT_EQ(osc_packet(oscillator[0]), kOscillator);
-    const auto foo = parse_osc_packet(kFoo);
+    const auto foo = messages_of(kFoo);
     ASSERT_EQ(foo.size(), 1u);
     const std::vector<OscArgument> arguments = {std::int64_t{1000}, std::int64_t{-1},
                                                 std::string("hello"), 1.234f, 5.678f};
@@ -60,19 +65,19 @@ TEST(OscMessage, TheSpecificationsExamplesAreReadAndWritten) {
 
 TEST(OscMessage, EachTypeThatIsTaken) {
     const auto messages =
-        parse_osc_packet(bytes("/a\0\0,hdSTF\0\0\0\0\0\1\0\0\0\0\xbf\xe0\0\0\0\0\0\0four\0\0\0\0"));
+        messages_of(bytes("/a\0\0,hdSTF\0\0\0\0\0\1\0\0\0\0\xbf\xe0\0\0\0\0\0\0four\0\0\0\0"));
     ASSERT_EQ(messages.size(), 1u);
     const std::vector<OscArgument> expected = {std::int64_t{1} << 32, -0.5, std::string("four"),
                                                true, false};
     EXPECT_EQ(messages[0].arguments, expected);
     // `S` comes back as `s`, and is the same.
-    EXPECT_EQ(parse_osc_packet(osc_packet(messages[0]))[0].arguments, expected);
+    EXPECT_EQ(messages_of(osc_packet(messages[0]))[0].arguments, expected);
 }
 
 TEST(OscMessage, NoArgumentsWithAndWithoutTypes) {
     for (const std::string& packet :
          {bytes("/ocean/fetch\0\0\0\0,\0\0\0"), bytes("/ocean/fetch\0\0\0\0")}) {
-        const auto messages = parse_osc_packet(packet);
+        const auto messages = messages_of(packet);
         ASSERT_EQ(messages.size(), 1u);
         EXPECT_EQ(messages[0].address, "/ocean/fetch");
         EXPECT_TRUE(messages[0].arguments.empty());
@@ -82,7 +87,7 @@ TEST(OscMessage, NoArgumentsWithAndWithoutTypes) {
 TEST(OscMessage, BundlesAreReadInTheirOrderAndWritten) {
     const std::string packet =
         bundle_of({kFoo, bundle_of({kOscillator, bundle_of({})}), kOscillator});
-    const auto messages = parse_osc_packet(packet);
+    const auto messages = messages_of(packet);
     ASSERT_EQ(messages.size(), 3u);
     EXPECT_EQ(messages[0].address, "/foo");
     EXPECT_EQ(messages[1].address, "/oscillator/4/frequency");
@@ -99,7 +104,7 @@ TEST(OscMessage, ManyMessagesAreMoreThanOneBundle) {
     std::size_t messages = 0;
     for (const std::string& bundle : bundles) {
         EXPECT_LE(bundle.size(), 1400u);
-        messages += parse_osc_packet(bundle).size();
+        messages += messages_of(bundle).size();
     }
     EXPECT_EQ(messages, many.size());
 }
@@ -131,8 +136,9 @@ TEST(OscMessage, BrokenBytesAreRefused) {
              {bundle_of({}) + bytes("\0\0\0\4"), "do not fit"},
              {bundle_of({}) + bytes("\xff\xff\xff\xfc/a\0\0"), "do not fit"},
              {bundle_of({}) + bytes("\0\0\0\3/a\0\0"), "do not fit"},
-             {bundle_of({}) + bytes("\0\0\0\0"), "no message"},
-             {bundle_of({bytes("/a\0\0"), bytes("a\0\0\0")}), "no message"},
+             {bundle_of(std::vector<std::string>(257, bytes("abc\0"))), "too many messages"},
+             {bundle_of({bundle_of(std::vector<std::string>(300, bytes("/a\0\0")))}),
+              "too many messages"},
              {bundle_of(std::vector<std::string>(257, bytes("/a\0\0"))), "too many messages"}}) {
         EXPECT_NE(refusal_of(packet).find(says), std::string::npos)
             << testing::PrintToString(packet) << ": " << refusal_of(packet);
@@ -143,8 +149,61 @@ TEST(OscMessage, BrokenBytesAreRefused) {
 TEST(OscMessage, BundlesInBundlesHaveAnEnd) {
     std::string packet = kFoo;
     for (int depth = 0; depth < kDeepestOscBundle; ++depth) packet = bundle_of({packet});
-    EXPECT_EQ(parse_osc_packet(packet).size(), 1u);
-    EXPECT_EQ(refusal_of(bundle_of({packet})), "its bundles are too deep");
+    EXPECT_EQ(messages_of(packet).size(), 1u);
+    EXPECT_EQ(parse_osc_packet(bundle_of({packet})).left_out,
+              (std::vector<std::string>{"its bundles are too deep"}));
+    // The stack is safe from the deepest that a packet can hold.
+    for (int depth = 0; depth < 3000; ++depth) packet = bundle_of({packet});
+    EXPECT_TRUE(messages_of(packet).empty());
+}
+
+/// What a bundle has for other programs, of whatever type, does not take the sea's own with it: an
+/// element has its own size. [OSC 1.0] has i, f, s, b; its list of types that are less usual the
+/// others.
+TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {
+    const std::string time = bytes("\x83\xaa\x7e\x80\0\0\0\0");
+    const std::vector<std::pair<std::string, std::string>> foreign = {
+        {bytes("/page/picture\0\0\0,b\0\0\0\0\0\4abcd"), "the types b; allowed"},
+        {bytes("/p\0\0,b\0\0\x7f\xff\xff\xff"), "the types b; allowed"},
+        {bytes("/p\0\0,t\0\0") + time, "the types t; allowed"},
+        {bytes("/p\0\0,r\0\0\xff\0\0\xff"), "the types r; allowed"},
+        {bytes("/p\0\0,m\0\0\0\x90\x3c\x40"), "the types m; allowed"},
+        {bytes("/p\0\0,c\0\0\0\0\0A"), "the types c; allowed"},
+        {bytes("/p\0\0,N\0\0"), "the types N; allowed"},
+        {bytes("/p\0\0,I\0\0"), "the types I; allowed"},
+        {bytes("/p\0\0,[ff]\0\0\0\0\0\0\0\0\0\0\0"), "the types [ff]; allowed"},
+        {bytes("/p\0\0,[[i]T]\0\0\0\0\1"), "the types [[i]T]; allowed"},
+        {bytes("/p\0\0,fbf\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"), "the types fbf; allowed"},
+        {bytes("/p\0\0,x\0\0who knows how long\0\0"), "the types x; allowed"},
+        {bytes("/p\0\0,") + std::string(18, 'f') + '\0' + std::string(72, '\0'), "too many"},
+        {bytes("/p\0\0,f\0\0"), "not what its types say"},
+        {bytes("/p\0\0,f\0\0\0\0\0\0\0\0\0\0"), "not what its types say"},
+        {bytes("/p\0\0f\0\0\0\0\0\0\0"), "types of its arguments are missing"},
+        {bytes("page\0\0\0\0,\0\0\0"), "no message of OSC begins so: page"},
+        {"", "no message of OSC begins so"},
+        {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "no message of OSC begins so"},
+        {bytes("#bundle\0\0\0\0\0"), "ends in its time"},
+        {bundle_of({kFoo}) + bytes("\0\0\0\x40/a\0\0"), "do not fit"},
+        {bundle_of({kFoo}) + bytes("\xff\xff\xff\xfc"), "do not fit"},
+    };
+    std::vector<std::string> all;
+    for (const auto& [element, says] : foreign) {
+        for (const std::string& packet :
+             {bundle_of({element, kOscillator}), bundle_of({kOscillator, element}),
+              bundle_of({bundle_of({element, kOscillator})}),
+              bundle_of({bundle_of({element}), bundle_of({kOscillator})})}) {
+            const OscPacket read = parse_osc_packet(packet);
+            ASSERT_EQ(read.messages.size(), 1u) << testing::PrintToString(element);
+            EXPECT_EQ(osc_packet(read.messages[0]), kOscillator);
+            ASSERT_EQ(read.left_out.size(), 1u);
+            EXPECT_NE(read.left_out[0].find(says), std::string::npos) << read.left_out[0];
+        }
+        all.push_back(element);
+        all.push_back(kFoo);
+    }
+    const OscPacket read = parse_osc_packet(bundle_of(all));
+    EXPECT_EQ(read.messages.size(), foreign.size());
+    EXPECT_EQ(read.left_out.size(), foreign.size());
 }
 
 TEST(OscMessage, EveryPieceOfAPacketIsRefusedOrRead) {

@@ -53,7 +53,7 @@ class OscPeer {
         if (::poll(&waits, 1, milliseconds) <= 0) return {};
         char block[65536];
         const auto count = ::recv(descriptor_, block, sizeof block, 0);
-        return parse_osc_packet({block, static_cast<std::size_t>(count)});
+        return parse_osc_packet({block, static_cast<std::size_t>(count)}).messages;
     }
     /// The next value of an address.
     std::string value(const std::string& address) const {
@@ -130,6 +130,26 @@ TEST(OscPort, AMessageSetsAValueAndIsItsWriter) {
     peer.send("/ocean/app/pause", {true}, served);
     EXPECT_EQ(client.line(), "EVT WRITER app.pause osc:127.0.0.1");
     EXPECT_EQ(client.line(), "UPD app.pause 1");
+}
+
+/// As a tablet's page sends them: a picture for another program beside a value of the sea.
+TEST(OscPort, ABundleDeliversItsOwnBesideWhatIsForOthers) {
+    using namespace std::string_literals;
+    SharedLog log;
+    const Served served(with_osc({}, &log), kKnob);
+    RawClient client = served.client();
+    EXPECT_EQ(client.ask("SUBSCRIBE wind_speed"), "OK");
+    EXPECT_EQ(client.line(), "VAL wind_speed unset");
+    const OscPeer peer;
+    peer.send(
+        "#bundle\0\0\0\0\0\0\0\0\1"s
+        "\0\0\0\x1c/page/picture\0\0\0,b\0\0\0\0\0\4abcd"s
+        "\0\0\0\x1c/ocean/wind_speed\0\0\0,f\0\0\x41\x60\0\0"s,
+        served);
+    ASSERT_EQ(client.line(), "EVT WRITER wind_speed osc:127.0.0.1");
+    EXPECT_EQ(client.line(), "UPD wind_speed 14");
+    EXPECT_TRUE(log.waits_for(
+        "/page/picture: its arguments are of the types b; allowed: i, h, f, d, s, S, T, F"));
 }
 
 TEST(OscPort, AMessageWithoutArgumentsAsksForTheValue) {

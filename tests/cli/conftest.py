@@ -143,12 +143,14 @@ def ocean(tmp_path) -> Program:
 
 
 @pytest.fixture
-def display():
-    """The name of a screen of 1280 x 800, on which there is nothing."""
+def display(tmp_path):
+    """The name of a screen of 1280 x 800, on which there is nothing; its pixels are in the file
+    Xvfb_screen0 of the test's folder."""
     if shutil.which("Xvfb") is None:
         pytest.fail("Xvfb is needed")
     read, write = os.pipe()
     command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"]
+    command += ["-fbdir", str(tmp_path)]
     command += ["-noreset"]  # else it is not to be reached for a moment after each client
     server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)

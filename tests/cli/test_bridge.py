@@ -11,6 +11,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import termios
 import threading
 import time
 from pathlib import Path
@@ -135,7 +136,7 @@ def netcat(port: int, text: bytes) -> str:
         capture_output=True,
         timeout=PATIENCE,
     )
-    return done.stdout.decode().replace("\r", "")
+    return done.stdout.decode("latin-1").replace("\r", "")
 
 
 def test_a_knob_moves_the_wind_and_a_subscriber_sees_it(start):
@@ -201,6 +202,25 @@ def test_telnet_types_commands(start):
     bridge.log.wait_for(re.escape(peer) + " ended")
 
 
+def test_telnet_shows_answers_after_control_c(start):
+    """telnet asks DO TIMING-MARK then, and throws away what comes until it is answered."""
+    bridge = start("--dummy")
+    pid, screen = pty.fork()
+    if pid == 0:
+        os.execv(shutil.which("telnet"), ["telnet", "127.0.0.1", str(bridge.port)])
+    try:
+        lines = Lines(os.fdopen(os.dup(screen), errors="replace"))
+        lines.wait_for("OBP 1 ")
+        os.write(screen, b"SET wind_spe")
+        os.write(screen, termios.tcgetattr(screen)[6][termios.VINTR])
+        os.write(screen, b"GET choppiness\n")
+        lines.wait_for("^VAL choppiness 1$")
+    finally:
+        os.kill(pid, signal.SIGKILL)
+        os.waitpid(pid, 0)
+        os.close(screen)
+
+
 def test_netcat_pipes_a_script_and_loses_no_line(start):
     bridge = start()
     shown = netcat(bridge.port, b"PING\n" * 300 + b"QUIT\n")
@@ -235,12 +255,14 @@ def test_bad_half_and_binary_lines_end_nobody(start):
         b"\n\n \t\n",
     ]
     shown = netcat(bridge.port, b"".join(hostile) + b"QUIT\n")
-    codes = re.findall(r"^(?:ERR (\S+)|(OK))", shown, re.M)
+    assert "\xff\xfc\x06OK\n" in shown  # WON'T TIMING-MARK, before the answer to PING
+    codes = re.findall(r"^(?:ERR (\S+)|(?:\xff\xfc\x06)?(OK))", shown, re.M)
     assert ["".join(code) for code in codes] == [
         "RANGE",
         "RANGE",
         "TOO-LONG",
         "BAD-UTF8",  # up to its own LF
+        "BAD-UTF8",  # up to its own CR
         "BAD-UTF8",
         "OK",
         "READONLY",
@@ -397,10 +419,59 @@ def test_the_terminal_client_where_no_bridge_is(slowly):
     assert said == f"ocean-bridge: 127.0.0.1:{port}: Connection refused\n"
 
 
+def test_learning_prints_the_map_of_what_is_moved(tmp_path, start):
+    """An endless knob, a 14-bit fader and a button of a recording become a map that is taken."""
+    (tmp_path / "hand").write_text(
+        "".join(f"{0.01 * i:.2f} midi0/cc16 {byte}\n" for i, byte in enumerate([1, 1, 1, 127, 127]))
+        + "0.8 midi0/cc7 64\n0.8 midi0/cc39 32\n0.9 midi0/cc7 65\n0.9 midi0/cc39 1\n"
+        + "1.8 midi0/n36 1\n"
+    )
+    program = subprocess.Popen(
+        [BRIDGE, "--learn", "choppiness", "--replay", "hand"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        learnt = Lines(program.stdout)
+        for line in [
+            'from = "midi0/cc16"',
+            'to = "choppiness"',
+            'mode = "relative"',
+            'code = "twos_complement"',
+            'from = "midi0/pair7"',
+            r"in = \[0, 16383\]",
+            'from = "midi0/n36"',
+            'mode = "toggle"',
+            "^out = ",
+        ]:
+            learnt.wait_for(line)
+        program.send_signal(signal.SIGINT)
+        assert program.wait(timeout=PATIENCE) == 130
+        assert program.stderr.read().splitlines()[-1] == "ocean-bridge: interrupted"
+    finally:
+        program.kill()
+        program.wait()
+    (tmp_path / "map.toml").write_text("\n".join(learnt.seen) + "\n")
+    bridge = start("--map", "map.toml", "--replay", "hand")
+    client = bridge.connect()
+    # Each of the five bytes is a step of a hundredth of the slider's way, from what it was.
+    assert bridge.ask(client, "SUBSCRIBE choppiness") == "OK"
+    while not (told := bridge.line_of(client)).startswith("UPD "):
+        pass
+    assert told.split()[1] == "choppiness"
+
+
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
         (["--listen", "0.0.0.0:0"], "only with --token-file"),
+        (["--learn", "wind_sped"], "did you mean"),
+        (["--learn", "spectrum"], "spectrum is no number"),
+        (["--learn", "--osc", "9100"], "OSC needs no map"),
+        (["--learn", "--client", "127.0.0.1"], "--learn listens to boards"),
+        (["--learn", "--map", "no.toml"], "no.toml: no such file"),
         (["--listen", "127.0.0.1:99999"], "allowed is HOST:PORT"),
         (["--map", "no.toml"], "no.toml: no such file"),
         (["--dummy", "no.txt"], "no.txt: no such file"),

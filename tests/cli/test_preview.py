@@ -490,17 +490,21 @@ class Hand:
         r"at rest: (\d+x\d+), mouse at (\d+),(\d+), (\d+) keys, (\d+) clicks, (\d+) held"
     )
 
-    def __init__(self, folder: Path, display: str):
+    def __init__(self, folder: Path, display: str, *options: str):
         self.folder = folder
         self.gamepad = folder / "gamepad"
         self.seen = folder / "gamepad.seen"
         self.environment = os.environ | {
             "DISPLAY": display,
-            "LD_PRELOAD": os.environ["FAKE_GAMEPAD_LIBRARY"],
+            "LD_PRELOAD": ":".join(
+                os.environ[name] for name in ("FAKE_GAMEPAD_LIBRARY", "FAKE_SCREEN_LIBRARY")
+            ),
+            "FAKE_SCREEN": str(folder / "scale"),
             "FAKE_GAMEPAD": str(self.gamepad),
             "FAKE_GAMEPAD_SEEN": str(self.seen),
         }
-        command = [PREVIEW, "sea.toml", "--size", SIZE, "--samples", "1", "--foam-map", "128", "-v"]
+        command = [PREVIEW, "sea.toml", "--samples", "1", "--foam-map", "128", "-v"]
+        command += options or ["--size", SIZE]
         self.program = subprocess.Popen(
             command, cwd=folder, env=self.environment, stderr=subprocess.PIPE, text=True
         )
@@ -601,6 +605,25 @@ class Hand:
         self.key("F12", rest=False)
         self.wait_for_line(f"written: {name}")
         return pixels(self.folder / name)
+
+    def screen(self) -> numpy.ndarray:
+        """All that is on the screen, panel and mouse too: Xvfb has it in a file, as xwd does."""
+        data = (self.folder / "Xvfb_screen0").read_bytes()
+        head = numpy.frombuffer(data[:100], ">u4").astype(int)
+        begin, stride, rows = head[0] + 12 * head[19], head[12], head[5]
+        bgrx = numpy.frombuffer(data, numpy.uint8, stride * rows, begin)
+        return bgrx.reshape(rows, -1, 4)[..., 2::-1]
+
+    def go_to_screen(self, scale: float, told: str):
+        """See tests/preview/fake_screen.c."""
+        beside = self.folder / "scale.new"
+        beside.write_text(f"{scale}")
+        before = len(self.lines)
+        beside.rename(self.folder / "scale")
+        words = f"the panel has scale {told}"
+        self.wait_for(
+            lambda: any(line.rstrip().endswith(words) for line in list(self.lines)[before:])
+        )
 
     def at_rest(self) -> numpy.ndarray:
         """The picture that stays, of a sea that stands still."""
@@ -731,6 +754,81 @@ def test_a_hand_uses_the_window(hand):
     hand.until_it_moves(stands, 0.0)
     told = hand.end()
     assert "rror" not in told, told
+
+
+def letters(picture: numpy.ndarray, scale: int) -> tuple[int, int]:
+    """Of the title: how many pixels are white, and how many are neither that nor its ground."""
+    title = picture[11 * scale : 24 * scale, 29 * scale : 140 * scale].astype(int)
+    white = (title > 250).all(axis=2)
+    ground = numpy.abs(title - picture[11 * scale, 200 * scale]).max(axis=2) < 4
+    return white.sum(), (~white & ~ground).sum()
+
+
+def title_width(picture: numpy.ndarray, row: int) -> int:
+    """Of the panel's bar of blue, from its first pixel to its last."""
+    red, green, blue = picture[row].astype(int).T
+    bar = numpy.flatnonzero((blue > 100) & (blue < 140) & (2 * red < blue))
+    return bar[-1] - bar[0] + 1
+
+
+def test_the_panel_follows_the_window_to_another_screen(hand):
+    """Twice as large it is the same: letters of 26 pixels have the outlines of those of 13, and no
+    grey ones, which letters that are stretched have."""
+    hand.key("space")
+    hand.move(*BESIDE)
+    hand.at_rest()
+    small = hand.screen()
+    white, grey = letters(small, 1)
+    assert white > 150 and grey == 0
+    # Within its frame of a pixel on either side.
+    assert title_width(small, 18) == 376 - 2 * 8 - 2
+    hand.go_to_screen(2.0, "2")
+    hand.at_rest()
+    large = hand.screen()
+    assert letters(large, 2) == (4 * white, 0)
+    assert title_width(large, 36) == 640 - 2 * 16 - 2  # 720 are more than the window has
+    # What is seen twice as large is where it is touched.
+    hand.click(*(2 * place for place in SAVE_SEA))
+    hand.wait_for_line("written: sea-changed-1.toml")
+    # Back it is as wide as before. A hand moves it: it goes where it
+    # was, in letters, if the window has room for it there.
+    hand.go_to_screen(1.0, "1")
+    hand.at_rest()
+    assert title_width(hand.screen(), 18) == 376 - 2 * 8 - 2
+    hand.drag(200, 18, 240, 58)
+    hand.click(SAVE_SEA[0] + 40, SAVE_SEA[1] + 40)
+    hand.wait_for_line("written: sea-changed-2.toml")
+    hand.go_to_screen(1.5, "1.5")
+    # Its height leaves a margin of 12 above and below.
+    hand.click(int(1.5 * (SAVE_SEA[0] + 40)), 24 + int(1.5 * (SAVE_SEA[1] - 8)))
+    hand.wait_for_line("written: sea-changed-3.toml")
+    hand.go_to_screen(100.0, "8")  # nobody's screen
+    assert "rror" not in hand.end()
+
+
+def test_a_scale_is_asked_for(folder, display):
+    """In place of the screen's, which is 1.5; of a window whose size is given."""
+    (folder / "scale").write_text("1.5")
+    hand = Hand(folder, display, "--size", SIZE, "--scale", "2")
+    try:
+        hand.key("space")
+        hand.click(*(2 * place for place in SAVE_SEA))
+        hand.wait_for_line("written: sea-changed-1.toml")
+        assert "the panel has scale 2\n" in hand.end()
+    finally:
+        hand.program.kill()
+        hand.program.wait()
+        hand.reader.join()
+    for value, words in (
+        ("0.4", "--scale is 0.4; allowed: 0.5 .. 8"),
+        ("9", "--scale is 9; allowed: 0.5 .. 8"),
+        ("nan", "--scale"),
+        ("two", "--scale"),
+    ):
+        done = run(folder, "sea.toml", "--scale", value)
+        assert done.returncode == 2 and words in done.stderr, done.stderr
+    done = run(folder, "sea.toml", "--scale", "2", "--offscreen", "a.png")
+    assert done.returncode == 2 and "--scale is for the window" in done.stderr
 
 
 def test_a_hand_uses_a_gamepad_and_a_joystick(hand):

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Any bytes as what a client sends, and as what a server sends: the same lines in whatever pieces
-// they come, each clean or named as a fault, each one request or one refusal, each answer one
-// printable line; and what a request asks of the values is done or refused as a whole.
+// they come, and the same answers to telnet; each clean or named as a fault, each one request or
+// one refusal, each answer one printable line; and what a request asks of the values is done or
+// refused as a whole.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -29,13 +30,14 @@ void require_one_line(std::string_view line) {
     for (const char c : line) require(static_cast<unsigned char>(c) >= 0x20);
 }
 
-std::vector<LineSplitter::Line> lines_of(std::string_view bytes, std::size_t piece) {
+std::vector<LineSplitter::Line> lines_of(std::string_view bytes, std::size_t piece,
+                                         std::string& replies) {
     LineSplitter splitter;
     std::vector<LineSplitter::Line> lines;
     while (!bytes.empty()) {
         std::string_view next = bytes.substr(0, piece);
         bytes.remove_prefix(next.size());
-        while (auto line = splitter.next(next)) lines.push_back(std::move(*line));
+        while (auto line = splitter.next(next, &replies)) lines.push_back(std::move(*line));
     }
     return lines;
 }
@@ -66,9 +68,13 @@ void run(const std::string& line, ValueTable& values) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const auto whole = lines_of(bytes, size + 1);
-    const auto pieces = lines_of(bytes, 1 + (size > 0 ? data[0] % 7u : 0u));
+    std::string replies;
+    std::string again;
+    const auto whole = lines_of(bytes, size + 1, replies);
+    const auto pieces = lines_of(bytes, 1 + (size > 0 ? data[0] % 7u : 0u), again);
     require(whole.size() == pieces.size());
+    // Two bytes ask Are You There, and its event is the longest of what telnet is answered.
+    require(replies == again && replies.size() <= 5 * size);
     static const ValueTable start;
     ValueTable values = start;
     for (std::size_t i = 0; i < whole.size(); ++i) {

@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Mapping mapping(file, values);
     Clock::time_point now{std::chrono::hours(1)};
     for (const double raw :
-         {0.0, 255.0, 128.0, 128.0, 1e9, -1e9, 3.5, 0.0, 1.0, std::nan(""), 0.0}) {
+         {0.0, 255.0, 128.0, 128.0, 1e9, -1e9, 3.5, 65.0, 127.0, 0.0, 1.0, std::nan(""), 0.0}) {
         for (const MapRule& rule : file.maps) {
             set_all(mapping.report({now, rule.from, raw}, values), values);
         }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Any bytes as a packet of Open Sound Control: refused as a whole, or messages within the limits
-// that are the same after they were written, one by one and as bundles.
+// that are the same after they were written, one by one and as bundles, and reasons for the others.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -36,7 +36,7 @@ void check(const OscMessage& message) {
     if (const auto name = osc_name(message.address)) {
         require(osc_name(osc_address(*name)) == name);
     }
-    const auto again = parse_osc_packet(osc_packet(message));
+    const auto again = parse_osc_packet(osc_packet(message)).messages;
     require(again.size() == 1);
     require_same(message, again[0]);
 }
@@ -44,18 +44,19 @@ void check(const OscMessage& message) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    std::vector<OscMessage> messages;
+    OscPacket packet;
     try {
-        messages = parse_osc_packet({reinterpret_cast<const char*>(data), size});
+        packet = parse_osc_packet({reinterpret_cast<const char*>(data), size});
     } catch (const Error& error) {
         require(error.kind() == ErrorKind::invalid_value);
         return 0;
     }
-    require(messages.size() <= kMostOscMessages);
+    const std::vector<OscMessage>& messages = packet.messages;
+    require(messages.size() + packet.left_out.size() <= kMostOscMessages);
     std::size_t count = 0;
     for (const OscMessage& message : messages) check(message);
     for (const std::string& bundle : osc_bundles(messages)) {
-        for (const OscMessage& message : parse_osc_packet(bundle)) {
+        for (const OscMessage& message : parse_osc_packet(bundle).messages) {
             require_same(messages.at(count++), message);
         }
     }

@@ -89,24 +89,6 @@ class Log {
     std::thread thread_;
 };
 
-std::vector<std::unique_ptr<bridge::Source>> sources_of(const ServeWords& words) {
-    std::vector<std::unique_ptr<bridge::Source>> sources;
-    if (words.dummy) {
-        if (words.dummy->ends_with(".toml")) {
-            throw Error(ErrorKind::invalid_value, "--dummy " + *words.dummy +
-                                                      ": would be its script; a SEA stands before "
-                                                      "--dummy");
-        }
-        std::vector<bridge::ScriptLine> script;
-        if (!words.dummy->empty()) script = bridge::read_script(*words.dummy);
-        sources.push_back(bridge::make_dummy_source(std::move(script)));
-    }
-    if (!words.replay.empty()) {
-        sources.push_back(bridge::make_replay_source(bridge::read_script(words.replay)));
-    }
-    return sources;
-}
-
 bridge::OscOptions osc_of(const ServeWords& words) {
     constexpr unsigned short kBridge = 9100;
     constexpr unsigned short kTablet = 9000;
@@ -124,17 +106,37 @@ bridge::OscOptions osc_of(const ServeWords& words) {
 
 }  // namespace
 
+std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& words) {
+    std::vector<std::unique_ptr<bridge::Source>> sources;
+    if (words.dummy) {
+        if (words.dummy->ends_with(".toml")) {
+            throw Error(ErrorKind::invalid_value, "--dummy " + *words.dummy +
+                                                      ": would be its script; a SEA stands before "
+                                                      "--dummy");
+        }
+        std::vector<bridge::ScriptLine> script;
+        if (!words.dummy->empty()) script = bridge::read_script(*words.dummy);
+        sources.push_back(bridge::make_dummy_source(std::move(script)));
+    }
+    if (!words.replay.empty()) {
+        sources.push_back(bridge::make_replay_source(bridge::read_script(words.replay)));
+    }
+    return sources;
+}
+
+Sea sea_of(const ServeWords& words) {
+    if (!words.sea.source.empty()) return open_sea(words.sea);
+    if (words.sea.assignments.empty()) return {};
+    throw Error(ErrorKind::invalid_value, "--set changes a SEA; there is none");
+}
+
 void serve(const ServeWords& words, const std::string& token, const Context& context) {
     bridge::HubOptions hub_options;
-    if (!words.sea.source.empty()) {
-        hub_options.sea = open_sea(words.sea);
-    } else if (!words.sea.assignments.empty()) {
-        throw Error(ErrorKind::invalid_value, "--set changes a SEA; there is none");
-    }
+    hub_options.sea = sea_of(words);
     if (!words.dummy && words.replay.empty()) hub_options.devices = bridge::usual_devices();
     hub_options.map = words.map;
     if (words.map.empty()) hub_options.map_text = bridge::kDefaultMap;
-    bridge::Hub hub(std::move(hub_options), sources_of(words));
+    bridge::Hub hub(std::move(hub_options), file_sources(words));
 
     Log log(context.console);
     bridge::ServerOptions options;

@@ -4,11 +4,14 @@
 // The bridge as a program that runs until it is interrupted.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "ocean/bridge/source.hpp"
+#include "ocean/sea.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {
@@ -18,6 +21,7 @@ struct ServeWords {
     std::string map;
     std::optional<std::string> dummy;  // "" without a script
     std::string replay;
+    std::optional<std::string> learn;  // "" without a name
     std::string listen = "127.0.0.1:4747";
     std::string token_file;
     int clients = 64;
@@ -25,6 +29,11 @@ struct ServeWords {
     std::vector<std::string> osc_allow;
     std::vector<std::string> osc_to;
 };
+
+/// Returns the boards that are files, --dummy and --replay. Throws Error.
+std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& words);
+/// Returns the sea that was named, or the default one. Throws Error.
+Sea sea_of(const ServeWords& words);
 
 /// Does not return. Throws Error.
 void serve(const ServeWords& words, const std::string& token, const Context& context);

@@ -28,8 +28,11 @@ pauses, B changes the camera, X the view, Y goes back to where it began.
 --probe prints x,y, the height of the mesh there and that of the maps (m), the
 square of the slope that is shown, the mean square slope that the light gets as
 roughness and the share of foam; nothing behind x,y where nothing is drawn.
--v tells scripts how far the window is, on standard error: "the window is open"
-when it shows its first picture and listens, "written: FILE" for each file, and
+Letters and controls of the panel are as large as the screen asks for that the
+window is on, and follow it to another one; --scale F (0.5 .. 8) says it instead.
+-v tells scripts how far the window is, on standard error: "the panel has scale
+2" when that is another one, "the window is open" when it shows its first
+picture and listens, "written: FILE" for each file, and
 "at rest: 1280x720, mouse at 90,40, 12 keys, 3 clicks, 0 held" whenever all that
 was done is shown and nothing moves until more is: the clock stands, the sea has
 faded, foam is complete. The numbers are the window's size, the mouse's place,
@@ -50,6 +53,9 @@ void run(const PreviewWords& words, const Context& context) {
                            words.pictures.empty() && options.probes.empty() && options.budget == 0;
     if (options.serve && !in_window) {
         throw Error(ErrorKind::invalid_value, "--serve is for the window; --bridge joins a bridge");
+    }
+    if (options.scale && !in_window) {
+        throw Error(ErrorKind::invalid_value, "--scale is for the window; --size is of a picture");
     }
     if (options.bridge && !words.pictures.empty()) {
         throw Error(ErrorKind::invalid_value,

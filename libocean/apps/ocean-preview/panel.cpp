@@ -93,7 +93,7 @@ class Rows {
         const bool used = is_used(info, now, wave);
         ImGui::PushID(path.c_str());
         if (!used) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45f);
-        ImGui::SetNextItemWidth(150.0f);
+        ImGui::SetNextItemWidth(panel_length(150.0f));
         const std::string label(info.label);
         if (!info.choices().empty()) {
             words(info, path, label, to_text(value));
@@ -115,7 +115,7 @@ class Rows {
         words += info.change == ParameterClass::live ? "\nGlides"
                                                      : "\nMakes another sea; is no part of a take";
         ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(380.0f);
+        ImGui::PushTextWrapPos(panel_length(380.0f));
         ImGui::TextUnformatted(words.c_str());
         ImGui::PopTextWrapPos();
         ImGui::EndTooltip();
@@ -255,7 +255,7 @@ void transport(LiveSea& sea, PanelState& state) {
             "Changes of gliding parameters become a take of the sea, which is saved\n"
             "with it and plays everywhere; what the take has later goes");
     }
-    ImGui::PushItemWidth(150.0f);
+    ImGui::PushItemWidth(panel_length(150.0f));
     double time = sea.time();
     if (ImGui::DragScalar("Time", ImGuiDataType_Double, &time, 0.05f, nullptr, nullptr, "%.2f s")) {
         sea.go_to(std::clamp(time, -1e9, 1e9));
@@ -278,7 +278,7 @@ void transport(LiveSea& sea, PanelState& state) {
 }
 
 void picture(LiveSea& sea, PanelState& state) {
-    ImGui::PushItemWidth(150.0f);
+    ImGui::PushItemWidth(panel_length(150.0f));
     if (ImGui::BeginCombo("View (V)", state.view.c_str())) {
         for (const std::string& view : all_view_names()) {
             if (ImGui::Selectable(view.c_str(), view == state.view)) {
@@ -331,7 +331,7 @@ void picture(LiveSea& sea, PanelState& state) {
     slider(state, "Visibility", look.visibility, 500.0f, 200000.0f, "%.0f m",
            ImGuiSliderFlags_Logarithmic);
     ImGui::PopItemWidth();
-    ImGui::PushItemWidth(62.0f);  // two in a row
+    ImGui::PushItemWidth(panel_length(62.0f));  // two in a row
     slider(state, "Foam shown", look.foam_amount, 0.0f, 4.0f, "%.2f");
     ImGui::SameLine();
     slider(state, "Crest light", look.crest_light, 0.0f, 4.0f, "%.2f");
@@ -346,7 +346,7 @@ void picture(LiveSea& sea, PanelState& state) {
 
 void camera_rows(CameraControl& camera, PanelState& state) {
     static constexpr const char* kModes[] = {"fly", "walk", "orbit", "float"};
-    ImGui::PushItemWidth(150.0f);
+    ImGui::PushItemWidth(panel_length(150.0f));
     int mode = static_cast<int>(camera.mode);
     if (ImGui::Combo("Camera (C)", &mode, kModes, 4)) {
         camera.mode = static_cast<CameraMode>(mode);
@@ -363,7 +363,7 @@ void camera_rows(CameraControl& camera, PanelState& state) {
 void text_row(const char* label, std::string& text, const char* help) {
     std::array<char, 512> typed{};
     text.copy(typed.data(), typed.size() - 1);
-    ImGui::SetNextItemWidth(150.0f);
+    ImGui::SetNextItemWidth(panel_length(150.0f));
     if (ImGui::InputText(label, typed.data(), typed.size())) text = typed.data();
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
 }
@@ -401,14 +401,14 @@ void show_bridge(BridgeRows& bridge) {
             ImGui::Text("%s: %s", name.c_str(), here ? "this window" : mover.c_str());
         }
     }
-    ImGui::BeginChild("log", {0.0f, 120.0f}, true);
+    ImGui::BeginChild("log", {0.0f, panel_length(120.0f)}, true);
     for (const std::string& line : bridge.log) ImGui::TextWrapped("%s", line.c_str());
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1.0f);
     ImGui::EndChild();
 }
 
 void choose_preset(LiveSea& sea, PanelState& state) {
-    ImGui::SetNextItemWidth(150.0f);
+    ImGui::SetNextItemWidth(panel_length(150.0f));
     if (!ImGui::BeginCombo("Preset", "choose ...")) return;
     for (const Preset& preset : presets()) {
         if (ImGui::Selectable(preset.name.c_str())) {
@@ -444,7 +444,7 @@ void numbers(const LiveSea& sea, const preview::ShownSea& shown, const PanelStat
 
 /// What computes the sea, and what each that has computed takes for a frame.
 void choose_backend(PanelState& state) {
-    ImGui::SetNextItemWidth(150.0f);
+    ImGui::SetNextItemWidth(panel_length(150.0f));
     if (!ImGui::BeginCombo("Computed by", state.backend.c_str())) return;
     for (const BackendRow& row : state.backends) {
         std::string words = row.name;
@@ -472,15 +472,47 @@ void speak(LiveSea& sea, const PanelState& state) {
     text += state.message;
     if (text.empty()) return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x - 8.0f, size.y - 8.0f}, ImGuiCond_Always, {1.0f, 1.0f});
+    const float margin = panel_length(kPanelMargin);
+    ImGui::SetNextWindowPos({size.x - margin, size.y - margin}, ImGuiCond_Always, {1.0f, 1.0f});
     ImGui::SetNextWindowBgAlpha(0.7f);
     ImGui::Begin("message", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushTextWrapPos(std::max(200.0f, 0.6f * size.x));
+    ImGui::PushTextWrapPos(std::max(panel_length(200.0f), 0.6f * size.x));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::End();
+}
+
+/// The panel where it begins, beside the sea; and after another scale where a hand has put it, as
+/// much larger as its letters are, but within the window.
+void place_panel(PanelPlace& place) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float margin = panel_length(kPanelMargin);
+    const float least = panel_length(200.0f);
+    const auto within = [&](float length, float whole) {
+        return std::min(length, std::max(least, whole - 2.0f * margin));
+    };
+    const float letters = ImGui::GetFontSize();
+    if (letters == place.letters) return;
+    const bool is_first = place.letters == 0.0f;
+    const float times = is_first ? 1.0f : letters / place.letters;
+    if (is_first) {
+        place.corner = {margin, margin};
+        place.wanted = {panel_length(kPanelWidth) - 2.0f * margin, window.y};
+    } else {
+        // What had no room before may have it now; a size that a hand gave is another one.
+        if (place.size != place.fitted) place.wanted = place.size;
+        for (float& length : place.wanted) length *= times;
+    }
+    place.letters = letters;
+    place.fitted = {within(place.wanted[0], window.x), within(place.wanted[1], window.y)};
+    const auto inside = [&](int axis, float whole) {
+        return std::clamp(times * place.corner[static_cast<std::size_t>(axis)], 0.0f,
+                          std::max(0.0f, whole - place.fitted[static_cast<std::size_t>(axis)]));
+    };
+    ImGui::SetNextWindowPos({inside(0, window.x), inside(1, window.y)});
+    ImGui::SetNextWindowSize({place.fitted[0], place.fitted[1]});
 }
 
 }  // namespace
@@ -526,16 +558,19 @@ void undo(LiveSea& sea, PanelState& state) {
     state.message = change.path + " back to " + change.before;
 }
 
+float panel_length(float at_scale_one) {
+    return at_scale_one * ImGui::GetFontSize() / kLetterSize;
+}
+
 void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,
                 PanelState& state) {
     speak(sea, state);
     if (!state.shown) return;
-    constexpr float kMargin = 8.0f;
-    ImGui::SetNextWindowPos({kMargin, kMargin}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(
-        {kPanelWidth - 2.0f * kMargin, std::max(200.0f, ImGui::GetIO().DisplaySize.y - 16.0f)},
-        ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("Sea (Tab hides)")) {
+    place_panel(state.place);
+    const bool is_open = ImGui::Begin("Sea (Tab hides)");
+    state.place.corner = {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y};
+    if (is_open) {
+        state.place.size = {ImGui::GetWindowSize().x, ImGui::GetWindowSize().y};
         transport(sea, state);
         numbers(sea, shown, state);
         if (ImGui::Button("Save sea")) state.save_sea = true;
@@ -561,7 +596,7 @@ void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& cam
         ImGui::Separator();
         char search[64] = {};
         std::strncpy(search, state.search.c_str(), sizeof search - 1);
-        ImGui::SetNextItemWidth(150.0f);
+        ImGui::SetNextItemWidth(panel_length(150.0f));
         if (ImGui::InputText("Search (/)", search, sizeof search)) state.search = search;
         choose_preset(sea, state);
         choose_backend(state);

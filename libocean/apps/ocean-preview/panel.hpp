@@ -4,6 +4,7 @@
 // The panel: every parameter of the table, the light, the camera, the clock.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,14 @@
 
 namespace ocean::app {
 
-/// With a margin on either side, pixels.
+// At scale 1, in pixels: the height of a letter, and the panel with a margin on either side.
+inline constexpr float kLetterSize = 13.0f;
+inline constexpr float kPanelMargin = 8.0f;
 inline constexpr float kPanelWidth = 376.0f;
+
+/// Returns a length that the panel has at scale 1 as it is now, in ImGui's units: letters and
+/// lengths grow together. Within a frame of ImGui.
+float panel_length(float at_scale_one);
 
 /// What one frame cost, in milliseconds.
 struct FrameTimes {
@@ -52,6 +59,16 @@ struct BridgeRows {
     Asked asked = Asked::nothing;
 };
 
+/// Where the panel was when it was last drawn, in ImGui's units; for the next scale.
+struct PanelPlace {
+    float letters = 0.0f;  // their height; 0 before the first time
+    std::array<float, 2> corner{};
+    std::array<float, 2> size{};
+    // Of the last scale: the size that it asked for, and what of it the window had room for.
+    std::array<float, 2> wanted{};
+    std::array<float, 2> fitted{};
+};
+
 /// What the panel changes beside the sea, and what it says.
 struct PanelState {
     preview::Look look;
@@ -69,6 +86,7 @@ struct PanelState {
     std::string backend;  // of them
     FrameTimes times;
     BridgeRows bridge;
+    PanelPlace place;
     std::vector<Change> changes;  // the last one last
 
     // What a person asked for in this frame.

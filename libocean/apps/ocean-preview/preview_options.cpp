@@ -177,7 +177,9 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            "when, camera, light and picture in which it differs from what is given here, such as "
            "north.png --heading 90",
            kOptional, NotEmpty{}, "--offscreen"},
-          {"--size", &words.size, "WxH", "Pixels (default 1280x720)"},
+          {"--size", &words.size, "WxH",
+           "Pixels (default 1280x720; of a window times its screen's scale, as far as the screen "
+           "goes)"},
           {"--samples", &words.samples, "N",
            "Of a pixel, 1 .. 64 or what the driver has (default 4; 1 in a window without a GPU)",
            kOptional, Within{1, 64}},
@@ -193,6 +195,10 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
           {"--probe", &words.probes, "X,Y",
            "Print the height that is drawn at a place of the world, metres, and that of the "
            "maps there; may be given more than once"}}},
+        {"Window",
+         {{"--scale", &words.scale, "F",
+           "Letters and controls F times as large, 0.5 .. 8 (default: what the screen asks for "
+           "that the window is on)"}}},
         {"Bridge",
          {{"--bridge", &words.bridge, "HOST:PORT",
            "Join an ocean-bridge: its knobs and clients move the sea, and hear what moves here"},
@@ -241,7 +247,9 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
     }
     if (!words.water.empty()) look.water_type = words.water;
     options.view = words.view;
-    options.size = picture_size(words.size);
+    options.has_size = !words.size.empty();
+    if (options.has_size) options.size = picture_size(words.size);
+    if (words.scale) options.scale = within(*words.scale, "--scale", kLeastScale, kLargestScale);
     options.backend = words.backend;
     if (words.map) options.map = power_of_two(*words.map, "--map");
     if (words.foam_map) options.foam_map = power_of_two(*words.foam_map, "--foam-map");

@@ -24,10 +24,9 @@ namespace ocean::app {
 /// As it was typed.
 struct PreviewWords {
     SeaArgument sea;
-    std::string eye, look_at, sun, size = "1280x720", view = "shaded", look = "physical",
-                                   backend = "auto";
+    std::string eye, look_at, sun, size, view = "shaded", look = "physical", backend = "auto";
     std::optional<double> heading, pitch, angle, exposure, visibility, crest_light, time,
-        environment_turn;
+        environment_turn, scale;
     std::optional<int> frame, budget, samples, egl_device, map, foam_map, cells, cascade;
     std::string water, offscreen, record, frames, pictures, environment, bridge, token_file, serve,
         board_map;
@@ -37,11 +36,17 @@ struct PreviewWords {
     bool wireframe = false, no_detail = false;
 };
 
+// Of the panel.
+inline constexpr float kLeastScale = 0.5f;
+inline constexpr float kLargestScale = 8.0f;
+
 struct PreviewOptions {
     preview::Camera camera;
     preview::Look look;
     std::string view = "shaded";  // or a stage of the transform
     std::array<int, 2> size = {1280, 720};
+    bool has_size = false;         // it was given
+    std::optional<double> scale;   // of the panel; without one that of the window's screen
     std::string backend = "auto";  // of the maps
     std::optional<int> map;
     std::optional<int> foam_map;

@@ -76,14 +76,30 @@ struct CloseWindow {
 };
 using Window = std::unique_ptr<GLFWwindow, CloseWindow>;
 
-Window open_window(int width, int height, const std::string& title) {
+void keep_on_screen(GLFWwindow* window) {
+    int x = 0, y = 0, most_width = 0, most_height = 0, width = 0, height = 0;
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &most_width, &most_height);
+    glfwGetWindowSize(window, &width, &height);
+    if (most_width < 1 || most_height < 1 || (width <= most_width && height <= most_height)) return;
+    glfwSetWindowSize(window, std::min(width, most_width), std::min(height, most_height));
+}
+
+/// Of the default size as large as the screen's scale asks for, and no larger than the screen.
+Window open_window(const PreviewOptions& options, const std::string& title) {
+    const auto [width, height] = options.size;
+    const bool scales = !options.has_size && !options.scale;
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, scales ? GLFW_TRUE : GLFW_FALSE);
     for (const int minor : {3, 1}) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
         Window window(glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr));
-        if (window) return window;
+        if (!window) continue;
+        if (scales) keep_on_screen(window.get());
+        return window;
     }
     throw Error(ErrorKind::no_gpu,
                 "no window with OpenGL 4.1 can be opened (" + Windows::last_error() + ")");
@@ -151,6 +167,8 @@ struct Events {
         glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
         glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { happened(of); });
         glfwSetWindowRefreshCallback(window, [](GLFWwindow* of) { happened(of); });
+        glfwSetWindowContentScaleCallback(window,
+                                          [](GLFWwindow* of, float, float) { happened(of); });
     }
 
     /// "1000x700, mouse at 90,659, 12 keys, 3 clicks, 0 held".
@@ -191,12 +209,14 @@ struct Events {
 /// Dear ImGui in a window.
 class Gui {
   public:
-    explicit Gui(GLFWwindow* window) {
+    /// `scale` in place of what the window's screen asks for.
+    Gui(GLFWwindow* window, std::optional<double> scale) : window_(window), wanted_(scale) {
         IMGUI_CHECKVERSION();
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;  // it leaves no file where it is started
         ImGui::StyleColorsDark();
         ImGui::GetStyle().WindowRounding = 4.0f;
+        style_ = ImGui::GetStyle();
         constexpr bool kSetsCallbacks = false;
         ImGui_ImplGlfw_InitForOpenGL(window, kSetsCallbacks);
         ImGui_ImplOpenGL3_Init("#version 410");
@@ -208,6 +228,35 @@ class Gui {
     }
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
+
+    /// Makes letters, controls and spaces as large as the screen asks for that the window is on
+    /// now, the letters of as many pixels as they are shown with. Between frames. Returns the
+    /// scale, if it is another one than before.
+    std::optional<double> fit_screen() {
+        float scale = 1.0f, ignored = 1.0f;
+        glfwGetWindowContentScale(window_, &scale, &ignored);
+        scale = std::isfinite(scale) ? std::clamp(scale, kLeastScale, kLargestScale) : 1.0f;
+        if (wanted_) scale = static_cast<float>(*wanted_);
+        const float unit = pixels_of_unit();
+        if (scale == scale_ && unit == unit_) return std::nullopt;
+        scale_ = scale;
+        unit_ = unit;
+        ImGui::GetStyle() = style_;
+        ImGui::GetStyle().ScaleAllSizes(scale / unit);
+        ImGuiIO& io = ImGui::GetIO();
+        io.Fonts->Clear();
+        ImFontConfig letters;
+        letters.SizePixels = std::round(kLetterSize * scale);
+        letters.OversampleH = letters.OversampleV = 1;
+        letters.PixelSnapH = true;
+        io.Fonts->AddFontDefault(&letters);
+        io.FontGlobalScale = 1.0f / unit;
+        if (ImGui::GetFrameCount() > 0) {  // the first frame makes the letters' texture by itself
+            ImGui_ImplOpenGL3_DestroyFontsTexture();
+            ImGui_ImplOpenGL3_CreateFontsTexture();
+        }
+        return scale;
+    }
 
     /// At an act of the hand, or as everything is now.
     static void begin(GLFWwindow* window, const HandAct* act = nullptr) {
@@ -225,6 +274,25 @@ class Gui {
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     }
+
+  private:
+    /// Where a window's coordinates are no pixels, as on Wayland and macOS, a part of the scale is
+    /// theirs. In quarters: the two sizes are asked for one after the other.
+    float pixels_of_unit() const {
+        int units = 0, pixels = 0, ignored = 0;
+        glfwGetWindowSize(window_, &units, &ignored);
+        glfwGetFramebufferSize(window_, &pixels, &ignored);
+        if (units < 1 || pixels < 1) return unit_;
+        const float quarters =
+            std::round(4.0f * static_cast<float>(pixels) / static_cast<float>(units));
+        return std::max(quarters, 1.0f) / 4.0f;
+    }
+
+    GLFWwindow* window_;
+    const std::optional<double> wanted_;
+    ImGuiStyle style_;  // at scale 1
+    float scale_ = 0.0f;
+    float unit_ = 1.0f;
 };
 
 /// The first of NAME-1.png, NAME-2.png ... that is not there: nothing is ever written over.
@@ -238,13 +306,14 @@ std::string free_name(const std::string& stem, const std::string& ending) {
 class Preview {
   public:
     Preview(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
-            const Context& context, GLFWwindow* window, Events& events)
+            const Context& context, GLFWwindow* window, Events& events, Gui& gui)
         : options_(options),
           context_(context),
           source_(source),
           stem_(stem_of(source.source)),
           window_(window),
           events_(events),
+          gui_(gui),
           info_(gl::context_info()),
           backend_(preview_backend(options.backend).value_or(best_backend(info_))),
           renderer_(live(renderer_for(options, info_))),
@@ -435,6 +504,10 @@ class Preview {
     void draw() {
         glfwGetFramebufferSize(window_, &width_, &height_);
         if (width_ == 0 || height_ == 0) return;  // an icon
+        if (const auto scale = gui_.fit_screen()) {
+            context_.console.note(format_text("the panel has scale %g", *scale));
+            frames_to_draw_ = 3;  // what is where is known a frame late
+        }
         if (!guarded([&] { sea_timer_.measure([&] { shown_ = sea_.show(); }); })) {
             sea_.paused = true;
         }
@@ -608,7 +681,7 @@ class Preview {
     void show_stage() {
         if (!is_stage_picture(state_.view) || !stage_texture_) return;
         const ImVec2 size = ImGui::GetIO().DisplaySize;
-        const float left = state_.shown ? std::min(kPanelWidth, 0.5f * size.x) : 0.0f;
+        const float left = state_.shown ? std::min(panel_length(kPanelWidth), 0.5f * size.x) : 0.0f;
         const float side = std::min(size.x - left, size.y);
         const ImVec2 low{left + 0.5f * (size.x - left - side), 0.5f * (size.y - side)};
         ImGui::GetBackgroundDrawList()->AddImage(
@@ -721,6 +794,7 @@ class Preview {
     std::string kept_take_;  // in a file
     GLFWwindow* window_;
     Events& events_;
+    Gui& gui_;
     gl::ContextInfo info_;
     Backend backend_;  // chosen
     PanelState state_;
@@ -752,14 +826,13 @@ class Preview {
 void run_window(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
                 const Context& context) {
     const Windows windows;
-    const Window window =
-        open_window(options.size[0], options.size[1], "ocean-preview: " + source.source);
+    const Window window = open_window(options, "ocean-preview: " + source.source);
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     Events events;
     events.listen_to(window.get());
-    const Gui gui(window.get());
-    Preview preview(options, sea, source, context, window.get(), events);
+    Gui gui(window.get(), options.scale);
+    Preview preview(options, sea, source, context, window.get(), events, gui);
     preview.run();
 }
 

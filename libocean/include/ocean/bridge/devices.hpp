@@ -17,6 +17,10 @@ namespace ocean::bridge {
 /// board3. None in a build without libusb.
 std::vector<DeviceRule> usual_devices();
 
+/// Those, and the first MIDI controller, midi0, for a bridge that learns a map. A build without the
+/// library of a board leaves that out.
+std::vector<DeviceRule> devices_to_learn();
+
 /// One source or several; none of them has looked for its board yet. Throws Error unsupported for a
 /// driver that this build is without.
 std::vector<std::unique_ptr<Source>> make_sources(std::span<const DeviceRule> devices);

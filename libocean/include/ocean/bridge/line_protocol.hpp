@@ -47,8 +47,11 @@ struct Refusal {
 /// Verbs are ASCII, in any case. Nothing of a blank line.
 std::optional<std::variant<Request, Refusal>> parse_request(std::string_view line);
 
-/// What has come in, cut into lines: LF, CR LF and telnet's CR NUL end one; telnet's commands (IAC)
-/// are left out, also where they stand in two pieces.
+/// Cuts the bytes of a client into lines, wherever the pieces end. LF, CR LF, CR CR LF, telnet's CR
+/// NUL and a CR alone end a line. What a terminal sends to edit its line is obeyed: backspace and
+/// DEL erase a character of UTF-8, Ctrl-W a word; Ctrl-U and Ctrl-C drop the line. Telnet's
+/// commands [RFC 854] are no text: Interrupt Process, Break, Abort and Suspend drop the line, Erase
+/// Character and Erase Line edit it, and an escaped byte 255 is no UTF-8.
 class LineSplitter {
   public:
     struct Line {
@@ -56,16 +59,27 @@ class LineSplitter {
         std::string_view fault;  // "", "TOO-LONG" or "BAD-UTF8"
     };
 
-    /// Takes bytes off the front up to the end of a line; nothing when they have no end.
-    std::optional<Line> next(std::string_view& bytes);
+    /// Takes bytes off the front up to the end of a line; nothing when they have no end. Appends to
+    /// `replies`, if it is given, the bytes that telnet waits for: WON'T for each option that it
+    /// asks for (DO TIMING-MARK behind Ctrl-C too), DON'T for each that it offers, an event for Are
+    /// You There.
+    std::optional<Line> next(std::string_view& bytes, std::string* replies = nullptr);
 
   private:
-    /// The byte, unless it is telnet's.
-    bool is_text(unsigned char byte);
-    std::optional<Line> finish();
+    /// What a byte of the stream is, once telnet's commands are taken out of it.
+    enum class Byte { none, text, erase_character, erase_line };
+    Byte take_telnet(unsigned char byte, std::string* replies);
+    Byte take_command(unsigned char byte, std::string* replies);
+    void add(char byte);
+    void erase_character();
+    void erase_word();
+    void drop_line();
+    Line finish();
 
     enum class Telnet { text, command, option, sub, sub_command };
     Telnet telnet_ = Telnet::text;
+    unsigned char command_ = 0;  // of the option that follows
+    std::size_t sub_size_ = 0;   // bytes of the subnegotiation so far
     bool after_return_ = false;
     bool too_long_ = false;
     std::string line_;

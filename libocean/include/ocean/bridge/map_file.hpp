@@ -19,10 +19,12 @@
 
 namespace ocean::bridge {
 
-enum class Mode { range, toggle, momentary, trigger, increment };
+enum class Mode { range, toggle, momentary, trigger, increment, relative };
 enum class Curve { linear, smoothstep, exp, log, gamma };
 enum class Takeover { jump, pickup, scale };
 enum class Edge { rise, fall };
+/// How a MIDI controller of 7 bits says by how much an endless knob was turned.
+enum class RelativeCode { twos_complement, binary_offset, signed_bit };
 
 /// One knob or button. What is in units of the board has those of `in`.
 struct MapRule {
@@ -40,8 +42,9 @@ struct MapRule {
     Takeover takeover = Takeover::jump;
     Edge edge = Edge::rise;
     double debounce = 0.02;  // s
-    double step = 1.0;       // of increment, a count
-    bool wrap = false;       // out[1] is out[0] again, as 360 degrees are 0
+    RelativeCode code = RelativeCode::twos_complement;
+    double step = 1.0;  // of the value, for a count of increment or a step of relative
+    bool wrap = false;  // out[1] is out[0] again, as 360 degrees are 0
 };
 
 struct OutRule {

@@ -20,6 +20,11 @@ namespace ocean::bridge {
 /// 0 .. 1 to 0 .. 1 with the ends where they were, rising. exp and log bend by two decades.
 double curved(Curve curve, double gamma, double x);
 
+/// Returns the steps that a byte of an endless knob says, -64 .. 64, in any of the codes; 0 of what
+/// is no byte of 7 bits. Two's complement: 1 is +1, 127 is -1. Binary offset: 65 is +1, 63 is -1.
+/// Signed bit, where bit 6 is the sign and the rest the size: 1 is +1, 65 is -1.
+int relative_steps(RelativeCode code, double byte);
+
 /// A value that a knob or a button asks for; the channel is its writer.
 struct Setting {
     std::size_t entry = 0;  // of the table
