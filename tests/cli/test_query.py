@@ -88,7 +88,7 @@ def test_tables_as_people_write_them_are_read(ocean):
     [
         "x\ty\n1.5\t2.5\n-10\t20\n",
         "x;y\n1,5;2,5\n-10;20\n",
-        "\ufeffsep=;\r\n\"X [m]\";\"Y [m]\"\r\n1,5;2,5\r\n-10;20\r\n",
+        '\ufeffsep=;\r\n"X [m]";"Y [m]"\r\n1,5;2,5\r\n-10;20\r\n',
         "x (m) y (metres)\n1.5 2.5\n-10 20\n",
         "x\ty\n1,5\t2,5\n-10\t20\n".encode("utf-16"),
         "x;y\r\n1,5;2,5\r\n-10;20\r\n".encode("utf-16-be"),
@@ -155,8 +155,14 @@ def test_folded_points_are_counted(ocean):
         ("x|y\n0|1\n", "lacks the column x; it has 'x|y'"),
         ("x,y\n1,5,2,5\n", "numbers with a decimal comma need semicolons or tabs between them"),
         ("x\ty\n1,500\t2,500\n", "points.csv:2: the comma of '1,500' is ambiguous: it may"),
-        ("x;y\n1,5;2.5\n", "the decimal mark is ambiguous: '2.5' has a point, the number in line 2"),
-        ("x;y,name\n1;2,a\n", "points.csv:1: what separates the cells is ambiguous: a semicolon and"),
+        (
+            "x;y\n1,5;2.5\n",
+            "the decimal mark is ambiguous: '2.5' has a point, the number in line 2",
+        ),
+        (
+            "x;y,name\n1;2,a\n",
+            "points.csv:1: what separates the cells is ambiguous: a semicolon and",
+        ),
         (b"x,y\n\x00\xff,1\n", "points.csv:2: x = '??'; allowed"),
     ],
 )
