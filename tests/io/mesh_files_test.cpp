@@ -86,7 +86,7 @@ TEST(UsdFiles, SayWhatTheyAreAndSurviveNoMutationOfTheirTable) {
 
 TEST(UsdStage, QuotesWhatStandsInTheSea) {
     const std::vector<io::HeaderString> strings = {{"ocean:sea", "a = \"b\"\\\n"}};
-    const std::string stage = io::usd_stage(io::UsdSequence(), strings);
+    const std::string stage = io::usd_stage(io::UsdSequence{.numbers = {1}}, strings);
     EXPECT_NE(stage.find("\"\"\"a = \\\"b\\\"\\\\\n\"\"\""), std::string::npos) << stage;
 }
 
