@@ -85,6 +85,7 @@ std::vector<int> parse_frames(std::string_view text) {
 
 std::string frames_text(const std::vector<int>& frames) {
     constexpr std::size_t kEnough = 200;
+    constexpr std::size_t kFewSteps = 6;
     std::string text;
     for (std::size_t i = 0; i < frames.size();) {
         if (text.size() > kEnough) return text + " ... " + std::to_string(frames.back());
@@ -94,7 +95,7 @@ std::string frames_text(const std::vector<int>& frames) {
                static_cast<long long>(frames[last + 1]) - frames[last] == step) {
             ++last;
         }
-        if (step < 1 || (step > 1 && last == i + 1)) last = i;
+        if (step < 1 || (step > 1 && last - i + 1 < kFewSteps)) last = i;
         text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
         if (last > i) text += "-" + std::to_string(frames[last]);
         if (last > i && step > 1) text += "x" + std::to_string(step);

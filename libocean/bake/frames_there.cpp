@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Frames in a folder; see frames_there.hpp.
-#include "frames_there.hpp"
+#include "ocean/bake/frames_there.hpp"
 
 #include <algorithm>
 #include <filesystem>

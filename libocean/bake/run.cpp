@@ -14,7 +14,7 @@
 #include "complete_file.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
-#include "frames_there.hpp"
+#include "ocean/bake/frames_there.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"

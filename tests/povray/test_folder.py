@@ -179,9 +179,9 @@ def test_the_macros_say_what_is_wrong(choppy, scene, words):
 def test_data_of_another_version_are_refused(tmp_path):
     folder = Folder(tmp_path, sea_text(resolution=32))
     path = tmp_path / "ocean_parameters.inc"
-    path.write_text(path.read_text().replace("Data_Version = 3", "Data_Version = 4"))
+    path.write_text(path.read_text().replace("Data_Version = 4", "Data_Version = 5"))
     log = re.sub(r"\s+", " ", folder.run("", good=False))
-    assert "data are of version 4, this file reads version 3" in log
+    assert "data are of version 5, this file reads versions 3 and 4" in log
 
 
 def test_a_folder_without_its_parameters_says_how_to_make_one(tmp_path):

@@ -18,12 +18,19 @@ constexpr std::string_view kLine = "-";  // what each line of the label begins w
 
 /// As text of USD, on several lines if need be.
 std::string quoted(const std::string& text) {
+    if (text.find_first_of("\"\\\n") == std::string::npos) return "\"" + text + "\"";
     std::string quoted = "\"\"\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') quoted += '\\';
         quoted += c;
     }
     return quoted + "\"\"\"";
+}
+
+/// As USD quotes the path of a file beside it.
+std::string asset(const std::string& name) {
+    const std::string mark = name.find('@') == std::string::npos ? "@" : "@@@";
+    return mark + "./" + name + mark;
 }
 
 std::string attributes(const UsdSequence& sequence) {
@@ -50,7 +57,7 @@ std::string frame_name(const std::string& name, int frame) {
 /// file whose name fits. Else each by its name, so that it takes no other.
 std::vector<std::pair<std::string, std::string>> clip_names(const UsdSequence& sequence) {
     if (const std::optional<int> step = even_step(sequence.numbers)) {
-        return {{"string templateAssetPath", "\"./" + sequence.frames + "\""},
+        return {{"string templateAssetPath", quoted("./" + sequence.frames)},
                 {"double templateStartTime", std::to_string(sequence.numbers.front())},
                 {"double templateEndTime", std::to_string(sequence.numbers.back())},
                 {"double templateStride", std::to_string(*step)}};
@@ -59,7 +66,7 @@ std::vector<std::pair<std::string, std::string>> clip_names(const UsdSequence& s
     for (std::size_t i = 0; i < sequence.numbers.size(); ++i) {
         const std::string number = std::to_string(sequence.numbers[i]);
         const char* separator = i == 0 ? "" : ", ";
-        paths += separator + ("@./" + frame_name(sequence.frames, sequence.numbers[i]) + "@");
+        paths += separator + asset(frame_name(sequence.frames, sequence.numbers[i]));
         active += separator + ("(" + number + ", " + std::to_string(i) + ")");
         times += separator + ("(" + number + ", " + number + ")");
     }
@@ -94,13 +101,13 @@ std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString>
     set("endTimeCode", std::to_string(sequence.numbers.back()));
     set("timeCodesPerSecond", shortest_text(sequence.rate));
     set("framesPerSecond", shortest_text(sequence.rate));
-    text += ")\ndef Mesh \"" + std::string(kPrim) + "\" (\n    prepend references = @./" +
-            sequence.topology + "@</" + kPrim +
+    text += ")\ndef Mesh \"" + std::string(kPrim) +
+            "\" (\n    prepend references = " + asset(sequence.topology) + "</" + kPrim +
             ">\n    clips = {\n        dictionary default = {\n";
     const auto clip = [&](const std::string& name, const std::string& value) {
         text += "            " + name + " = " + value + "\n";
     };
-    clip("asset manifestAssetPath", "@./" + sequence.manifest + "@");
+    clip("asset manifestAssetPath", asset(sequence.manifest));
     clip("string primPath", "\"/" + std::string(kPrim) + "\"");
     for (const auto& [name, value] : clip_names(sequence)) clip(name, value);
     text += "        }\n    }\n)\n{\n";

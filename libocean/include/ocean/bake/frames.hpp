@@ -15,7 +15,7 @@ namespace ocean {
 /// frame once. Throws Error invalid_value with the part that is wrong.
 std::vector<int> parse_frames(std::string_view text);
 
-/// "7, 9-11, 20-60x20": the frames by their ranges, as parse_frames takes them, in the order given.
+/// "7, 9-11, 20-90x10": the frames by their ranges, as parse_frames takes them, in the order given.
 /// Longer than some 200 bytes it is cut off after a range, with "... LAST".
 std::string frames_text(const std::vector<int>& frames);
 /// The greatest step that reaches all of them, ascending, from the first; 1 for one frame.
