@@ -11,6 +11,7 @@ import pytest
 from conftest import OCEAN, Folder, export, ocean, povray, sea_text
 
 SEA = sea_text(resolution=32, period=60.0)
+FAST = ("--format", "height_field")  # no textures of foam
 PROBE = """#version 3.7;
 #include "ocean.inc"
 global_settings { assumed_gamma 1 }
@@ -54,7 +55,7 @@ def test_a_stepped_frame_shows_itself_or_stops(tmp_path, format_):
 
 
 def test_frames_beyond_the_export_stop_and_a_still_shows_the_first(tmp_path):
-    Folder(tmp_path, SEA, "--frames", "3-5", "--near-only")
+    Folder(tmp_path, SEA, "--frames", "3-5", *FAST)
     assert probe(tmp_path) == [(3, time_of(3), 0.0)]
     assert probe(tmp_path, *frame(5)) == [(5, time_of(5), pytest.approx(4 / 29, abs=1e-6))]
     for options in (frame(6), frame(2), ["+KFI0", "+KFF9", "+EF0"]):
@@ -67,7 +68,7 @@ def test_the_clock_is_the_time_of_the_frame(tmp_path):
     """Of all that ocean.ini renders, at even steps and not; of one frame POV-Ray's own is NaN."""
     for name, frames in (("even", "10-30x10"), ("one", "5"), ("first", "1"), ("negative", "-2-1")):
         folder = tmp_path / name
-        Folder(folder, SEA, "--frames", frames, "--near-only")
+        Folder(folder, SEA, "--frames", frames, *FAST)
         lines = (folder / "ocean.ini").read_text().replace("scene.pov", "test.pov")
         (folder / "test.ini").write_text(lines)
         shown = probe(folder, "test.ini")
@@ -79,7 +80,7 @@ def test_the_clock_is_the_time_of_the_frame(tmp_path):
 
 
 def test_a_clock_names_a_frame_by_its_time(tmp_path):
-    Folder(tmp_path, SEA, "--frames", "10-30x10", "--near-only")
+    Folder(tmp_path, SEA, "--frames", "10-30x10", *FAST)
     assert probe(tmp_path, f"+K{19 / 24:.6f}")[0][:2] == (20, time_of(20))
     assert probe(tmp_path, "+K0.5", name="Ocean_Frame_At(29/24)")[0][0] == 30
     assert "it has: 10, 20, 30." in probe(
@@ -93,7 +94,7 @@ def test_a_clock_names_a_frame_by_its_time(tmp_path):
 
 
 def test_a_folder_of_an_earlier_version_shows_its_frames(tmp_path):
-    Folder(tmp_path, SEA, "--frames", "5-7", "--near-only")
+    Folder(tmp_path, SEA, "--frames", "5-7", *FAST)
     path = tmp_path / "ocean_parameters.inc"
     text = re.sub(r"^#declare Ocean_Frames.*\n", "", path.read_text(), flags=re.MULTILINE)
     path.write_text(text.replace("Data_Version = 4", "Data_Version = 3"))
@@ -121,15 +122,16 @@ def test_chunks_in_any_order_list_all_frames(tmp_path, format_):
 
 
 def test_stepped_chunks_meet(tmp_path):
-    export(tmp_path, SEA, "--frames", "1-9x4", "--near-only")
+    export(tmp_path, SEA, "--frames", "1-9x4", *FAST)
     assert settings(tmp_path)["Frame_Step"] == "4"
-    export(tmp_path, SEA, "--frames", "3-7x4", "--near-only")
+    export(tmp_path, SEA, "--frames", "3-7x4", *FAST)
     found = settings(tmp_path)
     assert [found[k] for k in ("Initial_Frame", "Final_Frame", "Frame_Step")] == ["1", "9", "2"]
 
 
 def test_frames_of_another_sea_or_form_are_left_out_with_a_warning(tmp_path):
-    export(tmp_path, SEA, "--frames", "1-6", "--near-only")
+    sea = sea_text(resolution=64, period=60.0)
+    export(tmp_path, sea, "--frames", "1-6", "--near-only")
     command = ["povray", "its_sea.toml", "-o", ".", "--frames", "1-3"]
     for options in (["--set", "seed=2", "--near-only"], ["--fps", "25", "--near-only"], []):
         done = ocean(tmp_path, *command, *options)
@@ -152,7 +154,7 @@ def test_chunks_at_the_same_time_lose_none(tmp_path):
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
     holder = subprocess.Popen([sys.executable, "-c", LOCK], cwd=tmp_path, text=True, **pipes)
     assert holder.stdout.readline() == "locked\n"
-    command = [OCEAN, "povray", "sea.toml", "-o", "pov", "--near-only", "-q", "--threads", "1"]
+    command = [OCEAN, "povray", "sea.toml", "-o", "pov", *FAST, "-q", "--threads", "1"]
     runs = [
         subprocess.Popen([*command, "--frames", chunk], cwd=tmp_path, stdout=subprocess.DEVNULL)
         for chunk in ("1-4", "5-8", "9-12", "13-16")

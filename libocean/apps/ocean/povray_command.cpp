@@ -199,7 +199,13 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
 constexpr char kFooter[] =
     R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never
 written over; ocean.inc holds the macros, ocean_parameters.inc what the sea is, and
-sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.)";
+sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.
+
+Frame n of POV-Ray, its frame_number, shows frame n of the sea, whatever was exported, and
+clock is its time in seconds; at a frame that is not there POV-Ray stops with an error that
+names those that are. Chunks (--frames 1-10, then 11-20) and shards merge into ocean.ini
+and ocean_parameters.inc, in any order and at once; frames of another sea, format or
+resolution are left out, with a warning.)";
 
 }  // namespace
 

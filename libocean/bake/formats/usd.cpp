@@ -41,14 +41,8 @@ void require_even_steps(const std::vector<int>& frames) {
                 "FIRST-LASTxSTEP");
 }
 
-FormatPlan settle(const BakePlan& begun) {
-    require_even_steps(begun.all_frames);
-    if (begun.all_frames.front() < 0) {
-        throw Error(ErrorKind::invalid_value,
-                    "a USD stage names its frames by ####, which has no sign: allowed are frames "
-                    "from 0 on");
-    }
-    return settle_plain_mesh(begun);
+std::string file_name(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
 }
 
 /// "out/sea" of "out/sea.####.usda".
@@ -57,6 +51,20 @@ std::string stem_of(const BakePlan& plan) {
     const std::string path = plan.pattern.manifest();
     if (path.ends_with(kManifest)) return path.substr(0, path.size() - kManifest.size());
     return path.substr(0, path.size() - (kManifest.size() - 1)) + "sea";
+}
+
+FormatPlan settle(const BakePlan& begun) {
+    require_even_steps(begun.all_frames);
+    if (begun.all_frames.front() < 0) {
+        throw Error(ErrorKind::invalid_value,
+                    "a USD stage names its frames by ####, which has no sign: allowed are frames "
+                    "from 0 on");
+    }
+    if (file_name(stem_of(begun)).find('\\') != std::string::npos) {
+        throw Error(ErrorKind::invalid_value,
+                    "a USD stage takes '\\' in a name for a folder: allowed are other names");
+    }
+    return settle_plain_mesh(begun);
 }
 
 std::string with_ending(const std::string& path, std::string_view ending) {
@@ -81,10 +89,6 @@ std::vector<BakeFile> list_shared(const BakePlan& plan) {
 
 bool is_shared(const BakeFile& file) {
     return file.product != "mesh";
-}
-
-std::string file_name(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
 }
 
 /// The name of a frame with # in the place of its digits.
@@ -145,8 +149,8 @@ bool is_of_plan(const BakePlan& plan, const BakeFile& file) {
         return string == strings.end() ? std::string() : string->text;
     };
     // A file has them by lines.
-    const std::vector<io::HeaderString> wanted = io::parse_comment_lines(
-        io::comment_lines(plain_mesh_strings(plan, file.frame), "-"), "-");
+    const std::vector<io::HeaderString> wanted =
+        io::parse_comment_lines(io::comment_lines(plain_mesh_strings(plan, file.frame), "-"), "-");
     return std::ranges::all_of(
         std::array{"ocean:sea", "ocean:frame", "ocean:resolution", "ocean:axes", "ocean:field"},
         [&](std::string_view name) { return text_of(found, name) == text_of(wanted, name); });
