@@ -32,8 +32,8 @@ struct Shard {
 /// "2/5". Throws Error invalid_value.
 Shard parse_shard(std::string_view text);
 
-/// The pattern of -o: "out/sea.####.exr". A lone # is four digits, ## and more are as many as they are; %04d and
-/// $F4 are understood too.
+/// The pattern of -o: "out/sea.####.exr". A lone # is four digits, ## and more are as many as they
+/// are; %04d and $F4 are understood too.
 class OutputPattern {
   public:
     OutputPattern() = default;
