@@ -70,6 +70,7 @@ std::optional<std::vector<std::string_view>> split_header(std::string_view line,
     std::vector<std::string_view> titles;
     line = separator == ' ' ? trimmed(line) : line;
     const std::string_view blanks = separator == ' ' ? kBlanks : " ";
+    bool closed = true;  // false once a bracket had no end: then none is looked for again
     while (titles.size() <= TableReader::kMaxColumns) {
         const std::size_t start = std::min(line.find_first_not_of(blanks), line.size());
         std::size_t end = start;
@@ -79,9 +80,10 @@ std::optional<std::vector<std::string_view>> split_header(std::string_view line,
             end += length;
         }
         for (; end < line.size(); ++end) {
-            if (line[end] == '(' || line[end] == '[') {
+            if (closed && (line[end] == '(' || line[end] == '[')) {
                 const std::size_t close = line.find(line[end] == '(' ? ')' : ']', end);
-                if (close != std::string_view::npos) end = close;
+                closed = close != std::string_view::npos;
+                if (closed) end = close;
             } else if (is_separator(line[end], separator)) {
                 const std::size_t next = line.find_first_not_of(kBlanks, end);
                 const bool unit = separator == ' ' && next != std::string_view::npos &&

@@ -134,6 +134,15 @@ TEST(TableReader, WhatCanBeReadInTwoWaysIsRefused) {
     EXPECT_EQ(numbers_of("x\ty\n1,500\t1500,250\n"), "[x][y]\n1.5 1500.25");
 }
 
+TEST(TableReader, AnyHeaderLineIsReadInOnePass) {
+    // Quadratic time would be hours.
+    for (const char* bytes : {"(", "[", "([", "x ", "( ", "\"\""}) {
+        std::string header;
+        while (header.size() < (std::size_t{8} << 20)) header += bytes;
+        EXPECT_FALSE(refusal_of(header + "\n1\n").empty());
+    }
+}
+
 TEST(TableReader, TitlesAreToldWithoutReading) {
     EXPECT_EQ(titles_of("# a\n\nfrequency [Hz];S\n"),
               (std::vector<std::string>{"frequency [Hz]", "S"}));
