@@ -76,21 +76,23 @@ static void remove_link(const BakeFile& file) {
     }
 }
 
+void put_file_held(const Bake& bake, const BakeFile& file, int threads,
+                   const std::function<void()>& write) {
+    remove_link(file);
+    write();
+    if (!is_regular(file)) return;
+    try {
+        bake.manifest.add(inspect(bake.plan, file, threads));
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_file) throw;
+        throw Error(ErrorKind::output,
+                    "'" + file.path + "' does not read back as it was written: " + error.what());
+    }
+}
+
 void put_file(const Bake& bake, const BakeFile& file, int threads,
               const std::function<void()>& write) {
-    bake.host.whole([&] {
-        remove_link(file);
-        write();
-        if (!is_regular(file)) return;
-        try {
-            bake.manifest.add(inspect(bake.plan, file, threads));
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::bad_file) throw;
-            throw Error(
-                ErrorKind::output,
-                "'" + file.path + "' does not read back as it was written: " + error.what());
-        }
-    });
+    bake.host.whole([&] { put_file_held(bake, file, threads, write); });
 }
 
 }  // namespace ocean

@@ -25,6 +25,10 @@ struct Bake {
 void put_file(const Bake& bake, const BakeFile& file, int threads,
               const std::function<void()>& write);
 
+/// Writes a file within a `whole` of the host that the caller has begun: they do not nest.
+void put_file_held(const Bake& bake, const BakeFile& file, int threads,
+                   const std::function<void()>& write);
+
 /// Several of them bake side by side.
 class FrameBaker {
   public:

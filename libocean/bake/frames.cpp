@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
+#include <numeric>
 #include <regex>
 #include <unordered_set>
 
@@ -79,6 +81,35 @@ std::vector<int> parse_frames(std::string_view text) {
         }
     }
     return frames;
+}
+
+std::string frames_text(const std::vector<int>& frames) {
+    constexpr std::size_t kEnough = 200;
+    constexpr std::size_t kFewSteps = 6;
+    std::string text;
+    for (std::size_t i = 0; i < frames.size();) {
+        if (text.size() > kEnough) return text + " ... " + std::to_string(frames.back());
+        std::size_t last = std::min(i + 1, frames.size() - 1);
+        const long long step = static_cast<long long>(frames[last]) - frames[i];
+        while (last + 1 < frames.size() &&
+               static_cast<long long>(frames[last + 1]) - frames[last] == step) {
+            ++last;
+        }
+        if (step < 1 || (step > 1 && last - i + 1 < kFewSteps)) last = i;
+        text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
+        if (last > i) text += "-" + std::to_string(frames[last]);
+        if (last > i && step > 1) text += "x" + std::to_string(step);
+        i = last + 1;
+    }
+    return text;
+}
+
+int common_step(const std::vector<int>& frames) {
+    long long step = 0;
+    for (const int frame : frames) {
+        step = std::gcd(step, static_cast<long long>(frame) - frames.front());
+    }
+    return static_cast<int>(std::clamp<long long>(step, 1, std::numeric_limits<int>::max()));
 }
 
 std::vector<int> Shard::of(const std::vector<int>& frames) const {
@@ -173,6 +204,14 @@ std::string OutputPattern::file(int frame, std::string_view product) const {
     }
     if (has_token()) name += format_text("%0*d", width_, frame);
     return folder_ + name + after_;
+}
+
+std::optional<int> OutputPattern::number_in(std::string_view name) const {
+    int number = 0;
+    if (!has_token() || !name.starts_with(before_)) return std::nullopt;
+    name.remove_prefix(before_.size());
+    if (!take_int(name, number)) return std::nullopt;
+    return number;
 }
 
 std::string OutputPattern::manifest() const {

@@ -4,14 +4,11 @@
 // Reading, merging and writing of the manifest's file; see manifest.hpp.
 #include "manifest.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <set>
 
+#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/platform.hpp"
@@ -20,24 +17,6 @@ namespace ocean {
 namespace {
 
 constexpr std::uintmax_t kLargestManifest = std::uintmax_t{256} << 20;  // some 500 000 files
-
-/// Keeps other runs from merging at the same time. Some network disks have no locks: there the last
-/// of two writers wins, and a file that lost its entry is looked at again by --skip-existing.
-class FolderLock {
-  public:
-    explicit FolderLock(const std::filesystem::path& folder)
-        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
-    }
-    ~FolderLock() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-  private:
-    int descriptor_;
-};
 
 /// "" if there is no such file.
 std::string read_text(const std::filesystem::path& path) {
@@ -99,18 +78,19 @@ void Manifest::set_missing(std::vector<int> frames) {
     missing_ = std::move(frames);
 }
 
-void Manifest::save() {
+void Manifest::save(const std::function<void()>& before_it) {
+    std::filesystem::path folder = utf8_path(path_).parent_path();
+    if (folder.empty()) folder = ".";
+    const io::FolderLock lock(text::to_utf8(folder));
+    if (before_it) before_it();
     ManifestEntries merged;
     std::vector<int> missing;
     {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard guard(mutex_);
         merged = added_;
         missing = missing_;
     }
     if (merged.empty()) return;
-    std::filesystem::path folder = utf8_path(path_).parent_path();
-    if (folder.empty()) folder = ".";
-    const FolderLock lock(folder);
     std::string before;
     try {
         before = read_text(utf8_path(path_));

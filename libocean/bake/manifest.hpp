@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <span>
@@ -52,9 +53,10 @@ class Manifest {
     void add(ManifestEntry entry);
     /// Frames that are named as not there.
     void set_missing(std::vector<int> frames);
-    /// Merges what was added into the file; entries without a file are dropped. Any thread, one at
-    /// a time. Throws Error output.
-    void save();
+    /// Merges what was added into the file; entries without a file are dropped. `before_it` is
+    /// called when no other run merges into the folder, for what must agree with it. Any thread,
+    /// one at a time. Throws Error output.
+    void save(const std::function<void()>& before_it = {});
 
   private:
     std::string path_;

@@ -7,13 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
+#include "complete_file.hpp"
+#include "ocean/checked_text.hpp"
 #include "ocean/foam_texture.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
-#include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "povray_macros.hpp"
@@ -21,25 +23,53 @@
 namespace ocean {
 namespace {
 
-std::string animation_settings(const io::PovrayFolder& folder) {
-    const bool own_numbers = folder.frames_are_consecutive();
-    const int first = own_numbers ? folder.frames.front() : 1;
-    const int last = own_numbers ? folder.frames.back() : static_cast<int>(folder.frames.size());
+/// Which frames POV-Ray counts, and its clock. A frame has the number that it has in the sea, and
+/// the clock is its time.
+std::string frame_settings(const Sea& sea, const std::vector<int>& frames) {
+    const auto lines = [&](const char* names, int first, int last) {
+        return format_text(names, first, last, sea.time_of(first), sea.time_of(last));
+    };
+    // POV-Ray has no frames below 0.
+    const auto shown = std::ranges::lower_bound(frames, 0);
+    const auto count = frames.end() - shown;
+    if (frames.size() == 1 && frames.front() <= 1) {
+        // No animation: the picture has no number.
+        return (frames.front() == 1 ? "Initial_Frame=1\nFinal_Frame=1\n" : "") +
+               format_text("Clock=%.9g\n", sea.time_of(frames.front()));
+    }
+    if (count == 0) return "";
+    const int first = *shown, last = frames.back();
+    if (count == 1) {  // of an animation of one frame the clock is no number
+        return lines("Initial_Frame=%d\nFinal_Frame=%d\nInitial_Clock=%.9g\nFinal_Clock=%.9g\n",
+                     first, first + 1) +
+               format_text("Subset_End_Frame=%d\n", first);
+    }
+    std::string text = lines(
+        "Initial_Frame=%d\nFinal_Frame=%d\nInitial_Clock=%.9g\nFinal_Clock=%.9g\n", first, last);
+    const int step = common_step({shown, frames.end()});
+    if (step > 1) text += format_text("Frame_Step=%d\n", step);
+    return text;
+}
+
+std::string animation_settings(const Sea& sea, const std::vector<int>& frames) {
+    const int one = std::max(frames.back(), 0);
     std::string text =
-        "; All frames of this folder: povray ocean.ini\n"
-        "; One of them: povray ocean.ini +SF2 +EF2; another size: povray ocean.ini +W640 +H360\n"
+        "; All frames of this folder: povray ocean.ini\n" +
+        format_text("; One of them: povray ocean.ini +SF%d +EF%d; another size: ", one, one) +
+        "povray ocean.ini +W640 +H360\n"
         "Input_File_Name=scene.pov\n"
         "Library_Path=.\n"
         "Width=960\nHeight=540\n"
         "Antialias=on\nAntialias_Threshold=0.1\nAntialias_Depth=2\n"
         "Display=off\n";
-    text += format_text("Initial_Frame=%d\nFinal_Frame=%d\n", first, last);
-    const Sea& sea = folder.sea;
-    const int fps = static_cast<int>(std::lround(sea.parameters.time.fps));
-    text += format_text("; clock is in seconds, at %d frames a second\n", fps);
-    text += format_text("Initial_Clock=%.9g\nFinal_Clock=%.9g\n",
-                        sea.time_of(folder.frames.front()), sea.time_of(folder.frames.back()));
-    return text;
+    text += "; Frames: " + frames_text(frames) + ". At one that is not there POV-Ray stops.\n";
+    if (frames.front() < 0 && frames.size() > 1) {
+        text += "; POV-Ray has no frames below 0: a scene shows one by Ocean_Frame_Name(" +
+                std::to_string(frames.front()) + ").\n";
+    }
+    text +=
+        format_text("; clock is in seconds, at %.9g frames a second\n", sea.parameters.time.fps);
+    return text + frame_settings(sea, frames);
 }
 
 /// The same in all folders, for all frames: 3 MB. Texels of lace are of 12 mm.
@@ -62,18 +92,34 @@ std::string FolderFile::opening() const {
     return text.substr(0, text.find_first_of("\n0123456789"));
 }
 
-std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const std::vector<int>& frames) {
-    const Sea& sea = plan.sea;
-    const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
-    const io::PovrayFolder folder{sea,    state,       plan.format->name, plan.maps.resolutions,
-                                  frames, plan.sea_id, plan.maps.finer};
-    std::vector<FolderFile> files = {
-        {"ocean.inc", std::string(kOceanInc)},
-        {"ocean_parameters.inc", io::povray_declarations(folder)},
-        {"ocean.ini", animation_settings(folder)},
-        {"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.sea_text},
-        {"scene.pov", std::string(kScenePov), true},
-    };
+FramesThere povray_frames_there(const BakePlan& plan) {
+    return find_frames(plan, [&plan](std::span<const BakeFile> files) {
+        constexpr std::size_t kHead = 4096;  // the declarations begin the file
+        return std::ranges::all_of(files, is_regular) &&
+               io::declares_sea(text::first_bytes(files.back().path, kHead), plan.sea_id);
+    });
+}
+
+std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
+                                           const std::vector<int>& frames) {
+    const io::PovrayFolder folder{plan.sea,
+                                  state,
+                                  plan.format->name,
+                                  plan.maps.resolutions,
+                                  frames,
+                                  frames_text(frames),
+                                  plan.sea_id,
+                                  plan.maps.finer};
+    return {{"ocean_parameters.inc", io::povray_declarations(folder)},
+            {"ocean.ini", animation_settings(plan.sea, frames)}};
+}
+
+std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
+                                            const std::vector<int>& frames) {
+    std::vector<FolderFile> files = {{"ocean.inc", std::string(kOceanInc)}};
+    std::ranges::move(povray_frame_lists(plan, state, frames), std::back_inserter(files));
+    files.push_back({"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.sea_text});
+    files.push_back({"scene.pov", std::string(kScenePov), true});
     // Of larger maps the macros make them: the text would be 220 MB at 2048.
     if (plan.format->name == "df3" && plan.resolution <= 1024) {
         files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});

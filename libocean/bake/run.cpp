@@ -14,6 +14,7 @@
 #include "complete_file.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
+#include "ocean/bake/frames_there.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
@@ -51,27 +52,14 @@ Outcome bake_frame(const BakePlan& plan, FrameBaker& baker, int frame) {
     return outcome;
 }
 
-/// "7, 9-11".
-std::string ranges_text(const std::vector<int>& frames) {
-    std::string text;
-    for (std::size_t i = 0; i < frames.size();) {
-        std::size_t last = i;
-        while (last + 1 < frames.size() && frames[last + 1] == frames[last] + 1) ++last;
-        text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
-        if (last > i) text += "-" + std::to_string(frames[last]);
-        i = last + 1;
-    }
-    return text;
-}
-
 /// Keeps the manifest on the disk not far behind the files, at a twentieth of the time at most.
 class ManifestKeeper {
   public:
     explicit ManifestKeeper(const Bake& bake) : bake_(bake) {}
 
-    void save() {
+    void save(const std::function<void()>& before_it = {}) {
         const Clock::time_point started = Clock::now();
-        bake_.host.whole([this] { bake_.manifest.save(); });
+        bake_.host.whole([&] { bake_.manifest.save(before_it); });
         saved_ = Clock::now();
         pause_ = std::max<Clock::duration>(std::chrono::seconds(5), 20 * (saved_ - started));
     }
@@ -121,7 +109,7 @@ class Report {
         if (goes_on()) {
             throw Error(ErrorKind::output,
                         format_text("%zu of %zu frames failed: ", failed_.size(), total) +
-                            ranges_text(failed_));
+                            frames_text(failed_));
         }
         throw Error(first_error_->kind(),
                     std::string(first_error_->what()) +
@@ -139,36 +127,65 @@ class Report {
     std::optional<Error> first_error_;
 };
 
+FramesThere frames_of_folder(const BakePlan& plan) {
+    return find_frames(plan, [&plan](std::span<const BakeFile> files) {
+        return plan.format->is_of_plan(plan, files.front());
+    });
+}
+
+void put_shared(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
+    put_file_held({plan, bake.ocean, bake.manifest, bake.host}, file, plan.threads,
+                  [&] { plan.format->write_shared(plan, file); });
+}
+
 /// The stage and the like, which are there before the first frame.
 void bake_shared(const Bake& bake) {
-    const BakePlan& plan = bake.plan;
-    if (plan.format->shared_files == nullptr) return;
-    for (const BakeFile& file : plan.format->shared_files(plan)) {
+    BakePlan plan = bake.plan;
+    std::vector<BakeFile> files = plan.format->shared_files(plan);
+    if (plan.format->frame_lists > 0) {
+        const FramesThere there = frames_of_folder(plan);
+        plan.all_frames = united(plan.all_frames, there.of_plan);
+        files = plan.format->shared_files(plan);
+        const std::string warning =
+            foreign_frames_warning(there, plan.all_frames, files.front().path);
+        if (!warning.empty()) bake.host.warning(warning);
+    }
+    for (const BakeFile& file : files) {
         auto there = plan.skip_existing ? find_complete(plan, file, bake.manifest, plan.threads)
                                         : std::nullopt;
         if (there) {
             bake.manifest.add(std::move(*there));
         } else {
-            put_file(bake, file, plan.threads, [&] { plan.format->write_shared(plan, file); });
+            put_shared(bake, plan, file);
         }
     }
 }
 
-/// Of a format whose readers do not tell: the frames that no shard has written yet.
-void tell_gaps(const Bake& bake) {
-    const BakePlan& plan = bake.plan;
-    if (!plan.format->hides_gaps) return;
+/// Of a format whose readers do not tell: the frames within the folder's that are not there, or
+/// not of this sea.
+void tell_gaps(const Bake& bake, const std::vector<int>& listed, const std::vector<int>& there) {
     std::vector<int> missing;
-    for (const int frame : plan.all_frames) {
-        const std::vector<BakeFile> files = plan.format->files(plan, frame);
-        if (!std::ranges::all_of(files, is_regular)) missing.push_back(frame);
+    const int step = common_step(listed);
+    for (long long frame = listed.front(); frame <= listed.back(); frame += step) {
+        const int number = static_cast<int>(frame);
+        if (!std::ranges::binary_search(there, number)) missing.push_back(number);
     }
     bake.manifest.set_missing(missing);
     if (missing.empty()) return;
     bake.host.warning(
         "frames that are not there yet, which readers fill with a mean of their "
         "neighbours: " +
-        ranges_text(missing));
+        frames_text(missing));
+}
+
+/// Lists the frames anew: another chunk may have made some meanwhile.
+void update_frame_lists(const Bake& bake) {
+    BakePlan plan = bake.plan;
+    const FramesThere there = frames_of_folder(plan);
+    plan.all_frames = united(plan.all_frames, there.of_plan);
+    const std::vector<BakeFile> files = plan.format->shared_files(plan);
+    for (std::size_t i = 0; i < plan.format->frame_lists; ++i) put_shared(bake, plan, files[i]);
+    if (plan.format->hides_gaps) tell_gaps(bake, plan.all_frames, there.of_plan);
 }
 
 /// Warns of waves beyond full development, in a take of those of the first frame that has some.
@@ -254,14 +271,15 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     ManifestKeeper keeper(bake);
     const InterruptedManifest last_act(manifest, host);
     try {
-        bake_shared(bake);
+        if (plan.format->shared_files != nullptr) keeper.save([&] { bake_shared(bake); });
         bake_frames(bake, share, keeper);
-        tell_gaps(bake);
+        keeper.save([&] {
+            if (plan.format->frame_lists > 0) update_frame_lists(bake);
+        });
     } catch (...) {
         keeper.save_if_possible();
         throw;
     }
-    keeper.save();
 }
 
 }  // namespace ocean

@@ -89,6 +89,15 @@ def test_names_of_files(ocean, output, arguments, names, manifest):
     assert sorted(ocean.manifest(manifest)) == sorted(name.split("/")[-1] for name in names)
 
 
+def test_the_help_says_how_many_digits_a_pattern_has(ocean):
+    said = " ".join(ocean.good("bake", "--help").split())
+    assert "A lone # is four digits, ## and more are as many as they are" in said
+    for pattern, name in (("#", "a.0005.exr"), ("##", "a.05.exr"), ("####", "a.0005.exr")):
+        ocean.good("bake", "sea.toml", "-o", f"{name}.d/a.{pattern}.exr", "--products", "height",
+                   "--frames", "5-6")  # fmt: skip
+        assert name.replace("a.", "a.height.") in ocean.files(f"{name}.d")
+
+
 @pytest.mark.parametrize(
     ("frames", "numbers"),
     [

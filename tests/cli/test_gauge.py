@@ -187,7 +187,8 @@ def test_a_small_patch_is_warned_of(ocean):
         ("x,y\n", "there are no points"),
         ("", "no header line"),
         ("x\n1\n", "lacks the column y"),
-        ("x,y,depth\n1,2,3\n", "unknown column 'depth'"),
+        ("x,y,tine\n1,2,3\n", "unknown column 'tine'; did you mean time?"),
+        ("x,y,time [h]\n1,2,3\n", "the unit 'h' of time is unknown; allowed: s"),
         ("x,y\n1,nan\n", "points.csv:2: y = 'nan'"),
         ("x,y,name\n1,2,a\n3,4,a\n", "'a' is there twice"),
         ("x,y,z\n1,2,5\n", "z = 5"),
@@ -203,6 +204,13 @@ def test_bad_points_are_refused_in_a_line(ocean, points, expected):
     message = ocean.bad(*run, "-o", "g.csv")
     assert expected in message and "points.csv" in message
     assert not (ocean.folder / "g.csv").exists()
+
+
+def test_a_column_that_is_not_known_is_left_out_and_named(ocean):
+    ocean.write("points.csv", "x;y;depth\n1,5;2;3\n")
+    done = ocean("gauge", "sea.toml", "--points", "points.csv", *RECORD, "-o", "g.csv")
+    assert done.returncode == 0 and "left out columns that are not known: 'depth'" in done.stderr
+    assert (ocean.folder / "g.csv").read_text().splitlines()[1].startswith("0,1,1.5,2,")
 
 
 @pytest.mark.parametrize(

@@ -83,6 +83,37 @@ def test_tables_as_people_write_them_are_read(ocean):
     assert ocean.good("query", "sea.toml", "--time", 0, "--points", empty) == HEADER + "\n"
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x\ty\n1.5\t2.5\n-10\t20\n",
+        "x;y\n1,5;2,5\n-10;20\n",
+        '\ufeffsep=;\r\n"X [m]";"Y [m]"\r\n1,5;2,5\r\n-10;20\r\n',
+        "x (m) y (metres)\n1.5 2.5\n-10 20\n",
+        "x\ty\n1,5\t2,5\n-10\t20\n".encode("utf-16"),
+        "x;y\r\n1,5;2,5\r\n-10;20\r\n".encode("utf-16-be"),
+        ",x,y\n0,1.5,2.5\n1,-10,20\n",
+    ],
+)
+def test_the_tables_of_other_programs_give_the_heights_of_the_plain_one(ocean, text):
+    plain = ocean.write("plain.csv", "x,y\n1.5,2.5\n-10,20\n")
+    words = ("query", "sea.toml", "--time", 3, "--no-foam", "--points")
+    ocean.write("points.csv", text if isinstance(text, bytes) else text.encode())
+    assert ocean.good(*words, "points.csv") == ocean.good(*words, plain)
+
+
+def test_columns_that_are_not_known_are_left_out_and_named(ocean):
+    plain = ocean.good(
+        "query", "sea.toml", "--time", 0, "--points", ocean.write("a.csv", "x,y\n1,2\n")
+    )
+    ocean.write("b.csv", "depth [m];x;time;y\n12,5;1;2020-06-08;2\n")
+    done = ocean("query", "sea.toml", "--time", "0", "--points", "b.csv")
+    assert (done.returncode, done.stdout) == (0, plain)
+    assert done.stderr == (
+        "ocean: warning: --points: left out columns that are not known: 'depth [m]', 'time'\n"
+    )
+
+
 def test_folded_points_are_counted(ocean):
     words = ("query", "sea.toml", "--time", 12, "--points", "line.csv", "--set")
     ocean.write("line.csv", "x,y\n" + "".join(f"{0.1 * i},50\n" for i in range(2000)))
@@ -107,8 +138,10 @@ def test_folded_points_are_counted(ocean):
         ("", "points.csv: there is no header line; known columns: x, y"),
         ("\n# x,y\n", "there is no header line"),
         ("x\n1\n", "points.csv:1: the header line lacks the column y"),
-        ("x,y,z\n1,2,3\n", "points.csv:1: the header line names an unknown column 'z'; known: x,"),
-        ("1.0,2.0\n", "unknown column '1.0'"),
+        ("x,z\n1,3\n", "points.csv:1: the header line lacks the column y; it has 'z'"),
+        ("x,y,nome\n1,2,a\n", "unknown column 'nome'; did you mean name?"),
+        ("1.0,2.0\n", "points.csv:1: there is no header line but numbers; known columns: x, y, na"),
+        ("x [km],y\n1,2\n", "points.csv:1: the unit 'km' of x is unknown; allowed: m"),
         ("#\nx,y,x\n", "points.csv:2: the column x is there twice"),
         ("x,y\n1,2\n\n1\n", "points.csv:4: fewer cells than the 2 columns"),
         ("x,y\n1,2,\n", "points.csv:2: more cells than the 2 columns"),
@@ -119,7 +152,17 @@ def test_folded_points_are_counted(ocean):
         ("x,y\n0,1.1e9\n", "points.csv:2: y = '1.1e9'; allowed"),
         ("x,y\n0,1e999\n", "points.csv:2: y = '1e999'; allowed"),
         ('x,y\n"0,1\n', "points.csv:2: a quote is not closed"),
-        ("x|y\n0|1\n", "unknown column 'x|y'"),
+        ("x|y\n0|1\n", "lacks the column x; it has 'x|y'"),
+        ("x,y\n1,5,2,5\n", "numbers with a decimal comma need semicolons or tabs between them"),
+        ("x\ty\n1,500\t2,500\n", "points.csv:2: the comma of '1,500' is ambiguous: it may"),
+        (
+            "x;y\n1,5;2.5\n",
+            "the decimal mark is ambiguous: '2.5' has a point, the number in line 2",
+        ),
+        (
+            "x;y,name\n1;2,a\n",
+            "points.csv:1: what separates the cells is ambiguous: a semicolon and",
+        ),
         (b"x,y\n\x00\xff,1\n", "points.csv:2: x = '??'; allowed"),
     ],
 )

@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """USD stages, read by Pixar's own library (usd-core of PyPI, in the project's .venv)."""
 
+import subprocess
 import sys
 from pathlib import Path
 
 import meshio
 import numpy
 import pytest
+from conftest import OCEAN
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path += [str(path) for path in ROOT.glob(".venv/lib/python3.*/site-packages")]
@@ -123,6 +125,84 @@ def test_shards_write_the_same_and_a_gap_is_told(ocean):
     assert (ocean.folder / "out/sea.0003.usdc").stat().st_mtime_ns == kept
 
 
+def time_codes(ocean, name="out/sea.usda"):
+    """The stage's range, and the frames that its points have as USD itself reads them."""
+    stage = Usd.Stage.Open(str(ocean.folder / name))
+    return (
+        stage.GetStartTimeCode(),
+        stage.GetEndTimeCode(),
+        mesh_of(stage).GetPointsAttr().GetTimeSamples(),
+    )
+
+
+def test_chunks_in_any_order_and_twice_are_the_stage_of_all(ocean):
+    for chunk in ("4-6", "1-3", "1-3", "4-6"):
+        bake(ocean, "-o", "out/sea.usda", "--frames", chunk)
+    assert time_codes(ocean) == (1.0, 6.0, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
+    bake(ocean, "-o", "whole/sea.usda", "--frames", "1-6")
+    assert ocean.hashes("out") == ocean.hashes("whole")
+    # Steps that meet, chunks that overlap.
+    for chunk in ("1-9x4", "3-7x4", "1-3x2"):
+        bake(ocean, "-o", "steps/sea.usda", "--frames", chunk)
+    assert time_codes(ocean, "steps/sea.usda") == (1.0, 9.0, [1.0, 3.0, 5.0, 7.0, 9.0])
+
+
+def test_a_gap_between_chunks_shows_no_other_file_and_is_told(ocean):
+    """Frames 4-6 are of another sea: a template of clips would show them."""
+    bake(ocean, "-o", "out/sea.usda", "--frames", "4-6", "--set", "seed=2")
+    first = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "1-3")
+    left_out = "of another sea or of other options: 4-6; out/sea.usda leaves them out"
+    assert first.returncode == 0 and left_out in first.stderr
+    assert time_codes(ocean) == (1.0, 3.0, [1.0, 2.0, 3.0])
+    second = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "7-9")
+    assert left_out in second.stderr and "not there yet" in second.stderr
+    assert time_codes(ocean) == (1.0, 9.0, [1.0, 2.0, 3.0, 7.0, 8.0, 9.0])
+    stage = Usd.Stage.Open(str(ocean.folder / "out/sea.usda"))
+    points = mesh_of(stage).GetPointsAttr()
+    assert (numpy.array(points.Get(7)) != numpy.array(points.Get(3))).any()
+    mean = (numpy.array(points.Get(3)) + numpy.array(points.Get(7))) / 2
+    assert numpy.array(points.Get(5)) == pytest.approx(mean, abs=1e-4)
+    del stage, points  # USD reads a layer anew when nobody holds it any more
+    assert '"missing": [4,5,6]' in (ocean.folder / "out/sea.manifest.json").read_text()
+    done = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "4-6")
+    assert "warning" not in done.stderr
+    bake(ocean, "-o", "whole/sea.usda", "--frames", "1-9")
+    assert ocean.hashes("out") == ocean.hashes("whole")
+    # A frame that was deleted is a gap again; what has other products or rate is another sea's.
+    (ocean.folder / "out/sea.0002.usdc").unlink()
+    assert "yet" in ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "9").stderr
+    assert time_codes(ocean)[2] == [1.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+    for options in (["--products", "foam"], ["--fps", "25"], ["--axes", "yup"]):
+        said = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "9", *options).stderr
+        assert "1, 3-8; out/sea.usda leaves them out" in said
+        assert time_codes(ocean)[2] == [9.0]
+
+
+def test_chunks_at_the_same_time_lose_none(ocean):
+    runs = [
+        subprocess.Popen(
+            [OCEAN, "bake", "sea.toml", "-o", "out/sea.usda", "--frames", chunk, "-q"]
+            + ["--threads", "1", "--products", "position"],
+            cwd=ocean.folder,
+            stdout=subprocess.DEVNULL,
+        )
+        for chunk in ("1-8", "9-16", "17-24", "25-32", "9-16")
+    ]
+    assert [run.wait(timeout=120) for run in runs] == [0] * 5
+    assert time_codes(ocean) == (1.0, 32.0, [float(frame) for frame in range(1, 33)])
+    bake(ocean, "-o", "whole/sea.usda", "--frames", "1-32", "--products", "position")
+    assert ocean.hashes("out") == ocean.hashes("whole")
+
+
+def test_names_with_quotes_and_at_signs_are_found(ocean):
+    for stem in ('Fünen @ "Ost"', "a@@b"):
+        for chunk in ("1-2", "5-6"):
+            bake(ocean, "-o", f"{stem}.usda", "--frames", chunk, "--products", "position")
+        assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 5.0, 6.0]
+        bake(ocean, "-o", f"{stem}.usda", "--frames", "3-4", "--products", "position")
+        assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+
+
 def test_a_frame_remakes_itself(ocean):
     bake(ocean, "-o", "a.usda", "--frames", "3", "--axes", "yup", "--resolution", "32")
     ocean.good("bake", "--from", "a.0003.usdc", "-o", "b.usda")
@@ -147,6 +227,7 @@ def test_what_a_stage_cannot_name_is_refused(ocean):
         said = ocean.bad("bake", "sea.toml", "-o", "a.usda", "--frames", frames)
         assert "USD" in said or "--frames" in said
     assert "usda" in ocean.bad("bake", "sea.toml", "-o", "a.usdc")
+    assert "'\\'" in ocean.bad("bake", "sea.toml", "-o", "a\\b.usda")
     ocean.write("a.usda", "#usda 1.0\nmine\n")
     assert "not written by a bake" in ocean.bad("bake", "sea.toml", "-o", "a.usda")
 

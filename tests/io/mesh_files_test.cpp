@@ -86,8 +86,29 @@ TEST(UsdFiles, SayWhatTheyAreAndSurviveNoMutationOfTheirTable) {
 
 TEST(UsdStage, QuotesWhatStandsInTheSea) {
     const std::vector<io::HeaderString> strings = {{"ocean:sea", "a = \"b\"\\\n"}};
-    const std::string stage = io::usd_stage(io::UsdSequence(), strings);
+    io::UsdSequence sequence;
+    sequence.numbers = {1};
+    const std::string stage = io::usd_stage(sequence, strings);
     EXPECT_NE(stage.find("\"\"\"a = \\\"b\\\"\\\\\n\"\"\""), std::string::npos) << stage;
+}
+
+TEST(UsdStage, NamesUnevenFramesOneByOne) {
+    io::UsdSequence sequence;
+    sequence.frames = "s.##.usdc";
+    sequence.numbers = {1, 2, 5, 100};
+    EXPECT_EQ(io::even_step(sequence.numbers), std::nullopt);
+    const std::string stage = io::usd_stage(sequence, {});
+    for (const char* words :
+         {"startTimeCode = 1\n", "endTimeCode = 100\n",
+          "assetPaths = [@./s.01.usdc@, @./s.02.usdc@, @./s.05.usdc@, @./s.100.usdc@]",
+          "active = [(1, 0), (2, 1), (5, 2), (100, 3)]",
+          "times = [(1, 1), (2, 2), (5, 5), (100, 100)]"}) {
+        EXPECT_NE(stage.find(words), std::string::npos) << words << stage;
+    }
+    EXPECT_EQ(stage.find("template"), std::string::npos);
+    sequence.numbers = {4, 8, 12};
+    EXPECT_EQ(io::even_step(sequence.numbers), 4);
+    EXPECT_NE(io::usd_stage(sequence, {}).find("templateStride = 4"), std::string::npos);
 }
 
 TEST(MeshFiles, TurnAsAWhole) {

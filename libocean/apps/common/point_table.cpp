@@ -5,12 +5,12 @@
 #include "point_table.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/nearest_name.hpp"
 #include "standard_input.hpp"
 
 namespace ocean::app {
@@ -21,53 +21,46 @@ constexpr std::size_t kShownBytes = 30;  // of a cell in a message
 
 using Kind = PointColumn::Kind;
 
-std::string quoted(std::string_view cell) {
+std::string shown(std::string_view cell) {
     return "'" + text::printable(cell, kShownBytes) + "'";
 }
 
-std::string names_of(std::span<const PointColumn> columns) {
-    std::string names;
-    for (const PointColumn& column : columns) names += (names.empty() ? "" : ", ") + column.name;
+template <typename Names>
+std::string listed(const Names& names) {
+    std::string list;
+    for (const auto& name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    return list;
+}
+
+std::vector<std::string_view> names_of(std::span<const PointColumn> columns) {
+    std::vector<std::string_view> names;
+    for (const PointColumn& column : columns) names.push_back(column.name);
     return names;
 }
 
-bool same_word(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
+bool same_unit(std::string_view unit, std::string_view written) {
+    constexpr std::pair<std::string_view, std::string_view> kSpellings[] = {
+        {"m", "m"},       {"m", "metre"}, {"m", "metres"},  {"m", "meter"},
+        {"m", "meters"},  {"s", "s"},     {"s", "sec"},     {"s", "second"},
+        {"s", "seconds"}, {"m/s", "m/s"}, {"m/s", "m s-1"}, {"m/s", "m s^-1"}};
+    const std::pair wanted(unit, csv::trimmed(written));
+    return std::find(std::begin(kSpellings), std::end(kSpellings), wanted) != std::end(kSpellings);
 }
 
-/// The header line is the reader's.
-std::vector<PointColumn> read_header(const LineReader& lines, char separator,
-                                     std::span<const PointColumn> known) {
-    std::vector<PointColumn> columns;
-    for (const std::string_view cell : csv::fields_of(lines, separator, known.size())) {
-        const auto named = [&](const PointColumn& column) { return same_word(column.name, cell); };
-        const auto found = std::find_if(known.begin(), known.end(), named);
-        if (found == known.end()) {
-            throw lines.fail("the header line names an unknown column " + quoted(cell) +
-                             "; known: " + names_of(known));
-        }
-        if (std::any_of(columns.begin(), columns.end(), named)) {
-            throw lines.fail("the column " + found->name + " is there twice");
-        }
-        columns.push_back(*found);
-    }
-    for (const PointColumn& column : known) {
-        const auto same = [&](const PointColumn& other) { return other.name == column.name; };
-        if (column.kind == Kind::needed && std::none_of(columns.begin(), columns.end(), same)) {
-            throw lines.fail("the header line lacks the column " + column.name);
-        }
-    }
-    return columns;
+void check_unit(const LineReader& lines, const PointColumn& column, const csv::Title& title) {
+    if (title.unit.empty() || same_unit(column.unit, title.unit)) return;
+    throw lines.fail("the unit " + shown(title.unit) + " of " + column.name +
+                     " is unknown; allowed: " + (column.unit.empty() ? "none" : column.unit));
 }
 
-double number_of(const LineReader& lines, const PointColumn& column, std::string_view cell) {
-    if (cell.empty()) throw lines.fail(column.name + " is missing");
-    const std::optional<double> number = text::parse_number(cell);
+double number_of(csv::TableReader& table, const PointColumn& column, std::size_t place) {
+    const std::string_view cell = table.cell(place);
+    if (cell.empty()) throw table.lines().fail(column.name + " is missing");
+    const std::optional<double> number = table.number(place);
     // The comparison is written so that NaN fails it.
     if (!number || !(std::abs(*number) <= kMaxPointNumber)) {
-        throw lines.fail(column.name + " = " + quoted(cell) + "; allowed is a number, -1e9 .. 1e9");
+        throw table.lines().fail(column.name + " = " + shown(cell) +
+                                 "; allowed is a number, -1e9 .. 1e9");
     }
     return *number;
 }
@@ -80,7 +73,7 @@ std::string text_of(const LineReader& lines, const PointColumn& column, std::str
         }
         return content;
     }
-    throw lines.fail(column.name + " = " + quoted(cell) +
+    throw lines.fail(column.name + " = " + shown(cell) +
                      "; allowed are at most 80 bytes of UTF-8 without control characters");
 }
 
@@ -105,32 +98,63 @@ std::span<const std::string> PointTable::texts(std::string_view column) const {
     return found->texts;
 }
 
+/// Finds the known columns of a header line.
+void PointTable::take_columns(const csv::TableReader& reader, std::span<const PointColumn> known) {
+    const LineReader& lines = reader.lines();
+    const std::vector<std::string_view> names = names_of(known);
+    std::vector<std::string> others;
+    for (std::size_t place = 0; place < reader.titles().size(); ++place) {
+        const csv::Title title = csv::parse_title(reader.titles()[place]);
+        const auto found = std::find(names.begin(), names.end(), title.name);
+        if (found == names.end()) {
+            if (!reader.titles()[place].empty()) others.emplace_back(reader.titles()[place]);
+            continue;
+        }
+        const PointColumn& column = known[static_cast<std::size_t>(found - names.begin())];
+        if (has(column.name)) throw lines.fail("the column " + column.name + " is there twice");
+        check_unit(lines, column, title);
+        columns_.push_back({column, place, {}, {}});
+    }
+    const bool numbers = std::any_of(others.begin(), others.end(), [](const std::string& title) {
+        return text::parse_number(title).has_value();
+    });
+    if (columns_.empty() && numbers) {
+        throw lines.fail("there is no header line but numbers; known columns: " + listed(names));
+    }
+    for (const std::string& other : others) {
+        const std::string_view meant = nearest_name(csv::parse_title(other).name, names);
+        if (meant.empty() || has(meant)) continue;
+        throw lines.fail("the header line names an unknown column " + shown(other) +
+                         "; did you mean " + std::string(meant) + "?");
+    }
+    for (std::string& other : others) other = shown(other);
+    for (const PointColumn& column : known) {
+        if (column.kind != Kind::needed || has(column.name)) continue;
+        throw lines.fail("the header line lacks the column " + column.name +
+                         (others.empty() ? "" : "; it has " + listed(others)));
+    }
+    if (!others.empty()) left_out_ = "left out columns that are not known: " + listed(others);
+}
+
 PointTable parse_points(std::string_view text, const std::string& name,
                         std::span<const PointColumn> known) {
-    LineReader lines(text, name);
+    csv::TableReader reader(text, name);
     PointTable table;
-    if (!csv::next_row(lines)) {
-        throw lines.fail("there is no header line; known columns: " + names_of(known));
+    if (reader.titles().empty()) {
+        throw reader.lines().fail("there is no header line; known columns: " +
+                                  listed(names_of(known)));
     }
-    const char separator = lines.line().find(';') != std::string_view::npos ? ';' : ',';
-    for (PointColumn& column : read_header(lines, separator, known)) {
-        table.columns_.push_back({std::move(column), {}, {}});
-    }
-    const std::size_t width = table.columns_.size();
-    while (csv::next_row(lines)) {
-        const std::vector<std::string_view> cells = csv::fields_of(lines, separator, width);
-        if (cells.size() != width) {
-            throw lines.fail((cells.size() > width ? "more" : "fewer") +
-                             std::string(" cells than the ") + std::to_string(width) +
-                             " columns of the header line");
+    table.take_columns(reader, known);
+    while (reader.next()) {
+        if (++table.rows_ > kMaxPoints) {
+            throw reader.lines().fail("more than the 10000000 points allowed");
         }
-        if (++table.rows_ > kMaxPoints) throw lines.fail("more than the 10000000 points allowed");
-        for (std::size_t i = 0; i < width; ++i) {
-            PointTable::Column& column = table.columns_[i];
+        for (PointTable::Column& column : table.columns_) {
             if (column.known.kind == Kind::text) {
-                column.texts.push_back(text_of(lines, column.known, cells[i]));
+                column.texts.push_back(
+                    text_of(reader.lines(), column.known, reader.cell(column.place)));
             } else {
-                column.numbers.push_back(number_of(lines, column.known, cells[i]));
+                column.numbers.push_back(number_of(reader, column.known, column.place));
             }
         }
     }

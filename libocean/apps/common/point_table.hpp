@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points of the world as users hand them over: a CSV with a header line. What `ocean query` and
+// Points of the world as users hand them over: a table with a header line. What `ocean query` and
 // `ocean gauge` read.
 #pragma once
 
@@ -11,6 +11,10 @@
 #include <string_view>
 #include <vector>
 
+namespace ocean::csv {
+class TableReader;
+}
+
 namespace ocean::app {
 
 /// A column that a table may have.
@@ -19,6 +23,7 @@ struct PointColumn {
 
     std::string name;
     Kind kind = Kind::needed;
+    std::string unit{};  // that a title may name; empty = it has none
 };
 
 /// Largest coordinate, m, or other number of a table, either sign.
@@ -35,6 +40,9 @@ class PointTable {
     /// size() values; none where the table does not have the column.
     std::span<const double> numbers(std::string_view column) const;
     std::span<const std::string> texts(std::string_view column) const;
+    /// One line that names the columns of the file that are not known and were left out; empty
+    /// where there are none. Row names without a title are not worth a word.
+    const std::string& left_out() const { return left_out_; }
 
   private:
     friend PointTable parse_points(std::string_view text, const std::string& name,
@@ -42,19 +50,21 @@ class PointTable {
 
     struct Column {
         PointColumn known;
+        std::size_t place;  // in the file's rows
         std::vector<double> numbers;
         std::vector<std::string> texts;
     };
     const Column* find(std::string_view column) const;
+    void take_columns(const csv::TableReader& reader, std::span<const PointColumn> known);
 
     std::vector<Column> columns_;  // in the file's order
+    std::string left_out_;
     std::size_t rows_ = 0;
 };
 
-/// Cells stand between commas, or semicolons where the header line has some; blanks around them do
-/// not count, nor whether a column is written large; a text may stand in "quotes". Blank
-/// lines and lines that begin with '#' are skipped. `name` is for messages. Throws Error bad_file
-/// "NAME:LINE: ...".
+/// Reads a table in any dialect of csv::TableReader. A title is a name in any case, and may name
+/// the unit in () or []. A column that is not known is left out, but for a mistyped name. `name` is
+/// for messages. Throws Error bad_file "NAME:LINE: ...".
 PointTable parse_points(std::string_view text, const std::string& name,
                         std::span<const PointColumn> known);
 

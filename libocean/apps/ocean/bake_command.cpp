@@ -44,7 +44,8 @@ std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue
         {"Output",
          {
              {"-o,--output", &bake.output, "FILE",
-              "out/sea.####.exr; " + catalogue.extensions("or"), kRequired},
+              "out/sea.####.exr, a lone # is four digits; " + catalogue.extensions("or"),
+              kRequired},
              {"--frames", &bake.frames, "RANGES",
               "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
              {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames, such as 2/5"},
@@ -149,12 +150,15 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
 constexpr char kFooter[] =
     R"(With -o out/sea.####.exr a product goes into out/sea.<product>.0001.exr, and several
 frames of -o out/sea.exr into the same; one product of one frame is out/sea.exr itself. A
-run of # is as many digits; %04d and $F4 are understood too. Finished paths are printed on
-standard output in the order of the frames, progress on standard error.
+lone # is four digits, ## and more are as many as they are: sea.#.exr and sea.####.exr are
+the same names. %04d and $F4 are understood too. Finished paths are printed on standard
+output in the order of the frames, progress on standard error.
 
 out/sea.manifest.json lists the files with their SHA-256, and with that of their pixels
-whatever the compression. Shards and repeated runs merge into it. However a bake is
-split, cut off or repeated, the same bytes come out; an interrupted one leaves only
+whatever the compression. Shards, chunks (--frames 1-10, then 11-20) and repeated runs
+merge into it, and into the list of frames of a USD stage, in any order and at once; the
+stage leaves out frames of another sea or other options, with a warning. However a bake
+is split, cut off or repeated, the same bytes come out; an interrupted one leaves only
 whole files.
 
 Events of --json: start, then for each frame one of frame, skipped, failed, with the

@@ -36,6 +36,7 @@ struct GaugePlan {
     SampleTimes times;
     double degrees_of_freedom;
     std::vector<Gauge> gauges;
+    std::string left_out;  // of the table of points
 };
 
 SampleTimes sample_times(const GaugeOptions& options) {
@@ -71,8 +72,10 @@ GaugePlan plan_of(const GaugeOptions& options, const Sea& sea) {
                         " degrees of freedom; allowed are more samples or a smaller "
                         "--degrees-of-freedom");
     }
-    plan.gauges = read_gauges(options.points, plan.times.from, plan.times.at(samples - 1),
-                              sea.parameters.water.depth);
+    GaugePoints points = read_gauges(options.points, plan.times.from, plan.times.at(samples - 1),
+                                     sea.parameters.water.depth);
+    plan.gauges = std::move(points.gauges);
+    plan.left_out = std::move(points.left_out);
     return plan;
 }
 
@@ -107,6 +110,7 @@ void run(const GaugeOptions& options, const Context& context) {
     inputs.add(options.points);
     for (const std::string& output : {options.output, options.spectrum}) inputs.spare(output);
     const GaugePlan plan = plan_of(options, sea);
+    if (!plan.left_out.empty()) context.console.warning("--points: " + plan.left_out);
     Ocean ocean(sea, {.threads = context.options.threads});
     ThreadPool pool(context.options.threads);
     require_room(plan, ocean, pool.size());
@@ -136,7 +140,8 @@ void run(const GaugeOptions& options, const Context& context) {
 constexpr char kFooter[] =
     R"(FILE has a header line and the columns x, y (m); name; z (m, 0 = still water, the default,
 and negative below); velocity_x, velocity_y (m/s) of a gauge that moves on from x, y; or
-time (s): the rows of one name are then its track, straight in between.
+time (s): the rows of one name are then its track, straight in between. Separators, decimal
+commas, units and further columns are as `ocean help query` says.
 Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the surface shown at
 x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, without
 the hydrostatic part) at z by linear theory, above still water as at z = 0.
@@ -155,7 +160,7 @@ Command gauge_command() {
             {sea_options(options->sea),
              {"Record",
               {{"--points", &options->points, "FILE",
-                "CSV of the gauges, see below; - = standard input", kRequired},
+                "Table of the gauges, see below; - = standard input", kRequired},
                {"--from", &options->from, "SECONDS", "First time, s", kRequired},
                {"--to", &options->to, "SECONDS", "Last time, s", kRequired},
                {"--rate", &options->rate, "HZ", "Samples a second", kRequired}}},

@@ -15,6 +15,7 @@
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/ocean.hpp"
 #include "ocean/platform.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
@@ -78,12 +79,6 @@ void warn_of_cost(const BakePlan& plan, Console& console) {
                     {"povray_parse_seconds", Json(12e-6 * vertices, decimals<1>)}});
 }
 
-/// Those of all shards: their folders are one.
-std::vector<int> all_frames(const Typed& typed, const Sea& sea) {
-    if (typed.bake.frames.empty()) return {sea.parameters.time.first_frame};
-    return parse_frames(typed.bake.frames);
-}
-
 /// Other files of these names are not ours to write over.
 void require_own_files(const std::vector<FolderFile>& files, const std::string& folder) {
     for (const FolderFile& file : files) {
@@ -116,23 +111,37 @@ BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::st
 
 void write_folder(const std::vector<FolderFile>& files, const std::string& folder,
                   const Context& context) {
-    io::make_folder(folder);
     for (const FolderFile& file : files) {
         const std::string path = folder + "/" + file.name;
         if (is_kept(file, path)) {
             context.console.note(path + " is there already: kept as it is");
             continue;
         }
-        const InterruptWatch::Hold whole = context.interrupts.hold();
         io::write_file_atomically(path, file.text);
         context.console.data(path + "\n");
+    }
+}
+
+/// Lists the frames anew: another chunk may have made some meanwhile.
+void update_frame_lists(const BakePlan& plan, const SeaState& state, const std::string& folder,
+                        const Context& context) {
+    const InterruptWatch::Hold whole = context.interrupts.hold();
+    const io::FolderLock lock(folder);
+    const std::vector<int> frames = united(plan.all_frames, povray_frames_there(plan).of_plan);
+    for (const FolderFile& file : povray_frame_lists(plan, state, frames)) {
+        const std::string path = folder + "/" + file.name;
+        if (text::first_bytes(path, file.text.size() + 1) == file.text) continue;
+        io::write_file_atomically(path, file.text);
     }
 }
 
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
     const BakePlan plan = make_povray_plan(typed, folder, context);
-    const std::vector<FolderFile> files = povray_folder_files(plan, all_frames(typed, plan.sea));
+    const SeaState state = Ocean(plan.sea.parameters, {.threads = plan.threads}).state();
+    const FramesThere there = povray_frames_there(plan);
+    std::vector<FolderFile> files =
+        povray_folder_files(plan, state, united(plan.all_frames, there.of_plan));
     const InputFiles inputs(typed.sea, plan.sea);
     for (const FolderFile& file : files) {
         // The sea of the folder itself makes the folder again.
@@ -143,12 +152,21 @@ void run(const Typed& typed, const Context& context) {
     require_own_files(files, folder);
     io::require_folder(folder);
     warn_of_cost(plan, context.console);
+    const std::string warning =
+        foreign_frames_warning(there, plan.all_frames, folder + "/ocean.ini");
+    if (!warning.empty()) context.console.warning(warning);
     if (typed.dry_run) {
         return show_forecast(forecast_bake(plan), forecast_folder(files, folder), context.console);
     }
-    write_folder(files, folder, context);
+    io::make_folder(folder);
+    {
+        const InterruptWatch::Hold whole = context.interrupts.hold();
+        const io::FolderLock lock(folder);
+        write_folder(files, folder, context);
+    }
     ConsoleHost host(context);
     run_bake(plan, host);
+    update_frame_lists(plan, state, folder, context);
 }
 
 std::vector<OptionGroup> povray_options(Typed& typed) {
@@ -181,7 +199,13 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
 constexpr char kFooter[] =
     R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never
 written over; ocean.inc holds the macros, ocean_parameters.inc what the sea is, and
-sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.)";
+sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.
+
+Frame n of POV-Ray, its frame_number, shows frame n of the sea, whatever was exported, and
+clock is its time in seconds; at a frame that is not there POV-Ray stops with an error that
+names those that are. Chunks (--frames 1-10, then 11-20) and shards merge into ocean.ini
+and ocean_parameters.inc, in any order and at once; frames of another sea, format or
+resolution are left out, with a warning.)";
 
 }  // namespace
 

@@ -52,9 +52,11 @@ class QueryRun {
     }
 
     void run() {
-        static const std::array<PointColumn, 3> kColumns = {
-            {{"x"}, {"y"}, {"name", PointColumn::Kind::text}}};
+        static const std::array<PointColumn, 3> kColumns = {{{"x", PointColumn::Kind::needed, "m"},
+                                                             {"y", PointColumn::Kind::needed, "m"},
+                                                             {"name", PointColumn::Kind::text}}};
         const PointTable table = read_points(options_.points, kColumns);
+        if (!table.left_out().empty()) context_.console.warning("--points: " + table.left_out());
         Ocean ocean(sea_, {.threads = context_.options.threads,
                            .foam_progress = foam_progress_on(context_.console)});
         write(std::string(kHeader) + (options_.orbital_z ? kOrbitalHeader : "") +
@@ -150,7 +152,11 @@ constexpr char kFooter[] =
     R"(Columns: x,y,height (m), normal_x,y,z (unit, up), velocity_x,y,z (m/s, of the shown
 point), foam (0 .. 1). The displacement is inverted: the row says what is seen at x,y.
 Where crests have folded over, a point takes the top sheet. A column name of the points
-stands last.)";
+stands last.
+FILE has a header line with the columns x, y and perhaps name; a unit may follow: x [m].
+Cells stand between commas, semicolons, tabs or blanks; beside all but commas, numbers may
+have a decimal comma. UTF-8 or UTF-16. Other columns are left out with a warning; a table
+that can be read in two ways is an error.)";
 
 }  // namespace
 
@@ -164,7 +170,8 @@ Command query_command() {
             {sea_options(options->sea),
              {"Where and when",
               {{"--points", &options->points, "FILE",
-                "CSV with a header line and the columns x,y in metres; - = standard input",
+                "Table with a header line and the columns x,y in metres, see below; - = standard "
+                "input",
                 kRequired},
                {"--time", &options->time, "T", "Seconds"},
                {"--frame", &options->frame, "N", "A frame of the sea instead of a time"}}},

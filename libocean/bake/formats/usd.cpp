@@ -5,6 +5,9 @@
 // sea.topology.usdc, and what tells readers the attributes of the frames, sea.clips.usda.
 #include "ocean/io/usd.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
 #include "ocean/checked_text.hpp"
@@ -30,28 +33,16 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     return read_plain_mesh(options, catalogue, kProducts, kAll);
 }
 
-/// Of frames FIRST-LASTxSTEP.
-int step_of(const std::vector<int>& frames) {
-    if (frames.size() < 2) return 1;
-    const int step = frames[1] - frames[0];
-    bool even = step > 0;
-    for (std::size_t i = 1; i < frames.size(); ++i) {
-        even = even && frames[i] - frames[i - 1] == step;
-    }
-    if (even) return step;
+/// Throws unless they are FIRST-LASTxSTEP.
+void require_even_steps(const std::vector<int>& frames) {
+    if (io::even_step(frames)) return;
     throw Error(ErrorKind::invalid_value,
                 "a USD stage has frames at even steps: allowed is --frames FIRST-LAST or "
                 "FIRST-LASTxSTEP");
 }
 
-FormatPlan settle(const BakePlan& begun) {
-    step_of(begun.all_frames);
-    if (begun.all_frames.front() < 0) {
-        throw Error(ErrorKind::invalid_value,
-                    "a USD stage names its frames by ####, which has no sign: allowed are frames "
-                    "from 0 on");
-    }
-    return settle_plain_mesh(begun);
+std::string file_name(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
 }
 
 /// "out/sea" of "out/sea.####.usda".
@@ -60,6 +51,20 @@ std::string stem_of(const BakePlan& plan) {
     const std::string path = plan.pattern.manifest();
     if (path.ends_with(kManifest)) return path.substr(0, path.size() - kManifest.size());
     return path.substr(0, path.size() - (kManifest.size() - 1)) + "sea";
+}
+
+FormatPlan settle(const BakePlan& begun) {
+    require_even_steps(begun.all_frames);
+    if (begun.all_frames.front() < 0) {
+        throw Error(ErrorKind::invalid_value,
+                    "a USD stage names its frames by ####, which has no sign: allowed are frames "
+                    "from 0 on");
+    }
+    if (file_name(stem_of(begun)).find('\\') != std::string::npos) {
+        throw Error(ErrorKind::invalid_value,
+                    "a USD stage takes '\\' in a name for a folder: allowed are other names");
+    }
+    return settle_plain_mesh(begun);
 }
 
 std::string with_ending(const std::string& path, std::string_view ending) {
@@ -86,10 +91,6 @@ bool is_shared(const BakeFile& file) {
     return file.product != "mesh";
 }
 
-std::string file_name(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
-}
-
 /// The name of a frame with # in the place of its digits.
 std::string frame_template(const BakePlan& plan) {
     std::string name = file_name(frame_path(plan, 0));
@@ -110,9 +111,7 @@ io::UsdSequence sequence_of(const BakePlan& plan) {
     return {.topology = file_name(shared[kTopology].path),
             .manifest = file_name(shared[kClips].path),
             .frames = frame_template(plan),
-            .first = plan.all_frames.front(),
-            .last = plan.all_frames.back(),
-            .step = step_of(plan.all_frames),
+            .numbers = plan.all_frames,
             .rate = plan.sea.parameters.time.fps,
             .y_up = mesh.axes == io::Axes::yup,
             .normals = has("normal"),
@@ -137,6 +136,26 @@ std::string recipe(const BakePlan& plan, const BakeFile& file) {
     return bake_recipe(plan, file.frame, file.product + "\n" + text);
 }
 
+/// The sea, its samples and what the mesh holds; not the time, the backend and the version.
+bool is_of_plan(const BakePlan& plan, const BakeFile& file) {
+    std::vector<io::HeaderString> found;
+    try {
+        found = io::read_usd_header(file.path);
+    } catch (const Error&) {
+        return false;
+    }
+    const auto text_of = [](const std::vector<io::HeaderString>& strings, std::string_view name) {
+        const auto string = std::ranges::find(strings, name, &io::HeaderString::name);
+        return string == strings.end() ? std::string() : string->text;
+    };
+    // A file has them by lines.
+    const std::vector<io::HeaderString> wanted =
+        io::parse_comment_lines(io::comment_lines(plain_mesh_strings(plan, file.frame), "-"), "-");
+    return std::ranges::all_of(
+        std::array{"ocean:sea", "ocean:frame", "ocean:resolution", "ocean:axes", "ocean:field"},
+        [&](std::string_view name) { return text_of(found, name) == text_of(wanted, name); });
+}
+
 bool is_baked(const BakeFile& file) {
     if (!is_shared(file) || file.part == kTopology) {
         try {
@@ -151,7 +170,9 @@ bool is_baked(const BakeFile& file) {
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
-    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
+    // Of each frame a stage may have a name and two pairs of numbers.
+    const std::uint64_t list = plan.all_frames.size() * (2 * file.path.size() + 64);
+    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096 + list;
     const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
     if (file.part == kTopology && is_shared(file)) return comments + faces * 5 * sizeof(int);
     if (is_shared(file)) return comments;
@@ -178,6 +199,8 @@ const BakeFormat kUsdFormat = {
     .files = list_files,
     .shared_files = list_shared,
     .write_shared = write_shared,
+    .frame_lists = 1,
+    .is_of_plan = is_of_plan,
     .hides_gaps = true,
     .recipe = recipe,
     .is_baked = is_baked,

@@ -58,6 +58,9 @@ bool abandoned(const std::filesystem::path&) {
 bool may_write(const std::filesystem::path&) {
     return true;
 }
+int lock_folder(const std::string&) {
+    return -1;
+}
 #else
 int process_id() {
     return static_cast<int>(getpid());
@@ -98,6 +101,13 @@ bool may_write(const std::filesystem::path& folder) {
     return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+int lock_folder(const std::string& folder) {
+    const int descriptor =
+        open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    while (descriptor >= 0 && flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+    return descriptor;
+}
+
 bool abandoned(const std::filesystem::path& path) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0) return false;
@@ -120,6 +130,12 @@ std::filesystem::path nearest_existing(const std::string& folder) {
 }
 
 }  // namespace
+
+FolderLock::FolderLock(const std::string& folder) : descriptor_(lock_folder(folder)) {}
+
+FolderLock::~FolderLock() {
+    release_lock(descriptor_);
+}
 
 OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
     std::error_code error;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/io/usd.hpp"
 
+#include <utility>
+
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/text.hpp"
@@ -16,12 +18,19 @@ constexpr std::string_view kLine = "-";  // what each line of the label begins w
 
 /// As text of USD, on several lines if need be.
 std::string quoted(const std::string& text) {
+    if (text.find_first_of("\"\\\n") == std::string::npos) return "\"" + text + "\"";
     std::string quoted = "\"\"\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') quoted += '\\';
         quoted += c;
     }
     return quoted + "\"\"\"";
+}
+
+/// As USD quotes the path of a file beside it.
+std::string asset(const std::string& name) {
+    const std::string mark = name.find('@') == std::string::npos ? "@" : "@@@";
+    return mark + "./" + name + mark;
 }
 
 std::string attributes(const UsdSequence& sequence) {
@@ -36,7 +45,46 @@ std::string of_each_vertex(const std::string& attribute) {
     return "    " + attribute + " (\n        interpolation = \"vertex\"\n    )\n";
 }
 
+/// "sea.####.usdc" of one frame.
+std::string frame_name(const std::string& name, int frame) {
+    const std::size_t first = name.find('#');
+    const std::size_t end = name.find_first_not_of('#', first);
+    return name.substr(0, first) + format_text("%0*d", static_cast<int>(end - first), frame) +
+           name.substr(end);
+}
+
+/// Names the clips of frames, by a template where their steps are even: a reader then takes any
+/// file whose name fits. Else each by its name, so that it takes no other.
+std::vector<std::pair<std::string, std::string>> clip_names(const UsdSequence& sequence) {
+    if (const std::optional<int> step = even_step(sequence.numbers)) {
+        return {{"string templateAssetPath", quoted("./" + sequence.frames)},
+                {"double templateStartTime", std::to_string(sequence.numbers.front())},
+                {"double templateEndTime", std::to_string(sequence.numbers.back())},
+                {"double templateStride", std::to_string(*step)}};
+    }
+    std::string paths, active, times;
+    for (std::size_t i = 0; i < sequence.numbers.size(); ++i) {
+        const std::string number = std::to_string(sequence.numbers[i]);
+        const char* separator = i == 0 ? "" : ", ";
+        paths += separator + asset(frame_name(sequence.frames, sequence.numbers[i]));
+        active += separator + ("(" + number + ", " + std::to_string(i) + ")");
+        times += separator + ("(" + number + ", " + number + ")");
+    }
+    return {{"asset[] assetPaths", "[" + paths + "]"},
+            {"double2[] active", "[" + active + "]"},
+            {"double2[] times", "[" + times + "]"}};
+}
+
 }  // namespace
+
+std::optional<int> even_step(std::span<const int> frames) {
+    if (frames.size() < 2) return 1;
+    const int step = frames[1] - frames[0];
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        if (frames[i] - frames[i - 1] != step) return std::nullopt;
+    }
+    return step > 0 ? std::optional(step) : std::nullopt;
+}
 
 std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString> strings) {
     std::string text = "#usda 1.0\n(\n    customLayerData = {\n";
@@ -49,22 +97,19 @@ std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString>
     };
     set("metersPerUnit", "1");
     set("upAxis", sequence.y_up ? "\"Y\"" : "\"Z\"");
-    set("startTimeCode", std::to_string(sequence.first));
-    set("endTimeCode", std::to_string(sequence.last));
+    set("startTimeCode", std::to_string(sequence.numbers.front()));
+    set("endTimeCode", std::to_string(sequence.numbers.back()));
     set("timeCodesPerSecond", shortest_text(sequence.rate));
     set("framesPerSecond", shortest_text(sequence.rate));
-    text += ")\ndef Mesh \"" + std::string(kPrim) + "\" (\n    prepend references = @./" +
-            sequence.topology + "@</" + kPrim +
+    text += ")\ndef Mesh \"" + std::string(kPrim) +
+            "\" (\n    prepend references = " + asset(sequence.topology) + "</" + kPrim +
             ">\n    clips = {\n        dictionary default = {\n";
     const auto clip = [&](const std::string& name, const std::string& value) {
         text += "            " + name + " = " + value + "\n";
     };
-    clip("asset manifestAssetPath", "@./" + sequence.manifest + "@");
+    clip("asset manifestAssetPath", asset(sequence.manifest));
     clip("string primPath", "\"/" + std::string(kPrim) + "\"");
-    clip("string templateAssetPath", "\"./" + sequence.frames + "\"");
-    clip("double templateStartTime", std::to_string(sequence.first));
-    clip("double templateEndTime", std::to_string(sequence.last));
-    clip("double templateStride", std::to_string(sequence.step));
+    for (const auto& [name, value] : clip_names(sequence)) clip(name, value);
     text += "        }\n    }\n)\n{\n";
     if (sequence.foam) text += of_each_vertex("float[] primvars:foam");
     if (sequence.normals) text += of_each_vertex("normal3f[] normals");

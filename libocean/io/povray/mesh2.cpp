@@ -6,6 +6,8 @@
 // vertices which met still meet.
 #include "ocean/io/mesh2.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -34,8 +36,11 @@ TextWriter& write_unit(TextWriter& out, float value) {
     return out << std::string_view(text, sizeof text);
 }
 
-void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label,
-                const std::string& file_name) {
+void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label, std::string file_name) {
+    // A line end would end the comment.
+    std::replace_if(
+        file_name.begin(), file_name.end(),
+        [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, '?');
     out << "//   Persistence of Vision Ray Tracer Include File\n//   File: " << file_name
         << "\n//   Vers: 3.7\n//   Desc: The surface of a sea at one time, by "
            "libocean " OCEAN_VERSION

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 
 #include "ocean/parameter_table.hpp"
 #include "ocean/text.hpp"
@@ -34,11 +35,30 @@ double variance_of(const DetailBand& band) {
     return rounded_variance(band.variance.mean_square_slope());
 }
 
+/// The text in the quotes of POV-Ray, whose strings hold UCS-2 and whose files are ASCII: other
+/// characters are \uXXXX, or two of these beyond the first plane; controls are blanks.
 std::string string_literal(std::string_view text) {
     std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
+    while (!text.empty()) {
+        const std::size_t length = utf8_character(text);
+        const char c = text.front();
+        if (length > 1) {
+            std::uint32_t code = static_cast<std::uint8_t>(c) & (0x7Fu >> length);
+            for (const char next : text.substr(1, length - 1)) {
+                code = code << 6 | (static_cast<std::uint8_t>(next) & 0x3Fu);
+            }
+            if (code >= 0x10000) {
+                result += format_text("\\u%04x", 0xD800 + ((code - 0x10000) >> 10));
+                code = 0xDC00 + ((code - 0x10000) & 0x3FF);
+            }
+            result += format_text("\\u%04x", code);
+        } else if (length == 0) {
+            result += '?';
+        } else {
+            if (c == '"' || c == '\\') result += '\\';
+            result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return result + "\"";
 }
@@ -118,11 +138,9 @@ void declare_frames(std::string& text, const PovrayFolder& folder) {
     text += "\n// ---- Frames ----\n";
     declare(text, "Ocean_First_Frame", std::to_string(folder.frames.front()));
     declare(text, "Ocean_Last_Frame", std::to_string(folder.frames.back()));
-    forget(text, "Ocean_Frames");
-    if (folder.frames_are_consecutive()) return;
-    text += "// frame_number counts them from 1.\n";
     declare(text, "Ocean_Frames",
             array_of(folder.frames, [](int frame) { return std::to_string(frame); }));
+    declare(text, "Ocean_Frames_Text_", string_literal(folder.frames_text));
 }
 
 void declare_water(std::string& text) {
@@ -145,14 +163,6 @@ void declare_water(std::string& text) {
 }
 
 }  // namespace
-
-bool PovrayFolder::frames_are_consecutive() const {
-    if (frames.front() < 1) return false;  // POV-Ray counts from 0, and reserves that
-    for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (frames[i] != frames[i - 1] + 1) return false;
-    }
-    return true;
-}
 
 std::string povray_declarations(const PovrayFolder& folder) {
     const Parameters& parameters = folder.sea.parameters;
@@ -199,6 +209,12 @@ std::string povray_frame_declarations(const FrameLabel& label) {
     declare(text, "Ocean_Time", number(label.time), "s");
     declare(text, "Ocean_Frame_Sea_", string_literal(label.sea_id));
     return text;
+}
+
+bool declares_sea(std::string_view text, std::string_view sea_id) {
+    std::string line;
+    declare(line, "Ocean_Frame_Sea_", string_literal(sea_id));
+    return text.find(line) != std::string_view::npos;
 }
 
 std::string povray_detail_declarations(const Detail& detail) {

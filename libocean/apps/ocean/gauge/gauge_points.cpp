@@ -18,7 +18,7 @@ class GaugeReader {
     GaugeReader(const std::string& path, double from, double to, double depth)
         : path_(path), from_(from), to_(to), depth_(depth), table_(read_points(path, columns())) {}
 
-    std::vector<Gauge> read() {
+    GaugePoints read() {
         if (table_.size() == 0) throw fail("there are no points");
         if (tracks() && (table_.has("velocity_x") || table_.has("velocity_y"))) {
             throw fail("a gauge has a velocity or the times of a track, not both");
@@ -27,18 +27,18 @@ class GaugeReader {
         if (tracks()) {
             for (const Gauge& gauge : gauges_) check_track(gauge);
         }
-        return std::move(gauges_);
+        return {std::move(gauges_), table_.left_out()};
     }
 
   private:
     static std::vector<PointColumn> columns() {
         using enum PointColumn::Kind;
-        return {{"x", needed},
-                {"y", needed},
-                {"z", optional},
-                {"velocity_x", optional},
-                {"velocity_y", optional},
-                {"time", optional},
+        return {{"x", needed, "m"},
+                {"y", needed, "m"},
+                {"z", optional, "m"},
+                {"velocity_x", optional, "m/s"},
+                {"velocity_y", optional, "m/s"},
+                {"time", optional, "s"},
                 {"name", text}};
     }
 
@@ -106,7 +106,7 @@ class GaugeReader {
 
 }  // namespace
 
-std::vector<Gauge> read_gauges(const std::string& path, double from, double to, double depth) {
+GaugePoints read_gauges(const std::string& path, double from, double to, double depth) {
     return GaugeReader(path, from, to, depth).read();
 }
 

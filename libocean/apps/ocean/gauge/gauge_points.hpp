@@ -11,9 +11,14 @@
 
 namespace ocean::app {
 
-/// From CSV, "-" = standard input. Columns: x, y; name, the row's number without it; z, default 0;
-/// velocity_x, velocity_y of a gauge that is at x, y at the time `from`; or time, and the rows of
-/// one name are its track, which must cover from .. to. Throws Error bad_file.
-std::vector<Gauge> read_gauges(const std::string& path, double from, double to, double depth);
+struct GaugePoints {
+    std::vector<Gauge> gauges;
+    std::string left_out;  // as PointTable has it
+};
+
+/// From a table, "-" = standard input. Columns: x, y; name, the row's number without it; z, default
+/// 0; velocity_x, velocity_y of a gauge that is at x, y at the time `from`; or time, and the rows
+/// of one name are its track, which must cover from .. to. Throws Error bad_file.
+GaugePoints read_gauges(const std::string& path, double from, double to, double depth);
 
 }  // namespace ocean::app

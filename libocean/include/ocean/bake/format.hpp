@@ -95,7 +95,13 @@ struct BakeFormat {
     /// Beside the frames what all of them share: the same bytes from each shard. With write_shared.
     std::vector<BakeFile> (*shared_files)(const BakePlan& plan) = nullptr;
     void (*write_shared)(const BakePlan& plan, const BakeFile& file) = nullptr;
-    /// Whether a reader of the frames fills one that is missing without a word.
+    /// How many of the shared files, the first ones, list the frames of the folder: their plan's
+    /// all_frames has those of earlier chunks too, and they are written again after the frames.
+    std::size_t frame_lists = 0;
+    /// Whether a frame's file that is there is of the plan's sea and options, whatever its frame.
+    /// Of formats with frame_lists.
+    bool (*is_of_plan)(const BakePlan& plan, const BakeFile& file) = nullptr;
+    /// Whether a reader of the frames fills one that is missing without a word. With frame_lists.
     bool hides_gaps = false;
     /// SHA-256 of all that decides the content of a file.
     std::string (*recipe)(const BakePlan& plan, const BakeFile& file);

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "ocean/bake/frames_there.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/sea_state.hpp"
 
 namespace ocean {
 
@@ -21,7 +23,14 @@ struct FolderFile {
     std::string opening() const;
 };
 
-/// `frames`: those of all shards, whose folder is one.
-std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const std::vector<int>& frames);
+/// Returns the frames of the plan's sea, form and maps that lie in its folder, and others.
+FramesThere povray_frames_there(const BakePlan& plan);
+/// Returns all files of the folder but its frames. `frames`: those that it has or will have,
+/// ascending, at least one; `state`: of the plan's sea.
+std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
+                                            const std::vector<int>& frames);
+/// Returns those of them that depend on the frames.
+std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
+                                           const std::vector<int>& frames);
 
 }  // namespace ocean

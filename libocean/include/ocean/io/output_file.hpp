@@ -47,6 +47,21 @@ class OutputFile {
 /// full or the process is killed. Throws Error output with the path and the system's reason.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
+/// Keeps other processes from a folder's common files while it lives, so that what they list can be
+/// read, merged and replaced. The lock of a process that is killed goes with it. Some network disks
+/// have no locks: there the last of two writers wins. Not for one thread twice.
+class FolderLock {
+  public:
+    /// Waits for others. "" is the current folder.
+    explicit FolderLock(const std::string& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+  private:
+    int descriptor_;
+};
+
 /// Makes `folder` and those above it; "" is the current one. Throws Error output.
 void make_folder(const std::string& folder);
 /// Throws what make_folder or a file in it would, as far as that is known without making them.

@@ -18,7 +18,7 @@
 namespace ocean::io {
 
 /// Of the folders that `ocean povray` writes: ocean.inc refuses any other.
-inline constexpr int kPovrayDataVersion = 3;
+inline constexpr int kPovrayDataVersion = 4;
 
 /// A folder of frames for POV-Ray. References must outlive it.
 struct PovrayFolder {
@@ -26,18 +26,18 @@ struct PovrayFolder {
     const SeaState& state;
     std::string_view format;  // "df3", "mesh2" or "height_field"
     std::vector<int> maps;    // samples a side of each frame's maps, the finest first
-    std::vector<int> frames;  // at least one
+    std::vector<int> frames;  // ascending, at least one
+    std::string frames_text;  // for people
     std::string_view sea_id;  // of FrameLabel
     int fine_map = 0;         // samples a side of the map for heights of places; 0 = the finest
-
-    /// Whether POV-Ray's own frame_number can be theirs.
-    bool frames_are_consecutive() const;
 };
 /// The include file that tells a scene all of that, each parameter by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
 /// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
 std::string povray_frame_declarations(const FrameLabel& label);
+/// Whether a text has the declarations of a frame of that sea.
+bool declares_sea(std::string_view text, std::string_view sea_id);
 /// What Ocean_Material asks of a frame's foam, by cover of the frame's maps, the finest first.
 std::string povray_foam_declarations(std::span<const Surface> maps);
 std::string povray_detail_declarations(const Detail& detail);

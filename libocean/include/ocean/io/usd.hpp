@@ -5,6 +5,7 @@
 // points of each frame, and one with the faces that all share. Metres; velocities are m/s.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,16 +17,17 @@ namespace ocean::io {
 
 /// What a stage says of its clips. Names are those of files beside it.
 struct UsdSequence {
-    std::string topology;  // "sea.topology.usdc"
-    std::string manifest;  // "sea.clips.usda"
-    std::string frames;    // "sea.####.usdc"
-    int first = 1;
-    int last = 1;
-    int step = 1;
-    double rate = 24.0;  // frames a second
+    std::string topology;      // "sea.topology.usdc"
+    std::string manifest;      // "sea.clips.usda"
+    std::string frames;        // "sea.####.usdc"
+    std::vector<int> numbers;  // of the frames, ascending, at least one
+    double rate = 24.0;        // frames a second
     bool y_up = false;
     bool normals = false, foam = false, velocities = false;
 };
+
+/// The step of frames FIRST-LASTxSTEP, 1 for one frame; nothing where the steps differ.
+std::optional<int> even_step(std::span<const int> frames);
 
 /// The text of the stage, with `strings` as customLayerData.
 std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString> strings);
