@@ -23,8 +23,13 @@ using Products = std::vector<const Product*>;
 
 const std::string kSea = "libocean = 1\n# \xc3\xa4 sea, with a second line\n";
 
-io::FrameLabel label_of(const Surface& surface, int number, std::string_view backend = "cpu") {
-    return {kSea, number, surface.time(), surface.period(), backend};
+io::Provenance label_of(const Surface& surface, int number, const std::string& backend = "cpu") {
+    return {.kind = "sea",
+            .text = kSea,
+            .frame = number,
+            .time = surface.time(),
+            .domain = Domain::tile(surface.period()),
+            .backend = backend};
 }
 
 io::Image image_of(const Surface& surface, const std::string& product, int number = 1,
@@ -74,7 +79,7 @@ TEST(Exr, HeaderStringsComeBack) {
 TEST(Exr, TheHeaderIsKnownWithoutASurface) {
     const TemporaryFolder folder;
     const Surface surface = test::sample_surface(64, 0.5);
-    const io::FrameLabel label = label_of(surface, 12, "radix2");
+    const io::Provenance label = label_of(surface, 12, "radix2");
     for (const bool layered : {false, true}) {
         for (const std::optional<io::PixelType> type :
              {std::optional<io::PixelType>(), {io::PixelType::half_float}}) {
@@ -174,7 +179,7 @@ TEST(Exr, AMapThatWasMadeIsWrittenAsItIs) {
     const Surface surface = test::sample_surface(32);
     const Products products{&kCausticsProduct, &find_product("height")};
     std::vector<float> made(32 * 32, 0.25f);
-    const io::FrameLabel label = label_of(surface, 1);
+    const io::Provenance label = label_of(surface, 1);
     const io::Image alone =
         io::product_image(std::span(products).first(1), {}, label, surface, made);
     ASSERT_EQ(alone.planes.size(), 1u);

@@ -77,7 +77,11 @@ void write_height_field(const Image& image, const std::string& path) {
 std::string height_field_description(const Image& image) {
     const HeightScale fit = fit_scale(image);
     const auto number = [](double value) { return shortest_text(value); };
-    const std::string& period = image.string("ocean:period");
+    const Provenance& provenance = image.provenance;
+    if (!provenance.domain || !provenance.domain->is_tile()) {
+        throw Error(ErrorKind::invalid_value, "a height_field needs a square that repeats");
+    }
+    const std::string period = number(provenance.domain->size[0]);
     std::string text = "# height = base + scale * code / 65536, in metres\n";
     text += "lo = " + number(fit.lo) + "\nhi = " + number(fit.hi) + "\nunit = \"m\"\n";
     text += "base = " + number(fit.base) + "\nscale = " + number(fit.scale) + "\n";
@@ -85,8 +89,8 @@ std::string height_field_description(const Image& image) {
     text += "samples = " + std::to_string(image.width + 1) +
             "  # along each side, the first repeated as the last\n";
     text += "period = " + period + "\n";
-    text +=
-        "frame = " + image.string("ocean:frame") + "\ntime = " + image.string("ocean:time") + "\n";
+    text += "frame = " + std::to_string(provenance.frame.value_or(0)) +
+            "\ntime = " + number(provenance.time.value_or(0.0)) + "\n";
     text += "# POV-Ray: height_field { png \"...\" smooth scale <" + period + ", " +
             number(fit.scale) + ", " + period + "> translate " + number(fit.base) + "*y }\n";
     return text;

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/image.hpp"
+#include "ocean/io/provenance.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
@@ -72,11 +72,11 @@ struct FrameWork {
     /// Of what the frame lacks.
     std::function<void(const std::string& message)> warn;
 
-    io::FrameLabel label() const;
+    io::Provenance provenance() const;
     double time() const;
 };
-/// What the files of a frame say of it; refers to the plan.
-io::FrameLabel frame_label(const BakePlan& plan, int frame);
+/// What the files of a frame say of it.
+io::Provenance provenance_of(const BakePlan& plan, int frame);
 
 /// A pointer to a function that every format has: one without it does not compile.
 template <typename Function>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ocean/detail.hpp"
-#include "ocean/io/frame_label.hpp"
+#include "ocean/io/provenance.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
@@ -27,7 +27,7 @@ struct PovrayFolder {
     std::string_view format;  // "df3", "mesh2" or "height_field"
     std::vector<int> maps;    // samples a side of each frame's maps, the finest first
     std::vector<int> frames;  // at least one
-    std::string_view sea_id;  // of FrameLabel
+    std::string_view sea_id;  // of Provenance
     int fine_map = 0;         // samples a side of the map for heights of places; 0 = the finest
 
     /// Whether POV-Ray's own frame_number can be theirs.
@@ -37,7 +37,7 @@ struct PovrayFolder {
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
 /// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
-std::string povray_frame_declarations(const FrameLabel& label);
+std::string povray_frame_declarations(const Provenance& provenance);
 /// What Ocean_Material asks of a frame's foam, by cover of the frame's maps, the finest first.
 std::string povray_foam_declarations(std::span<const Surface> maps);
 std::string povray_detail_declarations(const Detail& detail);
