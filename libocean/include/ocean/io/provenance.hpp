@@ -24,9 +24,9 @@ struct HeaderString {
 /// What makes a file again. A header has it as strings (provenance_strings); what is not set is not
 /// in the header.
 struct Provenance {
-    std::string kind;     // of the subject, "sea": its text is the header's ocean:sea
-    std::string text;     // the subject's own file, resolved: it needs no other
-    std::string id = {};  // a short name of the subject on its map, for hosts; not in the header
+    std::string kind = {};  // of the subject, "sea": its text is the header's ocean:sea
+    std::string text = {};  // the subject's own file, resolved: it needs no other
+    std::string id = {};    // a short name of the subject on its map, for hosts; not in the header
     std::optional<int> frame = {};
     std::optional<double> time = {};  // [s]
     std::optional<Domain> domain = {};
