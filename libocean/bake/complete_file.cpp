@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
 #include "ocean/platform.hpp"
 #include "sha256.hpp"
 
@@ -50,15 +51,10 @@ bool is_regular(const BakeFile& file) {
 
 void require_own_files(const BakePlan& plan, const Manifest& manifest) {
     for (const BakeFile& file : all_files(plan)) {
-        if (!is_regular(file)) continue;
-        std::error_code error;
-        const bool empty = std::filesystem::file_size(native(file), error) == 0;
-        if (empty || plan.format->is_baked(file)) continue;
-        if (manifest.find(native(file).filename().string()) != nullptr) continue;
-        throw Error(ErrorKind::invalid_value,
-                    "'" + file.path +
-                        "' is there and was not written by a bake: it is not replaced; move it or "
-                        "choose another --output");
+        io::refuse_to_replace_foreign_file(file.path, "a bake", [&] {
+            return plan.format->is_baked(file) ||
+                   manifest.find(native(file).filename().string()) != nullptr;
+        });
     }
 }
 

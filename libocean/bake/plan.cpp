@@ -166,14 +166,18 @@ std::vector<BakeFile> all_files(const BakePlan& plan) {
     return files;
 }
 
-io::FrameLabel frame_label(const BakePlan& plan, int frame) {
-    return {plan.sea_text,           frame,
-            plan.sea.time_of(frame), plan.sea.parameters.grid.patch_size,
-            plan.backend.name,       plan.sea_id};
+io::Provenance provenance_of(const BakePlan& plan, int frame) {
+    return {.kind = std::string(io::kSeaKind),
+            .text = plan.sea_text,
+            .id = plan.sea_id,
+            .frame = frame,
+            .time = plan.sea.time_of(frame),
+            .domain = Domain::tile(plan.sea.parameters.grid.patch_size, plan.resolution),
+            .backend = std::string(plan.backend.name)};
 }
 
-io::FrameLabel FrameWork::label() const {
-    return frame_label(plan, frame);
+io::Provenance FrameWork::provenance() const {
+    return provenance_of(plan, frame);
 }
 
 double FrameWork::time() const {

@@ -12,8 +12,8 @@
 //   is in the same sea returns OCEAN_BUSY, and ocean_free waits for that thread. Functions without
 //   a sea may be called from any thread.
 // - A child process after fork() may use and free the seas that no thread was in.
-// - The rounding and flush-to-zero modes of the calling thread neither change a bit nor are
-// changed.
+// - The rounding and flush-to-zero modes of the calling thread change no bit, and no call changes
+//   them.
 // - Times reach from -1e9 to 1e9 s; others are OCEAN_INVALID_ARGUMENT or OCEAN_INVALID_VALUE. Maps
 //   are within 2e-6 of their rms until 1e8 s; at 1e9 s heights within 3e-6, slopes within 1.2e-5.
 // - Texts are UTF-8. Buffers and texts belong to the caller and are not kept.
@@ -134,10 +134,14 @@ typedef struct {
  * at least (R - 1) * row_pitch + R * channels. channel[c], c < channels, says what component c
  * holds, in z-up terms; -1: it is left as it is. axes turns whole vectors: where three neighbouring
  * components are {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX,
- * OCEAN_VY, OCEAN_VZ}, in this order, those three receive, for a vector (x, y, z), OCEAN_ZUP (x, y,
- * z)     OCEAN_YUP (x, z, -y)     OCEAN_TNB (x, z, y). Every other component is stored as it is,
- * whatever the axes. So {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height,
- * -dy and leaves the fourth component. */
+ * OCEAN_VY, OCEAN_VZ}, in this order, those three receive, for a vector (x, y, z):
+ *
+ *     OCEAN_ZUP  (x, y, z)
+ *     OCEAN_YUP  (x, z, -y)
+ *     OCEAN_TNB  (x, z, y)
+ *
+ * Every other component is stored as it is, whatever the axes. So {OCEAN_DX, OCEAN_DY,
+ * OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height, -dy and leaves the fourth component. */
 typedef struct {
     float* data;
     size_t count;

@@ -119,7 +119,7 @@ def test_a_folder_for_povray_keeps_files_of_others(ocean, name):
     ocean.write(f"scene/{name}", "# mine\n")
     for more in ([], ["-n"]):
         error = ocean.bad("povray", "sea.toml", "-o", "scene", *more)
-        assert f"'scene/{name}' is there and is not of `ocean povray`" in error
+        assert f"'scene/{name}' is there and was not written by `ocean povray`" in error
     assert (ocean.folder / "scene" / name).read_text() == "# mine\n"
     assert ocean.files("scene") == [name]
 
@@ -133,3 +133,37 @@ def test_a_folder_for_povray_is_made_again_from_its_own_sea(ocean):
     assert "is read by this command" in ocean.bad(
         "povray", "scene/sea.toml", "-o", "scene", "--set", "wind_speed=3"
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [
+        ("mine.png", ("foam-texture", "lace", "--size", "64", "-o", "mine.png")),
+        ("mine.exr", ("foam-texture", "lace", "--size", "64", "-o", "mine.exr")),
+        ("mine.png", ("spectrum", "sea.toml", "--plot", "mine.png")),
+        ("mine.exr", ("bake", "sea.toml", "--stage", "h0", "-o", "mine.exr")),
+    ],
+)
+def test_a_picture_of_a_command_is_not_written_over_a_file_of_others(ocean, name, command):
+    path = ocean.write(name, "my own picture, or text")
+    error = ocean.bad(*command)
+    assert f"'{name}' is there and was not written by `ocean " in error
+    assert path.read_text() == "my own picture, or text"
+    path.unlink()
+    ocean.good(*command)
+    first = path.read_bytes()
+    ocean.good(*command)  # its own is made again
+    assert path.read_bytes() == first
+    other = ("spectrum", "sea.toml", "--plot", name) if "texture" in command[0] else (
+        "foam-texture", "lace", "--size", "64", "-o", name)
+    if name.endswith(".png"):
+        assert "was not written by" in ocean.bad(*other)
+
+
+def test_a_plot_holds_its_sea(ocean):
+    ocean.good("spectrum", "sea.toml", "--plot", "a.png")
+    assert ocean.good("info", "a.png", "--sea-file") == ocean.good(
+        "info", "sea.toml", "--sea-file"
+    )
+    ocean.good("foam-texture", "lace", "--size", "64", "-o", "b.png")
+    assert "b.png: shows a foam_texture, no sea" in ocean.bad("info", "b.png")

@@ -24,8 +24,9 @@ void spit(const std::string& path, const std::string& bytes) {
 std::string good_file(const TemporaryFolder& folder) {
     const Surface surface = test::sample_surface(32);
     const Product* const products[] = {&find_product("height")};
-    io::write_exr(io::product_image(products, {}, {"libocean = 1\n"}, surface),
-                  folder.file("good.exr"), io::ExrCompression::zip);
+    io::write_exr(
+        io::product_image(products, {}, {.kind = "sea", .text = "libocean = 1\n"}, surface),
+        folder.file("good.exr"), io::ExrCompression::zip);
     return test::read_bytes(folder.file("good.exr"));
 }
 
@@ -74,8 +75,8 @@ TEST(ExrHeader, LayoutIsWhatWasWritten) {
     const std::string path = folder.file("a.exr");
     const Surface surface = test::sample_surface(64);
     const Product* const products[] = {&find_product("displacement"), &find_product("normal")};
-    const io::Image image =
-        io::product_image(products, {.layered = true}, {"libocean = 1\n"}, surface);
+    const io::Image image = io::product_image(products, {.layered = true},
+                                              {.kind = "sea", .text = "libocean = 1\n"}, surface);
     const io::Image floats = io::product_image(
         products, {.type = io::PixelType::full_float, .layered = true}, {}, surface);
     for (const char* codec : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {

@@ -23,14 +23,26 @@ using Products = std::vector<const Product*>;
 
 const std::string kSea = "libocean = 1\n# \xc3\xa4 sea, with a second line\n";
 
-io::FrameLabel label_of(const Surface& surface, int number, std::string_view backend = "cpu") {
-    return {kSea, number, surface.time(), surface.period(), backend};
+io::Provenance label_of(const Surface& surface, int number, const std::string& backend = "cpu") {
+    return {.kind = "sea",
+            .text = kSea,
+            .frame = number,
+            .time = surface.time(),
+            .domain = Domain::tile(surface.period()),
+            .backend = backend};
 }
 
 io::Image image_of(const Surface& surface, const std::string& product, int number = 1,
                    const io::ProductLayout& layout = {}) {
     return io::product_image(Products{&find_product(product)}, layout, label_of(surface, number),
                              surface);
+}
+
+std::string string_of(const io::Image& image, std::string_view name) {
+    for (const io::HeaderString& string : image.header_strings()) {
+        if (string.name == name) return string.text;
+    }
+    return "(missing)";
 }
 
 TEST(Exr, SameBytesForAnyThreadCountAndRun) {
@@ -74,7 +86,7 @@ TEST(Exr, HeaderStringsComeBack) {
 TEST(Exr, TheHeaderIsKnownWithoutASurface) {
     const TemporaryFolder folder;
     const Surface surface = test::sample_surface(64, 0.5);
-    const io::FrameLabel label = label_of(surface, 12, "radix2");
+    const io::Provenance label = label_of(surface, 12, "radix2");
     for (const bool layered : {false, true}) {
         for (const std::optional<io::PixelType> type :
              {std::optional<io::PixelType>(), {io::PixelType::half_float}}) {
@@ -174,15 +186,15 @@ TEST(Exr, AMapThatWasMadeIsWrittenAsItIs) {
     const Surface surface = test::sample_surface(32);
     const Products products{&kCausticsProduct, &find_product("height")};
     std::vector<float> made(32 * 32, 0.25f);
-    const io::FrameLabel label = label_of(surface, 1);
+    const io::Provenance label = label_of(surface, 1);
     const io::Image alone =
         io::product_image(std::span(products).first(1), {}, label, surface, made);
     ASSERT_EQ(alone.planes.size(), 1u);
     EXPECT_EQ(alone.planes[0].name, "Y");
     EXPECT_EQ(alone.planes[0].type, io::PixelType::half_float);
     EXPECT_EQ(alone.planes[0].samples.data(), made.data());
-    EXPECT_EQ(alone.string("ocean:field"), "caustics");
-    EXPECT_EQ(alone.string("ocean:unit"), "1");
+    EXPECT_EQ(string_of(alone, "ocean:field"), "caustics");
+    EXPECT_EQ(string_of(alone, "ocean:unit"), "1");
     const io::Image layered = io::product_image(products, {.layered = true}, label, surface, made);
     ASSERT_EQ(layered.planes.size(), 2u);
     EXPECT_EQ(layered.planes[0].name, "caustics.V");

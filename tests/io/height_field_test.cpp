@@ -49,7 +49,10 @@ std::vector<std::uint16_t> read_grey16(const std::string& path, int& width) {
 /// Refers to the surface.
 io::Image image_of(const Surface& surface) {
     const Product* const products[] = {&find_product("height")};
-    return io::product_image(products, {}, {"", 1, 0.0, surface.period()}, surface);
+    return io::product_image(
+        products, {},
+        {.kind = "sea", .frame = 1, .time = 0.0, .domain = Domain::tile(surface.period())},
+        surface);
 }
 
 TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
@@ -118,6 +121,39 @@ TEST(HeightField, FlatSeaAndErrors) {
     oblong.height = 16;
     EXPECT_THROW(io::write_height_field(oblong, folder.file("oblong.png")), Error);
     EXPECT_EQ(folder.entries(), 1u);
+}
+
+// A terrain or a coast is there once: no row and no column is repeated, and it has a place.
+TEST(HeightField, OfAPlaceThatDoesNotRepeatHasItsSamplesAlone) {
+    const TemporaryFolder folder;
+    const int n = 33;
+    std::vector<float> heights;
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) heights.push_back(static_cast<float>(i - 2 * j));
+    }
+    io::Image image{.width = n,
+                    .height = n,
+                    .planes = {{.name = "Y", .samples = heights}},
+                    .provenance = {.kind = "plane",
+                                   .text = "x",
+                                   .domain = Domain{{100.0, -20.0}, {64.0, 64.0}, {n, n}, false}}};
+    io::write_height_field(image, folder.file("h.png"));
+    const std::string side = io::height_field_description(image);
+    int width = 0;
+    const auto codes = read_grey16(folder.file("h.png"), width);
+    ASSERT_EQ(width, n);
+    for (int row = 0; row < n; ++row) {
+        for (int i = 0; i < n; ++i) {
+            const double height =
+                side_value(side, "base") +
+                side_value(side, "scale") * codes[static_cast<std::size_t>(row * n + i)] / 65536.0;
+            EXPECT_NEAR(height, i - 2 * (n - 1 - row), side_value(side, "quantum"));
+        }
+    }
+    EXPECT_EQ(side_value(side, "samples"), n);
+    EXPECT_NE(side.find("scale <64, "), std::string::npos) << side;
+    EXPECT_NE(side.find("translate <100, "), std::string::npos) << side;
+    EXPECT_NE(side.find(", -20> }"), std::string::npos) << side;
 }
 
 // A small image fails at the flush; a large one inside libpng, whose word for it is less telling.

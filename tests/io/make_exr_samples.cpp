@@ -12,7 +12,12 @@ int main(int argc, char** argv) {
     if (argc != 2) return 2;
     const std::string folder = std::string(argv[1]) + "/";
     const Surface surface = test::sample_surface(64);
-    const io::FrameLabel label{"libocean = 1\nseed = 3\n", 7, surface.time(), surface.period()};
+    const io::Provenance label{.kind = "sea",
+                               .text = "libocean = 1\nseed = 3\n",
+                               .frame = 7,
+                               .time = surface.time(),
+                               .domain = Domain::tile(surface.period()),
+                               .backend = "cpu"};
     const auto write = [&](std::vector<const Product*> products, const io::ProductLayout& layout,
                            const std::string& name, const char* codec = "zip") {
         io::write_exr(io::product_image(products, layout, label, surface), folder + name + ".exr",

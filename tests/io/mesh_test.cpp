@@ -109,8 +109,8 @@ std::vector<float> read_vectors(const std::string& text, const std::string& star
 TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     const TemporaryFolder folder;
     const Surface surface = gentle_surface(32);
-    const std::string sea;
-    const io::FrameLabel label{sea, 4, 12.25, surface.period()};
+    const io::Provenance label{
+        .kind = "sea", .frame = 4, .time = 12.25, .domain = Domain::tile(surface.period())};
     const io::Mesh mesh = io::make_patch_mesh(surface);
     io::write_mesh2(mesh, label, folder.file("sea 0004.inc"));
     const std::string text = test::read_bytes(folder.file("sea 0004.inc"));

@@ -145,7 +145,11 @@ int main(int argc, char** argv) {
     if (argc != 2) return 2;
     const std::string folder = std::string(argv[1]) + "/";
     const Surface flat = make_sample(0.0), choppy = make_sample(1.0);
-    const io::FrameLabel label{"libocean = 1\n", 4, 3.5, kPeriod};
+    const io::Provenance label{.kind = "sea",
+                               .text = "libocean = 1\n",
+                               .frame = 4,
+                               .time = 3.5,
+                               .domain = Domain::tile(kPeriod)};
     const Product* const heights[] = {&find_product("height")};
     const io::Image image = io::product_image(heights, {}, label, flat);
     io::write_height_field(image, folder + "height.png");

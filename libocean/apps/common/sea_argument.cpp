@@ -9,10 +9,7 @@
 #include "any_spectra.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/io/exr.hpp"
-#include "ocean/io/mesh_files.hpp"
-#include "ocean/io/usd.hpp"
-#include "ocean/io/vdb.hpp"
+#include "ocean/io/read_provenance.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -22,25 +19,6 @@ namespace ocean::app {
 namespace {
 
 constexpr std::string_view kPresetPrefix = "preset:";
-
-/// By content, not by name: the strings of a file that was baked; null for any other.
-std::vector<io::HeaderString> (*header_reader(const std::string& path))(const std::string&) {
-    const std::string head = text::first_bytes(path, 16);
-    if (head.starts_with("\x76\x2f\x31\x01")) return io::read_exr_header;
-    if (head.starts_with("\x20\x42\x44\x56")) return io::read_vdb_header;
-    if (head.starts_with("PXR-USDC")) return io::read_usd_header;
-    if (head.starts_with("ply\n")) return io::read_ply_header;
-    if (head.starts_with("# The surface of")) return io::read_obj_header;
-    return nullptr;
-}
-
-Sea baked_sea(const std::string& path, const std::vector<io::HeaderString>& header) {
-    for (const auto& [key, value] : header) {
-        if (key == "ocean:sea") return parse_sea(value, path, "", read_any_spectra);
-    }
-    throw Error(ErrorKind::bad_file,
-                path + ": no sea is in this file; only files that `ocean bake` wrote hold one");
-}
 
 Sea read_source(const std::string& source) {
     if (source.starts_with(kPresetPrefix)) {
@@ -56,9 +34,13 @@ Sea read_source(const std::string& source) {
         const std::string content = text::read_file_or_pipe(source, kMaxSeaFileBytes);
         return parse_sea(content, source, "", read_any_spectra);
     }
-    const auto read_header = header_reader(source);
-    return read_header != nullptr ? baked_sea(source, read_header(source))
-                                  : read_sea(source, read_any_spectra);
+    const auto provenance = io::read_provenance(source);
+    if (!provenance) return read_sea(source, read_any_spectra);
+    if (provenance->kind != io::kSeaKind) {
+        throw Error(ErrorKind::bad_file,
+                    source + ": shows a " + text::printable(provenance->kind) + ", no sea");
+    }
+    return parse_sea(provenance->text, source, "", read_any_spectra);
 }
 
 void assign(Parameters& parameters, const std::string& name, std::string value) {

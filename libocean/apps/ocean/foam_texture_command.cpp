@@ -19,13 +19,15 @@
 #include "ocean/io/exr.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
+#include "ocean/io/read_provenance.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
-#include "ocean/version.hpp"
 
 namespace ocean::app {
 namespace {
+
+constexpr std::string_view kFoamTextureKind = "foam_texture";
 
 struct FoamTextureOptions {
     std::string kind;
@@ -64,28 +66,36 @@ bool is_exr(const FoamTextureOptions& options) {
                 "--type " + options.type + ": is of EXR files; a PNG file has 16 bits of grey");
 }
 
-void write_exr(const FoamTextureOptions& options, const FoamTextureSettings& settings,
-               const std::vector<float>& texture, int threads) {
+io::Image image_of(const FoamTextureOptions& options, const FoamTextureSettings& settings,
+                   const std::vector<float>& texture) {
     const FoamTextureInfo& info = foam_texture_info(settings.kind);
-    const io::Image image = {
-        .width = settings.size,
-        .height = settings.size,
-        .periodic = true,
-        .planes = {{.name = "Y", .type = pixel_type(options.type), .samples = texture}},
-        .strings = {{"ocean:foam_texture", std::string(info.name)},
-                    {"ocean:period", shortest_text(info.period)},
-                    {"ocean:seed", std::to_string(settings.seed)},
-                    {"ocean:unit", "1"},
-                    {"ocean:version", OCEAN_VERSION}}};
-    io::write_exr(image, options.output, io::ExrCompression::zip, threads);
+    return {.width = settings.size,
+            .height = settings.size,
+            .periodic = true,
+            .planes = {{.name = "Y", .type = pixel_type(options.type), .samples = texture}},
+            .provenance = {.kind = std::string(kFoamTextureKind),
+                           .text = std::string(info.name),
+                           .domain = Domain::tile(info.period, settings.size)},
+            .strings = {{"ocean:seed", std::to_string(settings.seed)}, {"ocean:unit", "1"}}};
 }
 
-void write_png(const FoamTextureOptions& options, int size, const std::vector<float>& texture) {
+void write_png(const io::Image& image, const std::string& path) {
+    const std::span<const float> texture = image.planes.front().samples;
     std::vector<std::uint16_t> grey(texture.size());
     std::ranges::transform(texture, grey.begin(), [](float value) {
         return static_cast<std::uint16_t>(std::lround(value * 65535.0f));
     });
-    io::write_grey_png(options.output, size, size, grey);
+    const std::string png = io::grey_png(image.width, image.height, grey);
+    io::write_file_atomically(path, io::with_png_strings(png, image.header_strings()));
+}
+
+bool is_foam_texture(const std::string& path) {
+    try {
+        const auto provenance = io::read_provenance(path);
+        return provenance && provenance->kind == kFoamTextureKind;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 void run(const FoamTextureOptions& options, const Context& context) {
@@ -96,14 +106,17 @@ void run(const FoamTextureOptions& options, const Context& context) {
     pixel_type(options.type);
     const std::string folder = utf8_path(options.output).parent_path().string();
     io::require_folder(folder);
+    io::refuse_to_replace_foreign_file(options.output, "`ocean foam-texture`",
+                                       [&] { return is_foam_texture(options.output); });
     ThreadPool pool(context.options.threads);
     const std::vector<float> texture = make_foam_texture(settings, pool);
+    const io::Image image = image_of(options, settings, texture);
     const auto hold = context.interrupts.hold();
     io::make_folder(folder);
     if (exr) {
-        write_exr(options, settings, texture, context.options.threads);
+        io::write_exr(image, options.output, io::ExrCompression::zip, context.options.threads);
     } else {
-        write_png(options, settings.size, texture);
+        write_png(image, options.output);
     }
     if (!context.options.quiet) context.console.data(options.output + "\n");
 }
@@ -119,7 +132,7 @@ std::string footer() {
                             shortest_text(info.period).c_str(), std::string(info.help).c_str());
     }
     return text +
-           "Read it as data, not as a colour. The image's bottom row is the tile's south. An EXR\n"
+           "Read it as data, not as a colour. The image's bottom row is the tile's south. The\n"
            "header says kind, tile, seed and version.";
 }
 

@@ -83,14 +83,11 @@ void warn_of_cost(const BakePlan& plan, Console& console) {
 void require_own_files(const std::vector<FolderFile>& files, const std::string& folder) {
     for (const FolderFile& file : files) {
         const std::string path = folder + "/" + file.name;
-        std::error_code error;
-        if (file.users || !std::filesystem::exists(utf8_path(path), error)) continue;
-        const std::string opening = file.opening();
-        if (text::first_bytes(path, opening.size()) == opening) continue;
-        throw Error(ErrorKind::invalid_value,
-                    "'" + path +
-                        "' is there and is not of `ocean povray`: it is not replaced; move it or "
-                        "choose another --output");
+        if (file.users) continue;
+        io::refuse_to_replace_foreign_file(path, "`ocean povray`", [&] {
+            const std::string opening = file.opening();
+            return text::first_bytes(path, opening.size()) == opening;
+        });
     }
 }
 

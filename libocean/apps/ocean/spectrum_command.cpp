@@ -3,16 +3,22 @@
 //
 // `ocean spectrum`: the directional spectrum of a sea as CSV, from the one table that modes, CPU
 // and GPU read, and as a picture.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
+#include "ocean/io/output_file.hpp"
+#include "ocean/io/png.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/platform.hpp"
+#include "ocean/seafile.hpp"
 #include "plot/spectrum_plot.hpp"
 #include "sea_argument.hpp"
 #include "spectrum_csv.hpp"
@@ -20,12 +26,31 @@
 namespace ocean::app {
 namespace {
 
+constexpr std::string_view kPlotString = "ocean:plot";
+
 struct SpectrumOptions {
     SeaArgument sea;
     bool directional = false;
     std::string output;
     std::string plot;
 };
+
+std::vector<io::HeaderString> plot_strings(const Sea& sea) {
+    const io::Provenance provenance{.kind = std::string(io::kSeaKind), .text = write_sea(sea)};
+    std::vector<io::HeaderString> strings = io::provenance_strings(provenance);
+    strings.push_back({std::string(kPlotString), "spectrum"});
+    return strings;
+}
+
+bool is_plot(const std::string& path) {
+    try {
+        const auto header = io::read_png_header(path);
+        return std::ranges::any_of(header,
+                                   [](const auto& string) { return string.name == kPlotString; });
+    } catch (const Error&) {
+        return false;
+    }
+}
 
 void run(const SpectrumOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
@@ -36,6 +61,10 @@ void run(const SpectrumOptions& options, const Context& context) {
         throw Error(ErrorKind::invalid_value,
                     "--plot " + options.plot + ": the picture is a PNG; allowed is NAME.png");
     }
+    if (!options.plot.empty()) {
+        io::refuse_to_replace_foreign_file(options.plot, "`ocean spectrum --plot`",
+                                           [&] { return is_plot(options.plot); });
+    }
     Ocean ocean(sea, {.threads = context.options.threads});
     const DirectionalSpectrum& spectrum = ocean.spectrum();
     const auto write = [&](const std::string& path, const std::string& bytes) {
@@ -43,7 +72,8 @@ void run(const SpectrumOptions& options, const Context& context) {
         if (!context.options.quiet) context.console.data(path + "\n");
     };
     if (!options.plot.empty()) {
-        write(options.plot, plot_spectrum(ocean, options.sea.source, context.options.threads));
+        const std::string png = plot_spectrum(ocean, options.sea.source, context.options.threads);
+        write(options.plot, io::with_png_strings(png, plot_strings(sea)));
     }
     const bool wanted = !options.output.empty() || options.plot.empty();
     if (!wanted) return;

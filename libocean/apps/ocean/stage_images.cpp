@@ -4,7 +4,8 @@
 // Stages of the transform as EXR files; see stage_images.hpp.
 #include "stage_images.hpp"
 
-#include <filesystem>
+#include <algorithm>
+#include <string_view>
 
 #include "console.hpp"
 #include "ocean/error.hpp"
@@ -12,12 +13,11 @@
 #include "ocean/io/exr.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/platform.hpp"
-#include "ocean/text.hpp"
-#include "ocean/version.hpp"
 
 namespace ocean::app {
 namespace {
+
+constexpr std::string_view kStageString = "ocean:stage";
 
 io::Image image_of(const gl::StageImage& stage, std::vector<std::vector<float>>& planes) {
     io::Image image;
@@ -34,22 +34,14 @@ io::Image image_of(const gl::StageImage& stage, std::vector<std::vector<float>>&
     return image;
 }
 
-/// What others wrote stays.
-void require_own(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(utf8_path(path), ignored)) return;
-    bool own = false;
+bool is_stage(const std::string& path) {
     try {
-        for (const io::HeaderString& string : io::read_exr_header(path)) {
-            own = own || string.name == "ocean:stage";
-        }
+        const auto header = io::read_exr_header(path);
+        return std::ranges::any_of(header,
+                                   [](const auto& string) { return string.name == kStageString; });
     } catch (const Error&) {
-        own = false;
+        return false;
     }
-    if (own) return;
-    throw Error(
-        ErrorKind::invalid_value,
-        "'" + path + "' is there and is no stage that ocean wrote: it stays; take another -o");
 }
 
 }  // namespace
@@ -63,13 +55,11 @@ void bake_stage(const BakePlan& plan, const std::string& stage, const Context& c
         const double time = plan.sea.time_of(frame);
         const MapModes modes = map_modes(ocean.modes(time), time, plan.resolution);
         io::Image image = image_of(stages.make(modes, stage, ocean.pool()), planes);
-        image.strings = {{"ocean:frame", std::to_string(frame)},
-                         {"ocean:sea", plan.sea_text},
-                         {"ocean:stage", stage},
-                         {"ocean:time", format_text("%.17g", time)},
-                         {"ocean:version", OCEAN_VERSION}};
+        image.provenance = provenance_of(plan, frame);
+        image.strings = {{std::string(kStageString), stage}};
         const std::string path = plan.pattern.file(frame);
-        require_own(path);
+        io::refuse_to_replace_foreign_file(path, "`ocean bake --stage`",
+                                           [&] { return is_stage(path); });
         io::write_exr(image, path, io::ExrCompression::none, plan.threads);
         context.console.data(path + "\n");
     }

@@ -174,7 +174,7 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         io::write_file_atomically(
             files.back().path,
             std::string(kOpening) + ": what Ocean_Load of ocean.inc asks for.\n" +
-                io::povray_frame_declarations(work.label()) + witnesses(work.maps.front()) +
+                io::povray_frame_declarations(work.provenance()) + witnesses(work.maps.front()) +
                 io::povray_foam_declarations(work.maps.first(work.plan.maps.resolutions.size())) +
                 io::povray_detail_declarations(detail));
     });

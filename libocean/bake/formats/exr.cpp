@@ -249,11 +249,12 @@ io::Image image_of(const BakePlan& plan, const BakeFile& file) {
     const Settings& settings = settings_of(plan);
     const auto products = settings.of_file(file.part);
     if (const auto band = band_of(*products.front())) {
-        return band_image(io::product_image(drawn_as(products), settings.layout,
-                                            frame_label(plan, file.frame), settings.detail.samples),
-                          plan, file, *band);
+        return band_image(
+            io::product_image(drawn_as(products), settings.layout, provenance_of(plan, file.frame),
+                              settings.detail.samples),
+            plan, file, *band);
     }
-    return labelled(io::product_image(products, settings.layout, frame_label(plan, file.frame),
+    return labelled(io::product_image(products, settings.layout, provenance_of(plan, file.frame),
                                       plan.resolution),
                     settings, products);
 }
@@ -328,10 +329,10 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         const auto band = band_of(*products.front());
         const Surface tile = band ? band_surface(detail, *band) : Surface();
         const io::Image image =
-            band ? band_image(
-                       io::product_image(drawn_as(products), settings.layout, work.label(), tile),
-                       work.plan, file, *band)
-                 : labelled(io::product_image(products, settings.layout, work.label(),
+            band ? band_image(io::product_image(drawn_as(products), settings.layout,
+                                                work.provenance(), tile),
+                              work.plan, file, *band)
+                 : labelled(io::product_image(products, settings.layout, work.provenance(),
                                               work.maps.front(), caustics),
                             settings, products);
         const io::ExrCompression compression = compression_of(work.plan, file, image);

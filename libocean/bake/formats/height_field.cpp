@@ -58,15 +58,15 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
     const Product* const heights[] = {&find_product("height")};
-    const io::Image image = io::product_image(heights, {}, work.label(), work.maps.front());
+    const io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
     work.put(files[kImage], [&] { io::write_height_field(image, files[kImage].path); });
     work.put(files[kDescription], [&] {
         io::write_file_atomically(files[kDescription].path, io::height_field_description(image));
     });
     work.put(files[kDeclarations], [&] {
-        io::write_file_atomically(
-            files[kDeclarations].path,
-            io::height_field_declarations(image) + io::povray_frame_declarations(work.label()));
+        io::write_file_atomically(files[kDeclarations].path,
+                                  io::height_field_declarations(image) +
+                                      io::povray_frame_declarations(work.provenance()));
     });
 }
 

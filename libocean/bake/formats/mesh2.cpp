@@ -164,7 +164,7 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
     const io::Mesh mesh =
         view ? io::make_horizon_mesh(work.maps, *view) : io::make_patch_mesh(work.maps.front());
     work.put(files.front(), [&] {
-        io::write_mesh2(mesh, work.label(), files.front().path, view ? &*view : nullptr);
+        io::write_mesh2(mesh, work.provenance(), files.front().path, view ? &*view : nullptr);
     });
 }
 

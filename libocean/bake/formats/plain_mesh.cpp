@@ -75,7 +75,7 @@ std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, int frame) {
 }
 
 std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, int frame) {
-    std::vector<io::HeaderString> strings = io::label_strings(frame_label(plan, frame));
+    std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
     const PlainMesh& mesh = plain_mesh_of(plan);
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(mesh.axes))});

@@ -118,7 +118,7 @@ std::vector<BakeFile> list_spray(const BakePlan& plan, int frame) {
 }
 
 std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
-    std::vector<io::HeaderString> strings = io::label_strings(frame_label(plan, frame));
+    std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
     const SprayPoints& spray = *spray_of(plan);
     // What is emitted on the sea's own lattice is the same for any --resolution.
     const int resolution = default_map_resolution(plan.sea.parameters.grid);

@@ -207,7 +207,7 @@ std::vector<BakeFile> list_volumes(const BakePlan& plan, int frame) {
 
 std::vector<io::HeaderString> volume_strings(const BakePlan& plan, int frame) {
     const Settings& settings = settings_of(plan);
-    std::vector<io::HeaderString> strings = io::label_strings(frame_label(plan, frame));
+    std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(settings.axes))});
     strings.push_back({"ocean:field", settings.products()});

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "modes/noise_streams.hpp"
 #include "modes/quadrant_sampler.hpp"
 #include "ocean/backend.hpp"
 #include "ocean/cascades.hpp"
@@ -24,8 +25,7 @@ constexpr double kFactor = 6.0;        // from one band to the next
 constexpr double kTwoBandsUpTo = 2.0;  // m
 // Waves of a tile run in enough directions, and are many enough for a Gaussian field.
 constexpr double kWavesOfTile = 8.3;
-constexpr double kLeastTile = 1.0;         // m
-constexpr std::uint32_t kFirstNoise = 16;  // after any cascade's
+constexpr double kLeastTile = 1.0;  // m
 
 /// Half the side of the square of wavenumbers that a map holds, in steps of the patch's lattice:
 /// along an axis it ends with the cells of the last modes of the cascade that its Nyquist line
@@ -74,7 +74,8 @@ DetailPlan plan_detail(const Parameters& parameters, const DetailSettings& setti
     const std::size_t most = longest <= kTwoBandsUpTo ? 2 : kMostDetailBands;
     while (bands.size() < most && rest > end) {
         PlannedBand planned;
-        planned.noise = kFirstNoise + static_cast<std::uint32_t>(bands.size());
+        planned.noise =
+            noise_stream(NoiseStream::detail_bands, static_cast<std::uint32_t>(bands.size()));
         DetailBand& band = planned.band;
         band.longest_wave = rest;
         band.tile = std::max(kLeastTile, kWavesOfTile * rest);

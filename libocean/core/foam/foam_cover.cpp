@@ -15,6 +15,7 @@
 
 #include "foam/jacobian_nodes.hpp"
 #include "modes/noise_row.hpp"
+#include "modes/noise_streams.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/fft.hpp"
@@ -100,11 +101,11 @@ class GradientProcess {
 
     /// Two stretches that are as good as independent, of the number's own noise.
     std::array<std::vector<Gradients>, 2> draw(std::uint32_t number) const {
-        constexpr std::uint32_t kStream = 0x666F616Du;
         std::array<std::vector<std::complex<float>>, 3> noise;
         for (int i = 0; i < 3; ++i) {
             noise[static_cast<std::size_t>(i)].resize(factors_.size());
-            noise_row(number, kStream, 0, i, noise[static_cast<std::size_t>(i)]);
+            noise_row(number, noise_stream(NoiseStream::foam_cover), 0, i,
+                      noise[static_cast<std::size_t>(i)]);
         }
         std::array<std::vector<std::complex<double>>, 3> series;
         for (auto& one : series) one.resize(factors_.size());

@@ -23,6 +23,7 @@
 #include "foam/equaliser.hpp"
 #include "foam/foam_cells.hpp"
 #include "foam/tiled_noise.hpp"
+#include "modes/noise_streams.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
@@ -69,7 +70,8 @@ constexpr float kShortStreakWeight = 0.35f;
 
 /// Draws of the parts of a texture: no two share theirs, nor do they share the sea's.
 std::uint32_t draws(FoamTextureKind kind, std::uint32_t part) {
-    return 0x1000u + 0x10u * static_cast<std::uint32_t>(kind) + part;
+    return noise_stream(NoiseStream::foam_textures,
+                        kStreamsOfFoamTexture * static_cast<std::uint32_t>(kind) + part);
 }
 
 using Row = std::vector<float>;

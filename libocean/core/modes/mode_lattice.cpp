@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "modes/noise_row.hpp"
+#include "modes/noise_streams.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/thread_pool.hpp"
 
@@ -54,7 +55,8 @@ ModeLattice::ModeLattice(const Parameters& parameters, Memory memory, ThreadPool
     : parameters_(without_waves(parameters)),
       kept_(memory == Memory::keep && parameters.grid.resolution <= kLargestKept) {
     for (const CascadeBand& band : cascade_bands(parameters.grid)) {
-        add(band, static_cast<std::uint32_t>(cascades_.size()), pool);
+        add(band, noise_stream(NoiseStream::cascades, static_cast<std::uint32_t>(cascades_.size())),
+            pool);
     }
 }
 

@@ -19,6 +19,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ocean/enum_words.hpp"
+
 namespace ocean {
 
 /// Fields that are sums over the modes. D is the horizontal displacement at choppiness 1 (towards
@@ -36,7 +38,7 @@ enum class Linear : int {
     displacement_x_rate,
     displacement_y_rate,
 };
-inline constexpr int kLinearCount = 11;
+inline constexpr int kLinearCount = static_cast<int>(enum_count<Linear>());
 inline constexpr auto kLinears = [] {
     std::array<Linear, kLinearCount> all{};
     for (int i = 0; i < kLinearCount; ++i) {
@@ -66,7 +68,8 @@ enum class Channel : int {
     dx_y,
     cover,
 };
-inline constexpr int kChannelCount = 18;
+/// The table below has a row for each enumerator, or it does not compile.
+inline constexpr int kChannelCount = static_cast<int>(enum_count<Channel>());
 
 /// With those that a host adds (OceanOptions::channels): Channel(kChannelCount + i) is its row i.
 inline constexpr int kMostChannels = 32;

@@ -4,13 +4,13 @@
 // Frequency spectra S(omega) of the parametric wave systems: the formulas, one function each.
 //
 // Symbols of all of them:
-//     S      one-sided variance density, m^2 s/rad: its integral is the variance m0, Hs = 4
-//     sqrt(m0) omega  angular frequency, rad/s, > 0; omega_p where S is largest U      wind speed
-//     at a height of 10 m, m/s, > 0 F      fetch, m: the way that the wind has blown over the water
-//     g      acceleration of gravity, m/s^2
-//     d      depth, m
-//     alpha  Phillips' constant: the energy of the short waves, alpha g^2 omega^-5 whatever the
-//     wind
+// - S: one-sided variance density [m^2 s/rad]. Its integral is the variance m0; Hs = 4 sqrt(m0).
+// - omega: angular frequency [rad/s], > 0; omega_p is that where S is largest.
+// - U: wind speed at a height of 10 m [m/s], > 0.
+// - F: fetch [m], the distance over which the wind has blown.
+// - g: acceleration of gravity [m/s^2].
+// - d: depth [m].
+// - alpha: Phillips' constant. Short waves have the energy alpha g^2 omega^-5.
 #pragma once
 
 #include <functional>

@@ -62,7 +62,7 @@ Imf::Header make_exr_header(const Image& image, ExrCompression compression) {
         header.channels().insert(plane.name, Imf::Channel(imf_type(plane.type)));
     }
     if (image.periodic) Imf::addWrapmodes(header, "periodic");
-    for (const auto& [name, text] : image.strings) {
+    for (const auto& [name, text] : image.header_strings()) {
         header.insert(name, Imf::StringAttribute(text));
     }
     return header;

@@ -262,6 +262,17 @@ std::uint64_t free_bytes(const std::string& folder) {
     return std::filesystem::space(nearest_existing(folder), code).available;
 }
 
+void refuse_to_replace_foreign_file(const std::string& path, std::string_view writer,
+                                    const std::function<bool()>& is_ours) {
+    std::error_code code;
+    const std::filesystem::path native = utf8_path(path);
+    if (!std::filesystem::is_regular_file(native, code)) return;
+    if (std::filesystem::file_size(native, code) == 0 || is_ours()) return;
+    throw Error(ErrorKind::invalid_value,
+                "'" + path + "' is there and was not written by " + std::string(writer) +
+                    ": it is not replaced; move it or choose another name");
+}
+
 void write_output(const std::string& path, std::string_view bytes) {
     make_folder(utf8_path(path).parent_path().string());
     write_file_atomically(path, bytes);

@@ -4,18 +4,13 @@
 // An image as a value; see image.hpp.
 #include "ocean/io/image.hpp"
 
-#include <algorithm>
-
-#include "ocean/error.hpp"
-
 namespace ocean::io {
 
-const std::string& Image::string(std::string_view name) const {
-    const auto found =
-        std::find_if(strings.begin(), strings.end(),
-                     [&](const HeaderString& string) { return string.name == name; });
-    if (found != strings.end()) return found->text;
-    throw Error(ErrorKind::invalid_value, "an image has no string " + std::string(name));
+std::vector<HeaderString> Image::header_strings() const {
+    std::vector<HeaderString> all;
+    if (!provenance.kind.empty()) all = provenance_strings(provenance);
+    all.insert(all.end(), strings.begin(), strings.end());
+    return all;
 }
 
 }  // namespace ocean::io

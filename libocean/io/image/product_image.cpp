@@ -119,8 +119,7 @@ class ProductPlanes {
     std::span<const float> made_;
 };
 
-std::vector<HeaderString> header_strings(std::span<const Product* const> products, Axes axes,
-                                         const FrameLabel& label) {
+std::vector<HeaderString> product_strings(std::span<const Product* const> products, Axes axes) {
     std::string names, units;
     bool vectors = false;
     for (const Product* product : products) {
@@ -130,21 +129,23 @@ std::vector<HeaderString> header_strings(std::span<const Product* const> product
         vectors = vectors || product->vector;
     }
     // What is no vector is the same in all axes: x east and y north, as in zup.
-    std::vector<HeaderString> strings = label_strings(label);
-    strings.push_back({"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))});
-    strings.push_back({"ocean:field", names});
-    strings.push_back({"ocean:unit", units});
-    return strings;
+    return {{"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))},
+            {"ocean:field", names},
+            {"ocean:unit", units}};
 }
 
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
-                 const FrameLabel& label, int resolution, const Surface* surface,
+                 const Provenance& provenance, int resolution, const Surface* surface,
                  std::span<const float> made = {}) {
     if (products.empty()) {
         throw Error(ErrorKind::invalid_value, "an image needs at least one product");
     }
-    return {resolution, resolution, true, ProductPlanes(layout, surface, made).of(products),
-            header_strings(products, layout.axes, label)};
+    return {.width = resolution,
+            .height = resolution,
+            .periodic = !provenance.domain || provenance.domain->wraps,
+            .planes = ProductPlanes(layout, surface, made).of(products),
+            .provenance = provenance,
+            .strings = product_strings(products, layout.axes)};
 }
 
 }  // namespace
@@ -165,13 +166,14 @@ std::string_view axes_name(Axes axes) {
 }
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
-                    const FrameLabel& label, int resolution) {
-    return make_image(products, layout, label, resolution, nullptr);
+                    const Provenance& provenance, int resolution) {
+    return make_image(products, layout, provenance, resolution, nullptr);
 }
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
-                    const FrameLabel& label, const Surface& surface, std::span<const float> made) {
-    return make_image(products, layout, label, surface.resolution(), &surface, made);
+                    const Provenance& provenance, const Surface& surface,
+                    std::span<const float> made) {
+    return make_image(products, layout, provenance, surface.resolution(), &surface, made);
 }
 
 }  // namespace ocean::io

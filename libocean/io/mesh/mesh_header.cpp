@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_header.hpp"
 
-#include <algorithm>
-
 #include "ocean/error.hpp"
 
 namespace ocean::io {
@@ -17,8 +15,7 @@ std::vector<HeaderString> read_comments(const std::string& path, std::string_vie
         const std::string_view lines = std::string_view(head).substr(0, stop);
         strings = parse_comment_lines(lines.substr(magic.size()), prefix);
     }
-    const auto is_sea = [](const HeaderString& string) { return string.name == "ocean:sea"; };
-    if (std::ranges::none_of(strings, is_sea)) {
+    if (!find_provenance(strings, path)) {
         throw Error(ErrorKind::bad_file,
                     path + ": its comments name no sea; only files that `ocean bake` wrote do");
     }

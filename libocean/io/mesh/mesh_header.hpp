@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 

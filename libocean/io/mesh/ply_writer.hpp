@@ -11,8 +11,8 @@
 #include <span>
 #include <string>
 
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/output_file.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 

@@ -53,43 +53,61 @@ HeightScale fit_scale(const Image& image) {
     return fit_scale(image.planes[0].samples);
 }
 
+/// Samples along each side of the file: what repeats has its first row and column again.
+int side_of(const Image& image) {
+    return image.periodic ? image.width + 1 : image.width;
+}
+
 std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
     const auto heights = image.planes[0].samples;
     const auto n = static_cast<std::size_t>(image.width);
-    std::vector<std::uint16_t> codes((n + 1) * (n + 1));
-    for (std::size_t j = 0; j <= n; ++j) {
-        for (std::size_t i = 0; i <= n; ++i) {
+    const auto side = static_cast<std::size_t>(side_of(image));
+    std::vector<std::uint16_t> codes(side * side);
+    for (std::size_t j = 0; j < side; ++j) {
+        for (std::size_t i = 0; i < side; ++i) {
             const double code = (heights[j % n * n + i % n] - fit.base) / fit.scale * kCodes;
-            codes[j * (n + 1) + i] = static_cast<std::uint16_t>(std::lround(code));
+            codes[j * side + i] = static_cast<std::uint16_t>(std::lround(code));
         }
     }
     return codes;
+}
+
+const Domain& domain_of(const Image& image) {
+    if (image.provenance.domain) return *image.provenance.domain;
+    throw Error(ErrorKind::invalid_value, "a height_field needs a place and a size");
 }
 
 }  // namespace
 
 void write_height_field(const Image& image, const std::string& path) {
     const std::vector<std::uint16_t> codes = encode(image, fit_scale(image));
-    write_grey_png(path, image.width + 1, image.width + 1, codes);
+    write_grey_png(path, side_of(image), side_of(image), codes);
 }
 
 // "key = value" lines: a person can read them, and so can TOML.
 std::string height_field_description(const Image& image) {
     const HeightScale fit = fit_scale(image);
     const auto number = [](double value) { return shortest_text(value); };
-    const std::string& period = image.string("ocean:period");
+    const Domain& domain = domain_of(image);
     std::string text = "# height = base + scale * code / 65536, in metres\n";
     text += "lo = " + number(fit.lo) + "\nhi = " + number(fit.hi) + "\nunit = \"m\"\n";
     text += "base = " + number(fit.base) + "\nscale = " + number(fit.scale) + "\n";
     text += "quantum = " + number(fit.scale / kCodes) + "  # a height is right to half of it\n";
-    text += "samples = " + std::to_string(image.width + 1) +
-            "  # along each side, the first repeated as the last\n";
-    text += "period = " + period + "\n";
-    text +=
-        "frame = " + image.string("ocean:frame") + "\ntime = " + image.string("ocean:time") + "\n";
-    text += "# POV-Ray: height_field { png \"...\" smooth scale <" + period + ", " +
-            number(fit.scale) + ", " + period + "> translate " + number(fit.base) + "*y }\n";
-    return text;
+    text += "samples = " + std::to_string(side_of(image)) + "  # along each side" +
+            (image.periodic ? ", the first repeated as the last\n" : "\n");
+    if (domain.is_tile()) {
+        text += "period = " + number(domain.size[0]) + "\n";
+    } else {
+        text += "origin = [" + number(domain.origin[0]) + ", " + number(domain.origin[1]) + "]\n";
+        text += "size = [" + number(domain.size[0]) + ", " + number(domain.size[1]) + "]\n";
+    }
+    if (image.provenance.frame) text += "frame = " + std::to_string(*image.provenance.frame) + "\n";
+    if (image.provenance.time) text += "time = " + number(*image.provenance.time) + "\n";
+    text += "# POV-Ray: height_field { png \"...\" smooth scale <" + number(domain.size[0]) + ", " +
+            number(fit.scale) + ", " + number(domain.size[1]) + "> translate ";
+    if (domain.is_tile()) return text + number(fit.base) + "*y }\n";
+    return text + "<" + number(domain.origin[0]) + ", " + number(fit.base) + ", " +
+           number(domain.origin[1]) + "> }\n";
 }
 
 std::string height_field_declarations(const Image& image) {

@@ -36,7 +36,8 @@ TextWriter& write_unit(TextWriter& out, float value) {
     return out << std::string_view(text, sizeof text);
 }
 
-void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label, std::string file_name) {
+void write_head(TextWriter& out, const Mesh& mesh, const Provenance& provenance,
+                std::string file_name) {
     // A line end would end the comment.
     std::replace_if(
         file_name.begin(), file_name.end(),
@@ -48,8 +49,8 @@ void write_head(TextWriter& out, const Mesh& mesh, const FrameLabel& label, std:
     out.number(mesh.positions.size() / 3) << " vertices with normals, metres, <east, up, north>.\n";
     // No guard: a frame that is loaded again is the current one again.
     out << "#declare Ocean_Mesh_Inc_Temp = version;\n#version 3.7;\n\n";
-    out << povray_frame_declarations(label) << "#declare Ocean_Period = ";
-    out.number(label.period) << ";  // m, in both directions\n";
+    out << povray_frame_declarations(provenance) << "#declare Ocean_Period = ";
+    out.number(provenance.domain->size[0]) << ";  // m, in both directions\n";
 }
 
 // The camera that the mesh was made for, so that a scene cannot look past its edge.
@@ -115,15 +116,18 @@ std::string povray_faces(std::span<const int> triangles) {
     return out.text();
 }
 
-void write_mesh2(const Mesh& mesh, const FrameLabel& label, const std::string& path,
+void write_mesh2(const Mesh& mesh, const Provenance& provenance, const std::string& path,
                  const View* view) {
     if (mesh.positions.empty() || mesh.normals.size() != mesh.positions.size() ||
         mesh.triangles.empty()) {
         throw Error(ErrorKind::invalid_value, "a mesh2 needs vertices, as many normals, triangles");
     }
+    if (!provenance.domain || !provenance.domain->is_tile()) {
+        throw Error(ErrorKind::invalid_value, "a mesh2 of POV-Ray needs a square that repeats");
+    }
     OutputFile file(path);
     TextWriter out(file);
-    write_head(out, mesh, label, utf8_path(path).filename().string());
+    write_head(out, mesh, provenance, utf8_path(path).filename().string());
     if (view != nullptr) write_view(out, *view);
     out << "\n#declare Ocean_Surface = mesh2 {\n";
     write_vectors(out, mesh);

@@ -203,11 +203,11 @@ std::string povray_declarations(const PovrayFolder& folder) {
     return text;
 }
 
-std::string povray_frame_declarations(const FrameLabel& label) {
+std::string povray_frame_declarations(const Provenance& provenance) {
     std::string text;
-    declare(text, "Ocean_Frame_Number", std::to_string(label.number));
-    declare(text, "Ocean_Time", number(label.time), "s");
-    declare(text, "Ocean_Frame_Sea_", string_literal(label.sea_id));
+    declare(text, "Ocean_Frame_Number", std::to_string(provenance.frame.value_or(0)));
+    declare(text, "Ocean_Time", number(provenance.time.value_or(0.0)), "s");
+    declare(text, "Ocean_Frame_Sea_", string_literal(provenance.id));
     return text;
 }
 

@@ -61,19 +61,17 @@ std::vector<HeaderString> read_vdb_header(const std::string& path) {
         throw Error(ErrorKind::bad_file, path + ": is of an older version of OpenVDB's files");
     }
     std::vector<HeaderString> strings;
-    bool has_sea = false;
     for (auto count = bytes.number<std::uint32_t>(); count > 0 && !bytes.ends_early(); --count) {
         const std::string_view name = bytes.counted();
         const std::string_view type = bytes.counted();
         const std::string_view value = bytes.counted();
         if (bytes.ends_early() || type != "string") continue;
         strings.push_back({std::string(name), std::string(value)});
-        has_sea = has_sea || name == "ocean:sea";
     }
     if (bytes.ends_early()) {
         throw Error(ErrorKind::bad_file, path + ": its header ends early");
     }
-    if (!has_sea) {
+    if (!find_provenance(strings, path)) {
         throw Error(ErrorKind::bad_file,
                     path + ": its metadata name no sea; only files that `ocean bake` wrote do");
     }

@@ -12,10 +12,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/image.hpp"
+#include "ocean/io/provenance.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
@@ -71,14 +72,30 @@ struct FrameWork {
     /// Of what the frame lacks.
     std::function<void(const std::string& message)> warn;
 
-    io::FrameLabel label() const;
+    io::Provenance provenance() const;
     double time() const;
 };
-/// What the files of a frame say of it; refers to the plan.
-io::FrameLabel frame_label(const BakePlan& plan, int frame);
+/// What the files of a frame say of it.
+io::Provenance provenance_of(const BakePlan& plan, int frame);
 
-/// Functions get plans whose format they are. Those without a default every format has, or it does
-/// not compile; the others are null where it has no such thing.
+/// A pointer to a function that every format has: one without it does not compile.
+template <typename Function>
+class Required;
+template <typename Result, typename... Arguments>
+class Required<Result(Arguments...)> {
+  public:
+    constexpr Required(Result (*function)(Arguments...)) : function_(function) {}
+    constexpr Required(std::nullptr_t) = delete;
+    Result operator()(Arguments... arguments) const {
+        return function_(std::forward<Arguments>(arguments)...);
+    }
+
+  private:
+    Result (*function_)(Arguments...);
+};
+
+/// Functions get plans whose format they are. Those that are not Required are null where a format
+/// has no such thing.
 struct BakeFormat {
     std::string_view name;                  // "height_field"
     std::string_view extension;             // in lower case with its dot, ".png"
@@ -89,9 +106,9 @@ struct BakeFormat {
     /// The settings that the options ask for, before there is a sea. Throws Error.
     std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue) = nullptr;
     /// For a plan with sea, resolution and settings. Throws Error.
-    FormatPlan (*settle)(const BakePlan& begun);
+    Required<FormatPlan(const BakePlan& begun)> settle;
     /// In the order in which they are written. Cheap: a bake asks for all its frames at its start.
-    std::vector<BakeFile> (*files)(const BakePlan& plan, int frame);
+    Required<std::vector<BakeFile>(const BakePlan& plan, int frame)> files;
     /// Beside the frames what all of them share: the same bytes from each shard. With write_shared.
     std::vector<BakeFile> (*shared_files)(const BakePlan& plan) = nullptr;
     void (*write_shared)(const BakePlan& plan, const BakeFile& file) = nullptr;
@@ -104,15 +121,15 @@ struct BakeFormat {
     /// Whether a reader of the frames fills one that is missing without a word. With frame_lists.
     bool hides_gaps = false;
     /// SHA-256 of all that decides the content of a file.
-    std::string (*recipe)(const BakePlan& plan, const BakeFile& file);
+    Required<std::string(const BakePlan& plan, const BakeFile& file)> recipe;
     /// Whether a file that is there may be one that a bake wrote, of any sea: others are the
     /// user's, and stay. By its beginning, so that it costs little.
-    bool (*is_baked)(const BakeFile& file);
+    Required<bool(const BakeFile& file)> is_baked;
     /// Memory that a frame needs beside its maps, at most.
     std::uint64_t (*frame_bytes)(const BakePlan& plan) = nullptr;
     /// Of a file, at most.
-    std::uint64_t (*most_bytes)(const BakePlan& plan, const BakeFile& file);
-    void (*write)(const FrameWork& work, std::span<const BakeFile> files);
+    Required<std::uint64_t(const BakePlan& plan, const BakeFile& file)> most_bytes;
+    Required<void(const FrameWork& work, std::span<const BakeFile> files)> write;
     /// The decoded samples of a file, whatever its compression; false for a file that is no image.
     /// Throws Error bad_file for a file that is damaged or another.
     bool (*read_pixels)(const BakePlan& plan, const BakeFile& file, int threads,

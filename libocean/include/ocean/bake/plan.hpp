@@ -41,7 +41,7 @@ struct BakeOptions {
 struct BakePlan {
     Sea sea;
     std::string sea_text;
-    std::string sea_id;  // of io::FrameLabel
+    std::string sea_id;  // of io::Provenance
     const BakeFormat* format = nullptr;
     std::any settings;  // the format's
     FrameMaps maps;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 
@@ -33,10 +33,11 @@ struct Image {
     int height = 0;
     bool periodic = false;  // its right edge continues at its left one, its top at its bottom
     std::vector<ImagePlane> planes;
-    std::vector<HeaderString> strings;
+    Provenance provenance = {};
+    std::vector<HeaderString> strings = {};  // what the header says beside the provenance
 
-    /// Throws Error invalid_value if there is no such string.
-    const std::string& string(std::string_view name) const;
+    /// Returns all strings of the header.
+    std::vector<HeaderString> header_strings() const;
 };
 
 /// Receives the bytes of a file or of its pixels, piece by piece.

@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/horizon_mesh.hpp"
 #include "ocean/io/mesh.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 
@@ -18,7 +18,7 @@ std::string povray_faces(std::span<const int> triangles);
 /// A POV-Ray include file that declares `Ocean_Surface` as a mesh2 in POV-Ray's axes (x, z, y), and
 /// Ocean_Time, Ocean_Period, Ocean_Frame_Number; foam is the u of its uv. With a view also its
 /// camera: Ocean_Eye, Ocean_Forward, Ocean_View_Angle. Throws Error output.
-void write_mesh2(const Mesh& mesh, const FrameLabel& label, const std::string& path,
+void write_mesh2(const Mesh& mesh, const Provenance& provenance, const std::string& path,
                  const View* view = nullptr);
 
 }  // namespace ocean::io

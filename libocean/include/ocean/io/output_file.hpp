@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -68,6 +69,10 @@ void make_folder(const std::string& folder);
 void require_folder(const std::string& folder);
 /// Of the file system that the folder is on, or will be.
 std::uint64_t free_bytes(const std::string& folder);
+/// Throws Error invalid_value if `path` is a file with content that `is_ours` denies: what others
+/// wrote is not replaced. `writer`: who wrote those that are, "a bake".
+void refuse_to_replace_foreign_file(const std::string& path, std::string_view writer,
+                                    const std::function<bool()>& is_ours);
 /// write_file_atomically, the file's folder made first.
 void write_output(const std::string& path, std::string_view bytes);
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 

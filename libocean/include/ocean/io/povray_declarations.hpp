@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ocean/detail.hpp"
-#include "ocean/io/frame_label.hpp"
+#include "ocean/io/provenance.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
@@ -28,14 +28,14 @@ struct PovrayFolder {
     std::vector<int> maps;    // samples a side of each frame's maps, the finest first
     std::vector<int> frames;  // ascending, at least one
     std::string frames_text;  // for people
-    std::string_view sea_id;  // of FrameLabel
+    std::string_view sea_id;  // of Provenance
     int fine_map = 0;         // samples a side of the map for heights of places; 0 = the finest
 };
 /// The include file that tells a scene all of that, each parameter by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
 /// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
-std::string povray_frame_declarations(const FrameLabel& label);
+std::string povray_frame_declarations(const Provenance& provenance);
 /// Whether a text has the declarations of a frame of that sea.
 bool declares_sea(std::string_view text, std::string_view sea_id);
 /// What Ocean_Material asks of a frame's foam, by cover of the frame's maps, the finest first.

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "ocean/channel.hpp"
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/image.hpp"
+#include "ocean/io/provenance.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean::io {
@@ -34,12 +34,12 @@ struct ProductLayout {
 /// The image of one product, or in a layered one of several, before its surface is computed: all
 /// but the samples. Throws Error invalid_value without products.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
-                    const FrameLabel& label, int resolution);
+                    const Provenance& provenance, int resolution);
 /// The same with the samples of the surface, which must outlive it, and of a product without
 /// channels those that were `made` for it. Throws Error invalid_value if the surface was evaluated
 /// without a channel of the products, or nothing was made.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
-                    const FrameLabel& label, const Surface& surface,
+                    const Provenance& provenance, const Surface& surface,
                     std::span<const float> made = {});
 
 }  // namespace ocean::io

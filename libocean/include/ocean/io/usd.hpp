@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/mesh.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean::io {
 

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "ocean/io/frame_label.hpp"
 #include "ocean/io/points.hpp"
+#include "ocean/io/provenance.hpp"
 
 namespace ocean {
 

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The register of noise streams: the third argument of gaussian_noise (shaders/wave/noise.glsl)
+// says for whom a number is drawn. No two users share a stream, so that what is added for one of
+// them changes the sea of no other. A stream's numbers are part of what a seed means: they never
+// change.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "ocean/detail.hpp"
+#include "ocean/foam_texture.hpp"
+
+namespace ocean {
+
+/// The first stream of each user.
+enum class NoiseStream : std::uint32_t {
+    cascades = 0,
+    detail_bands = 16,
+    foam_textures = 0x1000,
+    foam_cover = 0x666F616D,
+};
+
+inline constexpr std::uint32_t kStreamsOfFoamTexture = 0x10;
+
+/// Streams from the first of a user on.
+struct NoiseStreamRange {
+    NoiseStream first;
+    std::uint32_t count;
+};
+inline constexpr std::array kNoiseStreams = {
+    NoiseStreamRange{NoiseStream::cascades, 5},
+    NoiseStreamRange{NoiseStream::detail_bands, kMostDetailBands},
+    NoiseStreamRange{NoiseStream::foam_textures,
+                     kStreamsOfFoamTexture* static_cast<std::uint32_t>(kFoamTextures.size())},
+    NoiseStreamRange{NoiseStream::foam_cover, 1},
+};
+static_assert(
+    [] {
+        for (std::size_t i = 1; i < kNoiseStreams.size(); ++i) {
+            const auto [first, count] = kNoiseStreams[i - 1];
+            if (static_cast<std::uint32_t>(first) + count >
+                static_cast<std::uint32_t>(kNoiseStreams[i].first)) {
+                return false;
+            }
+        }
+        return true;
+    }(),
+    "two users of noise would draw the same numbers");
+
+/// Returns the number that gaussian_noise and noise_row take for a user's stream.
+constexpr std::uint32_t noise_stream(NoiseStream user, std::uint32_t index = 0) {
+    return static_cast<std::uint32_t>(user) + index;
+}
+
+}  // namespace ocean

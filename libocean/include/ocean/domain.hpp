@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where maps lie in the world: a square that repeats, as every sea has it, or a place that is there
+// once, as a coast is.
+#pragma once
+
+#include <array>
+
+namespace ocean {
+
+/// A rectangle of samples, x east and y north, metres.
+struct Domain {
+    std::array<double, 2> origin{};  // of sample (0, 0) [m]
+    std::array<double, 2> size{};    // [m]
+    std::array<int, 2> samples{};
+    /// True: its right edge continues at its left one, its top at its bottom, and the samples lie
+    /// size / samples apart. False: the last samples lie on the edges, size / (samples - 1) apart.
+    bool wraps = true;
+
+    /// Returns the square of side `period` [m] that repeats from the world's origin on.
+    static constexpr Domain tile(double period, int samples = 0) {
+        return {{0.0, 0.0}, {period, period}, {samples, samples}, true};
+    }
+    /// True for what `tile` returns.
+    constexpr bool is_tile() const {
+        return wraps && origin == std::array{0.0, 0.0} && size[0] == size[1] &&
+               samples[0] == samples[1];
+    }
+    /// Returns the distance from sample to sample along an axis [m].
+    constexpr double step(std::size_t axis) const {
+        return size[axis] / (wraps ? samples[axis] : samples[axis] - 1);
+    }
+    constexpr bool operator==(const Domain&) const = default;
+};
+
+}  // namespace ocean

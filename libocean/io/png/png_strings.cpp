@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Texts in the header of a PNG: chunks iTXt, which hold UTF-8, between the first chunk and the
+// pixels. They are put in and read beside libpng, whose simple writer has none. [PNG 1.2, 3.2 and
+// 4.2.3.3]
+#include <zlib.h>
+
+#include <cstdint>
+
+#include "ocean/error.hpp"
+#include "ocean/io/png.hpp"
+
+namespace ocean::io {
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view kText = "iTXt";
+constexpr std::size_t kAround = 12;  // length, type and checksum of a chunk
+constexpr std::size_t kFirstChunk = kSignature.size() + 13 + kAround;  // IHDR
+/// After the keyword: its end, "not compressed", the method, and the ends of two empty texts.
+constexpr std::string_view kPlain("\0\0\0\0\0", 5);
+
+std::string big_endian(std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) {
+        bytes += static_cast<char>(value >> shift & 0xff);
+    }
+    return bytes;
+}
+
+std::uint32_t integer_at(std::string_view bytes) {
+    std::uint32_t value = 0;
+    for (const char byte : bytes.substr(0, 4))
+        value = value << 8 | static_cast<unsigned char>(byte);
+    return value;
+}
+
+std::string text_chunk(const HeaderString& string) {
+    const std::string content =
+        std::string(kText) + string.name + std::string(kPlain) + string.text;
+    const auto checksum =
+        crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
+    return big_endian(static_cast<std::uint32_t>(content.size() - kText.size())) + content +
+           big_endian(static_cast<std::uint32_t>(checksum));
+}
+
+}  // namespace
+
+std::string with_png_strings(std::string_view png, std::span<const HeaderString> strings) {
+    std::string bytes(png.substr(0, kFirstChunk));
+    for (const HeaderString& string : strings) bytes += text_chunk(string);
+    return bytes += png.substr(kFirstChunk);
+}
+
+std::vector<HeaderString> read_png_header(const std::string& path) {
+    const std::string head = read_head(path);
+    const auto refuse = [&](const char* reason) {
+        return Error(ErrorKind::bad_file, path + ": " + reason);
+    };
+    std::string_view rest = head;
+    if (!rest.starts_with(kSignature)) throw refuse("is no PNG file");
+    rest.remove_prefix(kSignature.size());
+    std::vector<HeaderString> strings;
+    while (rest.size() >= kAround) {
+        const std::size_t length = integer_at(rest);
+        const std::string_view type = rest.substr(4, 4);
+        if (type == "IDAT") break;
+        if (length > rest.size() - kAround) throw refuse("its header ends early");
+        const std::string_view content = rest.substr(8, length);
+        const std::size_t end = content.find('\0');
+        const bool plain = type == kText && end != std::string_view::npos &&
+                           content.substr(end).starts_with(kPlain);
+        if (plain && content.starts_with("ocean:")) {
+            strings.push_back({std::string(content.substr(0, end)),
+                               std::string(content.substr(end + kPlain.size()))});
+        }
+        rest.remove_prefix(kAround + length);
+    }
+    if (strings.empty()) throw refuse("its header names no sea, so it was not written by libocean");
+    return strings;
+}
+
+}  // namespace ocean::io
