@@ -18,6 +18,7 @@ inline constexpr std::size_t kMaxValues = std::size_t{1} << 26;
 inline constexpr std::size_t kMaxDimensions = 1024;
 inline constexpr std::size_t kMaxVariables = 1024;
 inline constexpr std::size_t kMaxVariableDimensions = 16;
+inline constexpr std::size_t kMaxAttributes = 64;  // of a variable or of the file
 /// Names, attributes and texts end there.
 inline constexpr std::size_t kMaxTextBytes = 1000;
 
@@ -30,7 +31,7 @@ struct Dimension {
 struct Variable {
     std::string name;
     std::vector<std::size_t> dimensions;            // of the content; the last varies fastest
-    std::map<std::string, std::string> attributes;  // those that are text
+    std::map<std::string, std::string> attributes;  // those that are text, and flag_values
     bool is_text = false;
     // One of them, with an element for each point of the dimensions; both empty in a header.
     std::vector<double> values;  // scale_factor and add_offset applied; NaN = missing
@@ -44,6 +45,7 @@ struct Variable {
 };
 
 struct Content {
+    std::map<std::string, std::string> attributes;  // of the whole file, those that are text
     std::vector<Dimension> dimensions;
     std::vector<Variable> variables;
 };

@@ -60,6 +60,9 @@ struct Source {
     std::vector<std::size_t> dimensions;  // with those of characters
 };
 
+/// Of a text attribute in the file; its first kMaxTextBytes are kept.
+constexpr std::size_t kMaxHistoryBytes = 65536;
+
 struct Header {
     Content content;
     std::vector<Source> sources;  // of its variables
@@ -69,10 +72,10 @@ std::optional<std::string> text_attribute(int file, int variable, const char* na
     nc_type type = NC_NAT;
     std::size_t length = 0;
     if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR) return std::nullopt;
-    if (type == NC_CHAR && length <= kMaxTextBytes) {
+    if (type == NC_CHAR && length <= kMaxHistoryBytes) {
         std::string text(length, '\0');
         if (nc_get_att_text(file, variable, name, text.data()) != NC_NOERR) return std::nullopt;
-        return text.substr(0, text.find('\0'));
+        return text.substr(0, std::min(text.find('\0'), kMaxTextBytes));
     }
     char* string = nullptr;
     if (type != NC_STRING || length != 1 ||
@@ -128,16 +131,24 @@ void drop_characters(const Content& content, Variable& variable) {
     }
 }
 
-/// NDBC names the station in an attribute of the whole file: a variable without dimensions, unless
-/// there is one that names stations.
-void add_global_station(const File& file, Header& header) {
-    const std::optional<std::string> station = text_attribute(file.id(), NC_GLOBAL, "station");
-    if (!station) return;
-    for (const Variable& v : header.content.variables) {
-        if (v.name.starts_with("station") || v.name == "site") return;
+/// Those that are text; flags' values as text too.
+std::map<std::string, std::string> text_attributes(const File& file, int variable) {
+    std::map<std::string, std::string> texts;
+    int count = 0;
+    require(nc_inq_varnatts(file.id(), variable, &count), "attributes");
+    for (int i = 0; i < count && texts.size() < kMaxAttributes; ++i) {
+        char name[NC_MAX_NAME + 1] = "";
+        if (nc_inq_attname(file.id(), variable, i, name) != NC_NOERR) continue;
+        if (auto text = text_attribute(file.id(), variable, name)) {
+            texts[name] = *text;
+        } else if (std::string_view(name) == "flag_values") {
+            std::string& values = texts[name];
+            for (const double value : number_attribute({variable, NC_NAT, {}}, file.id(), name)) {
+                values += (values.empty() ? "" : " ") + std::to_string(std::lround(value));
+            }
+        }
     }
-    header.content.variables.push_back({"station", {}, {}, true, {}, {*station}});
-    header.sources.push_back({NC_GLOBAL, NC_CHAR, {}});
+    return texts;
 }
 
 /// All variables that may play a part, without values.
@@ -165,13 +176,11 @@ Header read_header(const File& file) {
         Variable variable{name, source.dimensions, {}, false, {}, {}};
         variable.is_text = source.type == NC_CHAR || source.type == NC_STRING;
         if (source.type == NC_CHAR) drop_characters(header.content, variable);
-        for (const char* key : {"units", "standard_name", "long_name", "calendar", "cf_role"}) {
-            if (auto text = text_attribute(file.id(), id, key)) variable.attributes[key] = *text;
-        }
+        variable.attributes = text_attributes(file, id);
         header.content.variables.push_back(std::move(variable));
         header.sources.push_back(std::move(source));
     }
-    add_global_station(file, header);
+    header.content.attributes = text_attributes(file, NC_GLOBAL);
     return header;
 }
 
@@ -323,10 +332,6 @@ Content read_file(const std::string& path) {
         const Source& source = header.sources[i];
         const std::size_t size = checked_size(content, source.dimensions, variable.name, left);
         left -= size;
-        if (source.id == NC_GLOBAL) {  // an attribute, which is read already
-            needed.push_back(std::move(variable));
-            continue;
-        }
         if (variable.is_text) {
             const std::size_t count =
                 checked_size(content, variable.dimensions, variable.name, kMaxValues);
