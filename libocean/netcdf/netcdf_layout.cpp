@@ -234,10 +234,11 @@ class Finder {
     /// Names as text before numbers.
     std::optional<std::size_t> find_station() const {
         return best([&](const Variable& v) {
-            const bool named = among(plain_name(v.name),
-                                     {"stationname", "station", "site", "stationid",
-                                      "metastationname", "platformcode", "buoyid", "spotterid"}) ||
-                               v.attribute("cf_role") == "timeseries_id";
+            const bool named =
+                among(plain_name(v.name),
+                      {"stationname", "station", "site", "stationid", "metastationname",
+                       "platformcode", "gid", "buoyid", "spotterid"}) ||
+                v.attribute("cf_role") == "timeseries_id";
             return named && describes_records(v) ? (v.is_text ? 2 : 1) : 0;
         });
     }
