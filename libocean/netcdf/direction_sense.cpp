@@ -82,15 +82,7 @@ class WordReader {
         if (word == "from") {
             read_from(i);
         } else if (word == "to") {
-            to_ = to_ ||
-                  (is(i - 1, {"going",     "goes",       "go",          "travel",     "travels",
-                              "traveling", "travelling", "propagating", "propagate",  "moving",
-                              "heading",   "headed",     "direction",   "directions", "wave",
-                              "waves",     "mean",       "true",        "degree",     "degrees",
-                              "deg",       "principal",  "flowing",     "dir"}) &&
-                   quarter(i + 1) == 0);
-            to_ =
-                to_ || (words_.size() > 1 && i == 0 && is(1, {"direction"})) || words_.size() == 1;
+            read_to(i);
         } else if (among(word, {"toward", "towards", "goingto", "heading"})) {
             to_ = true;
         } else if (among(word, {"comingfrom", "provenance"})) {
@@ -108,6 +100,18 @@ class WordReader {
         } else if (among(word, {"clockwise", "cw"})) {
             (is(i - 1, {"counter", "anti"}) ? counter_clockwise_ : clockwise_) = true;
         }
+    }
+
+    void read_to(std::size_t i) {
+        const bool travels =
+            is(i - 1,
+               {"going",      "goes",        "go",        "travel",    "travels", "traveling",
+                "travelling", "propagating", "propagate", "moving",    "heading", "headed",
+                "direction",  "directions",  "wave",      "waves",     "mean",    "true",
+                "degree",     "degrees",     "deg",       "principal", "flowing", "dir"}) &&
+            quarter(i + 1) == 0;
+        const bool first = i == 0 && (words_.size() == 1 || is(1, {"direction"}));
+        to_ = to_ || travels || first;
     }
 
     /// Where waves come from, or where angles are measured from, or what a value was made from.
@@ -299,9 +303,10 @@ FoundSense direction_sense(const Content& content, const Variable& directions,
     found.sense = evidence.sense(writer.value_or(kComingFrom));
     found.told = evidence.told() || writer.has_value();
     if (!contrary.empty()) {
-        found.warning = "the attributes " + evidence.source() + " and " + contrary + " of " +
-                        text::printable(directions.name) + " contradict each other: the first " +
-                        "counts, it is " + found.sense.text();
+        found.warning = "the attributes " + text::printable(evidence.source()) + " and " +
+                        text::printable(contrary) + " of " + text::printable(directions.name) +
+                        " contradict each other: the first " + "counts, it is " +
+                        found.sense.text();
     }
     return found;
 }

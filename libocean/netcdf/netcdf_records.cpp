@@ -352,6 +352,9 @@ class RecordMaker {
             SpectrumRecord bad;
             bad.station = result.station;
             bad.time = result.time;
+            bad.latitude = result.latitude;
+            bad.longitude = result.longitude;
+            bad.depth = result.depth;
             bad.fault = fault.what();
             return bad;
         }

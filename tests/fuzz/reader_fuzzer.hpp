@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
+#include "ocean/record_rules.hpp"
 #include "ocean/seafile.hpp"
 #include "spectrum_format.hpp"
 
@@ -34,16 +35,29 @@ inline void check(const SpectrumRecord& record) {
     require(std::isnan(summary.directional_spread) || summary.directional_spread < 1.5);
 }
 
-inline void check_all(const std::vector<SpectrumRecord>& records) {
-    for (const SpectrumRecord& record : records) check(record);
-    records_json(records);
-    const RecordChoice choice{records.back().time, ""};
-    require(choose_record(records, choice, "fuzz").frequency.size() >= 2);
-}
-
 inline void check_message(std::string_view message) {
     require(!message.empty() && message.size() < 4096);
     for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+}
+
+/// A record with a fault is chosen with an error; the others keep their promises.
+inline void check_all(const std::vector<SpectrumRecord>& records) {
+    for (const SpectrumRecord& record : records) {
+        require(record.warnings.size() <= kMaxRecordWarnings);
+        for (const std::string& warning : record.warnings) {
+            check_message(warning);
+            require(warning.size() <= kMaxRecordWarningBytes);
+        }
+        if (record.fault.empty()) check(record);
+    }
+    records_json(records);
+    for (const std::string& warning : records_warnings(records)) check_message(warning);
+    const RecordChoice choice{records.back().time, ""};
+    try {
+        require(choose_record(records, choice, "fuzz").frequency.size() >= 2);
+    } catch (const Error& error) {
+        check_message(error.what());
+    }
 }
 
 /// `files`: the name of the file and of its companions, if its format has some.

@@ -533,6 +533,9 @@ void check(int status) {
 void write_file(const std::string& path, const Content& content, int kind) {
     int file = 0;
     check(nc_create(path.c_str(), kind, &file));
+    for (const auto& [key, value] : content.attributes) {
+        check(nc_put_att_text(file, NC_GLOBAL, key.c_str(), value.size(), value.data()));
+    }
     std::vector<int> dimensions;
     for (const Dimension& d : content.dimensions) {
         check(nc_def_dim(file, d.name.c_str(), d.size, &dimensions.emplace_back()));
@@ -633,6 +636,35 @@ TEST(NetcdfSpectra, PackedValuesAreUnpackedAndFillValuesMissing) {
     const std::vector<SpectrumRecord> records = read_netcdf_spectra(folder.file("era5"));
     ASSERT_EQ(records.size(), 1u);
     EXPECT_NEAR(value_from(records[0], 3, 277.5), std::pow(10.0, 0.5) * kDegree, 1e-12);
+}
+
+TEST(NetcdfSpectra, AttributesOfTheFileAndNumbersOfFlagsReachTheReader) {
+    const TemporaryFolder folder;
+    Content content = wavespectra();
+    find(content, "dir").name = "direction";
+    content.attributes["wave_direction_convention"] = "going to";
+    content.attributes["history"] = std::string(5000, 'x');
+    content.variables.push_back(
+        numbers("efth_QC", {0}, {{"flag_meanings", "fine bad"}}, {7.0, 6.0}));
+    const std::string path = folder.file("flags");
+    write_file(path, content, NC_NETCDF4);
+    int file = 0, variable = 0;
+    check(nc_open(path.c_str(), NC_WRITE, &file));
+    check(nc_inq_varid(file, "efth_QC", &variable));
+    const int values[] = {6, 7};
+    check(nc_put_att_int(file, variable, "flag_values", NC_INT, 2, values));
+    check(nc_close(file));
+    const std::vector<SpectrumRecord> records = read_netcdf_spectra(path);
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_EQ(records[0].fault, path + ": efth_QC: record 2020-02-28T22:00: its flag is 7, bad");
+    EXPECT_EQ(records[2].fault, "");
+    EXPECT_EQ(value_from(records[2], 0, 270.0), 1001.0) << "travelling to 90";
+    EXPECT_TRUE(records[2].warnings.empty());
+    check(nc_open(path.c_str(), NC_WRITE, &file));
+    const double bad[] = {7.0, 7.0};
+    check(nc_put_var_double(file, variable, bad));
+    check(nc_close(file));
+    EXPECT_EQ(error_of(path), records[0].fault) << "of a file without a good record";
 }
 
 TEST(NetcdfSpectra, CharactersComeBeforeOrAfterTheirStations) {
