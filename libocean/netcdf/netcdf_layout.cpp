@@ -90,10 +90,12 @@ class Finder {
         if (layout_.direction_dimension) std::erase(left_, *layout_.direction_dimension);
         if (!layout_.frequency) layout_.frequency = find_frequencies_of_records();
         find_time();
-        layout_.latitude = find_place("latitude", {"latitude", "lat", "metastationlatitude",
-                                                   "metadeploylatitude", "gpslatitude"});
-        layout_.longitude = find_place("longitude", {"longitude", "lon", "metastationlongitude",
-                                                     "metadeploylongitude", "gpslongitude"});
+        layout_.latitude =
+            find_place("latitude", {"latitude", "lat", "metastationlatitude", "metadeploylatitude",
+                                    "metalatitude", "gpslatitude"});
+        layout_.longitude =
+            find_place("longitude", {"longitude", "lon", "metastationlongitude",
+                                     "metadeploylongitude", "metalongitude", "gpslongitude"});
         layout_.depth =
             find_place("sea_floor_depth_below_sea_surface",
                        {"dpt", "depth", "waterdepth", "metawaterdepth", "bath", "nominaldepth"});
@@ -280,7 +282,7 @@ class Finder {
                 ancillary.find(" " + v.name + " ") != std::string::npos ||
                 among(plain, {own + "qc", own + "flag", own + "qcflag", own + "qualityflag"}) ||
                 (is_spectrum && among(plain, {"waveflagprimary", "wavefrequencyflagprimary",
-                                              "qcflage", "qcflag", "timeqc"}));
+                                              "qcflage", "qcflagd", "qcflag", "timeqc"}));
             const bool flag = plain.find("flag") != std::string::npos ||
                               plain.find("qc") != std::string::npos ||
                               !v.attribute("flag_meanings").empty();

@@ -451,11 +451,13 @@ class RecordMaker {
                 result.warnings.push_back(std::to_string(bad) + bands + " are flagged as bad by " +
                                           name + ": they are left out");
             }
-            if (doubtful > 0) {
-                result.warnings.push_back((by_frequency ? std::to_string(doubtful) + bands + " are"
-                                                        : std::string("it is")) +
-                                          " flagged as doubtful by " + name +
-                                          ": taken as they are");
+            if (by_frequency && doubtful > 0) {
+                result.warnings.push_back(std::to_string(doubtful) + bands +
+                                          " are flagged as doubtful by " + name +
+                                          ": they are taken as they are");
+            } else if (doubtful > 0) {
+                result.warnings.push_back("the record is flagged as doubtful by " + name +
+                                          ": it is taken as it is");
             }
         }
         return verdict;

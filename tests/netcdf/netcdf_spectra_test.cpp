@@ -667,6 +667,34 @@ TEST(NetcdfSpectra, AttributesOfTheFileAndNumbersOfFlagsReachTheReader) {
     EXPECT_EQ(error_of(path), records[0].fault) << "of a file without a good record";
 }
 
+TEST(NetcdfSpectra, ASpectrumMayLieInAGroupAndItsCoordinatesInTheFile) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("groups");
+    int file = 0, payload = 0, sensor = 0, dimensions[2], id = 0;
+    check(nc_create(path.c_str(), NC_NETCDF4, &file));
+    check(nc_def_dim(file, "time_wpm_20", 2, &dimensions[0]));
+    check(nc_def_dim(file, "wave_wpm", 3, &dimensions[1]));
+    check(nc_def_grp(file, "payload_1", &payload));
+    check(nc_def_grp(payload, "wave_sensor_1", &sensor));
+    const auto put = [&](int group, const char* name, int rank, const int* over, const char* units,
+                         std::vector<double> values) {
+        check(nc_def_var(group, name, NC_DOUBLE, rank, over, &id));
+        check(nc_put_att_text(group, id, "units", std::strlen(units), units));
+        check(nc_put_var_double(group, id, values.data()));
+    };
+    put(file, "time_wpm_20", 1, &dimensions[0], "seconds since 1970-01-01", {0.0, 3600.0});
+    put(file, "wave_wpm", 1, &dimensions[1], "Hz", {0.1, 0.2, 0.3});
+    put(sensor, "c11", 2, dimensions, "m2/Hz", {1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
+    put(sensor, "alpha1", 2, dimensions, "degrees_true", std::vector<double>(6, 270.0));
+    put(sensor, "r1", 2, dimensions, "percent", std::vector<double>(6, 80.0));
+    check(nc_close(file));
+    const std::vector<SpectrumRecord> records = read_netcdf_spectra(path);
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_EQ(records[1].time, "1970-01-01T01:00");
+    EXPECT_EQ(records[1].density, (std::vector<double>{4.0, 5.0, 6.0}));
+    EXPECT_NEAR(records[1].a1[2], 0.8, 1e-12) << "from the west, to the east";
+}
+
 TEST(NetcdfSpectra, CharactersComeBeforeOrAfterTheirStations) {
     const TemporaryFolder folder;
     for (const bool first : {false, true}) {
