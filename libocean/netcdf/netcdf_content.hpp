@@ -50,6 +50,25 @@ struct Content {
     std::vector<Variable> variables;
 };
 
+/// Where a variable has its value at a point of all dimensions of the content. A variable has few
+/// enough values that neither this nor a step overflows.
+inline std::size_t offset(const Content& content, const Variable& variable,
+                          const std::vector<std::size_t>& at) {
+    std::size_t result = 0;
+    for (const std::size_t d : variable.dimensions) {
+        result = result * content.dimensions[d].size + at[d];
+    }
+    return result;
+}
+/// From a value to the next one along a dimension that the variable has.
+inline std::size_t stride(const Content& content, const Variable& variable, std::size_t dimension) {
+    std::size_t result = 1;
+    for (std::size_t k = variable.dimensions.size(); variable.dimensions[k - 1] != dimension; --k) {
+        result *= content.dimensions[variable.dimensions[k - 1]].size;
+    }
+    return result;
+}
+
 /// What is wrong with a file: "VARIABLE: what". The path is added where it is known.
 struct Fault : std::runtime_error {
     explicit Fault(const std::string& message) : std::runtime_error(message) {}

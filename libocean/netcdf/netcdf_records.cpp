@@ -19,44 +19,22 @@
 #include "ocean/record_rules.hpp"
 #include "ocean/text.hpp"
 #include "quality_flags.hpp"
+#include "spectrum_axes.hpp"
 
 namespace ocean::netcdf {
 namespace {
 
 constexpr double kPerRadian = kPi / 180.0;  // m^2 s/rad in m^2/Hz/degree
-/// Bins without a unit that lie within less are radians: their whole circle.
-constexpr double kRadianCircle = 6.5;
-/// ECMWF's frequencies where the file has only their numbers: f_n = 0.03453 Hz * 1.1^(n - 1).
-constexpr double kFirstFrequency = 0.03453;
-constexpr double kFrequencyRatio = 1.1;
-
-/// Relative, of frequencies that a file repeats for each record.
-constexpr double kSameFrequency = 1e-5;
 
 std::string shown(double value) {
     std::string digits = std::to_string(value);
     return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
 }
 
-/// 1, 2, 3 ..., or no coordinate at all: numbers of bins.
-bool are_numbers(const std::vector<double>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] != static_cast<double>(i + 1)) return false;
-    }
-    return true;
-}
-
-std::vector<double> numbers_to(std::size_t count) {
-    std::vector<double> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 1.0);
-    return numbers;
-}
-
 /// What the flags of one variable say in one record.
 struct Verdict {
     std::string record_fault;  // if the whole record is bad
     std::vector<bool> bad;     // by frequency of the file; empty where none is
-    std::size_t bad_count = 0;
 };
 
 class RecordMaker {
@@ -69,8 +47,8 @@ class RecordMaker {
 
     std::vector<SpectrumRecord> make() {
         if (spectrum_.values.empty()) throw fail("has no values");
-        read_frequencies();
-        if (layout_.direction_dimension) read_directions();
+        axes_ = read_axes(content_, layout_);
+        for (const std::string& warning : axes_.warnings) warn(warning);
         read_units();
         if (layout_.time) read_time_units();
         for (const std::string& warning : bins_.warnings()) warn(warning);
@@ -120,151 +98,35 @@ class RecordMaker {
         units_ = parse_density_units(
             units, directional ? DensityOver::frequency_and_direction : DensityOver::frequency);
         if (!units_.fault.empty()) throw fail(units_.fault);
-        const bool angular = lower_case(units).find("rad") != std::string::npos;
-        const bool cyclic = lower_case(units).find("h") != std::string::npos;  // Hz, hertz, cph
-        if (directional || !angular_frequency_ || angular || cyclic) return;
+        if (!axes_.angular_frequency || names_frequency(units, directional)) return;
         units_.factor *= 2.0 * kPi;
         warn("the density in '" + text::printable(units) +
              "' over frequencies in rad/s is taken as one per rad/s");
     }
 
+    /// Whether units say what the frequency is: Hz, or one angle more than the directions have.
+    static bool names_frequency(const std::string& units, bool directional) {
+        const std::string plain = lower_case(units);
+        if (plain.find('h') != std::string::npos) return true;  // Hz, hertz, cph
+        std::size_t angles = plain.find("-2") != std::string::npos ? 1 : 0;
+        for (const std::string_view angle : {"rad", "deg"}) {
+            for (std::size_t at = 0; (at = plain.find(angle, at)) != std::string::npos; ++at) {
+                ++angles;
+            }
+        }
+        return angles > (directional ? 1u : 0u);
+    }
+
     /// wavespectra's convention needs no attributes.
     void assume_units(bool directional) {
         const Variable* direction = variable(layout_.direction);
-        units_.factor = directional && radian_bins_ ? kPerRadian : 1.0;
+        units_.factor = directional && axes_.radian_bins ? kPerRadian : 1.0;
         if (directional && direction != nullptr && direction->name == "dir") return;
         warn(text::printable(spectrum_.name) + " has no unit: m2/Hz" +
-             (!directional   ? ""
-              : radian_bins_ ? "/rad"
-                             : "/degree") +
+             (!directional        ? ""
+              : axes_.radian_bins ? "/rad"
+                                  : "/degree") +
              " is taken");
-    }
-
-    void read_frequencies() {
-        const std::size_t count = size(layout_.frequency_dimension);
-        if (count < 2) throw fail("has fewer than 2 frequencies");
-        if (count > kMaxFrequencies) throw fail("has more than 4096 frequencies");
-        const Variable* v = variable(layout_.frequency);
-        frequency_ = v != nullptr ? frequencies_of(*v, count) : numbers_to(count);
-        if (is_ecmwf(spectrum_) && are_numbers(frequency_)) {
-            for (double& f : frequency_) f = kFirstFrequency * std::pow(kFrequencyRatio, f - 1.0);
-        } else if (v == nullptr) {
-            throw fail("has no variable with its frequencies");
-        } else {
-            to_hertz(*v);
-        }
-        frequency_order_.resize(count);
-        std::iota(frequency_order_.begin(), frequency_order_.end(), std::size_t{0});
-        std::stable_sort(frequency_order_.begin(), frequency_order_.end(),
-                         [&](auto a, auto b) { return frequency_[a] < frequency_[b]; });
-        std::sort(frequency_.begin(), frequency_.end());
-        if (std::adjacent_find(frequency_.begin(), frequency_.end()) != frequency_.end()) {
-            throw Fault(v != nullptr ? v->name : spectrum_.name, "a frequency is there twice");
-        }
-    }
-
-    /// A file may repeat its frequencies for each record.
-    std::vector<double> frequencies_of(const Variable& v, std::size_t count) const {
-        if (v.dimensions.size() == 1) return v.values;
-        std::vector<double> found(count, kMissing);
-        const std::size_t step = stride(v, layout_.frequency_dimension);
-        for (std::size_t i = 0; i < v.values.size(); ++i) {
-            double& known = found[i / step % count];
-            const double value = v.values[i];
-            if (std::isnan(known)) known = value;
-            if (std::abs(value - known) > kSameFrequency * std::abs(known)) {
-                throw Fault(v.name, "the frequencies of the records differ: " + shown(known) +
-                                        " and " + shown(value));
-            }
-        }
-        return found;
-    }
-
-    void to_hertz(const Variable& v) {
-        const std::string units = v.attribute("units");
-        if (!units.empty()) {
-            // What is per frequency shrinks by as much as the frequency grows.
-            const DensityUnit per =
-                parse_density_unit("m2/(" + units + ")", DensityOver::frequency);
-            if (!per.fault.empty()) {
-                throw Fault(v.name, "units '" + text::printable(units) +
-                                        "'; allowed: Hz, s-1, rad/s and the like");
-            }
-            for (double& f : frequency_) f /= per.factor;
-            angular_frequency_ = lower_case(units).find("rad") != std::string::npos;
-        }
-        for (const double f : frequency_) {
-            if (f == 0.0 || (f >= kMinFrequency && f <= kMaxFrequency)) continue;
-            throw Fault(v.name, "a frequency of " + shown(f) +
-                                    "; allowed: " + std::string(kFrequencyRange));
-        }
-    }
-
-    void read_directions() {
-        const std::size_t count = size(*layout_.direction_dimension);
-        const Variable* v = variable(layout_.direction);
-        const std::string& name = v != nullptr ? v->name : spectrum_.name;
-        std::vector<double> degrees = v != nullptr ? v->values : numbers_to(count);
-        if (is_ecmwf(spectrum_) && are_numbers(degrees)) {
-            if (count != 12 && count != 24 && count != 36) {
-                throw Fault(name,
-                            std::to_string(count) + " numbered directions; ECMWF has 12, 24 or 36");
-            }
-            const double step = 360.0 / static_cast<double>(count);
-            for (double& d : degrees) d = step * (d - 0.5);
-        } else if (v == nullptr) {
-            throw fail("has no variable with its directions");
-        } else {
-            to_degrees(*v, degrees);
-        }
-        if (const std::string fault = DirectionAxis::fault(degrees); !fault.empty()) {
-            throw Fault(name, fault);
-        }
-        // A sector gets two directions more.
-        if (frequency_.size() * (count + 2) > kMaxDirectionalValues) {
-            throw fail("more than 131072 values over frequency and direction");
-        }
-        const DirectionSense sense = bin_sense();
-        for (double& d : degrees) d = sense.travel(d);
-        axis_.emplace(degrees, DirectionConvention::to_cartesian);
-    }
-
-    void to_degrees(const Variable& v, std::vector<double>& values) {
-        double scale = degrees_per_unit(v);
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        if (v.attribute("units").empty() && values.size() > 3 && *most - *least < kRadianCircle) {
-            scale = 180.0 / kPi;
-            warn("the directions '" + text::printable(v.name) + "' have no unit and lie within " +
-                 shown(*most - *least) + ": they are taken as radians");
-        }
-        radian_bins_ = scale != 1.0;
-        for (double& value : values) value *= scale;
-    }
-
-    /// What the writers mean whose names the file has, where words are silent: ECMWF and WAVEWATCH
-    /// III travel to, wavespectra's `dir` comes from.
-    std::optional<DirectionSense> writer_sense(const Variable* direction) const {
-        if (is_ecmwf(spectrum_)) return kTravellingTo;
-        if (spectrum_.name != "efth" || direction == nullptr) return std::nullopt;
-        if (direction->name == "dir") return kComingFrom;
-        const auto is_wavewatch = [](const auto& attribute) {
-            return attribute.first == "globwave_name" ||
-                   lower_case(attribute.first).find("wavewatch") != std::string::npos;
-        };
-        const bool wavewatch =
-            std::any_of(spectrum_.attributes.begin(), spectrum_.attributes.end(), is_wavewatch) ||
-            std::any_of(content_.attributes.begin(), content_.attributes.end(), is_wavewatch);
-        return wavewatch ? std::optional(kTravellingTo) : std::nullopt;
-    }
-
-    DirectionSense bin_sense() {
-        const Variable* v = variable(layout_.direction);
-        const auto writer = writer_sense(v);
-        if (v == nullptr) return writer.value_or(kComingFrom);
-        const FoundSense found = direction_sense(content_, *v, spectrum_, writer);
-        if (!found.warning.empty()) warn(found.warning);
-        if (!found.told) warn(silent_directions(*v, found.sense));
-        return found.sense;
     }
 
     void read_time_units() {
@@ -293,20 +155,6 @@ class RecordMaker {
         time_units_ = *parsed;
     }
 
-    /// Of an element, and of a step along a dimension. A variable of the content has few enough
-    /// values that neither overflows.
-    std::size_t offset(const Variable& v, const std::vector<std::size_t>& at) const {
-        std::size_t result = 0;
-        for (const std::size_t d : v.dimensions) result = result * size(d) + at[d];
-        return result;
-    }
-    std::size_t stride(const Variable& v, std::size_t dimension) const {
-        std::size_t result = 1;
-        for (std::size_t k = v.dimensions.size(); v.dimensions[k - 1] != dimension; --k) {
-            result *= size(v.dimensions[k - 1]);
-        }
-        return result;
-    }
     bool advance(std::vector<std::size_t>& at) const {
         for (std::size_t k = layout_.outer_dimensions.size(); k-- > 0;) {
             const std::size_t d = layout_.outer_dimensions[k];
@@ -318,13 +166,13 @@ class RecordMaker {
 
     /// The spectrum at a point into gathered_: [frequency, ascending][direction, as in the file].
     void gather(const std::vector<std::size_t>& at) {
-        const std::size_t origin = offset(spectrum_, at);
-        const std::size_t row = stride(spectrum_, layout_.frequency_dimension);
+        const std::size_t origin = offset(content_, spectrum_, at);
+        const std::size_t row = stride(content_, spectrum_, layout_.frequency_dimension);
         const auto& direction = layout_.direction_dimension;
-        const std::size_t step = direction ? stride(spectrum_, *direction) : 0;
+        const std::size_t step = direction ? stride(content_, spectrum_, *direction) : 0;
         const std::size_t width = direction ? size(*direction) : 1;
         gathered_.clear();
-        for (const std::size_t i : frequency_order_) {
+        for (const std::size_t i : axes_.frequency_order) {
             for (std::size_t j = 0; j < width; ++j) {
                 gathered_.push_back(spectrum_.values[origin + i * row + j * step]);
             }
@@ -335,7 +183,7 @@ class RecordMaker {
         const auto missing = std::count_if(gathered_.begin(), gathered_.end(),
                                            [](double value) { return std::isnan(value); });
         const std::size_t present = gathered_.size() - static_cast<std::size_t>(missing);
-        return present >= (axis_ ? 1u : 2u);
+        return present >= (axes_.directions ? 1u : 2u);
     }
 
     /// Of a record that cannot be used, time and place alone.
@@ -366,8 +214,10 @@ class RecordMaker {
         const Verdict verdict = judge(result, spectrum_, at);
         if (!verdict.record_fault.empty()) throw Fault(verdict.record_fault);
         const double scale = layout_.scale ? value_at(variable(layout_.scale), at) : 1.0;
+        if (std::isnan(scale))
+            throw Fault(variable(layout_.scale)->name, label(result) + "is missing");
         for (double& value : gathered_) value = density(value * scale, result);
-        if (axis_) return fill_directions(result, verdict);
+        if (axes_.directions) return fill_directions(result, verdict);
 
         std::vector<std::pair<const Variable*, Verdict>> bin_verdicts;
         for (const auto& bin : layout_.bins) {
@@ -381,13 +231,13 @@ class RecordMaker {
                                   (!said.bad.empty() && said.bad[at[layout_.frequency_dimension]]));
                 if (bad) return kMissing;
             }
-            return v.values[offset(v, at)];
+            return v.values[offset(content_, v, at)];
         };
-        for (std::size_t i = 0; i < frequency_.size(); ++i) {
-            const std::size_t band = frequency_order_[i];
+        for (std::size_t i = 0; i < axes_.frequency.size(); ++i) {
+            const std::size_t band = axes_.frequency_order[i];
             const bool bad = !verdict.bad.empty() && verdict.bad[band];
             if (std::isnan(gathered_[i]) || bad) continue;  // as if the bin were not there
-            result.frequency.push_back(frequency_[i]);
+            result.frequency.push_back(axes_.frequency[i]);
             result.density.push_back(gathered_[i] * units_.factor);
             at[layout_.frequency_dimension] = band;
             try {
@@ -401,19 +251,19 @@ class RecordMaker {
 
     void fill_directions(SpectrumRecord& result, const Verdict& verdict) {
         if (verdict.bad.empty()) {
-            result.frequency = frequency_;
+            result.frequency = axes_.frequency;
         } else {
-            const std::size_t width = gathered_.size() / frequency_.size();
+            const std::size_t width = gathered_.size() / axes_.frequency.size();
             std::vector<double> good;
-            for (std::size_t i = 0; i < frequency_.size(); ++i) {
-                if (verdict.bad[frequency_order_[i]]) continue;
+            for (std::size_t i = 0; i < axes_.frequency.size(); ++i) {
+                if (verdict.bad[axes_.frequency_order[i]]) continue;
                 const auto row = gathered_.begin() + static_cast<std::ptrdiff_t>(i * width);
                 good.insert(good.end(), row, row + static_cast<std::ptrdiff_t>(width));
-                result.frequency.push_back(frequency_[i]);
+                result.frequency.push_back(axes_.frequency[i]);
             }
             gathered_ = std::move(good);
         }
-        axis_->fill(result, gathered_, units_.factor);
+        axes_.directions->fill(result, gathered_, units_.factor);
     }
 
     /// What the flags of a variable say; warns of those of the spectrum.
@@ -425,12 +275,12 @@ class RecordMaker {
             const std::vector<std::size_t>& over = flags.flags->dimensions;
             const bool by_frequency =
                 std::find(over.begin(), over.end(), layout_.frequency_dimension) != over.end();
-            const std::size_t count = by_frequency ? frequency_.size() : 1;
+            const std::size_t count = by_frequency ? axes_.frequency.size() : 1;
             std::size_t bad = 0;
             std::size_t doubtful = 0;
             for (std::size_t k = 0; k < count; ++k) {
                 at[layout_.frequency_dimension] = k;
-                const double flag = flags.flags->values[offset(*flags.flags, at)];
+                const double flag = flags.flags->values[offset(content_, *flags.flags, at)];
                 const Quality quality = flags.meaning.quality(flag);
                 doubtful += quality == Quality::doubtful ? 1 : 0;
                 if (quality != Quality::bad) continue;
@@ -478,7 +328,7 @@ class RecordMaker {
     }
 
     double value_at(const Variable* v, const std::vector<std::size_t>& at) const {
-        return v == nullptr ? kMissing : v->values[offset(*v, at)];
+        return v == nullptr ? kMissing : v->values[offset(content_, *v, at)];
     }
 
     void describe(SpectrumRecord& record, const std::vector<std::size_t>& at) const {
@@ -517,7 +367,7 @@ class RecordMaker {
     std::string station(const std::vector<std::size_t>& at) const {
         const Variable* v = variable(layout_.station);
         if (v == nullptr) return file_station();
-        if (v->is_text) return text::printable(v->texts[offset(*v, at)]);
+        if (v->is_text) return text::printable(v->texts[offset(content_, *v, at)]);
         const double number = value_at(v, at);
         const bool whole = std::abs(number) < 1e9 && number == std::floor(number);
         return whole ? std::to_string(std::lround(number)) : "";
@@ -528,11 +378,7 @@ class RecordMaker {
     const Variable& spectrum_;
     DensityUnits units_;
     TimeUnits time_units_;
-    std::vector<double> frequency_;             // ascending
-    std::vector<std::size_t> frequency_order_;  // of the file, in that order
-    bool angular_frequency_ = false;
-    std::optional<DirectionAxis> axis_;
-    bool radian_bins_ = false;
+    SpectrumAxes axes_;
     BinDirections bins_;
     std::vector<Flags> flags_;
     std::vector<std::string> warnings_;
