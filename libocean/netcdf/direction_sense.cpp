@@ -87,12 +87,12 @@ class WordReader {
             to_ = true;
         } else if (among(word, {"comingfrom", "provenance"})) {
             from_ = true;
-        } else if (among(word, {"meteorological", "meteorology", "nautical", "met"})) {
+        } else if (among(word, {"meteorological", "meteorology", "nautical", "naut", "met"})) {
             hint_from_ = true;
-        } else if (among(word,
-                         {"oceanographic", "oceanographical", "propagation", "propagating"})) {
+        } else if (among(word, {"oceanographic", "oceanographical", "propagation", "propagating",
+                                "travelling", "traveling"})) {
             hint_to_ = true;
-        } else if (among(word, {"cartesian", "mathematical", "trigonometric", "math"})) {
+        } else if (among(word, {"cartesian", "cart", "mathematical", "trigonometric", "math"})) {
             mathematical_ = true;
         } else if (among(word, {"counterclockwise", "anticlockwise", "ccw"})) {
             counter_clockwise_ = true;
@@ -162,38 +162,56 @@ class WordReader {
     bool mathematical_ = false;
 };
 
+/// Whether an attribute of such a name may tell of directions in words.
+bool is_spoken(const std::string& key) {
+    const std::string name = plain_name(key);
+    return name.find("convention") != std::string::npos ||
+           name.find("direction") != std::string::npos ||
+           among(name, {"comment", "comments", "description", "summary", "definition", "note",
+                        "notes", "details", "globwavename", "shortname", "longname", "reference",
+                        "measuredfrom", "orientation"});
+}
+
 /// Attributes of a variable that speak of it, in the order in which they count.
 std::vector<std::pair<std::string, std::string>> spoken_attributes(const Variable& v) {
     std::vector<std::pair<std::string, std::string>> spoken;
     for (const char* key : {"standard_name", "long_name", "units"}) {
-        if (const std::string text = v.attribute(key); !text.empty())
-            spoken.emplace_back(key, text);
-    }
-    for (const auto& [key, text] : v.attributes) {
-        const std::string name = plain_name(key);
-        const bool speaks = name.find("convention") != std::string::npos ||
-                            name.find("direction") != std::string::npos ||
-                            among(name, {"comment", "comments", "description", "definition", "note",
-                                         "notes", "details", "globwavename", "shortname",
-                                         "longname", "reference", "measuredfrom", "orientation"});
-        if (speaks && key != "standard_name" && key != "long_name" && key != "units") {
+        if (const std::string text = v.attribute(key); !text.empty()) {
             spoken.emplace_back(key, text);
         }
+    }
+    for (const auto& [key, text] : v.attributes) {
+        if (is_spoken(key) && key != "long_name") spoken.emplace_back(key, text);
     }
     return spoken;
 }
 
-/// A text of the whole file counts if it is about directions of waves.
-bool is_about_directions(const std::string& key, const std::string& text) {
+/// The sentences of a text that are about directions, and not those of the wind.
+std::string about_directions(const std::string& text) {
+    std::string about;
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find_first_of(".;\n", begin), text.size());
+        const std::string sentence = text.substr(begin, end - begin);
+        begin = end + 1;
+        bool direction = false;
+        bool other = false;
+        for (const std::string& word : words_of(sentence)) {
+            direction = direction || among(word, {"direction", "directions", "convention"});
+            other = other || among(word, {"wind", "winds", "current", "currents", "magnetic"});
+        }
+        if (direction && !other) about += sentence + " ; ";
+    }
+    return about;
+}
+
+/// What an attribute that is not the directions' own says of them.
+std::string words_elsewhere(const std::string& key, const std::string& text) {
     const std::string name = plain_name(key);
-    const std::string words = lower_case(text);
-    const bool named = name.find("direction") != std::string::npos;
-    if (named) return name.find("wind") == std::string::npos;
-    const bool speaks =
-        name.find("convention") != std::string::npos ||
-        among(name, {"comment", "comments", "description", "summary", "note", "notes"});
-    return speaks && words.find("direction") != std::string::npos &&
-           words.find("wave") != std::string::npos && words.find("wind") == std::string::npos;
+    if (name.find("wind") != std::string::npos) return "";
+    const bool names_them =
+        name.find("direction") != std::string::npos || name.find("convention") != std::string::npos;
+    return names_them ? text : about_directions(text);
 }
 
 /// What all texts say together: the first that tells counts.
@@ -294,10 +312,10 @@ FoundSense direction_sense(const Content& content, const Variable& directions,
     for (const auto& [key, text] : spoken_attributes(directions)) evidence.add(key, text);
     const std::string contrary = evidence.contrary();
     for (const auto& [key, text] : spoken_attributes(spectrum)) {
-        if (key != "units") evidence.add(key, text);
+        if (key != "units") evidence.add(key, words_elsewhere(key, text));
     }
     for (const auto& [key, text] : content.attributes) {
-        if (is_about_directions(key, text)) evidence.add(key, text);
+        if (is_spoken(key)) evidence.add(key, words_elsewhere(key, text));
     }
     FoundSense found;
     found.sense = evidence.sense(writer.value_or(kComingFrom));

@@ -56,6 +56,7 @@ TEST(DirectionWords, SayWhetherWavesComeFromOrTravelTo) {
              "oceanographic convention",
              "oceanographical",
              "heading to",
+             "direction in which the waves are travelling",
              "to",
          }) {
         EXPECT_EQ(direction_words(text).from, std::optional(false)) << text;
@@ -160,8 +161,13 @@ TEST(DirectionSense, TheNearestWordCounts) {
     expect(read_with({{"direction_convention", "going to"}}), kIsTo);
     expect(read_with({{"comment", "direction towards which the waves travel"}}), kIsTo);
     expect(read_with({}, {{"comment", "directions are those that waves travel to"}}), kIsTo);
+    expect(read_with({}, {{"direction_convention", "oceanographic"}}), kIsTo);
     expect(read_with({}, {}, {{"wave_direction_convention", "oceanographic"}}), kIsTo);
     expect(read_with({}, {}, {{"comment", "Wave directions are towards."}}), kIsTo);
+    expect(read_with({}, {}, {{"summary", "Buoys of 2020. Directions are oceanographic (to)."}}),
+           kIsTo);
+    expect(read_with({}, {}, {{"summary", "Spectra of waves to the coast, from 1979 to 2020"}}),
+           kIsFrom, "nothing in the file says");
     expect(read_with({}, {}, {{"comment", "Wind direction: going to. Waves by WAM."}}), kIsFrom,
            "nothing in the file says");
     expect(read_with({{"standard_name", kTo}}, {}, {{"direction_convention", "nautical"}}), kIsTo);
