@@ -34,6 +34,10 @@ double highest(const Variable& v) {
     return most;
 }
 
+bool is_missing(double value) {
+    return std::isnan(value) || (std::abs(value) >= kNoDirection && std::isfinite(value));
+}
+
 std::string quoted(const Variable& v) {
     return "'" + text::printable(v.name) + "'";
 }
@@ -169,7 +173,7 @@ bool BinDirections::mean_follows(const DirectionSense& moments) const {
 double BinDirections::direction(BinQuantity quantity, const ValueOf& value_of) const {
     const Variable& v = *variable_[quantity];
     const double degrees = value_of(v) * scale_[quantity];
-    if (std::isnan(degrees) || std::abs(degrees) >= kNoDirection) return kMissing;
+    if (is_missing(degrees)) return kMissing;
     if (degrees >= -360.001 && degrees <= 720.001) return direction_sense_.travel(degrees);
     throw Fault(v.name,
                 "a direction of " + shortest_text(degrees) + " degrees; allowed: -360 .. 720");
@@ -179,7 +183,7 @@ double BinDirections::ratio(BinQuantity quantity, const ValueOf& value_of) const
     const Variable& v = *variable_[quantity];
     const double read = value_of(v);
     const double ratio = read * scale_[quantity];
-    if (std::isnan(read) || std::abs(read) >= kNoDirection) return kMissing;
+    if (is_missing(read)) return kMissing;
     if (ratio >= 0.0 && ratio <= kMaxRatio) return std::min(ratio, 1.0);
     throw Fault(v.name, shortest_text(read) + "; allowed: 0 .. 1, or 0 .. 100 per cent");
 }
@@ -189,7 +193,7 @@ double BinDirections::ratio(BinQuantity quantity, const ValueOf& value_of) const
 double BinDirections::spread_ratio(BinQuantity quantity, const ValueOf& value_of) const {
     const Variable& v = *variable_[quantity];
     const double read = value_of(v);
-    if (std::isnan(read) || std::abs(read) >= kNoDirection) return kMissing;
+    if (is_missing(read)) return kMissing;
     const bool power = scale_[quantity] == 0.0;
     const double degrees = read * scale_[quantity];
     if (read < 0.0 || degrees > 180.0) {
@@ -207,7 +211,7 @@ std::complex<double> BinDirections::moment(BinQuantity a, BinQuantity b,
     const std::complex<double> z(value_of(*variable_[a]) * scale_[a],
                                  value_of(*variable_[b]) * scale_[b]);
     const double length = std::abs(z);
-    if (std::isnan(length) || length >= 0.01 * kNoDirection) return {kMissing, kMissing};
+    if (is_missing(100.0 * length)) return {kMissing, kMissing};
     if (length <= kMaxRatio) {
         return moment_sense_.travel_moment(length > 1.0 ? z / length : z, a == kA1 ? 1 : 2);
     }

@@ -71,9 +71,11 @@ inline std::size_t stride(const Content& content, const Variable& variable, std:
 
 /// What is wrong with a file: "VARIABLE: what". The path is added where it is known.
 struct Fault : std::runtime_error {
-    explicit Fault(const std::string& message) : std::runtime_error(message) {}
-    Fault(const std::string& variable, const std::string& message)
-        : std::runtime_error(variable + ": " + message) {}
+    explicit Fault(const std::string& what) : std::runtime_error(what), message(what) {}
+    Fault(const std::string& of_variable, const std::string& what)
+        : std::runtime_error(of_variable + ": " + what), variable(of_variable), message(what) {}
+
+    std::string variable, message;
 };
 
 }  // namespace ocean::netcdf

@@ -217,6 +217,7 @@ class RecordMaker {
         if (std::isnan(scale))
             throw Fault(variable(layout_.scale)->name, label(result) + "is missing");
         for (double& value : gathered_) value = density(value * scale, result);
+        require_noise_only(result);
         if (axes_.directions) return fill_directions(result, verdict);
 
         std::vector<std::pair<const Variable*, Verdict>> bin_verdicts;
@@ -243,10 +244,23 @@ class RecordMaker {
             try {
                 bins_.append(result, value_of);
             } catch (const Fault& fault) {
-                throw Fault(label(result) + fault.what());
+                throw Fault(fault.variable, label(result) + fault.message);
             }
         }
         drop_unknown_moments(result);
+    }
+
+    /// Estimators leave densities a little below 0, which clean_record takes for noise.
+    void require_noise_only(const SpectrumRecord& record) const {
+        double least = 0.0;
+        double most = 0.0;
+        for (const double value : gathered_) {
+            least = std::min(least, value);  // which a NaN is not
+            most = std::max(most, value);
+        }
+        if (least >= -kMostNoise * most) return;
+        throw fail(label(record) + "a density of " + shown(least) +
+                   "; allowed: 0 .. 1e6 m^2/Hz/degree");
     }
 
     void fill_directions(SpectrumRecord& result, const Verdict& verdict) {
