@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxValues = std::size_t{1} << 26;
 inline constexpr std::size_t kMaxDimensions = 1024;
 inline constexpr std::size_t kMaxVariables = 1024;
 inline constexpr std::size_t kMaxVariableDimensions = 16;
-inline constexpr std::size_t kMaxAttributes = 64;  // of a variable or of the file
+inline constexpr std::size_t kMaxAttributes = 256;  // of a variable or of the file
 /// Names, attributes and texts end there.
 inline constexpr std::size_t kMaxTextBytes = 1000;
 

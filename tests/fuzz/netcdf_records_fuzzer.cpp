@@ -6,6 +6,7 @@
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
 #include "ocean/checked_text.hpp"
+#include "ocean/record_rules.hpp"
 #include "reader_fuzzer.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -23,8 +24,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (record.fault.empty()) continue;
             record.fault = text::error_at(ErrorKind::bad_file, "fuzz", 0, record.fault).what();
         }
+        require_readable(records);
         fuzz::check_all(records);
     } catch (const netcdf::WireError&) {
+    } catch (const Error& error) {
+        fuzz::check_message(error.what());
     } catch (const netcdf::Fault& fault) {
         fuzz::check_message(text::error_at(ErrorKind::bad_file, "fuzz", 0, fault.what()).what());
     }

@@ -9,6 +9,8 @@
 
 #include "contents.hpp"
 #include "netcdf_layout.hpp"
+#include "ocean/error.hpp"
+#include "ocean/seafile.hpp"
 
 namespace ocean::netcdf {
 namespace {
@@ -107,6 +109,23 @@ TEST(PublishedLayouts, CdipHasMomentsPlaceAndFlags) {
     EXPECT_TRUE(records[1].frequency.empty());
     EXPECT_EQ(records[2].fault, "");
     expect_says(records[2], "flagged as doubtful by waveFlagPrimary");
+}
+
+TEST(PublishedLayouts, OpeningPassesOverAFlaggedRecordUnlessItsTimeIsAsked) {
+    Content content = cdip();
+    find(content, "waveFlagPrimary").values = {4.0, 1.0, 1.0};
+    const std::vector<SpectrumRecord> records = records_from(content);
+    EXPECT_EQ(choose_record(records, {"", ""}, "f").time, "2024-03-01T12:30");
+    try {
+        choose_record(records, {"2024-03-01T12:00", ""}, "f");
+        ADD_FAILURE() << "a flagged record";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), records[0].fault +
+                                    "; a record that can be read is that of "
+                                    "2024-03-01T12:30");
+    }
+    find(content, "waveFlagPrimary").values = {4.0, 4.0, 9.0};
+    EXPECT_THROW(choose_record(records_from(content), {"", ""}, "f"), Error);
 }
 
 TEST(PublishedLayouts, FlagsOfBandsLeaveDirectionalRowsOut) {
