@@ -87,10 +87,11 @@ class WordReader {
             to_ = true;
         } else if (among(word, {"comingfrom", "provenance"})) {
             from_ = true;
-        } else if (among(word, {"meteorological", "meteorology", "nautical", "naut", "met"})) {
+        } else if (among(word, {"meteorological", "meteorology", "nautical", "naut", "met",
+                                "coming", "comes", "arriving", "origin", "originating"})) {
             hint_from_ = true;
         } else if (among(word, {"oceanographic", "oceanographical", "propagation", "propagating",
-                                "travelling", "traveling"})) {
+                                "travelling", "traveling", "going", "goes"})) {
             hint_to_ = true;
         } else if (among(word, {"cartesian", "cart", "mathematical", "trigonometric", "math"})) {
             mathematical_ = true;

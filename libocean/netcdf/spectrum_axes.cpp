@@ -175,8 +175,12 @@ class AxisReader {
         if (spectrum_.name != "efth" || direction == nullptr) return std::nullopt;
         if (direction->name == "dir") return kComingFrom;
         const auto is_wavewatch = [](const auto& attribute) {
-            return attribute.first == "globwave_name" ||
-                   lower_case(attribute.first).find("wavewatch") != std::string::npos;
+            const auto& [key, text] = attribute;
+            const bool names_model =
+                among(lower_case(key), {"title", "source", "product_name", "product", "model"});
+            const std::string told = lower_case(names_model ? text : key);
+            return key == "globwave_name" || told.find("wavewatch") != std::string::npos ||
+                   (names_model && told.find("ww3") != std::string::npos);
         };
         const bool wavewatch =
             std::any_of(spectrum_.attributes.begin(), spectrum_.attributes.end(), is_wavewatch) ||

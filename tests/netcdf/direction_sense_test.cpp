@@ -37,6 +37,8 @@ TEST(DirectionWords, SayWhetherWavesComeFromOrTravelTo) {
              "meteorological convention",
              "Nautical",
              "coming-from",
+             "direction in which the waves are coming",
+             "direction of origin",
              "from",
          }) {
         EXPECT_EQ(direction_words(text).from, std::optional(true)) << text;
@@ -56,6 +58,7 @@ TEST(DirectionWords, SayWhetherWavesComeFromOrTravelTo) {
              "oceanographic convention",
              "oceanographical",
              "heading to",
+             "where the waves are going",
              "direction in which the waves are travelling",
              "to",
          }) {
@@ -181,9 +184,13 @@ TEST(DirectionSense, TheNearestWordCounts) {
 TEST(DirectionSense, WavewatchTravelsToWithoutAWord) {
     EXPECT_NEAR(read_with({}, {{"globwave_name", "directional_variance_spectral_density"}}).travel,
                 60.0, 1e-9);
-    const Read read = read_with({}, {}, {{"WAVEWATCH_III_version_number", "6.07"}});
-    EXPECT_NEAR(read.travel, 60.0, 1e-9);
-    EXPECT_EQ(read.warnings, "");
+    for (const Said said :
+         {Said{"WAVEWATCH_III_version_number", "6.07"}, Said{"product_name", "ww3.201001_spec.nc"},
+          Said{"source", "WAVEWATCH III"}}) {
+        const Read read = read_with({}, {}, {said});
+        EXPECT_NEAR(read.travel, 60.0, 1e-9) << said.key;
+        EXPECT_EQ(read.warnings, "") << said.key;
+    }
 }
 
 TEST(DirectionSense, BinsWithoutAUnitAreRadiansWhereTheyAreSoNarrow) {
