@@ -203,7 +203,9 @@ class RecordMaker {
             bad.latitude = result.latitude;
             bad.longitude = result.longitude;
             bad.depth = result.depth;
-            bad.fault = fault.what();
+            // A name out of the child may hold anything, a zero that ends what() too.
+            const std::string name = text::printable(fault.variable);
+            bad.fault = (name.empty() ? "" : name + ": ") + fault.message;
             return bad;
         }
         if (result.warnings.size() > kMaxRecordWarnings) result.warnings.resize(kMaxRecordWarnings);
@@ -300,8 +302,9 @@ class RecordMaker {
                 if (quality != Quality::bad) continue;
                 ++bad;
                 if (!by_frequency) {
-                    verdict.record_fault = flags.flags->name + ": " + label(result) +
-                                           "its flag is " + shortest_text(flag) + ", bad";
+                    verdict.record_fault = text::printable(flags.flags->name) + ": " +
+                                           label(result) + "its flag is " + shortest_text(flag) +
+                                           ", bad";
                     continue;
                 }
                 verdict.bad.resize(count);

@@ -354,6 +354,13 @@ TEST(PublishedLayouts, OneBadRecordCostsNoOther) {
     EXPECT_EQ(records[2], records_from(wavespectra())[2]);
 }
 
+TEST(PublishedLayouts, ANameThatBeginsWithAZeroHidesNoFault) {
+    Content content = wavespectra();
+    find(content, "efth").values[5] = -50.0;
+    find(content, "efth").name = std::string("\0efth", 5);
+    EXPECT_NE(records_from(content)[0].fault.find("a density of -50"), std::string::npos);
+}
+
 TEST(PublishedLayouts, NegativeNoiseAndABinOfZeroHertzAreCleaned) {
     Content content = with_bins("ef", {bins("alpha1", 200.0), bins("r1", 0.8)});
     find(content, "ef").values = {0.0, 1.0, 2.0, -0.1, 1, 1, 1, 1, 1, 1, 1, 1};

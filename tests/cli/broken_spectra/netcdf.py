@@ -143,7 +143,11 @@ CASES = [
     case("no_spectrum", sea(drop=("efth",)), "holds no wave spectrum"),
     case("a_billion_times", sea(dimensions={"time": 1_000_000_000}), "sea.nc: "),
     case("a_million_directions", sea(dimensions={"time": 1, "dir": 1_000_000}), "sea.nc: "),
-    case("negative_density", efth(*[0.1, -0.5] * 12), "efth: record 2020-02-13T00:00: a density of -0.5"),
+    case(
+        "negative_density",
+        efth(*[0.1, -0.5] * 12),
+        "efth: record 2020-02-13T00:00: a density of -0.5",
+    ),
     case("huge_density", efth(*[1e30] * 24), "efth: "),
     case("infinite_density", efth(*[float("inf")] * 24), "a density of inf"),
     case("all_missing", efth(*[NAN] * 24), "efth: all values are missing"),
