@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "names.hpp"
 #include "ocean/checked_text.hpp"
 
 namespace ocean::netcdf {
@@ -17,23 +18,10 @@ namespace {
 
 using namespace std::string_view_literals;
 
-std::string lower_case(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return out;
-}
-
 bool take(std::string_view& text, std::string_view word) {
     if (!text.starts_with(word)) return false;
     text.remove_prefix(word.size());
     return true;
-}
-
-/// The first of the words that the text begins with; longer ones must stand before shorter.
-template <std::size_t count>
-bool take_any(std::string_view& text, const std::array<std::string_view, count>& words) {
-    return std::any_of(words.begin(), words.end(), [&](auto word) { return take(text, word); });
 }
 
 /// Up to `most` digits; nothing if there are none.
@@ -103,45 +91,27 @@ bool is_utc(std::string_view zone) {
     return std::find(kNames.begin(), kNames.end(), zone) != kNames.end();
 }
 
-void take_angle(std::string_view& text, DensityUnits::Angle& angle) {
-    constexpr std::array kDegree = {"degrees-1"sv, "degree-1"sv, "deg-1"sv,
-                                    "/degrees"sv,  "/degree"sv,  "/deg"sv};
-    constexpr std::array kRadian = {"radians-1"sv, "radian-1"sv, "rad-1"sv,
-                                    "/radians"sv,  "/radian"sv,  "/rad"sv};
-    if (angle != DensityUnits::Angle::none) return;
-    if (take_any(text, kDegree)) {
-        angle = DensityUnits::Angle::degree;
-    } else if (take_any(text, kRadian)) {
-        angle = DensityUnits::Angle::radian;
-    }
-}
-
 }  // namespace
 
-std::optional<DensityUnits> parse_density_units(std::string_view units) {
+DensityUnits parse_density_units(std::string_view units, DensityOver over) {
     std::string plain = lower_case(units);
-    std::erase_if(plain, [](char c) { return "{}()[]^*._ "sv.find(c) != std::string_view::npos; });
-    std::string_view rest = plain;
+    std::erase(plain, ' ');
     DensityUnits result;
-    if (take(rest, "log10")) {
-        result.log10 = true;
-        const std::size_t offset = rest.find("+1e-12");
-        if (offset == std::string_view::npos) return std::nullopt;
-        rest = rest.substr(0, offset);
+    std::string_view rest = plain;
+    result.log10 = take(rest, "log10(");
+    if (!result.log10) {
+        auto [factor, fault] = parse_density_unit(units, over);
+        return {factor, false, std::move(fault)};
     }
-    if (!take(rest, "m2") && !take(rest, "metermeter")) return std::nullopt;  // "(meter * meter)"
-    take_angle(rest, result.angle);
-    std::string divided;
-    if (take(rest, "/hz")) {
-        // "m2/(Hz deg)" has lost its parentheses: there an angle divides without a sign.
-        const bool bare = !rest.empty() && !rest.starts_with('/') && !rest.ends_with("-1");
-        divided = (bare ? "/" : "") + std::string(rest);
-        rest = divided;
-    } else if (!take(rest, "hz-1") && !take(rest, "s")) {
-        return std::nullopt;
+    const std::size_t begin = units.find('(') + 1;
+    const std::size_t offset = units.rfind('+');
+    if (!rest.ends_with("+1e-12)") || offset < begin) {
+        result.fault = "units '" + text::printable(units) +
+                       "': a logarithm is known as log10(UNIT +1E-12) alone";
+        return result;
     }
-    take_angle(rest, result.angle);
-    return rest.empty() ? std::optional(result) : std::nullopt;
+    auto [factor, fault] = parse_density_unit(units.substr(begin, offset - begin), over);
+    return {factor, true, std::move(fault)};
 }
 
 std::optional<TimeUnits> parse_time_units(std::string_view units) {

@@ -5,21 +5,22 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
+#include "ocean/density_units.hpp"
 #include "ocean/utc_time.hpp"
 
 namespace ocean::netcdf {
 
-/// What the numbers of a spectrum are: m^2/Hz, per angle or not, or their logarithm.
+/// What brings the numbers of a spectrum to m^2/Hz, or over directions to m^2/Hz/degree.
 struct DensityUnits {
-    enum class Angle { none, degree, radian };
-    Angle angle = Angle::none;
+    double factor = 0.0;
     bool log10 = false;  // log10(density + 1e-12), as WAVEWATCH III packs it
-    bool operator==(const DensityUnits&) const = default;
+    std::string fault;   // why they are no units of such a density; or empty
 };
-/// "m2 s rad-1", "m^{2}.s.degree^{-1}", "m**2 s radian**-1", "m2/Hz/deg", "m2 s", "m^2/Hz" ...
-std::optional<DensityUnits> parse_density_units(std::string_view units);
+/// What parse_density_unit knows, and "log10(m2 s rad-1 +1E-12)".
+DensityUnits parse_density_units(std::string_view units, DensityOver over);
 
 /// "days since 1990-01-01 00:00:00", in UTC.
 struct TimeUnits {

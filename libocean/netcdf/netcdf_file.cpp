@@ -55,10 +55,14 @@ void require_whole(const File& file, const std::string& path) {
 
 /// A variable of the header and what the file calls it.
 struct Source {
+    int group = 0;  // of the file, which is one itself
     int id = 0;
     nc_type type = NC_NAT;
     std::vector<std::size_t> dimensions;  // with those of characters
 };
+
+/// Of a text attribute in the file; its first kMaxTextBytes are kept.
+constexpr std::size_t kMaxHistoryBytes = 65536;
 
 struct Header {
     Content content;
@@ -69,10 +73,10 @@ std::optional<std::string> text_attribute(int file, int variable, const char* na
     nc_type type = NC_NAT;
     std::size_t length = 0;
     if (nc_inq_att(file, variable, name, &type, &length) != NC_NOERR) return std::nullopt;
-    if (type == NC_CHAR && length <= kMaxTextBytes) {
+    if (type == NC_CHAR && length <= kMaxHistoryBytes) {
         std::string text(length, '\0');
         if (nc_get_att_text(file, variable, name, text.data()) != NC_NOERR) return std::nullopt;
-        return text.substr(0, text.find('\0'));
+        return text.substr(0, std::min(text.find('\0'), kMaxTextBytes));
     }
     char* string = nullptr;
     if (type != NC_STRING || length != 1 ||
@@ -85,30 +89,51 @@ std::optional<std::string> text_attribute(int file, int variable, const char* na
 }
 
 /// Empty if there is none of a few numbers.
-std::vector<double> number_attribute(const Source& source, int file, const char* name) {
+std::vector<double> number_attribute(const Source& source, const char* name) {
     constexpr std::size_t kMost = 16;
     nc_type type = NC_NAT;
     std::size_t length = 0;
-    const bool found = nc_inq_att(file, source.id, name, &type, &length) == NC_NOERR;
+    const bool found = nc_inq_att(source.group, source.id, name, &type, &length) == NC_NOERR;
     if (!found || type == NC_CHAR || type >= NC_STRING || length == 0 || length > kMost) return {};
     std::vector<double> numbers(length);
-    if (nc_get_att_double(file, source.id, name, numbers.data()) != NC_NOERR) return {};
+    if (nc_get_att_double(source.group, source.id, name, numbers.data()) != NC_NOERR) return {};
     return numbers;
 }
 
-std::vector<int> read_dimensions(const File& file, Content& content) {
+/// The file and the groups in it, groups before what they hold.
+std::vector<int> groups_of(const File& file) {
+    constexpr std::size_t kMaxGroups = 256;
+    std::vector<int> groups = {file.id()};
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        int count = 0;
+        require(nc_inq_grps(groups[i], &count, nullptr), "groups");
+        if (groups.size() + static_cast<std::size_t>(count) > kMaxGroups) {
+            throw Fault("more than 256 groups");
+        }
+        std::vector<int> inner(static_cast<std::size_t>(count));
+        if (count > 0) require(nc_inq_grps(groups[i], nullptr, inner.data()), "groups");
+        groups.insert(groups.end(), inner.begin(), inner.end());
+    }
+    return groups;
+}
+
+/// Appends a group's dimensions to the content and to their numbers in the file, which no other
+/// group has.
+void read_dimensions(int group, Content& content, std::vector<int>& numbers) {
     int count = 0;
-    require(nc_inq_ndims(file.id(), &count), "dimensions");
-    if (static_cast<std::size_t>(count) > kMaxDimensions) throw Fault("more than 1024 dimensions");
+    require(nc_inq_dimids(group, &count, nullptr, 0), "dimensions");
+    if (content.dimensions.size() + static_cast<std::size_t>(count) > kMaxDimensions) {
+        throw Fault("more than 1024 dimensions");
+    }
     std::vector<int> ids(static_cast<std::size_t>(count));
-    require(nc_inq_dimids(file.id(), nullptr, ids.data(), 0), "dimensions");
+    if (count > 0) require(nc_inq_dimids(group, nullptr, ids.data(), 0), "dimensions");
     for (const int id : ids) {
         char name[NC_MAX_NAME + 1] = "";
         std::size_t size = 0;
-        require(nc_inq_dim(file.id(), id, name, &size), "dimensions");
+        require(nc_inq_dim(group, id, name, &size), "dimensions");
         content.dimensions.push_back({name, size});
+        numbers.push_back(id);
     }
-    return ids;
 }
 
 /// Classic files have no strings: dimensions of characters stand for them, mostly the last.
@@ -128,33 +153,41 @@ void drop_characters(const Content& content, Variable& variable) {
     }
 }
 
-/// NDBC names the station in an attribute of the whole file: a variable without dimensions, unless
-/// there is one that names stations.
-void add_global_station(const File& file, Header& header) {
-    const std::optional<std::string> station = text_attribute(file.id(), NC_GLOBAL, "station");
-    if (!station) return;
-    for (const Variable& v : header.content.variables) {
-        if (v.name.starts_with("station") || v.name == "site") return;
+/// Those that are text; flags' values as text too.
+std::map<std::string, std::string> text_attributes(int group, int variable) {
+    std::map<std::string, std::string> texts;
+    int count = 0;
+    require(nc_inq_varnatts(group, variable, &count), "attributes");
+    for (int i = 0; i < count && texts.size() < kMaxAttributes; ++i) {
+        char name[NC_MAX_NAME + 1] = "";
+        if (nc_inq_attname(group, variable, i, name) != NC_NOERR) continue;
+        if (auto text = text_attribute(group, variable, name)) {
+            texts[name] = *text;
+        } else if (std::string_view(name) == "flag_values") {
+            std::string& values = texts[name];
+            for (const double value : number_attribute({group, variable, NC_NAT, {}}, name)) {
+                values += (values.empty() ? "" : " ") + std::to_string(std::lround(value));
+            }
+        }
     }
-    header.content.variables.push_back({"station", {}, {}, true, {}, {*station}});
-    header.sources.push_back({NC_GLOBAL, NC_CHAR, {}});
+    return texts;
 }
 
-/// All variables that may play a part, without values.
-Header read_header(const File& file) {
-    Header header;
-    const std::vector<int> dimension_ids = read_dimensions(file, header.content);
+/// Appends those variables of a group that may play a part, without values.
+void read_variables(int group, const std::vector<int>& dimension_ids, Header& header) {
     int count = 0;
-    require(nc_inq_nvars(file.id(), &count), "variables");
-    if (static_cast<std::size_t>(count) > kMaxVariables) throw Fault("more than 1024 variables");
+    require(nc_inq_nvars(group, &count), "variables");
+    if (header.sources.size() + static_cast<std::size_t>(count) > kMaxVariables) {
+        throw Fault("more than 1024 variables");
+    }
     for (int id = 0; id < count; ++id) {
         char name[NC_MAX_NAME + 1] = "";
         int rank = 0;
-        Source source{id, NC_NAT, {}};
-        require(nc_inq_varndims(file.id(), id, &rank), "variables");
+        Source source{group, id, NC_NAT, {}};
+        require(nc_inq_varndims(group, id, &rank), "variables");
         if (static_cast<std::size_t>(rank) > kMaxVariableDimensions) continue;
         std::vector<int> ids(static_cast<std::size_t>(rank));
-        require(nc_inq_var(file.id(), id, name, &source.type, nullptr, ids.data(), nullptr),
+        require(nc_inq_var(group, id, name, &source.type, nullptr, ids.data(), nullptr),
                 "variables");
         if (source.type > NC_STRING) continue;  // compounds and the like
         for (const int dimension : ids) {
@@ -165,13 +198,19 @@ Header read_header(const File& file) {
         Variable variable{name, source.dimensions, {}, false, {}, {}};
         variable.is_text = source.type == NC_CHAR || source.type == NC_STRING;
         if (source.type == NC_CHAR) drop_characters(header.content, variable);
-        for (const char* key : {"units", "standard_name", "long_name", "calendar", "cf_role"}) {
-            if (auto text = text_attribute(file.id(), id, key)) variable.attributes[key] = *text;
-        }
+        variable.attributes = text_attributes(group, id);
         header.content.variables.push_back(std::move(variable));
         header.sources.push_back(std::move(source));
     }
-    add_global_station(file, header);
+}
+
+Header read_header(const File& file) {
+    Header header;
+    std::vector<int> dimension_ids;
+    const std::vector<int> groups = groups_of(file);
+    for (const int group : groups) read_dimensions(group, header.content, dimension_ids);
+    for (const int group : groups) read_variables(group, dimension_ids, header);
+    header.content.attributes = text_attributes(file.id(), NC_GLOBAL);
     return header;
 }
 
@@ -193,8 +232,8 @@ std::size_t checked_size(const Content& content, const std::vector<std::size_t>&
 }
 
 /// What stands for "no value" in the file's own type.
-std::vector<double> fill_values(const File& file, const Source& source) {
-    std::vector<double> fills = number_attribute(source, file.id(), "_FillValue");
+std::vector<double> fill_values(const Source& source) {
+    std::vector<double> fills = number_attribute(source, "_FillValue");
     if (fills.empty() && source.type != NC_BYTE && source.type != NC_UBYTE) {
         switch (source.type) {
             case NC_SHORT:
@@ -211,7 +250,7 @@ std::vector<double> fill_values(const File& file, const Source& source) {
                 break;
         }
     }
-    for (const double more : number_attribute(source, file.id(), "missing_value")) {
+    for (const double more : number_attribute(source, "missing_value")) {
         fills.push_back(more);
     }
     // 1e20 as a double is not the 1e20 of single precision.
@@ -230,14 +269,14 @@ struct Range {
 };
 
 /// A range in the packed type is one of packed values [CF conventions, section 8.1].
-Range valid_range(const File& file, const Source& source) {
+Range valid_range(const Source& source) {
     Range range;
     nc_type type = source.type;
     const auto set = [&](double& limit, const char* name, std::size_t size, std::size_t i) {
-        const std::vector<double> numbers = number_attribute(source, file.id(), name);
+        const std::vector<double> numbers = number_attribute(source, name);
         if (numbers.size() != size || std::isnan(numbers[i])) return;
         limit = numbers[i];
-        nc_inq_atttype(file.id(), source.id, name, &type);
+        nc_inq_atttype(source.group, source.id, name, &type);
     };
     set(range.low, "valid_min", 1, 0);
     set(range.high, "valid_max", 1, 0);
@@ -247,22 +286,21 @@ Range valid_range(const File& file, const Source& source) {
     return range;
 }
 
-double factor(const File& file, const Source& source, const std::string& name, const char* key,
-              double otherwise) {
-    const std::vector<double> numbers = number_attribute(source, file.id(), key);
+double factor(const Source& source, const std::string& name, const char* key, double otherwise) {
+    const std::vector<double> numbers = number_attribute(source, key);
     if (numbers.empty()) return otherwise;
     if (numbers.size() == 1 && std::isfinite(numbers[0])) return numbers[0];
     throw Fault(name, std::string(key) + " is not a number");
 }
 
-void read_values(const File& file, const Source& source, Variable& variable, std::size_t size) {
+void read_values(const Source& source, Variable& variable, std::size_t size) {
     variable.values.resize(size);
     if (size == 0) return;
-    require(nc_get_var_double(file.id(), source.id, variable.values.data()), variable.name);
-    const std::vector<double> fills = fill_values(file, source);
-    const Range valid = valid_range(file, source);
-    const double scale = factor(file, source, variable.name, "scale_factor", 1.0);
-    const double add = factor(file, source, variable.name, "add_offset", 0.0);
+    require(nc_get_var_double(source.group, source.id, variable.values.data()), variable.name);
+    const std::vector<double> fills = fill_values(source);
+    const Range valid = valid_range(source);
+    const double scale = factor(source, variable.name, "scale_factor", 1.0);
+    const double add = factor(source, variable.name, "add_offset", 0.0);
     if (scale == 0.0) throw Fault(variable.name, "scale_factor is 0");
     for (double& value : variable.values) {
         const double packed = value;
@@ -282,13 +320,12 @@ std::string trimmed(std::string text) {
 }
 
 /// `count` texts of `size` characters, or strings.
-void read_texts(const File& file, const Source& source, Variable& variable, std::size_t size,
-                std::size_t count) {
+void read_texts(const Source& source, Variable& variable, std::size_t size, std::size_t count) {
     variable.texts.resize(count);
     if (size == 0) return;
     if (source.type == NC_STRING) {
         std::vector<char*> strings(size, nullptr);
-        require(nc_get_var_string(file.id(), source.id, strings.data()), variable.name);
+        require(nc_get_var_string(source.group, source.id, strings.data()), variable.name);
         for (std::size_t i = 0; i < count; ++i) {
             variable.texts[i] = trimmed(strings[i] != nullptr ? strings[i] : "");
         }
@@ -296,7 +333,7 @@ void read_texts(const File& file, const Source& source, Variable& variable, std:
         return;
     }
     std::string bytes(size, '\0');
-    require(nc_get_var_text(file.id(), source.id, bytes.data()), variable.name);
+    require(nc_get_var_text(source.group, source.id, bytes.data()), variable.name);
     const bool characters_first =
         !variable.dimensions.empty() && variable.dimensions[0] != source.dimensions[0];
     const std::size_t length = size / count;
@@ -323,16 +360,12 @@ Content read_file(const std::string& path) {
         const Source& source = header.sources[i];
         const std::size_t size = checked_size(content, source.dimensions, variable.name, left);
         left -= size;
-        if (source.id == NC_GLOBAL) {  // an attribute, which is read already
-            needed.push_back(std::move(variable));
-            continue;
-        }
         if (variable.is_text) {
             const std::size_t count =
                 checked_size(content, variable.dimensions, variable.name, kMaxValues);
-            read_texts(file, source, variable, size, count);
+            read_texts(source, variable, size, count);
         } else {
-            read_values(file, source, variable, size);
+            read_values(source, variable, size);
         }
         needed.push_back(std::move(variable));
     }

@@ -5,21 +5,15 @@
 #include "netcdf_layout.hpp"
 
 #include <algorithm>
-#include <array>
-#include <initializer_list>
 #include <string_view>
 
+#include "bin_names.hpp"
 #include "cf_units.hpp"
+#include "names.hpp"
 #include "ocean/checked_text.hpp"
 
 namespace ocean::netcdf {
 namespace {
-
-using Words = std::initializer_list<std::string_view>;
-
-bool among(const std::string& word, Words words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 bool has(const std::vector<std::size_t>& all, std::size_t one) {
     return std::find(all.begin(), all.end(), one) != all.end();
@@ -33,46 +27,52 @@ std::string standard_name(const Variable& variable) {
 }
 
 bool is_frequency(const std::string& name, const std::string& standard) {
-    return among(name, {"freq", "frequency", "frequencies", "frequencyNumber"}) ||
+    const std::string plain = plain_name(name);
+    return among(plain, {"freq", "freqs", "frequency", "frequencies", "frequencynumber",
+                         "wavefrequency", "wavefrequencies", "centerfrequency", "f"}) ||
+           plain.starts_with("wavewpm") ||
            among(standard, {"sea_surface_wave_frequency", "wave_frequency"});
 }
 
 bool is_direction(const std::string& name, const std::string& standard) {
-    return among(name, {"dir", "direction", "directions", "directionNumber"}) ||
+    return among(plain_name(name), {"dir", "dirs", "direction", "directions", "directionnumber",
+                                    "wavedirection", "wavedirections", "wavedirectionbins",
+                                    "directionbins", "directionbin", "theta"}) ||
            among(standard, {"sea_surface_wave_from_direction", "sea_surface_wave_to_direction"});
 }
 
-/// 0: no spectrum. Directional ones before the others, well-known names before standard names.
+constexpr std::string_view kDirectional = "sea_surface_wave_directional_variance_spectral_density";
+constexpr std::string_view kOmnidirectional = "sea_surface_wave_variance_spectral_density";
+
+/// Of a variable as a spectrum: well-known names before standard names before units; 0: none.
 int spectrum_rank(const Variable& variable) {
+    if (variable.is_text || plain_name(variable.name).starts_with("std")) return 0;
+    const std::string plain = plain_name(variable.name);
     const std::string standard = standard_name(variable);
-    if (variable.is_text) return 0;
-    if (variable.name == "efth") return 5;
-    if (is_ecmwf(variable)) return 4;
-    if (standard == "sea_surface_wave_directional_variance_spectral_density") return 3;
-    if (among(variable.name, {"ef", "spectral_wave_density"})) return 2;
-    return standard == "sea_surface_wave_variance_spectral_density" ? 1 : 0;
+    if (among(plain, {"efth", "ef", "d2fd", "spectralwavedensity", "waveenergydensity",
+                      "directionalwaveenergydensity", "vspec1d", "swden", "c11", "energy1d",
+                      "spectraldensity", "variancedensity", "directionalvariancedensity"})) {
+        return 3;
+    }
+    if (standard == kDirectional || standard == kOmnidirectional) return 2;
+    return parse_density_units(variable.attribute("units"), DensityOver::frequency).fault.empty() ||
+                   parse_density_units(variable.attribute("units"),
+                                       DensityOver::frequency_and_direction)
+                       .fault.empty()
+               ? 1
+               : 0;
 }
 
-std::size_t find_spectrum(const Content& content) {
-    std::size_t best = 0;
+/// A variable that takes part in a search, and how well it fits.
+struct Candidate {
+    std::size_t variable = 0;
     int rank = 0;
-    for (std::size_t i = 0; i < content.variables.size(); ++i) {
-        const int own = spectrum_rank(content.variables[i]);
-        if (own > rank) best = i;
-        rank = std::max(rank, own);
-    }
-    if (rank > 0) return best;
-    throw Fault(
-        "holds no wave spectrum: no variable efth, ef, d2fd or spectral_wave_density, and none "
-        "whose standard_name is "
-        "sea_surface_wave_directional_variance_spectral_density or "
-        "sea_surface_wave_variance_spectral_density");
-}
+};
 
 class Finder {
   public:
     explicit Finder(const Content& content) : content_(content) {
-        layout_.spectrum = find_spectrum(content);
+        layout_.spectrum = find_spectrum();
         left_ = spectrum().dimensions;
     }
 
@@ -82,16 +82,27 @@ class Finder {
         if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
             throw fail("has a dimension twice");
         }
-        const auto frequency = take_axis(is_frequency, layout_.frequency);
+        const auto frequency = find_axis(spectrum(), is_frequency, layout_.frequency);
         if (!frequency) throw fail("has no dimension of frequencies (freq, frequency)");
         layout_.frequency_dimension = *frequency;
-        layout_.direction_dimension = take_axis(is_direction, layout_.direction);
+        std::erase(left_, *frequency);
+        layout_.direction_dimension = find_axis(spectrum(), is_direction, layout_.direction);
+        if (layout_.direction_dimension) std::erase(left_, *layout_.direction_dimension);
+        if (!layout_.frequency) layout_.frequency = find_frequencies_of_records();
         find_time();
-        layout_.latitude = find_place("latitude", {"latitude", "lat"});
-        layout_.longitude = find_place("longitude", {"longitude", "lon"});
-        layout_.depth = find_place("sea_floor_depth_below_sea_surface", {"dpt", "depth"});
+        layout_.latitude =
+            find_place("latitude", {"latitude", "lat", "metastationlatitude", "metadeploylatitude",
+                                    "metalatitude", "gpslatitude"});
+        layout_.longitude =
+            find_place("longitude", {"longitude", "lon", "metastationlongitude",
+                                     "metadeploylongitude", "metalongitude", "gpslongitude"});
+        layout_.depth =
+            find_place("sea_floor_depth_below_sea_surface",
+                       {"dpt", "depth", "waterdepth", "metawaterdepth", "bath", "nominaldepth"});
         layout_.station = find_station();
-        if (!layout_.direction_dimension) layout_.buoy_directions = find_buoy_directions();
+        layout_.scale = find_scale();
+        if (!layout_.direction_dimension) find_bins();
+        find_flags();
         for (const std::size_t dimension : left_) require_place(dimension);
         layout_.outer_dimensions.insert(layout_.outer_dimensions.end(), left_.begin(), left_.end());
         return std::move(layout_);
@@ -104,22 +115,63 @@ class Finder {
     }
     Fault fail(const std::string& message) const { return {spectrum().name, message}; }
 
-    /// Takes the dimension with such a name or with a coordinate of such a name.
+    /// The best of all variables; the first of equals.
+    template <typename Rank>
+    std::optional<std::size_t> best(Rank rank_of) const {
+        Candidate found;
+        for (std::size_t i = 0; i < content_.variables.size(); ++i) {
+            const int rank = rank_of(content_.variables[i]);
+            if (rank > found.rank) found = {i, rank};
+        }
+        return found.rank > 0 ? std::optional(found.variable) : std::nullopt;
+    }
+
+    /// Directional ones before the others.
+    std::size_t find_spectrum() const {
+        const auto found = best([&](const Variable& v) {
+            const int rank = spectrum_rank(v);
+            std::optional<std::size_t> unused;
+            if (rank == 0 || (rank == 1 && !find_axis(v, is_frequency, unused))) return 0;
+            unused.reset();
+            return rank + (find_axis(v, is_direction, unused) || is_ecmwf(v) ? 10 : 0);
+        });
+        if (found) return *found;
+        throw Fault(
+            "holds no wave spectrum: no variable efth, ef, d2fd or spectral_wave_density, none "
+            "whose standard_name is " +
+            std::string(kDirectional) + " or " + std::string(kOmnidirectional) +
+            ", and none over frequencies whose units are those of a spectral density");
+    }
+
+    /// The dimension of a variable that has such a name, or a coordinate of such a name.
     template <typename Test>
-    std::optional<std::size_t> take_axis(Test is_axis, std::optional<std::size_t>& coordinate) {
-        for (std::size_t k = 0; k < left_.size(); ++k) {
-            const std::size_t dimension = left_[k];
+    std::optional<std::size_t> find_axis(const Variable& variable, Test is_axis,
+                                         std::optional<std::size_t>& coordinate) const {
+        for (const std::size_t dimension : variable.dimensions) {
             for (std::size_t i = 0; i < content_.variables.size() && !coordinate; ++i) {
                 const Variable& v = content_.variables[i];
                 const bool along = v.dimensions == std::vector{dimension} && !v.is_text;
                 if (along && is_axis(v.name, standard_name(v))) coordinate = i;
             }
-            if (coordinate || is_axis(dimension_name(dimension), "")) {
-                left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(k));
-                return dimension;
-            }
+            if (coordinate || is_axis(dimension_name(dimension), "")) return dimension;
         }
         return std::nullopt;
+    }
+
+    /// Copernicus' files repeat the frequencies for each time.
+    std::optional<std::size_t> find_frequencies_of_records() const {
+        return best([&](const Variable& v) {
+            return !v.is_text && is_over_bins(v) && is_frequency(v.name, standard_name(v)) ? 1 : 0;
+        });
+    }
+
+    /// A variable over frequency and some of the dimensions that records are counted by.
+    bool is_over_bins(const Variable& v) const {
+        return has(v.dimensions, layout_.frequency_dimension) &&
+               std::all_of(v.dimensions.begin(), v.dimensions.end(), [&](std::size_t d) {
+                   return d == layout_.frequency_dimension || has(left_, d) ||
+                          has(layout_.outer_dimensions, d);
+               });
     }
 
     /// A variable over some of the dimensions that records are counted by.
@@ -131,19 +183,19 @@ class Finder {
 
     /// valid_time before time, which may be when the forecast began.
     void find_time() {
-        int best = 0;
-        for (std::size_t i = 0; i < content_.variables.size(); ++i) {
-            const Variable& v = content_.variables[i];
-            const int rank = v.name == "valid_time"       ? 3
-                             : standard_name(v) == "time" ? 2
-                             : v.name == "time"           ? 1
-                                                          : 0;
-            if (rank <= best || v.is_text || v.dimensions.size() > 1 || !describes_records(v)) {
-                continue;
-            }
-            best = rank;
-            layout_.time = i;
-        }
+        layout_.time = best([&](const Variable& v) {
+            if (v.is_text || v.dimensions.size() > 1 || !describes_records(v)) return 0;
+            const std::string plain = plain_name(v.name);
+            const int rank = plain == "validtime"                                       ? 4
+                             : standard_name(v) == "time"                               ? 3
+                             : among(plain, {"time", "wavetime", "timeindex", "times"}) ? 2
+                             : v.attribute("units").find(" since ") != std::string::npos &&
+                                     plain.find("time") != std::string::npos
+                                 ? 1
+                                 : 0;
+            // A time of each record says more than one of the file.
+            return rank == 0 ? 0 : 2 * rank + (v.dimensions.empty() ? 0 : 1);
+        });
         if (!layout_.time) return;
         for (const std::size_t dimension : content_.variables[*layout_.time].dimensions) {
             layout_.outer_dimensions.push_back(dimension);
@@ -151,54 +203,104 @@ class Finder {
         }
     }
 
-    std::optional<std::size_t> find_place(std::string_view standard, Words names) const {
-        std::optional<std::size_t> found;
-        for (std::size_t i = 0; i < content_.variables.size(); ++i) {
-            const Variable& v = content_.variables[i];
-            if (v.is_text || !describes_records(v)) continue;
-            if (standard_name(v) == standard) return i;
-            if (!found && among(v.name, names)) found = i;
+    /// A place may have dimensions of its own, of a single point or of one for each time.
+    std::optional<std::size_t> find_place(std::string_view standard, Words names) {
+        const auto found = best([&](const Variable& v) {
+            if (v.is_text) return 0;
+            const bool near = describes_records(v);
+            if (!near && !is_parallel(v)) return 0;
+            const int rank = standard_name(v) == standard       ? 2
+                             : among(plain_name(v.name), names) ? 1
+                                                                : 0;
+            return rank == 0 ? 0 : 2 * rank + (near ? 1 : 0);
+        });
+        if (!found) return found;
+        const Variable& v = content_.variables[*found];
+        if (!describes_records(v) && content_.dimensions[v.dimensions[0]].size > 1) {
+            layout_.parallel_dimensions.emplace_back(v.dimensions[0],
+                                                     layout_.outer_dimensions.front());
         }
         return found;
+    }
+    bool is_parallel(const Variable& v) const {
+        if (v.dimensions.size() != 1) return false;
+        const std::size_t dimension = v.dimensions[0];
+        const std::size_t size = content_.dimensions[dimension].size;
+        if (dimension == layout_.frequency_dimension || dimension == layout_.direction_dimension) {
+            return false;
+        }
+        return size == 1 || (!layout_.outer_dimensions.empty() &&
+                             size == content_.dimensions[layout_.outer_dimensions.front()].size);
     }
 
     /// Names as text before numbers.
     std::optional<std::size_t> find_station() const {
-        std::optional<std::size_t> found;
-        for (std::size_t i = 0; i < content_.variables.size(); ++i) {
-            const Variable& v = content_.variables[i];
-            const bool named = among(v.name, {"station_name", "station", "site", "station_id"}) ||
-                               v.attribute("cf_role") == "timeseries_id";
-            if (!named || !describes_records(v)) continue;
-            if (v.is_text) return i;
-            if (!found) found = i;
-        }
-        return found;
+        return best([&](const Variable& v) {
+            const bool named =
+                among(plain_name(v.name),
+                      {"stationname", "station", "site", "stationid", "metastationname",
+                       "platformcode", "gid", "buoyid", "spotterid"}) ||
+                v.attribute("cf_role") == "timeseries_id";
+            return named && describes_records(v) ? (v.is_text ? 2 : 1) : 0;
+        });
     }
 
-    std::optional<std::array<std::size_t, 4>> find_buoy_directions() const {
-        constexpr std::array<std::string_view, 4> kNames = {"mean_wave_dir", "principal_wave_dir",
-                                                            "wave_spectrum_r1", "wave_spectrum_r2"};
-        std::array<std::size_t, 4> found{};
-        for (std::size_t k = 0; k < kNames.size(); ++k) {
-            const auto at = std::find_if(
-                content_.variables.begin(), content_.variables.end(), [&](const Variable& v) {
-                    return v.name == kNames[k] && !v.is_text &&
-                           std::is_permutation(v.dimensions.begin(), v.dimensions.end(),
-                                               spectrum().dimensions.begin(),
-                                               spectrum().dimensions.end());
-                });
-            if (at == content_.variables.end()) return std::nullopt;
-            found[k] = static_cast<std::size_t>(at - content_.variables.begin());
+    std::optional<std::size_t> find_scale() const {
+        return best([&](const Variable& v) {
+            return v.name == "scale_" + spectrum().name && !v.is_text && describes_records(v) ? 1
+                                                                                              : 0;
+        });
+    }
+
+    void find_bins() {
+        for (std::size_t q = 0; q < kBinQuantities; ++q) {
+            layout_.bins[q] = best([&](const Variable& v) {
+                if (v.is_text || &v == &spectrum() || !is_over_bins(v)) return 0;
+                return bin_rank(static_cast<BinQuantity>(q), v.name, standard_name(v));
+            });
         }
-        return found;
+    }
+
+    /// Those that a variable names itself, and those that are named after it.
+    void find_flags() {
+        add_flags_of(layout_.spectrum);
+        for (const auto& bin : layout_.bins) {
+            if (bin) add_flags_of(*bin);
+        }
+    }
+    void add_flags_of(std::size_t judged) {
+        const Variable& variable = content_.variables[judged];
+        const std::string ancillary = " " + variable.attribute("ancillary_variables") + " ";
+        const std::string own = plain_name(variable.name);
+        const bool is_spectrum = judged == layout_.spectrum;
+        for (std::size_t i = 0; i < content_.variables.size(); ++i) {
+            const Variable& v = content_.variables[i];
+            const std::string plain = plain_name(v.name);
+            // Secondary flags say why, and count from another list.
+            if (v.is_text || plain.find("secondary") != std::string::npos) continue;
+            const bool named =
+                ancillary.find(" " + v.name + " ") != std::string::npos ||
+                among(plain, {own + "qc", own + "flag", own + "qcflag", own + "qualityflag"}) ||
+                (is_spectrum && among(plain, {"waveflagprimary", "wavefrequencyflagprimary",
+                                              "qcflage", "qcflagd", "qcflag", "timeqc"}));
+            const bool flag = plain.find("flag") != std::string::npos ||
+                              plain.find("qc") != std::string::npos ||
+                              !v.attribute("flag_meanings").empty();
+            if (named && flag && (describes_records(v) || is_over_bins(v))) {
+                layout_.flags.emplace_back(i, judged);
+            }
+        }
     }
 
     void require_place(std::size_t dimension) const {
         const auto& [name, size] = content_.dimensions[dimension];
         if (size <= 1) return;
-        if (among(name, {"site", "station", "points", "point", "location", "node", "lat", "lon",
-                         "latitude", "longitude"})) {
+        if (among(plain_name(name),
+                  {"site",     "sites",      "station",   "stations", "points", "point",
+                   "location", "locations",  "node",      "nodes",    "lat",    "lon",
+                   "latitude", "longitude",  "gid",       "x",        "y",      "xc",
+                   "yc",       "depth",      "run",       "buoy",     "buoys",  "platform",
+                   "spotter",  "trajectory", "instrument"})) {
             return;
         }
         for (const auto& place : {layout_.latitude, layout_.longitude, layout_.station}) {
@@ -221,10 +323,15 @@ bool is_ecmwf(const Variable& spectrum) {
 
 std::vector<std::size_t> Layout::variables() const {
     std::vector<std::size_t> all = {spectrum};
-    for (const auto& one : {frequency, direction, time, latitude, longitude, depth, station}) {
+    const auto add = [&](const std::optional<std::size_t>& one) {
         if (one && !has(all, *one)) all.push_back(*one);
+    };
+    for (const auto& one :
+         {frequency, direction, time, latitude, longitude, depth, station, scale}) {
+        add(one);
     }
-    if (buoy_directions) all.insert(all.end(), buoy_directions->begin(), buoy_directions->end());
+    for (const auto& one : bins) add(one);
+    for (const auto& [flag, judged] : flags) add(flag);
     return all;
 }
 

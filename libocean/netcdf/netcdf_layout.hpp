@@ -2,16 +2,34 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Which variable of a NetCDF file is the spectrum, and which are its coordinates: found by names,
-// standard names and dimensions, never by values, so that only what is needed has to be read.
+// standard names, units and dimensions, never by values, so that only what is needed has to be
+// read.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "netcdf_content.hpp"
 
 namespace ocean::netcdf {
+
+/// What files have beside a spectrum without directions, in each frequency.
+enum BinQuantity : std::size_t {
+    kA1,
+    kB1,
+    kA2,
+    kB2,  // moments
+    kMean,
+    kPrincipal,  // directions of the first and of the second moment
+    kR1,
+    kR2,  // ratios: the lengths of the moments
+    kSpread,
+    kPrincipalSpread,  // circular standard deviations of both
+    kBinQuantities
+};
+using BinVariables = std::array<std::optional<std::size_t>, kBinQuantities>;
 
 /// Indices of variables and dimensions of the content.
 struct Layout {
@@ -22,9 +40,13 @@ struct Layout {
     // Coordinates. ECMWF may leave out frequency and direction, which are indices there.
     std::optional<std::size_t> frequency, direction;
     std::optional<std::size_t> time, latitude, longitude, depth, station;
-    // What NDBC has beside a spectrum without directions, over the same dimensions: the mean and
-    // the principal direction, r1 and r2; all or none.
-    std::optional<std::array<std::size_t, 4>> buoy_directions;
+    // Dimensions of places that run along with time (first, second): positions of a buoy that
+    // drifts, as Copernicus' files have them.
+    std::vector<std::pair<std::size_t, std::size_t>> parallel_dimensions;
+    std::optional<std::size_t> scale;  // of densities, over outer dimensions: SWAN's
+    BinVariables bins;                 // over the frequency dimension and some of the outer ones
+    // Flags of quality: of records, of frequencies, or of both; with the variable that they judge.
+    std::vector<std::pair<std::size_t, std::size_t>> flags;
 
     /// Variables without repetition.
     std::vector<std::size_t> variables() const;

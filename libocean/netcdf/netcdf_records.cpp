@@ -8,61 +8,59 @@
 #include <cmath>
 #include <numeric>
 
+#include "bin_directions.hpp"
 #include "cf_units.hpp"
+#include "direction_sense.hpp"
+#include "names.hpp"
 #include "netcdf_layout.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/record_rules.hpp"
+#include "ocean/text.hpp"
+#include "quality_flags.hpp"
+#include "spectrum_axes.hpp"
 
 namespace ocean::netcdf {
 namespace {
 
 constexpr double kPerRadian = kPi / 180.0;  // m^2 s/rad in m^2/Hz/degree
-/// ECMWF's frequencies where the file has only their numbers: f_n = 0.03453 Hz * 1.1^(n - 1).
-constexpr double kFirstFrequency = 0.03453;
-constexpr double kFrequencyRatio = 1.1;
-
-/// Where a scale factor may put 360 degrees, and two digits r1 and r2.
-constexpr double kMaxDirection = 360.001;
-constexpr double kMaxRatio = 1.05;
 
 std::string shown(double value) {
     std::string digits = std::to_string(value);
     return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
 }
 
-/// 1, 2, 3 ..., or no coordinate at all: numbers of bins.
-bool are_numbers(const std::vector<double>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] != static_cast<double>(i + 1)) return false;
-    }
-    return true;
-}
-
-std::vector<double> numbers_to(std::size_t count) {
-    std::vector<double> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 1.0);
-    return numbers;
-}
+/// What the flags of one variable say in one record.
+struct Verdict {
+    std::string record_fault;  // if the whole record is bad
+    std::vector<bool> bad;     // by frequency of the file; empty where none is
+};
 
 class RecordMaker {
   public:
     explicit RecordMaker(const Content& content)
         : content_(content),
           layout_(find_layout(content)),
-          spectrum_(content.variables[layout_.spectrum]) {}
+          spectrum_(content.variables[layout_.spectrum]),
+          bins_(content, layout_) {}
 
     std::vector<SpectrumRecord> make() {
         if (spectrum_.values.empty()) throw fail("has no values");
+        axes_ = read_axes(content_, layout_);
+        for (const std::string& warning : axes_.warnings) warn(warning);
         read_units();
-        read_frequencies();
-        if (layout_.direction_dimension) read_directions();
         if (layout_.time) read_time_units();
+        for (const std::string& warning : bins_.warnings()) warn(warning);
+        for (const auto& [flag, judged] : layout_.flags) {
+            flags_.push_back({&content_.variables[flag], &content_.variables[judged],
+                              QualityFlags(content_.variables[flag])});
+        }
         std::vector<SpectrumRecord> records;
         // The point of the record among all dimensions of the content.
         std::vector<std::size_t> at(content_.dimensions.size(), 0);
         do {
+            for (const auto& [place, time] : layout_.parallel_dimensions) at[place] = at[time];
             gather(at);
             if (!has_values()) continue;
             if (records.size() == kMaxRecords) throw fail("more than 100000 records");
@@ -73,136 +71,75 @@ class RecordMaker {
     }
 
   private:
+    /// A variable of flags, the one that it judges, and what its flags mean.
+    struct Flags {
+        const Variable* flags;
+        const Variable* judged;
+        QualityFlags meaning;
+    };
+
     Fault fail(const std::string& message) const { return {spectrum_.name, message}; }
     const Variable* variable(const std::optional<std::size_t>& index) const {
         return index ? &content_.variables[*index] : nullptr;
     }
     std::size_t size(std::size_t dimension) const { return content_.dimensions[dimension].size; }
+    /// Of all records.
+    void warn(const std::string& warning) { warnings_.push_back(warning); }
 
     void read_units() {
         const std::string units = spectrum_.attribute("units");
         const bool directional = layout_.direction_dimension.has_value();
-        const Variable* direction = variable(layout_.direction);
-        using Angle = DensityUnits::Angle;
         if (is_ecmwf(spectrum_)) {
-            units_.angle = Angle::radian;
             if (!directional) throw fail("has no dimension of directions");
+            units_.factor = kPerRadian;
             return;
         }
-        // wavespectra's convention needs no attributes.
-        if (units.empty() && directional && direction != nullptr && direction->name == "dir") {
-            units_.angle = Angle::degree;
-            return;
-        }
-        const std::optional<DensityUnits> parsed = parse_density_units(units);
-        if (!parsed && !(units.empty() && !directional)) {
-            throw fail("units '" + text::printable(units) +
-                       "'; allowed: m2 s degree-1, m2 s rad-1, m2/Hz/deg and the like, without "
-                       "directions m2 s, m2/Hz");
-        }
-        if (parsed) units_ = *parsed;
-        if (directional != (units_.angle != Angle::none)) {
-            throw fail("units '" + text::printable(units) + "' of a spectrum " +
-                       (directional ? "over" : "without") + " directions");
-        }
+        if (units.empty()) return assume_units(directional);
+        units_ = parse_density_units(
+            units, directional ? DensityOver::frequency_and_direction : DensityOver::frequency);
+        if (!units_.fault.empty()) throw fail(units_.fault);
+        if (!axes_.angular_frequency || names_frequency(units, directional)) return;
+        units_.factor *= 2.0 * kPi;
+        warn("the density in '" + text::printable(units) +
+             "' over frequencies in rad/s is taken as one per rad/s");
     }
 
-    void read_frequencies() {
-        const std::size_t count = size(layout_.frequency_dimension);
-        if (count < 2) throw fail("has fewer than 2 frequencies");
-        if (count > kMaxFrequencies) throw fail("has more than 4096 frequencies");
-        const Variable* v = variable(layout_.frequency);
-        frequency_ = v != nullptr ? v->values : numbers_to(count);
-        if (is_ecmwf(spectrum_) && are_numbers(frequency_)) {
-            for (double& f : frequency_) f = kFirstFrequency * std::pow(kFrequencyRatio, f - 1.0);
-        } else if (v == nullptr) {
-            throw fail("has no variable with its frequencies");
-        } else {
-            check_frequencies(*v);
-        }
-        frequency_order_.resize(count);
-        std::iota(frequency_order_.begin(), frequency_order_.end(), std::size_t{0});
-        std::stable_sort(frequency_order_.begin(), frequency_order_.end(),
-                         [&](auto a, auto b) { return frequency_[a] < frequency_[b]; });
-        std::sort(frequency_.begin(), frequency_.end());
-        if (std::adjacent_find(frequency_.begin(), frequency_.end()) != frequency_.end()) {
-            throw Fault(v != nullptr ? v->name : spectrum_.name, "a frequency is there twice");
-        }
-    }
-
-    void check_frequencies(const Variable& v) const {
-        const std::string units = v.attribute("units");
-        for (const char* known :
-             {"", "Hz", "hz", "hertz", "Hertz", "s-1", "s**-1", "s^-1", "1/s"}) {
-            if (units != known) continue;
-            for (const double f : frequency_) {
-                if (f >= kMinFrequency && f <= kMaxFrequency) continue;
-                throw Fault(v.name, "a frequency of " + shown(f) +
-                                        "; allowed: " + std::string(kFrequencyRange));
-            }
-            return;
-        }
-        throw Fault(v.name, "units '" + text::printable(units) + "'; allowed: Hz, s-1");
-    }
-
-    void read_directions() {
-        const std::size_t count = size(*layout_.direction_dimension);
-        const Variable* v = variable(layout_.direction);
-        const std::string& name = v != nullptr ? v->name : spectrum_.name;
-        std::vector<double> degrees = v != nullptr ? v->values : numbers_to(count);
-        if (is_ecmwf(spectrum_) && are_numbers(degrees)) {
-            if (count != 12 && count != 24 && count != 36) {
-                throw Fault(name,
-                            std::to_string(count) + " numbered directions; ECMWF has 12, 24 or 36");
-            }
-            const double step = 360.0 / static_cast<double>(count);
-            for (double& d : degrees) d = step * (d - 0.5);
-        } else if (v == nullptr) {
-            throw fail("has no variable with its directions");
-        } else {
-            to_degrees(*v, degrees);
-        }
-        if (const std::string fault = DirectionAxis::fault(degrees); !fault.empty()) {
-            throw Fault(name, fault);
-        }
-        // A sector gets two directions more.
-        if (frequency_.size() * (count + 2) > kMaxDirectionalValues) {
-            throw fail("more than 131072 values over frequency and direction");
-        }
-        axis_.emplace(degrees, convention());
-    }
-
-    static void to_degrees(const Variable& v, std::vector<double>& values) {
-        const std::string units = v.attribute("units");
-        if (units.empty() || units.starts_with("deg")) return;
-        if (!units.starts_with("rad")) {
-            throw Fault(v.name, "units '" + text::printable(units) + "'; allowed: degree, radian");
-        }
-        for (double& value : values) value *= 180.0 / kPi;
-    }
-
-    DirectionConvention convention() const {
-        const Variable* v = variable(layout_.direction);
-        if (v != nullptr) {
-            for (const char* key : {"standard_name", "long_name"}) {
-                std::string words = v->attribute(key);
-                std::replace(words.begin(), words.end(), ' ', '_');
-                if (words.find("to_direction") != std::string::npos) {
-                    return DirectionConvention::to_nautical;
-                }
-                if (words.find("from_direction") != std::string::npos) {
-                    return DirectionConvention::from_nautical;
-                }
+    /// Whether units say what the frequency is: Hz, or one angle more than the directions have.
+    static bool names_frequency(const std::string& units, bool directional) {
+        const std::string plain = lower_case(units);
+        if (plain.find('h') != std::string::npos) return true;  // Hz, hertz, cph
+        std::size_t angles = plain.find("-2") != std::string::npos ? 1 : 0;
+        for (const std::string_view angle : {"rad", "deg"}) {
+            for (std::size_t at = 0; (at = plain.find(angle, at)) != std::string::npos; ++at) {
+                ++angles;
             }
         }
-        const bool travel = is_ecmwf(spectrum_) || (v != nullptr && v->name == "direction");
-        return travel ? DirectionConvention::to_nautical : DirectionConvention::from_nautical;
+        return angles > (directional ? 1u : 0u);
+    }
+
+    /// wavespectra's convention needs no attributes.
+    void assume_units(bool directional) {
+        const Variable* direction = variable(layout_.direction);
+        units_.factor = directional && axes_.radian_bins ? kPerRadian : 1.0;
+        if (directional && direction != nullptr && direction->name == "dir") return;
+        warn(text::printable(spectrum_.name) + " has no unit: m2/Hz" +
+             (!directional        ? ""
+              : axes_.radian_bins ? "/rad"
+                                  : "/degree") +
+             " is taken");
     }
 
     void read_time_units() {
         const Variable& v = *variable(layout_.time);
         std::string calendar = v.attribute("calendar");
-        for (char& c : calendar) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        calendar = lower_case(calendar);
+        // SWAN calls the usual calendar so: its seconds are those since 1970.
+        if (calendar == "julian") {
+            if (!is_swan(content_, spectrum_)) {
+                warn("the calendar 'julian' is taken as the usual one, as SWAN means it");
+            }
+            calendar.clear();
+        }
         if (!calendar.empty() && calendar != "standard" && calendar != "gregorian" &&
             calendar != "proleptic_gregorian") {
             throw Fault(v.name, "calendar '" + text::printable(calendar) +
@@ -218,20 +155,6 @@ class RecordMaker {
         time_units_ = *parsed;
     }
 
-    /// Of an element, and of a step along a dimension. A variable of the content has few enough
-    /// values that neither overflows.
-    std::size_t offset(const Variable& v, const std::vector<std::size_t>& at) const {
-        std::size_t result = 0;
-        for (const std::size_t d : v.dimensions) result = result * size(d) + at[d];
-        return result;
-    }
-    std::size_t stride(const Variable& v, std::size_t dimension) const {
-        std::size_t result = 1;
-        for (std::size_t k = v.dimensions.size(); v.dimensions[k - 1] != dimension; --k) {
-            result *= size(v.dimensions[k - 1]);
-        }
-        return result;
-    }
     bool advance(std::vector<std::size_t>& at) const {
         for (std::size_t k = layout_.outer_dimensions.size(); k-- > 0;) {
             const std::size_t d = layout_.outer_dimensions[k];
@@ -243,13 +166,13 @@ class RecordMaker {
 
     /// The spectrum at a point into gathered_: [frequency, ascending][direction, as in the file].
     void gather(const std::vector<std::size_t>& at) {
-        const std::size_t origin = offset(spectrum_, at);
-        const std::size_t row = stride(spectrum_, layout_.frequency_dimension);
+        const std::size_t origin = offset(content_, spectrum_, at);
+        const std::size_t row = stride(content_, spectrum_, layout_.frequency_dimension);
         const auto& direction = layout_.direction_dimension;
-        const std::size_t step = direction ? stride(spectrum_, *direction) : 0;
+        const std::size_t step = direction ? stride(content_, spectrum_, *direction) : 0;
         const std::size_t width = direction ? size(*direction) : 1;
         gathered_.clear();
-        for (const std::size_t i : frequency_order_) {
+        for (const std::size_t i : axes_.frequency_order) {
             for (std::size_t j = 0; j < width; ++j) {
                 gathered_.push_back(spectrum_.values[origin + i * row + j * step]);
             }
@@ -260,48 +183,151 @@ class RecordMaker {
         const auto missing = std::count_if(gathered_.begin(), gathered_.end(),
                                            [](double value) { return std::isnan(value); });
         const std::size_t present = gathered_.size() - static_cast<std::size_t>(missing);
-        return present >= (axis_ ? 1u : 2u);
+        return present >= (axes_.directions ? 1u : 2u);
     }
 
+    /// Of a record that cannot be used, time and place alone.
     SpectrumRecord record(const std::vector<std::size_t>& at) {
         SpectrumRecord result;
-        describe(result, at);
-        for (double& value : gathered_) value = density(value, result);
-        if (axis_) {
-            using Angle = DensityUnits::Angle;
-            result.frequency = frequency_;
-            axis_->fill(result, gathered_, units_.angle == Angle::radian ? kPerRadian : 1.0);
-        } else {
-            for (std::size_t i = 0; i < frequency_.size(); ++i) {
-                if (std::isnan(gathered_[i])) continue;  // as if the bin were not there
-                result.frequency.push_back(frequency_[i]);
-                result.density.push_back(gathered_[i]);
-                if (layout_.buoy_directions) append_directions(result, at, i);
-            }
-            drop_unknown_moments(result);
+        try {
+            describe(result, at);
+            result.warnings = warnings_;
+            fill(result, at);
+            clean_record(result);
+            const std::string fault = record_fault(result);
+            if (!fault.empty()) throw fail(label(result) + fault);
+        } catch (const Fault& fault) {
+            SpectrumRecord bad;
+            bad.station = result.station;
+            bad.time = result.time;
+            bad.latitude = result.latitude;
+            bad.longitude = result.longitude;
+            bad.depth = result.depth;
+            // A name out of the child may hold anything, a zero that ends what() too.
+            const std::string name = text::printable(fault.variable);
+            bad.fault = (name.empty() ? "" : name + ": ") + fault.message;
+            return bad;
         }
-        const std::string fault = record_fault(result);
-        if (!fault.empty()) throw fail(label(result) + fault);
+        if (result.warnings.size() > kMaxRecordWarnings) result.warnings.resize(kMaxRecordWarnings);
         return result;
     }
 
-    /// NDBC's four quantities of a bin: where waves come from, degrees clockwise from north, twice,
-    /// and two ratios.
-    void append_directions(SpectrumRecord& record, std::vector<std::size_t> at,
-                           std::size_t bin) const {
-        at[layout_.frequency_dimension] = frequency_order_[bin];
-        const auto value = [&](std::size_t k, double most) {
-            const Variable& v = content_.variables[(*layout_.buoy_directions)[k]];
-            const double read = value_at(&v, at);
-            if (std::isnan(read) || (read >= 0.0 && read <= most)) return read;
-            throw Fault(v.name, label(record) + shown(read) + "; allowed: 0 .. " +
-                                    std::to_string(std::lround(most)));
+    void fill(SpectrumRecord& result, std::vector<std::size_t> at) {
+        const Verdict verdict = judge(result, spectrum_, at);
+        if (!verdict.record_fault.empty()) throw Fault(verdict.record_fault);
+        const double scale = layout_.scale ? value_at(variable(layout_.scale), at) : 1.0;
+        if (std::isnan(scale))
+            throw Fault(variable(layout_.scale)->name, label(result) + "is missing");
+        for (double& value : gathered_) value = density(value * scale, result);
+        require_noise_only(result);
+        if (axes_.directions) return fill_directions(result, verdict);
+
+        std::vector<std::pair<const Variable*, Verdict>> bin_verdicts;
+        for (const auto& bin : layout_.bins) {
+            if (const Variable* v = variable(bin))
+                bin_verdicts.emplace_back(v, judge(result, *v, at));
+        }
+        const auto value_of = [&](const Variable& v) {
+            for (const auto& [judged, said] : bin_verdicts) {
+                const bool bad = judged == &v &&
+                                 (!said.record_fault.empty() ||
+                                  (!said.bad.empty() && said.bad[at[layout_.frequency_dimension]]));
+                if (bad) return kMissing;
+            }
+            return v.values[offset(content_, v, at)];
         };
-        const auto travel = [&](std::size_t k) {
-            return travel_direction(value(k, kMaxDirection), DirectionConvention::from_nautical);
-        };
-        const auto ratio = [&](std::size_t k) { return std::min(value(k, kMaxRatio), 1.0); };
-        append_mean_and_principal(record, travel(0), travel(1), ratio(2), ratio(3));
+        for (std::size_t i = 0; i < axes_.frequency.size(); ++i) {
+            const std::size_t band = axes_.frequency_order[i];
+            const bool bad = !verdict.bad.empty() && verdict.bad[band];
+            if (std::isnan(gathered_[i]) || bad) continue;  // as if the bin were not there
+            result.frequency.push_back(axes_.frequency[i]);
+            result.density.push_back(gathered_[i] * units_.factor);
+            at[layout_.frequency_dimension] = band;
+            try {
+                bins_.append(result, value_of);
+            } catch (const Fault& fault) {
+                throw Fault(fault.variable, label(result) + fault.message);
+            }
+        }
+        drop_unknown_moments(result);
+    }
+
+    /// Estimators leave densities a little below 0, which clean_record takes for noise.
+    void require_noise_only(const SpectrumRecord& record) const {
+        double least = 0.0;
+        double most = 0.0;
+        for (const double value : gathered_) {
+            least = std::min(least, value);  // which a NaN is not
+            most = std::max(most, value);
+        }
+        if (least >= -kMostNoise * most) return;
+        throw fail(label(record) + "a density of " + shown(least) +
+                   "; allowed: 0 .. 1e6 m^2/Hz/degree");
+    }
+
+    void fill_directions(SpectrumRecord& result, const Verdict& verdict) {
+        if (verdict.bad.empty()) {
+            result.frequency = axes_.frequency;
+        } else {
+            const std::size_t width = gathered_.size() / axes_.frequency.size();
+            std::vector<double> good;
+            for (std::size_t i = 0; i < axes_.frequency.size(); ++i) {
+                if (verdict.bad[axes_.frequency_order[i]]) continue;
+                const auto row = gathered_.begin() + static_cast<std::ptrdiff_t>(i * width);
+                good.insert(good.end(), row, row + static_cast<std::ptrdiff_t>(width));
+                result.frequency.push_back(axes_.frequency[i]);
+            }
+            gathered_ = std::move(good);
+        }
+        axes_.directions->fill(result, gathered_, units_.factor);
+    }
+
+    /// What the flags of a variable say; warns of those of the spectrum.
+    Verdict judge(SpectrumRecord& result, const Variable& judged,
+                  std::vector<std::size_t> at) const {
+        Verdict verdict;
+        for (const Flags& flags : flags_) {
+            if (flags.judged != &judged) continue;
+            const std::vector<std::size_t>& over = flags.flags->dimensions;
+            const bool by_frequency =
+                std::find(over.begin(), over.end(), layout_.frequency_dimension) != over.end();
+            const std::size_t count = by_frequency ? axes_.frequency.size() : 1;
+            std::size_t bad = 0;
+            std::size_t doubtful = 0;
+            for (std::size_t k = 0; k < count; ++k) {
+                at[layout_.frequency_dimension] = k;
+                const double flag = flags.flags->values[offset(content_, *flags.flags, at)];
+                const Quality quality = flags.meaning.quality(flag);
+                doubtful += quality == Quality::doubtful ? 1 : 0;
+                if (quality != Quality::bad) continue;
+                ++bad;
+                if (!by_frequency) {
+                    verdict.record_fault = text::printable(flags.flags->name) + ": " +
+                                           label(result) + "its flag is " + shortest_text(flag) +
+                                           ", bad";
+                    continue;
+                }
+                verdict.bad.resize(count);
+                verdict.bad[k] = true;
+            }
+            if (&judged != &spectrum_) continue;
+            const std::string name = text::printable(flags.flags->name);
+            const std::string bands =
+                by_frequency ? " of " + std::to_string(count) + " frequencies" : "";
+            if (by_frequency && bad > 0) {
+                result.warnings.push_back(std::to_string(bad) + bands + " are flagged as bad by " +
+                                          name + ": they are left out");
+            }
+            if (by_frequency && doubtful > 0) {
+                result.warnings.push_back(std::to_string(doubtful) + bands +
+                                          " are flagged as doubtful by " + name +
+                                          ": they are taken as they are");
+            } else if (doubtful > 0) {
+                result.warnings.push_back("the record is flagged as doubtful by " + name +
+                                          ": it is taken as it is");
+            }
+        }
+        return verdict;
     }
 
     static std::string label(const SpectrumRecord& record) {
@@ -313,13 +339,13 @@ class RecordMaker {
         if (is_ecmwf(spectrum_)) value = std::pow(10.0, value);
         // The offset keeps zeros finite in the file; rounding may fall below it.
         if (units_.log10) value = std::max(std::pow(10.0, value) - 1e-12, 0.0);
-        if (std::isnan(value) || (value >= 0.0 && value <= 1e8)) return value;
+        if (std::isnan(value) || std::abs(value) <= 1e8) return value;
         throw fail(label(record) + "a density of " + shown(value) +
                    "; allowed: 0 .. 1e6 m^2/Hz/degree");
     }
 
     double value_at(const Variable* v, const std::vector<std::size_t>& at) const {
-        return v == nullptr ? kMissing : v->values[offset(*v, at)];
+        return v == nullptr ? kMissing : v->values[offset(content_, *v, at)];
     }
 
     void describe(SpectrumRecord& record, const std::vector<std::size_t>& at) const {
@@ -344,11 +370,21 @@ class RecordMaker {
                                  " .. " + std::to_string(std::lround(high)));
     }
 
+    /// The station of all records, as attributes of the file have it.
+    std::string file_station() const {
+        for (const char* key : {"station", "platform_code", "wmo_platform_code", "site_code",
+                                "station_id", "cdip_station_id", "station_name", "wmo_id"}) {
+            const auto found = content_.attributes.find(key);
+            if (found != content_.attributes.end()) return text::printable(found->second);
+        }
+        return "";
+    }
+
     /// Numbers are names where there are no others.
     std::string station(const std::vector<std::size_t>& at) const {
         const Variable* v = variable(layout_.station);
-        if (v == nullptr) return "";
-        if (v->is_text) return text::printable(v->texts[offset(*v, at)]);
+        if (v == nullptr) return file_station();
+        if (v->is_text) return text::printable(v->texts[offset(content_, *v, at)]);
         const double number = value_at(v, at);
         const bool whole = std::abs(number) < 1e9 && number == std::floor(number);
         return whole ? std::to_string(std::lround(number)) : "";
@@ -359,9 +395,10 @@ class RecordMaker {
     const Variable& spectrum_;
     DensityUnits units_;
     TimeUnits time_units_;
-    std::vector<double> frequency_;             // ascending
-    std::vector<std::size_t> frequency_order_;  // of the file, in that order
-    std::optional<DirectionAxis> axis_;
+    SpectrumAxes axes_;
+    BinDirections bins_;
+    std::vector<Flags> flags_;
+    std::vector<std::string> warnings_;
     std::vector<double> gathered_;
 };
 

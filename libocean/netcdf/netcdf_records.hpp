@@ -13,11 +13,9 @@
 namespace ocean::netcdf {
 
 /// Needs a consistent content: what decode gives. Times outermost; a time and place without any
-/// value is no record. Throws Fault.
-///
-/// A direction is where waves come from or travel to as its standard_name or long_name says. If
-/// they say nothing: `d2fd` and a coordinate named `direction` travel to (ECMWF, WAVEWATCH III),
-/// all others come from (wavespectra's `dir`).
+/// value is no record, one that cannot be used has its `fault`: "VARIABLE: what is wrong". What had
+/// to be assumed of the file is among the warnings of each record. Throws Fault for what concerns
+/// all records.
 std::vector<SpectrumRecord> records_from(const Content& content);
 
 }  // namespace ocean::netcdf

@@ -10,6 +10,7 @@
 #include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
+#include "ocean/record_rules.hpp"
 #ifdef OCEAN_HAVE_NETCDF
 #include "child_process.hpp"
 #include "netcdf_file.hpp"
@@ -71,7 +72,12 @@ std::vector<SpectrumRecord> read_netcdf_spectra(const std::string& path) {
     require_netcdf(path);
 #ifdef OCEAN_HAVE_NETCDF
     try {
-        return netcdf::records_from(read_content(path));
+        std::vector<SpectrumRecord> records = netcdf::records_from(read_content(path));
+        for (SpectrumRecord& record : records) {
+            if (!record.fault.empty()) record.fault = bad_file(path, record.fault).what();
+        }
+        require_readable(records);
+        return records;
     } catch (const netcdf::Fault& fault) {
         throw bad_file(path, fault.what());
     } catch (const netcdf::ChildFailure& failure) {

@@ -13,7 +13,6 @@ namespace ocean::netcdf {
 namespace {
 
 enum class Kind : std::uint64_t { content = 0x6f6365616e01, fault = 0x6f6365616e02 };
-constexpr std::uint64_t kMaxAttributes = 64;
 
 class Writer {
   public:
@@ -24,15 +23,18 @@ class Writer {
         count(part.size());
         sink_(part.data(), part.size());
     }
+    void attributes(const std::map<std::string, std::string>& all) {
+        count(all.size());
+        for (const auto& [key, value] : all) {
+            text(key);
+            text(value);
+        }
+    }
     void variable(const Variable& v) {
         text(v.name);
         count(v.dimensions.size());
         for (const std::size_t d : v.dimensions) count(d);
-        count(v.attributes.size());
-        for (const auto& [key, value] : v.attributes) {
-            text(key);
-            text(value);
-        }
+        attributes(v.attributes);
         count(v.is_text ? 1 : 0);
         count(v.is_text ? v.texts.size() : v.values.size());
         for (const std::string& t : v.texts) text(t);
@@ -58,6 +60,14 @@ class Reader {
         bytes(result.data(), result.size());
         return result;
     }
+    std::map<std::string, std::string> attributes() {
+        std::map<std::string, std::string> all;
+        for (std::uint64_t left = count(kMaxAttributes); left > 0; --left) {
+            std::string key = text();
+            all[std::move(key)] = text();
+        }
+        return all;
+    }
     Variable variable(const std::vector<Dimension>& dimensions) {
         Variable v;
         v.name = text();
@@ -70,10 +80,7 @@ class Reader {
             if (size != 0 && factor > kMaxValues / size) throw WireError();
             size *= factor;
         }
-        for (std::uint64_t left = count(kMaxAttributes); left > 0; --left) {
-            std::string key = text();
-            v.attributes[std::move(key)] = text();
-        }
+        v.attributes = attributes();
         v.is_text = count(1) == 1;
         if (size > values_left_ || count(size) != size) throw WireError();
         values_left_ -= size;
@@ -108,6 +115,7 @@ class Reader {
 void encode(const Content& content, const Sink& sink) {
     Writer writer(sink);
     writer.count(static_cast<std::uint64_t>(Kind::content));
+    writer.attributes(content.attributes);
     writer.count(content.dimensions.size());
     for (const Dimension& dimension : content.dimensions) {
         writer.text(dimension.name);
@@ -129,6 +137,7 @@ Content decode(const Source& source) {
     if (kind == static_cast<std::uint64_t>(Kind::fault)) throw Fault(reader.text());
     if (kind != static_cast<std::uint64_t>(Kind::content)) throw WireError();
     Content content;
+    content.attributes = reader.attributes();
     for (std::uint64_t left = reader.count(kMaxDimensions); left > 0; --left) {
         std::string name = reader.text();
         content.dimensions.push_back({std::move(name), reader.count(UINT64_MAX)});

@@ -186,15 +186,16 @@ const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
         candidates = position ? at_position(candidates, *position, file)
                               : at_station(candidates, choice.place, file);
     }
+    const auto other =
+        std::find_if(candidates.begin(), candidates.end(),
+                     [](const SpectrumRecord* record) { return record->fault.empty(); });
+    // Without a time, the first that can be used.
+    if (choice.time.empty() && other != candidates.end()) return **other;
     const SpectrumRecord& chosen =
         choice.time.empty() ? *candidates.front() : at_time(candidates, choice.time, file);
     if (chosen.fault.empty()) return chosen;
-    const auto other =
-        std::find_if(candidates.begin(), candidates.end(), [](const SpectrumRecord* record) {
-            return record->fault.empty() && !record->time.empty();
-        });
     throw Error(ErrorKind::bad_file,
-                chosen.fault + (other != candidates.end()
+                chosen.fault + (other != candidates.end() && !(*other)->time.empty()
                                     ? "; a record that can be read is that of " + (*other)->time
                                     : std::string()));
 }

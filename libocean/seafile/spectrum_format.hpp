@@ -45,7 +45,8 @@ extern const SpectrumFormat kDatawell;        // formats/datawell.cpp
 extern const SpectrumFormat kTriaxys;         // formats/triaxys.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
-/// Reads by one format. The file must hold a spectrum without a fault; others have theirs in `fault`.
+/// Reads by one format. The file must hold a spectrum without a fault; others have theirs in
+/// `fault`.
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
 /// read_spectra on content that is in memory already.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);

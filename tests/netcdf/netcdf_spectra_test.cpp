@@ -20,6 +20,7 @@
 #include "../temporary_folder.hpp"
 #include "cf_units.hpp"
 #include "child_process.hpp"
+#include "contents.hpp"
 #include "netcdf_layout.hpp"
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
@@ -34,67 +35,6 @@ namespace ocean::netcdf {
 namespace {
 
 using test::TemporaryFolder;
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t points(const Content& content, const Variable& v) {
-    std::size_t count = 1;
-    for (const std::size_t d : v.dimensions) count *= content.dimensions[d].size;
-    return count;
-}
-
-std::string fault_of(const Content& content) {
-    try {
-        records_from(content);
-    } catch (const Fault& fault) {
-        return fault.what();
-    }
-    return "";
-}
-
-Variable& find(Content& content, const std::string& name) {
-    for (Variable& v : content.variables) {
-        if (v.name == name) return v;
-    }
-    throw std::out_of_range(name);
-}
-
-Variable numbers(const std::string& name, std::vector<std::size_t> dimensions,
-                 std::map<std::string, std::string> attributes, std::vector<double> values) {
-    return {name, std::move(dimensions), std::move(attributes), false, std::move(values), {}};
-}
-
-/// wavespectra's: two times, two sites, two frequencies, four directions; value
-/// t*1000+s*100+f*10+d.
-Content wavespectra() {
-    Content content;
-    content.dimensions = {{"time", 2}, {"site", 2}, {"freq", 2}, {"dir", 4}};
-    std::vector<double> values;
-    for (int i = 0; i < 32; ++i) {
-        values.push_back(i / 16 * 1000 + i / 8 % 2 * 100 + i / 4 % 2 * 10 + i % 4);
-    }
-    content.variables = {
-        numbers("efth", {0, 1, 2, 3}, {{"units", "m2 s degree-1"}}, values),
-        numbers("time", {0}, {{"units", "hours since 2020-02-28 22:00:00"}}, {0.0, 3.0}),
-        numbers("lat", {1}, {}, {-38.0, 50.0}),
-        numbers("lon", {1}, {}, {174.0, -3.0}),
-        numbers("dpt", {1}, {}, {55.0, 60.0}),
-        numbers("freq", {2}, {{"units", "Hz"}}, {0.1, 0.2}),
-        numbers("dir", {3}, {{"units", "degree"}}, {0.0, 90.0, 180.0, 270.0}),
-    };
-    return content;
-}
-
-/// The value of a record in the bin of waves that come from `from`.
-double value_from(const SpectrumRecord& record, std::size_t frequency, double from) {
-    const double travel = std::fmod(630.0 - from, 360.0);
-    for (std::size_t j = 0; j < record.direction.size(); ++j) {
-        if (std::abs(record.direction[j] - travel) < 1e-9) {
-            return record.directional_density[frequency * record.direction.size() + j];
-        }
-    }
-    return kMissing;
-}
 
 TEST(NetcdfRecords, ARecordForEachTimeAndPlaceTimesOutermost) {
     const std::vector<SpectrumRecord> records = records_from(wavespectra());
@@ -136,7 +76,7 @@ TEST(NetcdfRecords, UnitsPerRadianAreConverted) {
 
 TEST(NetcdfRecords, DirectionsComeFromOrTravelToAsTheFileSays) {
     const auto first_travels_to = [](const std::string& name, const std::string& key,
-                                     const std::string& words) {
+                                     const std::string& words, std::size_t warnings = 0) {
         Content content = wavespectra();
         Variable& dir = find(content, "dir");
         dir.name = name;
@@ -145,6 +85,7 @@ TEST(NetcdfRecords, DirectionsComeFromOrTravelToAsTheFileSays) {
         Variable& efth = find(content, "efth");
         for (std::size_t i = 0; i < 32; ++i) efth.values[i] = i % 4 == 0 ? 1.0 : 0.0;
         const SpectrumRecord record = records_from(content).front();
+        EXPECT_EQ(record.warnings.size(), warnings) << name << key << words;
         for (std::size_t j = 0; j < 4; ++j) {
             if (record.directional_density[j] > 0.0) return record.direction[j];
         }
@@ -152,7 +93,7 @@ TEST(NetcdfRecords, DirectionsComeFromOrTravelToAsTheFileSays) {
     };
     // 30 degrees: travelling north-north-east is 60 degrees from east, coming from there 240.
     EXPECT_EQ(first_travels_to("dir", "", ""), 240.0) << "wavespectra's default";
-    EXPECT_EQ(first_travels_to("direction", "", ""), 60.0) << "WAVEWATCH III's default";
+    EXPECT_EQ(first_travels_to("direction", "", "", 1), 240.0) << "with a warning";
     const std::string from = "sea_surface_wave_from_direction";
     const std::string to = "sea_surface_wave_to_direction";
     EXPECT_EQ(first_travels_to("direction", "standard_name", from), 240.0);
@@ -277,11 +218,10 @@ TEST(NetcdfRecords, DirectionsOfABuoyMayBeMissingInABinOrAltogether) {
         EXPECT_NEAR(bin.a1[0], 0.9, 1e-12) << name;
         find(content, name).values.assign(3, kMissing);
         EXPECT_FALSE(records_from(content).front().has_moments()) << name;
-        find(content, name).name = "x";
-        EXPECT_FALSE(records_from(content).front().has_moments()) << name;
-        find(content, "x").name = name;
-        find(content, name).dimensions = {0, 1, 2};
-        EXPECT_FALSE(records_from(content).front().has_moments()) << name;
+        find(content, name).dimensions = {0, 2, 3};
+        find(content, name).values.assign(1, 200.0);
+        const bool mean = name == std::string("mean_wave_dir");
+        EXPECT_EQ(records_from(content).front().has_moments(), !mean) << "not over frequency";
     }
     Content content = ndbc();
     find(content, "spectral_wave_density").values[0] = kMissing;
@@ -319,12 +259,17 @@ TEST(NetcdfRecords, PlacesMayMoveAndStationsHaveNames) {
 TEST(NetcdfRecords, BrokenContentsAreRefusedAndNamed) {
     using Break = std::function<void(Content&)>;
     const std::pair<Break, std::string> broken[] = {
-        {[](Content& c) { find(c, "efth").values[5] = -1.0; }, "efth: record 2020-02-28T22:00"},
+        {[](Content& c) { find(c, "efth").values[5] = -50.0; }, "efth: record 2020-02-28T22:00"},
         {[](Content& c) { find(c, "efth").values[5] = 1e300; }, "a density of 1"},
         {[](Content& c) { find(c, "efth").values[5] = HUGE_VAL; }, "a density of inf"},
         {[](Content& c) { find(c, "efth").attributes["units"] = "m2"; }, "efth: units 'm2'"},
-        {[](Content& c) { find(c, "efth").attributes["units"] = "m2 s"; }, "over directions"},
-        {[](Content& c) { find(c, "efth").name = "hs"; }, "holds no wave spectrum"},
+        {[](Content& c) { find(c, "efth").attributes["units"] = "m2 s"; },
+         "efth: units 'm2 s': m^2 s is no unit of a density over frequency and direction"},
+        {[](Content& c) {
+             find(c, "efth").attributes["units"] = "m";
+             find(c, "efth").name = "hs";
+         },
+         "holds no wave spectrum"},
         {[](Content& c) {
              find(c, "efth").dimensions = {0, 0, 2, 3};
          },
@@ -333,7 +278,7 @@ TEST(NetcdfRecords, BrokenContentsAreRefusedAndNamed) {
         {[](Content& c) {
              find(c, "freq").values = {0.0, 0.2};
          },
-         "freq: a frequency of 0.0"},
+         "at least 2 frequencies"},
         {[](Content& c) {
              find(c, "freq").values = {0.2, 0.2};
          },
@@ -342,8 +287,8 @@ TEST(NetcdfRecords, BrokenContentsAreRefusedAndNamed) {
              find(c, "freq").values = {0.2, kMissing};
          },
          "freq: a frequency of"},
-        {[](Content& c) { find(c, "freq").attributes["units"] = "rad/s"; }, "freq: units 'rad/s'"},
-        {[](Content& c) { find(c, "freq").name = "f"; }, "no variable with its frequencies"},
+        {[](Content& c) { find(c, "freq").attributes["units"] = "m"; }, "freq: units 'm'"},
+        {[](Content& c) { find(c, "freq").name = "fr"; }, "no variable with its frequencies"},
         {[](Content& c) { find(c, "dir").values[1] = 0.0; }, "dir: a direction is there twice"},
         {[](Content& c) { find(c, "dir").values[1] = 1e9; }, "dir: a direction is not"},
         {[](Content& c) { find(c, "dir").attributes["units"] = "m"; }, "dir: units 'm'"},
@@ -385,32 +330,20 @@ TEST(NetcdfRecords, CountsAreBounded) {
     EXPECT_NE(fault_of(content).find("more than 4096"), std::string::npos);
 }
 
-TEST(CfUnits, DensitiesAreRecognisedInManySpellings) {
-    using Angle = DensityUnits::Angle;
-    const std::pair<const char*, Angle> known[] = {
-        {"m^{2}.s.degree^{-1}", Angle::degree},
-        {"m2 s degree-1", Angle::degree},
-        {"m2/Hz/deg", Angle::degree},
-        {"m^2/(Hz deg)", Angle::degree},
-        {"m**2 s radian**-1", Angle::radian},
-        {"m2 s rad-1", Angle::radian},
-        {"m2 Hz-1 rad-1", Angle::radian},
-        {"m2 degree-1 s", Angle::degree},
-        {"m2 s", Angle::none},
-        {"m^2/Hz", Angle::none},
-        {"m2 Hz-1", Angle::none},
-        {"m**2 s", Angle::none},
-        {"(meter * meter)/Hz", Angle::none},
-    };
-    for (const auto& [units, angle] : known) {
-        const auto parsed = parse_density_units(units);
-        ASSERT_TRUE(parsed) << units;
-        EXPECT_EQ(parsed->angle, angle) << units;
-        EXPECT_FALSE(parsed->log10) << units;
-    }
-    for (const char* other : {"", "m", "m2", "cm2 s", "m2 s deg", "m2 s-1", "J/m2", "m2/Hz/degx",
-                              "m2 s degree-1 rad-1", "log10(m2 s rad-1)", "m2 hz"}) {
-        EXPECT_FALSE(parse_density_units(other)) << other;
+TEST(CfUnits, DensitiesMayBeLogarithms) {
+    const DensityUnits plain = parse_density_units("m2/Hz", DensityOver::frequency);
+    EXPECT_EQ(plain.fault, "");
+    EXPECT_FALSE(plain.log10);
+    EXPECT_EQ(plain.factor, 1.0);
+    const DensityUnits packed =
+        parse_density_units("log10(m2 s rad-1 +1E-12)", DensityOver::frequency_and_direction);
+    EXPECT_EQ(packed.fault, "");
+    EXPECT_TRUE(packed.log10);
+    EXPECT_DOUBLE_EQ(packed.factor, kDegree);
+    for (const char* other : {"", "m2", "log10(m2 s rad-1)", "log10(m2 s rad-1 +1E-6)", "log10(",
+                              "log10(+1e-12)", "log10(m2 +1E-12)"}) {
+        EXPECT_NE(parse_density_units(other, DensityOver::frequency_and_direction).fault, "")
+            << other;
     }
 }
 
@@ -600,6 +533,9 @@ void check(int status) {
 void write_file(const std::string& path, const Content& content, int kind) {
     int file = 0;
     check(nc_create(path.c_str(), kind, &file));
+    for (const auto& [key, value] : content.attributes) {
+        check(nc_put_att_text(file, NC_GLOBAL, key.c_str(), value.size(), value.data()));
+    }
     std::vector<int> dimensions;
     for (const Dimension& d : content.dimensions) {
         check(nc_def_dim(file, d.name.c_str(), d.size, &dimensions.emplace_back()));
@@ -700,6 +636,63 @@ TEST(NetcdfSpectra, PackedValuesAreUnpackedAndFillValuesMissing) {
     const std::vector<SpectrumRecord> records = read_netcdf_spectra(folder.file("era5"));
     ASSERT_EQ(records.size(), 1u);
     EXPECT_NEAR(value_from(records[0], 3, 277.5), std::pow(10.0, 0.5) * kDegree, 1e-12);
+}
+
+TEST(NetcdfSpectra, AttributesOfTheFileAndNumbersOfFlagsReachTheReader) {
+    const TemporaryFolder folder;
+    Content content = wavespectra();
+    find(content, "dir").name = "direction";
+    content.attributes["wave_direction_convention"] = "going to";
+    content.attributes["history"] = std::string(5000, 'x');
+    content.variables.push_back(
+        numbers("efth_QC", {0}, {{"flag_meanings", "fine bad"}}, {7.0, 6.0}));
+    const std::string path = folder.file("flags");
+    write_file(path, content, NC_NETCDF4);
+    int file = 0, variable = 0;
+    check(nc_open(path.c_str(), NC_WRITE, &file));
+    check(nc_inq_varid(file, "efth_QC", &variable));
+    const int values[] = {6, 7};
+    check(nc_put_att_int(file, variable, "flag_values", NC_INT, 2, values));
+    check(nc_close(file));
+    const std::vector<SpectrumRecord> records = read_netcdf_spectra(path);
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_EQ(records[0].fault, path + ": efth_QC: record 2020-02-28T22:00: its flag is 7, bad");
+    EXPECT_EQ(records[2].fault, "");
+    EXPECT_EQ(value_from(records[2], 0, 270.0), 1001.0) << "travelling to 90";
+    EXPECT_TRUE(records[2].warnings.empty());
+    check(nc_open(path.c_str(), NC_WRITE, &file));
+    const double bad[] = {7.0, 7.0};
+    check(nc_put_var_double(file, variable, bad));
+    check(nc_close(file));
+    EXPECT_EQ(error_of(path), records[0].fault) << "of a file without a good record";
+}
+
+TEST(NetcdfSpectra, ASpectrumMayLieInAGroupAndItsCoordinatesInTheFile) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("groups");
+    int file = 0, payload = 0, sensor = 0, dimensions[2], id = 0;
+    check(nc_create(path.c_str(), NC_NETCDF4, &file));
+    check(nc_def_dim(file, "time_wpm_20", 2, &dimensions[0]));
+    check(nc_def_dim(file, "wave_wpm", 3, &dimensions[1]));
+    check(nc_def_grp(file, "payload_1", &payload));
+    check(nc_def_grp(payload, "wave_sensor_1", &sensor));
+    const auto put = [&](int group, const char* name, int rank, const int* over, const char* units,
+                         std::vector<double> values) {
+        check(nc_def_var(group, name, NC_DOUBLE, rank, over, &id));
+        check(nc_put_att_text(group, id, "units", std::strlen(units), units));
+        check(nc_put_var_double(group, id, values.data()));
+    };
+    put(file, "time_wpm_20", 1, &dimensions[0], "seconds since 1970-01-01", {0.0, 3600.0});
+    put(file, "wave_wpm", 1, &dimensions[1], "Hz", {0.1, 0.2, 0.3});
+    put(sensor, "c11", 2, dimensions, "m2/Hz", {1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
+    put(sensor, "alpha1", 2, dimensions, "degrees_true", std::vector<double>(6, 270.0));
+    put(sensor, "r1", 2, dimensions, "percent", std::vector<double>(6, 80.0));
+    check(nc_close(file));
+    const std::vector<SpectrumRecord> records = read_netcdf_spectra(path);
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_EQ(records[1].time, "1970-01-01T01:00");
+    EXPECT_EQ(records[1].density, (std::vector<double>{4.0, 5.0, 6.0}));
+    EXPECT_NEAR(records[1].a1[2], 0.8, 1e-12) << "from the west, to the east";
 }
 
 TEST(NetcdfSpectra, CharactersComeBeforeOrAfterTheirStations) {

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Directions beside a spectrum without directions: which of the quantities that a NetCDF file has
+// in each frequency are taken, in which convention, and the moments that they give.
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "direction_sense.hpp"
+#include "netcdf_layout.hpp"
+#include "ocean/spectrum_record.hpp"
+
+namespace ocean::netcdf {
+
+class BinDirections {
+  public:
+    /// Takes the first of these that is whole: four moments, two directions and two ratios, two
+    /// directions and two spreads, the first moment, a direction and a ratio, a direction and a
+    /// spread, a direction.
+    BinDirections(const Content& content, const Layout& layout);
+
+    bool exist() const { return source_ != Source::none; }
+    /// What had to be assumed, for all records.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+    /// Gives a variable's value in a frequency of a record; NaN where it is missing.
+    using ValueOf = std::function<double(const Variable&)>;
+    /// Appends the moments of one frequency. Throws Fault for values that are none.
+    void append(SpectrumRecord& record, const ValueOf& value_of) const;
+
+  private:
+    enum class Source {
+        none,
+        moments,
+        directions_and_ratios,
+        directions_and_spreads,
+        first_moment,
+        direction_and_ratio,
+        direction_and_spread,
+        direction,
+    };
+    void find_moment_sense(const Content& content, const Variable& spectrum);
+    void find_direction_sense(const Content& content, const Variable& spectrum);
+    void find_units();
+    bool mean_follows(const DirectionSense& moments) const;
+
+    bool has(std::initializer_list<BinQuantity> quantities) const;
+    double ratio(BinQuantity quantity, const ValueOf& value_of) const;
+    double direction(BinQuantity quantity, const ValueOf& value_of) const;
+    double spread_ratio(BinQuantity quantity, const ValueOf& value_of) const;
+    std::complex<double> moment(BinQuantity a, BinQuantity b, const ValueOf& value_of) const;
+
+    std::array<const Variable*, kBinQuantities> variable_{};
+    std::array<double, kBinQuantities> scale_{};  // to degrees, or to ratios
+    Source source_ = Source::none;
+    DirectionSense moment_sense_, direction_sense_;
+    std::vector<std::string> warnings_;
+};
+
+/// What brings values of a variable of directions or spreads to degrees. Throws Fault.
+double degrees_per_unit(const Variable& variable);
+
+}  // namespace ocean::netcdf

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Names of variables and attributes, which every writer spells in its own way.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace ocean::netcdf {
+
+using Words = std::initializer_list<std::string_view>;
+
+inline bool among(std::string_view word, Words words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+inline std::string lower_case(std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    return out;
+}
+
+/// Small letters and digits alone: waveA1Value, wave_a1_value and WAVE A1 VALUE are one.
+inline std::string plain_name(std::string_view name) {
+    std::string plain = lower_case(name);
+    std::erase_if(plain, [](char c) { return c == '_' || c == '-' || c == ' ' || c == '.'; });
+    return plain;
+}
+
+}  // namespace ocean::netcdf
