@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <span>
 
 #include "measured_record.hpp"
 #include "measured_record_reader.hpp"
@@ -315,8 +316,17 @@ void load_record(WaveSystem& system, const std::string& base_dir, const Spectrum
     }
     const std::string file = text::to_utf8(utf8_path(base_dir) / utf8_path(system.file));
     const std::vector<SpectrumRecord> records = reader(file);
-    system.measured =
-        std::make_shared<const SpectrumRecord>(choose_record(records, choice_of(system), file));
+    const SpectrumRecord& chosen = choose_record(records, choice_of(system), file);
+    SpectrumRecord record = chosen;
+    const auto passed_over = std::span(records.data(), &chosen);
+    const bool one_is_bad = std::ranges::any_of(passed_over, [&](const SpectrumRecord& before) {
+        return !before.fault.empty() && before.station == chosen.station;
+    });
+    if (system.record.empty() && one_is_bad) {
+        record.warnings.push_back("is of " + record.time +
+                                  ": an earlier record cannot be read (`ocean records` says why)");
+    }
+    system.measured = std::make_shared<const SpectrumRecord>(std::move(record));
 }
 
 }  // namespace
