@@ -5,13 +5,201 @@
 #include "ocean/csv_rows.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace ocean::csv {
+namespace {
+
+constexpr std::string_view kBlanks = " \t";
+constexpr std::size_t kMaxNumberBytes = 64;
+
+char lower_case(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool is_separator(char c, char separator) {
+    return c == separator || (separator == ' ' && c == '\t');
+}
+
+/// The end of the text in quotes that begins `text`; npos if it is not closed. "" within a text
+/// ends and begins it.
+std::size_t quoted_end(std::string_view text) {
+    std::size_t end = 0;
+    while (end < text.size() && text[end] == '"') {
+        end = text.find('"', end + 1);
+        if (end == std::string_view::npos) return end;
+        ++end;
+    }
+    return end;
+}
+
+std::optional<std::string_view> unquoted(std::string_view cell) {
+    if (!cell.starts_with('"')) return cell;
+    if (cell.size() < 2 || !cell.ends_with('"')) return std::nullopt;
+    return cell.substr(1, cell.size() - 2);
+}
+
+/// Splits a line as split() does, into `fields`; false if a quote is not closed.
+bool split_into(std::vector<std::string_view>& fields, std::string_view line, char separator,
+                std::size_t limit) {
+    fields.clear();
+    if (separator == ' ') line = trimmed(line);
+    while (fields.size() <= limit) {
+        const std::string_view blanks = separator == ' ' ? kBlanks : " ";
+        const std::size_t start = std::min(line.find_first_not_of(blanks), line.size());
+        std::size_t end = start;
+        if (end < line.size() && line[end] == '"') {
+            const std::size_t length = quoted_end(line.substr(start));
+            if (length == std::string_view::npos) return false;
+            end += length;
+        }
+        end = separator == ' ' ? line.find_first_of(kBlanks, end) : line.find(separator, end);
+        const auto field = unquoted(trimmed(line.substr(start, end - start)));
+        if (!field) return false;
+        fields.push_back(*field);
+        if (end == std::string_view::npos) break;
+        line.remove_prefix(end + 1);
+    }
+    return true;
+}
+
+/// Splits a header line, where brackets hold a unit: separators within them do not count, and after
+/// a blank they belong to the title before them. Nothing if a quote is not closed.
+std::optional<std::vector<std::string_view>> split_header(std::string_view line, char separator) {
+    std::vector<std::string_view> titles;
+    line = separator == ' ' ? trimmed(line) : line;
+    const std::string_view blanks = separator == ' ' ? kBlanks : " ";
+    while (titles.size() <= TableReader::kMaxColumns) {
+        const std::size_t start = std::min(line.find_first_not_of(blanks), line.size());
+        std::size_t end = start;
+        if (end < line.size() && line[end] == '"') {
+            const std::size_t length = quoted_end(line.substr(start));
+            if (length == std::string_view::npos) return std::nullopt;
+            end += length;
+        }
+        for (; end < line.size(); ++end) {
+            if (line[end] == '(' || line[end] == '[') {
+                const std::size_t close = line.find(line[end] == '(' ? ')' : ']', end);
+                if (close != std::string_view::npos) end = close;
+            } else if (is_separator(line[end], separator)) {
+                const std::size_t next = line.find_first_not_of(kBlanks, end);
+                const bool unit = separator == ' ' && next != std::string_view::npos &&
+                                  (line[next] == '(' || line[next] == '[');
+                if (!unit) break;
+                end = next - 1;
+            }
+        }
+        const auto title = unquoted(trimmed(line.substr(start, end - start)));
+        if (!title) return std::nullopt;
+        titles.push_back(*title);
+        if (end >= line.size()) break;
+        line.remove_prefix(end + 1);
+    }
+    return titles;
+}
+
+struct Separators {
+    char chosen = ',';
+    char rival = '\0';  // suits as well
+};
+
+/// Chooses from those in the header line the one that gives the first row as many cells as the
+/// header line has titles; without such a row the first of tab, semicolon, comma, else blanks.
+Separators separators_of(std::string_view header, std::string_view row) {
+    const auto suits = [&](char c, std::size_t titles) {
+        const auto cells = split(row, c, TableReader::kMaxColumns);
+        return cells && cells->size() == titles;
+    };
+    std::vector<char> present;
+    std::vector<char> suitable;
+    for (const char c : {'\t', ';', ','}) {
+        if (header.find(c) == std::string_view::npos) continue;
+        const auto titles = split_header(header, c);
+        if (titles && titles->size() == 1) continue;  // it stands within brackets or quotes alone
+        present.push_back(c);
+        if (titles && suits(c, titles->size())) suitable.push_back(c);
+    }
+    if (suitable.size() > 1) return {suitable[0], suitable[1]};
+    if (suitable.size() == 1) return {suitable[0]};
+    if (present.empty() || present[0] == '\t') {  // several tabs and blanks may align the columns
+        const auto titles = split_header(header, ' ');
+        const bool several = titles && titles->size() > 1;
+        if (several && (present.empty() || suits(' ', titles->size()))) return {' '};
+    }
+    return {present.empty() ? ',' : present[0]};
+}
+
+/// "sep=;", by which Excel tells its separator.
+std::optional<char> told_separator(std::string_view line) {
+    line = trimmed(line);
+    if (line.size() == 5 && lower_case(line[0]) == 's' && lower_case(line[1]) == 'e' &&
+        lower_case(line[2]) == 'p' && line[3] == '=') {
+        return line[4];
+    }
+    return std::nullopt;
+}
+
+std::string name_of(char separator) {
+    if (separator == '\t') return "a tab";
+    if (separator == ';') return "a semicolon";
+    return separator == ',' ? "a comma" : "a blank";
+}
+
+void append_utf8(std::string& text, std::uint32_t code) {
+    const auto byte = [&](std::uint32_t bits) { text += static_cast<char>(bits); };
+    if (code < 0x80) return byte(code);
+    if (code < 0x800) {
+        byte(0xC0 | code >> 6);
+    } else {
+        if (code < 0x10000) {
+            byte(0xE0 | code >> 12);
+        } else {
+            byte(0xF0 | code >> 18);
+            byte(0x80 | (code >> 12 & 0x3F));
+        }
+        byte(0x80 | (code >> 6 & 0x3F));
+    }
+    byte(0x80 | (code & 0x3F));
+}
+
+std::string from_utf16(std::string_view bytes, bool big_endian) {
+    const auto unit = [&](std::size_t i) -> std::uint32_t {
+        const auto first = static_cast<std::uint8_t>(bytes[2 * i]);
+        const auto second = static_cast<std::uint8_t>(bytes[2 * i + 1]);
+        return big_endian ? first << 8 | second : second << 8 | first;
+    };
+    std::string text;
+    text.reserve(bytes.size() / 2 + bytes.size() / 16);
+    const std::size_t count = bytes.size() / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint32_t code = unit(i);
+        const bool high = code >= 0xD800 && code < 0xDC00;
+        const std::uint32_t low = high && i + 1 < count ? unit(i + 1) : 0;
+        if (low >= 0xDC00 && low < 0xE000) {
+            code = 0x10000 + ((code - 0xD800) << 10 | (low - 0xDC00));
+            ++i;
+        } else if (code >= 0xD800 && code < 0xE000) {
+            code = 0xFFFD;
+        }
+        append_utf8(text, code);
+    }
+    if (bytes.size() % 2 != 0) append_utf8(text, 0xFFFD);
+    return text;
+}
+
+/// A comma that may separate thousands: 1,500 and 12,345,678, but neither 0,500 nor 1500,250.
+bool may_separate_thousands(std::string_view number) {
+    if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
+    const std::size_t comma = number.find(',');
+    return comma >= 1 && comma <= 3 && number[0] != '0' && number.size() == comma + 4;
+}
+
+}  // namespace
 
 std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-    return text.substr(0, text.find_last_not_of(" \t") + 1);
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
 bool next_row(LineReader& lines) {
@@ -24,21 +212,7 @@ bool next_row(LineReader& lines) {
 std::optional<std::vector<std::string_view>> split(std::string_view line, char separator,
                                                    std::size_t limit) {
     std::vector<std::string_view> fields;
-    while (fields.size() <= limit) {
-        const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
-        std::size_t end = start;
-        while (end < line.size() && line[end] == '"') {  // "" within a text ends and begins it
-            end = line.find('"', end + 1);
-            if (end == std::string_view::npos) return std::nullopt;
-            ++end;
-        }
-        end = line.find(separator, end);
-        const std::string_view field = trimmed(line.substr(start, end - start));
-        if (field.starts_with('"') && !field.ends_with('"')) return std::nullopt;
-        fields.push_back(field.starts_with('"') ? field.substr(1, field.size() - 2) : field);
-        if (end == std::string_view::npos) break;
-        line.remove_prefix(end + 1);
-    }
+    if (!split_into(fields, line, separator, limit)) return std::nullopt;
     return fields;
 }
 
@@ -47,6 +221,159 @@ std::vector<std::string_view> fields_of(const LineReader& lines, char separator,
     auto fields = split(lines.line(), separator, limit);
     if (!fields) throw lines.fail("a quote is not closed");
     return std::move(*fields);
+}
+
+std::optional<std::string> converted(std::string_view bytes) {
+    const bool little_mark = bytes.starts_with("\xFF\xFE");
+    const bool big_mark = bytes.starts_with("\xFE\xFF");
+    const bool wide = bytes.size() >= 2 && (bytes[0] == '\0') != (bytes[1] == '\0');
+    std::optional<std::string> text;
+    if (little_mark || big_mark) {
+        text = from_utf16(bytes.substr(2), big_mark);
+    } else if (wide) {
+        text = from_utf16(bytes, bytes[0] == '\0');
+    }
+    const std::string_view result = text ? std::string_view(*text) : bytes;
+    if (result.find('\n') == std::string_view::npos && result.find('\r') != result.npos) {
+        if (!text) text = std::string(bytes);
+        std::replace(text->begin(), text->end(), '\r', '\n');
+    }
+    return text;
+}
+
+Title parse_title(std::string_view cell) {
+    cell = cell.substr(0, 64);
+    const std::size_t open = cell.find_first_of("([");
+    Title title;
+    for (const char c : trimmed(cell.substr(0, open))) title.name += lower_case(c);
+    if (open == std::string_view::npos) return title;
+    const std::string_view unit = cell.substr(open + 1);
+    title.unit = unit.substr(0, unit.find_first_of(")]"));
+    if (title.unit.empty()) title.unit = "()";
+    return title;
+}
+
+TableReader::TableReader(std::string_view content, std::string_view name)
+    : storage_(converted(content).value_or("")),
+      name_(name),
+      lines_(storage_.empty() ? content : std::string_view(storage_), name) {
+    if (!next_row(lines_)) return;
+    const std::optional<char> told = told_separator(lines_.line());
+    if (told && !next_row(lines_)) return;
+    const std::string_view header = lines_.line();
+    LineReader ahead = lines_;
+    const std::string_view row = next_row(ahead) ? ahead.line() : std::string_view();
+    const Separators separators = told ? Separators{*told} : separators_of(header, row);
+    if (separators.rival != '\0') {
+        throw lines_.fail("what separates the cells is ambiguous: " + name_of(separators.chosen) +
+                          " and " + name_of(separators.rival) +
+                          " both give the first row a cell for each title");
+    }
+    separator_ = separators.chosen;
+    auto titles = split_header(header, separator_);
+    if (!titles) throw lines_.fail("a quote is not closed");
+    if (titles->size() > kMaxColumns) throw lines_.fail("more than the 10000 columns allowed");
+    titles_ = std::move(*titles);
+    if (has_row_names(header, row)) titles_.insert(titles_.begin(), std::string_view());
+}
+
+/// R and pandas write a column of row names without a title: the row has a cell more than the
+/// header line, and begins with a quote as that does, or without the blank that begins that.
+bool TableReader::has_row_names(std::string_view header, std::string_view row) const {
+    if (header.empty() || row.empty()) return false;
+    const bool quotes = header.front() == '"' && row.front() == '"';
+    const bool indent =
+        separator_ == ' ' && is_separator(header.front(), ' ') && !is_separator(row.front(), ' ');
+    if (!quotes && !indent) return false;
+    const auto cells = split(row, separator_, kMaxColumns);
+    return cells && cells->size() == titles_.size() + 1;
+}
+
+bool TableReader::next() {
+    if (!next_row(lines_)) {
+        check_commas();
+        return false;
+    }
+    if (!split_into(cells_, lines_.line(), separator_, titles_.size())) {
+        throw lines_.fail("a quote is not closed");
+    }
+    if (cells_.size() != titles_.size()) throw width_error();
+    return true;
+}
+
+Error TableReader::width_error() const {
+    const bool more = cells_.size() > titles_.size();
+    if (!more && lines_.cut_off()) return lines_.fail("the file ends within this line");
+    std::string message = (more ? "more" : "fewer") + std::string(" cells than the ") +
+                          std::to_string(titles_.size()) + " columns of the header line";
+    if (more && separator_ == ',') {
+        message += "; numbers with a decimal comma need semicolons or tabs between them";
+    }
+    return lines_.fail(message);
+}
+
+std::optional<double> TableReader::number(std::size_t column) {
+    const std::string_view word = cells_[column];
+    const std::size_t comma = word.find(',');
+    if (comma != std::string_view::npos) return comma_number(word, comma);
+    const std::optional<double> value = text::parse_number(word);
+    if ((point_line_ == 0 || comma_line_ != 0) && value &&
+        word.find('.') != std::string_view::npos) {
+        point_line_ = lines_.number();
+        check_marks(word);
+    }
+    return value;
+}
+
+std::optional<double> TableReader::comma_number(std::string_view word, std::size_t comma) {
+    if (word.size() > kMaxNumberBytes) return std::nullopt;
+    if (word.find_first_not_of("0123456789.,+-eE") == std::string_view::npos &&
+        word.find('.') != std::string_view::npos) {
+        throw lines_.fail("'" + std::string(word) +
+                          "' has a point and a comma: which of them is the decimal mark is "
+                          "ambiguous; write the number without separators of thousands");
+    }
+    std::string spelled(word);
+    spelled[comma] = '.';
+    const std::optional<double> value = text::parse_number(spelled);
+    if (!value) return std::nullopt;
+    if (comma_line_ == 0) first_comma_ = word;
+    if (comma_line_ == 0) comma_line_ = lines_.number();
+    only_thousands_ = only_thousands_ && may_separate_thousands(word);
+    check_marks(word);
+    return value;
+}
+
+void TableReader::check_marks(std::string_view word) const {
+    if (point_line_ == 0 || comma_line_ == 0) return;
+    const bool comma = word.find(',') != std::string_view::npos;
+    throw lines_.fail("the decimal mark is ambiguous: '" + std::string(word) + "' has a " +
+                      (comma ? "comma" : "point") + ", the number in line " +
+                      std::to_string(comma ? point_line_ : comma_line_) + " a " +
+                      (comma ? "point" : "comma"));
+}
+
+/// A list whose numbers stand between semicolons is of a program that writes decimal commas.
+void TableReader::check_commas() const {
+    if (separator_ == ';' || comma_line_ == 0 || !only_thousands_) return;
+    throw text::error_at(ErrorKind::bad_file, name_, comma_line_,
+                         "the comma of '" + first_comma_ +
+                             "' is ambiguous: it may separate decimals or thousands; write the "
+                             "numbers with points, or semicolons between them");
+}
+
+std::vector<std::string> titles_of(std::string_view content) {
+    const std::string storage = converted(content).value_or("");
+    LineReader lines(storage.empty() ? content : std::string_view(storage), "");
+    if (!next_row(lines)) return {};
+    const std::optional<char> told = told_separator(lines.line());
+    if (told && !next_row(lines)) return {};
+    LineReader ahead = lines;
+    const std::string_view row = next_row(ahead) ? ahead.line() : std::string_view();
+    const auto titles =
+        split_header(lines.line(), told ? *told : separators_of(lines.line(), row).chosen);
+    if (!titles) return {};
+    return {titles->begin(), titles->end()};
 }
 
 }  // namespace ocean::csv

@@ -9,7 +9,8 @@
 
 namespace ocean {
 
-/// Of `names` the one with the fewest edits from `word`; empty if all are far from it.
+/// Returns the one of `names` with the fewest edits from `word`: at most one for each three letters
+/// of the longer of both. Empty if all are farther.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace ocean

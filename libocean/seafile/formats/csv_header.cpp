@@ -75,24 +75,6 @@ std::string reduced(std::string_view unit) {
     return out;
 }
 
-/// "Density [m2/Hz]" in two parts.
-struct Title {
-    std::string name;  // in lower case
-    std::string unit;  // empty = none is named
-};
-
-Title parse_title(std::string_view field) {
-    field = field.substr(0, 64);
-    const std::size_t open = field.find_first_of("([");
-    Title title;
-    for (const char c : trimmed(field.substr(0, open))) title.name += lower_case(c);
-    if (open == std::string_view::npos) return title;
-    const std::string_view unit = field.substr(open + 1);
-    title.unit = unit.substr(0, unit.find_first_of(")]"));
-    if (title.unit.empty()) title.unit = "()";
-    return title;
-}
-
 Column column_named(std::string_view name) {
     return static_cast<Column>(std::find(std::begin(kNames), std::end(kNames), name) - kNames);
 }

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A hint names what was mistyped, and nothing where a word was not mistyped.
+#include "ocean/nearest_name.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace ocean {
+namespace {
+
+TEST(NearestName, NamesWhatWasMistypedAndNothingElse) {
+    constexpr std::array<std::string_view, 7> kNames = {"x",         "y",    "a1",  "name",
+                                                        "direction", "time", "west"};
+    constexpr std::pair<std::string_view, std::string_view> kHints[] = {
+        {"nmae", "name"},
+        {"names", "name"},
+        {"dirction", "direction"},
+        {"wset", "west"},
+        {"direction_to", "direction"},
+        // What the tables of others hold beside x and y, and what is no word.
+        {"", ""},
+        {"z", ""},
+        {"x?y", ""},
+        {"1,5", ""},
+        {"a", ""},
+        {"id", ""},
+        {"lon", ""},
+        {"lat", ""},
+        {"depth", ""},
+        {"station", ""},
+        {"foam", ""},
+        {"a3", ""},
+        {"u10", ""},
+        {"nam", "name"}};
+    for (const auto& [word, hint] : kHints) EXPECT_EQ(nearest_name(word, kNames), hint) << word;
+}
+
+}  // namespace
+}  // namespace ocean
