@@ -15,7 +15,7 @@ TEST(NearestName, NamesWhatWasMistypedAndNothingElse) {
     constexpr std::array<std::string_view, 7> kNames = {"x",         "y",    "a1",  "name",
                                                         "direction", "time", "west"};
     constexpr std::pair<std::string_view, std::string_view> kHints[] = {
-        {"nmae", "name"},
+        {"nome", "name"},
         {"names", "name"},
         {"dirction", "direction"},
         {"wset", "west"},
@@ -34,7 +34,7 @@ TEST(NearestName, NamesWhatWasMistypedAndNothingElse) {
         {"foam", ""},
         {"a3", ""},
         {"u10", ""},
-        {"nam", "name"}};
+        {"naame", "name"}};
     for (const auto& [word, hint] : kHints) EXPECT_EQ(nearest_name(word, kNames), hint) << word;
 }
 
