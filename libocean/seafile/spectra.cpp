@@ -19,7 +19,7 @@ namespace ocean {
 namespace {
 
 /// The first that recognises the content reads it; CSV, the least particular, comes last.
-constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kSpotterCsv,
+constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv,
                                  &kSpotterJson,  &kDatawell,       &kTriaxys,
                                  &kWavewatch,    &kSwan,           &kCsv};
 
