@@ -20,6 +20,7 @@ HEADER_OWNER = {
     "libocean.h": "capi",
     "ocean/checked_text.hpp": "seafile",
     "ocean/csv_rows.hpp": "seafile",
+    "ocean/density_units.hpp": "seafile",
     "ocean/directional_record.hpp": "seafile",
     "ocean/io.hpp": "io",
     "ocean/line_reader.hpp": "seafile",
