@@ -9,6 +9,7 @@
 
 #include "gzip.hpp"
 #include "ocean/checked_text.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -166,7 +167,10 @@ std::vector<SpectrumRecord> read_format(const SpectrumFormat& format,
     return records;
 }
 
-std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
+std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& original) {
+    const std::optional<std::string> converted = csv::converted(original.content);
+    const SpectrumSource source = {converted ? std::string_view(*converted) : original.content,
+                                   original.name, original.companion};
     const auto fail = [&](const std::string& message) {
         return text::error_at(ErrorKind::bad_file, source.name, 0, message);
     };

@@ -316,8 +316,8 @@ class SwanReader {
     /// All locations of one time. The file does not name them: behind one that cannot be read, the
     /// others are known to be at their places only if there are as many as there should be.
     void read_places(const std::string& time) {
-        if (iterations_) records_.clear();  // the last one is the result
-        const std::size_t begin = records_.size();
+        std::vector<SpectrumRecord> before;
+        if (iterations_) before.swap(records_);  // the last one is the result
         std::size_t found = 0;
         std::optional<std::size_t> first_fault;  // of records_
         for (std::size_t k = 0; k < places_.size(); ++k) {
@@ -356,7 +356,7 @@ class SwanReader {
             });
         }
         if (first_fault && found != places_.size()) distrust(*first_fault);
-        if (iterations_) tell_iteration(begin);
+        if (iterations_) tell_iteration(first_fault.has_value(), std::move(before));
     }
 
     void distrust(std::size_t first) {
@@ -367,13 +367,18 @@ class SwanReader {
         }
     }
 
-    void tell_iteration(std::size_t begin) {
+    /// Keeps the iteration before where the last one cannot be read as a whole.
+    void tell_iteration(bool bad, std::vector<SpectrumRecord> before) {
         if (iterations_read_ < 2) return;
-        for (std::size_t i = begin; i < records_.size(); ++i) {
-            records_[i].warnings = {"the file has " + std::to_string(iterations_read_) +
-                                    " iterations of one state: the last, number " + iteration_ +
-                                    ", is the result"};
-        }
+        const bool keep = bad && !before.empty() &&
+                          std::all_of(before.begin(), before.end(),
+                                      [](const SpectrumRecord& r) { return r.fault.empty(); });
+        const std::string warning =
+            "the file has " + std::to_string(iterations_read_) + " iterations of one state: " +
+            (keep ? "number " + iteration_ + " cannot be read whole, and the one before it is taken"
+                  : "the last, number " + iteration_ + ", is the result");
+        if (keep) records_ = std::move(before);
+        for (SpectrumRecord& record : records_) record.warnings = {warning};
     }
 
     /// False if there is no spectrum.
