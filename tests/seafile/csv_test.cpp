@@ -195,7 +195,7 @@ TEST(Csv, IsRecognisedByItsHeader) {
     EXPECT_FALSE(kCsv.recognises("the density, frequency and more\n"));
     EXPECT_FALSE(kCsv.recognises("density\n"));
     EXPECT_FALSE(kCsv.recognises("x,y\n"));
-    EXPECT_FALSE(kCsv.recognises(std::string("\xFF\xFE", 2) + std::string("f\0,\0", 4)));
+    EXPECT_FALSE(kCsv.recognises(std::string("\xFF\xFE", 2) + std::string("x\0,\0", 4)));
 }
 
 TEST(Csv, BrokenHeadersAreRefused) {
@@ -205,9 +205,9 @@ TEST(Csv, BrokenHeadersAreRefused) {
         {"frequency,station", "density is missing"},
         {"density,station", "frequency is missing"},
         {"frequency,density,density", "there twice"},
-        {"frequency (Hz),density (ft2/Hz)", "'ft2/Hz' of density is unknown; allowed: m2/Hz"},
-        {"frequency,density (m2/Hz/deg)", "allowed: m2/Hz, m2 s, m2 s/rad"},
-        {"frequency,direction,density (m2/Hz)", "allowed: m2/Hz/deg, m2/Hz/rad, m2 s/rad"},
+        {"frequency (Hz),density (bar/Hz)", "density: units 'bar/Hz'"},
+        {"frequency,density (m2/Hz/deg)", "is no unit of a density over frequency, like m2/Hz"},
+        {"frequency,direction,density (m2/Hz)", "over frequency and direction, like m2/Hz/deg"},
         {"frequency (kHz),density", "'kHz' of frequency"},
         {"frequency (rad/s),density", "over rad/s the density needs a unit"},
         {"frequency,density,direction,direction_to", "more than one of direction,"},
@@ -228,29 +228,31 @@ TEST(Csv, BrokenHeadersAreRefused) {
 
 TEST(Csv, BrokenRowsAreRefusedWithTheirLine) {
     const std::string head = "time,station,latitude,longitude,depth,frequency,density\n";
-    const std::string good = "2020-06-08T03:50,A,1,2,3,.1,1\n";
+    const std::string good = "2020-06-08T03:50,A,1,2,3,.1,1\n2020-06-08T03:50,A,1,2,3,.2,1\n";
     const std::pair<std::string, std::string> broken[] = {
         {"2020-06-08T03:50,A,1,2,3,.1,1\n", "frequency is there twice"},
-        {"2020-06-08T03:50,A,1,2,3,.2,-1\n", "the density '-1' is not within 0 .. 1e+06"},
+        {"2020-06-08T03:50,A,1,2,3,.3,-1\n", "the density of bin 3 is not within 0 .. 1e6"},
+        {"2020-06-08T03:50,A,1,2,3,.3,1e7\n", "the density '1e7' is not within 0 .. 1e+06"},
         {"2020-06-08T03:50,A,1,2,3,.2,inf\n", "'inf'"},
         {"2020-06-08T03:50,A,1,2,3,.2,x\n", "'x' is not a number"},
         {"2020-06-08T03:50,A,1,2,3,,1\n", "the frequency is missing"},
-        {"2020-06-08T03:50,A,1,2,3,0,1\n", "not within 1e-05 .. 100"},
-        {"2020-06-08T03:50,A,1,2,3,101,1\n", "within 1e-05 .. 100"},
+        {"2020-06-08T03:50,A,1,2,3,1e-9,1\n", "not within 1e-5 .. 100"},
+        {"2020-06-08T03:50,A,1,2,3,101,1\n", "the frequency '101' is not within 0 .. 100"},
         {"2020-06-08T03:50,A,91,2,3,.2,1\n", "the latitude '91'"},
         {"2020-06-08T03:50,A,1,361,3,.2,1\n", "the longitude '361'"},
         {"2020-06-08T03:50,A,1,2,-3,.2,1\n", "the depth '-3'"},
         {"2020-06-08T03:50,A,1,2,4,.2,1\n", "the depth differs"},
         {"20201345,A,1,2,3,.2,1\n", "'20201345' is not UTC"},
-        {"2020-06-08T03:50,A,1,2,3,.2,1,\n", "more fields"},
-        {"2020-06-08T03:50,A,1,2,3,.2\n", "fewer fields"},
+        {"2020-06-08T03:50,A,1,2,3,.2,1,\n", "more cells than the 7 columns"},
+        {"2020-06-08T03:50,A,1,2,3,.2\n", "fewer cells than the 7 columns"},
         {"2020-06-08T03:50,A,1,2", "the file ends within this line"},
         {"2020-06-08T03:50,\"A,1,2,3,.2,1\n", "quote"},
         {"2020-06-08T03:50,\"A\"x,1,2,3,.2,1\n", "quote"},
     };
     for (const auto& [line, words] : broken) {
-        const Refusal refusal = refusal_of([&, text = line] { read(head + good + text); });
-        EXPECT_TRUE(refusal.says("s.csv:3: ") && refusal.says(words)) << line << refusal.message;
+        const Refusal refusal =
+            first_fault_of([&, text = line] { return read(head + good + text); });
+        EXPECT_TRUE(refusal.says("s.csv:4: ") && refusal.says(words)) << line << refusal.message;
     }
 }
 

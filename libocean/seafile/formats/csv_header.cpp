@@ -118,6 +118,10 @@ bool is_row_index(std::string_view title) {
     return name.empty() || name == "index" || name.starts_with("unnamed:");
 }
 
+std::string_view mistyped_column(std::string_view title) {
+    return nearest_name(parse_title(title).name, kNames);
+}
+
 std::string unknown_column(std::string_view name) {
     const std::string_view nearest = nearest_name(name, kNames);
     std::string message = "unknown column '" + text::printable(name, 40) + "'";

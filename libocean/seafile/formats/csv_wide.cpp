@@ -20,7 +20,6 @@
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
 #include "ocean/density_units.hpp"
-#include "ocean/nearest_name.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::csv {
@@ -74,7 +73,8 @@ bool has_record_a_column(std::span<const std::string> titles) {
     if (first == titles.end()) return false;
     return (named || is_row_index(titles.front())) &&
            std::all_of(first, titles.end(), [](const std::string& title) {
-               return !is_row_index(title) && column_of(title) == kNone && is_density_name(title);
+               return !is_row_index(title) && column_of(title) == kNone &&
+                      is_density_name(title) && mistyped_column(title).empty();
            });
 }
 

@@ -73,8 +73,9 @@ bool begins_time(std::string_view line) {
 /// The bytes of a point's name, quotes included: what stands before the seven numbers.
 std::size_t name_bytes(std::string_view line) {
     for (const char quote : kQuotes) {
+        if (!line.starts_with(quote)) continue;
         const std::size_t last = line.rfind(quote);  // a name may contain quotes
-        if (line.starts_with(quote) && last > 0) return last + 1;
+        return last > 0 ? last + 1 : 0;
     }
     std::size_t end = line.size();
     for (std::size_t i = 0; i < kPointNumbers && end != std::string_view::npos && end > 0; ++i) {
