@@ -25,9 +25,9 @@ namespace ocean {
 namespace {
 
 /// The first that recognises the content reads it; CSV, the least particular, comes last.
-constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv,
-                                 &kSpotterJson,  &kDatawell,       &kTriaxys,
-                                 &kWavewatch,    &kSwan,           &kCsv};
+constexpr std::array kFormats = {
+    &kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv, &kSpotterJson, &kDatawell, &kTriaxys,
+    &kAwac, &kObscape, &kOctopus, &kWavewatch, &kSwan, &kCsv};
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/record_rules.hpp"
 #include "ocean/error.hpp"
+#include "ocean/record_rules.hpp"
 #include "ocean/spectrum_record.hpp"
 
 namespace ocean {
@@ -45,6 +45,9 @@ extern const SpectrumFormat kSpotterCsv;      // formats/spotter_csv.cpp
 extern const SpectrumFormat kSpotterJson;     // formats/spotter_json.cpp
 extern const SpectrumFormat kDatawell;        // formats/datawell.cpp
 extern const SpectrumFormat kTriaxys;         // formats/triaxys.cpp
+extern const SpectrumFormat kAwac;            // formats/awac.cpp
+extern const SpectrumFormat kObscape;         // formats/obscape.cpp
+extern const SpectrumFormat kOctopus;         // formats/octopus.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
 /// Calls `read`; the Error bad_file that it throws becomes the `fault`, "NAME:LINE: ...", of what it
