@@ -141,6 +141,8 @@ std::string sea_state_json(const SeaState& state) {
     JsonObject json(JsonLines{2});
     json.add("significant_wave_height", asked_resolved(state.significant_wave_height));
     json.add("peak_period", asked_resolved(state.peak_period));
+    json.add("energy_period", asked_resolved(state.energy_period));
+    json.add("mean_period", asked_resolved(state.mean_period));
     json.add("peak_wavelength", asked_resolved(state.peak_wavelength));
     json.add("mean_square_slope", asked_resolved(state.mean_square_slope));
     json.add("mean_direction", asked_resolved(state.mean_direction));
