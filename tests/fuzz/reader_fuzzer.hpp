@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What every reader of spectra must do with any bytes: give records that keep the promises of
-// record_fault, or throw one Error whose message is safe to print. Anything else is a finding.
+// record_fault or say why they do not, or throw one Error; all of it safe to print. Anything else is
+// a finding.
 // A form feed ends the file and begins the next of its companions.
 #pragma once
 
@@ -25,11 +26,28 @@ inline void require(bool condition) {
     if (!condition) std::abort();
 }
 
+inline void check_message(std::string_view message) {
+    require(!message.empty() && message.size() < 4096);
+    for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+}
+
 inline void check(const SpectrumRecord& record) {
+    require(record.warnings.size() <= kMaxRecordWarnings);
+    for (const std::string& warning : record.warnings) {
+        check_message(warning);
+        require(warning.size() <= kMaxRecordWarningBytes);
+    }
+    if (!record.fault.empty()) {
+        check_message(record.fault);
+        require(record.frequency.empty() && record.density.empty());
+        return;
+    }
     require(record_fault(record).empty());
     const RecordSummary summary = summarize(record);
     require(std::isfinite(summary.m0) && summary.m0 >= 0.0);
     require(std::isfinite(summary.peak_period) && summary.peak_period >= 0.0);
+    require(std::isfinite(summary.energy_period) && summary.energy_period >= 0.0);
+    require(std::isfinite(summary.mean_period) && summary.mean_period >= 0.0);
     require(std::isnan(summary.mean_direction) || std::abs(summary.mean_direction) < 4.0);
     require(std::isnan(summary.directional_spread) || summary.directional_spread < 1.5);
 }
@@ -37,13 +55,16 @@ inline void check(const SpectrumRecord& record) {
 inline void check_all(const std::vector<SpectrumRecord>& records) {
     for (const SpectrumRecord& record : records) check(record);
     records_json(records);
-    const RecordChoice choice{records.back().time, ""};
-    require(choose_record(records, choice, "fuzz").frequency.size() >= 2);
-}
-
-inline void check_message(std::string_view message) {
-    require(!message.empty() && message.size() < 4096);
-    for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
+    for (const std::string& warning : records_warnings(records)) check_message(warning);
+    const auto readable = [](const SpectrumRecord& record) { return record.fault.empty(); };
+    require(std::any_of(records.begin(), records.end(), readable));
+    try {
+        const RecordChoice choice{records.back().time, ""};
+        require(choose_record(records, choice, "fuzz").frequency.size() >= 2);
+    } catch (const Error& error) {
+        require(!std::all_of(records.begin(), records.end(), readable));
+        check_message(error.what());
+    }
 }
 
 /// `files`: the name of the file and of its companions, if its format has some.

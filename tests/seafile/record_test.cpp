@@ -194,6 +194,7 @@ TEST(RecordList, IsJsonWithEscapesAndNullForTheUnknown) {
               "[\n {\"time\": \"2020-06-08T03:50\", \"station\": \"a\\\"b\\\\c\\u000A?\", "
               "\"latitude\": null, \"longitude\": null, \"depth\": null, "
               "\"significant_wave_height\": 3.3466401061363027, \"peak_period\": 5, "
+              "\"energy_period\": 4.6428571428571415, \"mean_period\": 4, "
               "\"mean_direction\": null, \"coming_from\": null, \"directional_spread\": null, "
               "\"directions\": \"none\", \"frequencies\": 3, \"warnings\": []}\n]\n");
 }

@@ -326,5 +326,69 @@ TEST(SpotterJson, HostileNestingAndListsAreRefusedAtOnce) {
     for (const char c : garbage.message) EXPECT_GE(static_cast<unsigned char>(c), 0x20);
 }
 
+
+TEST(SpotterCsv, ARowThatCannotBeReadCostsNoOther) {
+    const std::vector<SpectrumRecord> records = read_csv(replaced(kCsvFile, ",2.5 ", ",inf "));
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_NE(records[0].fault.find("s.csv:2: 'inf' is not a number"), std::string::npos);
+    EXPECT_EQ(records[0].time, "2021-09-06T04:12");
+    EXPECT_TRUE(same_record(records[1], read_csv(kCsvFile)[1]));
+}
+
+TEST(SpotterJson, ListsOfBuoysAndOfSpectraAreRead) {
+    const SpectrumRecord alone = read_json(kJsonFile).front();
+    std::string other = kJsonFile;
+    other.replace(other.find("SPOT-0070"), 9, "SPOT-0071");
+    for (const std::string& content :
+         {"[" + kJsonFile + "," + other + "]", "{\"data\": [" + kJsonFile + "," + other + "]}"}) {
+        const std::vector<SpectrumRecord> records = read_json(content);
+        ASSERT_EQ(records.size(), 2u);
+        EXPECT_EQ(records[0].station, "SPOT-0070");
+        EXPECT_EQ(records[1].station, "SPOT-0071");
+        EXPECT_EQ(records[1].a1, alone.a1);
+    }
+    const std::vector<SpectrumRecord> bare =
+        read_json("[" + kJsonSpectrum + "," +
+                  replaced(kJsonSpectrum, "{", "{\"spotterId\": \"SPOT-0072\",") + "]");
+    ASSERT_EQ(bare.size(), 2u);
+    EXPECT_EQ(bare[0].station, "");
+    EXPECT_EQ(bare[0].density, alone.density);
+    EXPECT_EQ(bare[0].latitude, -61.0);
+    EXPECT_EQ(bare[1].station, "SPOT-0072");
+}
+
+TEST(SpotterJson, NanIsMissingAndOffsetsAreConverted) {
+    const SpectrumRecord record = read_json(replaced(kJsonFile, "[1.5, 2.5, 1]", "[1.5, NaN, 1]"))[0];
+    EXPECT_EQ(record.density, (std::vector<double>{1.5, 1.0}));
+    EXPECT_EQ(record.frequency, (std::vector<double>{0.1, 0.4}));
+    std::string named = replaced(kJsonFile, "SPOT-0070", "NaN \\\"NaN");
+    named = replaced(named, "[1.5, 2.5, 1]", "[1.5, NaN, 1]");
+    EXPECT_EQ(read_json(named)[0].station, "NaN \"NaN") << "within a text it is none";
+    EXPECT_EQ(read_json(replaced(kJsonFile, "00:27:19.000Z", "00:27:19+00:00"))[0].time,
+              "2018-02-14T00:27");
+    EXPECT_EQ(read_json(replaced(kJsonFile, "00:27:19.000Z", "00:27:19+13:00"))[0].time,
+              "2018-02-13T11:27");
+}
+
+TEST(SpotterJson, ASpectrumThatCannotBeReadCostsNoOther) {
+    const std::string two =
+        replaced(kJsonFile, kJsonSpectrum,
+                 replaced(kJsonSpectrum, "[1.5, 2.5, 1]", "[1.5, \"x\", 1]") + "," + kJsonSpectrum);
+    const std::vector<SpectrumRecord> records = read_json(two);
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_NE(records[0].fault.find("s.json:6: 'varianceDensity' has a text"), std::string::npos);
+    EXPECT_EQ(records[0].time, "2018-02-14T00:27");
+    EXPECT_EQ(records[1].station, "SPOT-0070");
+    EXPECT_EQ(records[1].fault, "");
+    const std::string cut = "{\"spotterId\": \"A\", \"frequencyData\": [" + kJsonSpectrum + "," +
+                            kJsonSpectrum.substr(0, 150);
+    const std::vector<SpectrumRecord> growing = read_json(cut);
+    ASSERT_EQ(growing.size(), 2u);
+    EXPECT_EQ(growing[0].station, "A");
+    EXPECT_EQ(growing[0].fault, "");
+    EXPECT_NE(growing[1].fault.find("the file ends where its JSON does not"), std::string::npos);
+    EXPECT_EQ(growing[1].time, "2018-02-14T00:27");
+}
+
 }  // namespace
 }  // namespace ocean::test

@@ -318,5 +318,84 @@ TEST(Swan, BrokenQuantitiesAreRefusedWithTheLine) {
     }
 }
 
+
+TEST(Swan, RealNumbersAreReadAsTheyAre) {
+    const std::string real = with("   1   2   3   4\n", " 1.5 2.5E0 0.35D+1 4.25\n");
+    EXPECT_EQ(read(real)[0].directional_density[0], 4.25 * 0.005) << "from the west, to the east";
+    const std::string repeated = with("   1   2   3   4\n", " 2*1.5 2*2.5\n");
+    EXPECT_EQ(read(repeated)[0].directional_density,
+              read(with("   1   2   3   4\n", " 1.5 1.5 2.5 2.5\n"))[0].directional_density);
+    EXPECT_TRUE(first_fault_of([] {
+                    return read(with("   1   2   3   4\n", " 3*1.5 2*2.5\n"));
+                }).says("s.spec:25: more numbers than the values of all directions"));
+}
+
+TEST(Swan, ActionTimesTheAngularFrequencyIsVariance) {
+    const SpectrumRecord variance = read(kFile)[0];
+    for (const char* unit : {"m2s/Hz/degr", "m2s/Hz/deg", "m2 s/Hz/degr", "m2*s/Hz/deg"}) {
+        std::string content = with("VaDens", "AcDens");
+        content.replace(content.find("m2/Hz/degr"), 10, unit);
+        const SpectrumRecord action = read(content)[0];
+        for (std::size_t i = 0; i < action.directional_density.size(); ++i) {
+            const double omega = 2.0 * std::numbers::pi * action.frequency[i / 4];
+            EXPECT_NEAR(action.directional_density[i], omega * variance.directional_density[i],
+                        1e-15);
+        }
+    }
+    std::string radians = with("m2/Hz/degr", "m2/Hz/rad");
+    EXPECT_NEAR(read(radians)[0].density[0], variance.density[0] * kDegree, 1e-15);
+    const std::string one_dimensional =
+        over_frequency("1\nAcDens\nm2s/Hz\n-99\n", "1\n2\n");
+    EXPECT_NEAR(read(one_dimensional)[0].density[1],
+                2.0 * 2.0 * std::numbers::pi * read(one_dimensional)[0].frequency[1], 1e-12);
+}
+
+TEST(Swan, OfIterationsTheLastIsTheResult) {
+    std::string content = with("TIME ", "ITER ");
+    content.replace(content.find("20161011.030059"), 15, "              7");
+    content.replace(content.find("20161011.060000"), 15, "              8");
+    const std::vector<SpectrumRecord> records = read(content);
+    ASSERT_EQ(records.size(), 1u) << "the others are NODATA";
+    EXPECT_EQ(records[0].time, "");
+    EXPECT_EQ(records[0].station, "pier head");
+    ASSERT_EQ(records[0].warnings.size(), 1u);
+    EXPECT_EQ(records[0].warnings[0],
+              "the file has 2 iterations of one state: the last, number 8, is the result");
+    const std::vector<SpectrumRecord> cut = read(content.substr(0, content.rfind("   5   6")));
+    ASSERT_EQ(cut.size(), 2u) << "of the iteration before";
+    EXPECT_EQ(cut[0].warnings[0], "the file has 2 iterations of one state: number 8 cannot be read "
+                                  "whole, and the one before it is taken");
+}
+
+TEST(Swan, AValueThatIsNoNumberCostsItsLocation) {
+    const std::vector<SpectrumRecord> records = read(with("   1   2   3   4\n", "   1   2 ***   4\n"));
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_NE(records[0].fault.find("s.spec:25: '***' is not a density"), std::string::npos);
+    EXPECT_EQ(records[0].longitude, 174.67);
+    EXPECT_EQ(records[1].fault, "");
+    EXPECT_EQ(records[1].longitude, 174.77) << "ZERO is the second's";
+    EXPECT_EQ(records[2].time, "2016-10-11T06:00");
+}
+
+TEST(Swan, BehindALostLocationThePlacesAreNotKnown) {
+    // The word of the first location is lost, so that ZERO would be taken for it.
+    const std::vector<SpectrumRecord> records = read(with("FACTOR\n    0.5D-02\n", "\n"));
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_NE(records[0].fault.find("where FACTOR, ZERO or NODATA should be"), std::string::npos);
+    EXPECT_EQ(records[1].fault, "") << "the file has as many as it should";
+    const std::vector<SpectrumRecord> fewer =
+        read(with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\n", "garbage\n"));
+    ASSERT_EQ(fewer.size(), 3u);
+    EXPECT_NE(fewer[0].fault.find("'garbage' where FACTOR"), std::string::npos);
+    EXPECT_EQ(fewer[1].fault, "") << "two words follow, for the second and third";
+    const std::vector<SpectrumRecord> lost =
+        read(with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\nZERO\nNODATA\n",
+                  "garbage\nZERO\n"));
+    ASSERT_EQ(lost.size(), 4u);
+    EXPECT_NE(lost[1].fault.find("the place of this one is not known"), std::string::npos);
+    EXPECT_NE(lost[2].fault.find("a time where location 3 of 3"), std::string::npos);
+    EXPECT_EQ(lost[3].fault, "");
+}
+
 }  // namespace
 }  // namespace ocean::test

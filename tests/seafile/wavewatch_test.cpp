@@ -218,5 +218,48 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
     }
 }
 
+
+TEST(Wavewatch, TextsMayHaveDoubleQuotesOrNone) {
+    const std::vector<SpectrumRecord> quoted = read(kFile);
+    for (const char* mark : {"\"", ""}) {
+        std::string content = kFile;
+        for (std::size_t at = 0; (at = content.find('\'', at)) != std::string::npos;) {
+            content.replace(at, 1, mark);
+        }
+        const std::vector<SpectrumRecord> records = read(content);
+        ASSERT_EQ(records.size(), quoted.size()) << mark;
+        for (std::size_t i = 0; i < records.size(); ++i) {
+            EXPECT_TRUE(same_record(records[i], quoted[i])) << mark << i;
+            EXPECT_EQ(records[i].directional_density, quoted[i].directional_density);
+        }
+    }
+    EXPECT_FALSE(kWavewatch.recognises("'WAVEWATCH III SPECTRA 2 4 2\n"));
+}
+
+TEST(Wavewatch, APointThatCannotBeReadCostsNoOther) {
+    const std::vector<SpectrumRecord> records = read(with("  0.300E+01", "  *********"));
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_NE(records[0].fault.find("p.spec:6: '*********' is not a density"), std::string::npos);
+    EXPECT_EQ(records[0].station, "A");
+    for (std::size_t i = 1; i < 4; ++i) {
+        EXPECT_TRUE(same_record(records[i], read(kFile)[i])) << i;
+    }
+    const std::vector<SpectrumRecord> cut = read(kFile.substr(0, kFile.size() - 4));
+    ASSERT_EQ(cut.size(), 4u) << "the file is growing";
+    EXPECT_NE(cut[3].fault.find("the file ends where a density should be"), std::string::npos);
+    EXPECT_EQ(cut[2].fault, "");
+    const std::vector<SpectrumRecord> time = read(with("20220912 060000", "2022091x 060000"));
+    ASSERT_EQ(time.size(), 3u);
+    EXPECT_NE(time[0].fault.find("p.spec:4: '2022091x' where a time"), std::string::npos);
+    EXPECT_EQ(time[1].time, "2022-09-12T07:30");
+}
+
+TEST(Wavewatch, NoiseBelowZeroIsTakenAsZero) {
+    const SpectrumRecord record = read(with("  0.300E+01", " -0.100E-02")).front();
+    EXPECT_EQ(record.fault, "");
+    ASSERT_EQ(record.warnings.size(), 1u);
+    EXPECT_NE(record.warnings[0].find("1 of 8 densities are below 0"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ocean::test
