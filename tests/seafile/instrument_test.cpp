@@ -154,7 +154,7 @@ std::vector<SpectrumRecord> read_obscape(const std::string& content) {
 }
 
 TEST(Obscape, AgreesWithWavespectra) {
-    const Judged judged[] = {{"2024-04-03T09:30", 0.0618, 21.811, 67.131, 3.244}};
+    const Judged judged[] = {{"2024-04-03T09:30", 0.062462, 21.811, 67.131, 3.244}};
     expect_judged(read_spectra(kData + "/spectra/obscape.csv"), judged, 0.01);
 }
 
