@@ -25,9 +25,10 @@ namespace ocean {
 namespace {
 
 /// The first that recognises the content reads it; CSV, the least particular, comes last.
-constexpr std::array kFormats = {
-    &kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv, &kSpotterJson, &kDatawell, &kTriaxys,
-    &kAwac, &kObscape, &kOctopus, &kWavewatch, &kSwan, &kCsv};
+constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv,
+                                 &kSpotterJson,  &kDatawell,       &kTriaxys,     &kAwac,
+                                 &kObscape,      &kOctopus,        &kWavewatch,   &kSwan,
+                                 &kCsv};
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;
@@ -203,10 +204,9 @@ const SpectrumFormat* format_of(std::string_view content) {
 }
 
 /// A member of an archive as a file of its own.
-std::vector<SpectrumRecord> read_member(const ArchiveMember& member, const SpectrumSource& archive,
-                                        const SpectrumFormat& format,
-                                        const std::function<std::optional<std::string>(
-                                            const std::string&)>& companion) {
+std::vector<SpectrumRecord> read_member(
+    const ArchiveMember& member, const SpectrumSource& archive, const SpectrumFormat& format,
+    const std::function<std::optional<std::string>(const std::string&)>& companion) {
     const std::string name = std::string(archive.name) + "/" + member.name;
     std::vector<SpectrumRecord> records;
     std::string fault;
@@ -253,9 +253,9 @@ std::vector<SpectrumRecord> read_archive(const SpectrumSource& source) {
         std::move(of_member.begin(), of_member.end(), std::back_inserter(records));
     }
     if (records.empty()) {
-        throw text::error_at(ErrorKind::bad_file, source.name, 0,
-                             "is an archive without a spectrum file of a known format; known: " +
-                                 known_formats());
+        throw text::error_at(
+            ErrorKind::bad_file, source.name, 0,
+            "is an archive without a spectrum file of a known format; known: " + known_formats());
     }
     require_readable(records);
     if (!cut_off.empty()) skipped.push_back(cut_off + " (cut off)");

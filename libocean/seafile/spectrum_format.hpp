@@ -50,8 +50,8 @@ extern const SpectrumFormat kObscape;         // formats/obscape.cpp
 extern const SpectrumFormat kOctopus;         // formats/octopus.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
-/// Calls `read`; the Error bad_file that it throws becomes the `fault`, "NAME:LINE: ...", of what it
-/// reads.
+/// Calls `read`; the Error bad_file that it throws becomes the `fault`, "NAME:LINE: ...", of what
+/// it reads.
 template <typename Read>
 void catch_fault(std::string& fault, const Read& read) {
     try {
@@ -62,7 +62,8 @@ void catch_fault(std::string& fault, const Read& read) {
     }
 }
 
-/// Reads by one format. The file must hold a spectrum without a fault; others have theirs in `fault`.
+/// Reads by one format. The file must hold a spectrum without a fault; others have theirs in
+/// `fault`.
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
 /// read_spectra on content that is in memory already.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);

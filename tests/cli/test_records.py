@@ -23,7 +23,18 @@ def test_a_line_for_each_record_under_a_header(ocean):
     assert header == ["time,", "UTC", "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",
                       "Te/s", "Tm01/s", "from", "spread"]  # fmt: skip
     assert [line[0] for line in lines] == [f"2022-09-12T0{hour}:00" for hour in (6, 7, 8, 9)]
-    assert lines[0][1:] == ["44097", "40.9800", "-71.1200", "46.6", "1.16", "13.6", "8.0", "6.1", "114", "26"]
+    assert lines[0][1:] == [
+        "44097",
+        "40.9800",
+        "-71.1200",
+        "46.6",
+        "1.16",
+        "13.6",
+        "8.0",
+        "6.1",
+        "114",
+        "26",
+    ]
 
 
 def test_what_is_not_known_is_a_dash_or_null(ocean):

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What every reader of spectra must do with any bytes: give records that keep the promises of
-// record_fault or say why they do not, or throw one Error; all of it safe to print. Anything else is
-// a finding.
-// A form feed ends the file and begins the next of its companions.
+// record_fault or say why they do not, or throw one Error; all of it safe to print. Anything else
+// is a finding. A form feed ends the file and begins the next of its companions.
 #pragma once
 
 #include <algorithm>

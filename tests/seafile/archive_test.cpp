@@ -56,9 +56,11 @@ std::vector<SpectrumRecord> read(const std::string& content) {
 
 TEST(Archive, TheFilesOfOneFormatAreReadAndTheOthersNamed) {
     const std::string swan = "SWAN 1\nTIME\n";
-    const std::vector<SpectrumRecord> records =
-        read(tar({{"x/", "", '5'}, {"readme", "hello\n"}, {"x/a.csv", kCsvA}, {"b.spec", swan},
-                  {"x/b.csv", kCsvB}}));
+    const std::vector<SpectrumRecord> records = read(tar({{"x/", "", '5'},
+                                                          {"readme", "hello\n"},
+                                                          {"x/a.csv", kCsvA},
+                                                          {"b.spec", swan},
+                                                          {"x/b.csv", kCsvB}}));
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[0].station, "A");
     EXPECT_EQ(records[1].density[1], 4.0);
@@ -73,10 +75,13 @@ TEST(Archive, AFileThatCannotBeReadCostsNoOther) {
         read(tar({{"a.csv", kCsvA}, {"b.csv", "frequency,density\n.1,x\n"}}));
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[1].fault, "s.tar/b.csv:2: the density 'x' is not a number");
-    EXPECT_EQ(refusal_of([] { read(tar({{"b.csv", "frequency,density\n.1,x\n"}})); }).message,
+    EXPECT_EQ(refusal_of([] {
+                  read(tar({{"b.csv", "frequency,density\n.1,x\n"}}));
+              }).message,
               "s.tar/b.csv:2: the density 'x' is not a number");
-    EXPECT_TRUE(refusal_of([] { read(tar({{"readme", "hello\n"}})); })
-                    .says("s.tar: is an archive without a spectrum file of a known format"));
+    EXPECT_TRUE(refusal_of([] {
+                    read(tar({{"readme", "hello\n"}}));
+                }).says("s.tar: is an archive without a spectrum file of a known format"));
 }
 
 TEST(Archive, TablesThatBelongTogetherAreReadTogether) {
@@ -95,7 +100,8 @@ TEST(Archive, TablesThatBelongTogetherAreReadTogether) {
 TEST(Archive, LongNamesAndCutsAndDamage) {
     const std::string name = std::string(150, 'n') + "/a.csv";
     std::string cut_off;
-    const std::string gnu = tar({{"././@LongLink", name + std::string(1, '\0'), 'L'}, {"n", kCsvA}});
+    const std::string gnu =
+        tar({{"././@LongLink", name + std::string(1, '\0'), 'L'}, {"n", kCsvA}});
     EXPECT_EQ(tar_members(gnu, "s.tar", cut_off).front().name, name);
     const std::string pax =
         tar({{"x", std::to_string(name.size() + 10) + " path=" + name + "\n", 'x'}, {"n", kCsvA}});

@@ -83,8 +83,8 @@ TEST(Awac, AgreesWithWavespectra) {
     // wavespectra leaves out what lies beyond the 48 frequencies of the moments, and scales to Hm0.
     for (SpectrumRecord& record : records) {
         EXPECT_EQ(record.frequency.size(), 98u);
-        for (auto* values : {&record.frequency, &record.density, &record.a1, &record.b1, &record.a2,
-                             &record.b2}) {
+        for (auto* values :
+             {&record.frequency, &record.density, &record.a1, &record.b1, &record.a2, &record.b2}) {
             values->resize(48);
         }
     }
@@ -136,7 +136,8 @@ TEST(Awac, ASentenceThatIsDamagedCostsItsMeasurement) {
         EXPECT_EQ(records[1].time, "2020-05-01T00:21");
     }
     const std::string count = sentence("PNORE,050120,000101,3,0.10,0.01,6,0.5,2.0,6.0,3.0,0.5");
-    EXPECT_TRUE(first_fault_of([&] { return read_awac(count); }).says("5 values for 6 frequencies"));
+    EXPECT_TRUE(
+        first_fault_of([&] { return read_awac(count); }).says("5 values for 6 frequencies"));
     const std::string date = sentence("PNORE,130120,000101,3,0.10,0.01,3,0.5,2.0,6.0");
     EXPECT_TRUE(first_fault_of([&] { return read_awac(date); }).says("date and time, MMDDYY"));
     const std::string twice = first + first;
@@ -189,8 +190,8 @@ TEST(Obscape, BrokenFilesAreRefusedWithTheirLine) {
         {"1712136600", "soon", "o.csv:4: 'soon' is not a number of Timestamp"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal =
-            first_fault_of([text = replaced(kObscapeFile, from, to)] { return read_obscape(text); });
+        const Refusal refusal = first_fault_of(
+            [text = replaced(kObscapeFile, from, to)] { return read_obscape(text); });
         EXPECT_TRUE(refusal.says(words)) << refusal.message;
     }
 }
@@ -243,12 +244,12 @@ TEST(Octopus, BrokenFilesAreRefusedWithTheirLine) {
          "f.oct:15: 'CCYYMM' is not a direction"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal =
-            first_fault_of([text = replaced(kOctopusFile, from, to)] { return read_octopus(text); });
+        const Refusal refusal = first_fault_of(
+            [text = replaced(kOctopusFile, from, to)] { return read_octopus(text); });
         EXPECT_TRUE(refusal.says(words)) << refusal.message;
     }
-    const std::vector<SpectrumRecord> records = read_octopus(replaced(
-        kOctopusFile, "270,0,0.01,0.02,0.03,\nfSpec,0.02,0.05,0.02,\nden,1,1,1,\n\n", ""));
+    const std::vector<SpectrumRecord> records = read_octopus(
+        replaced(kOctopusFile, "270,0,0.01,0.02,0.03,\nfSpec,0.02,0.05,0.02,\nden,1,1,1,\n\n", ""));
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[1].fault, "") << "a record that ends early does not cost the next";
 }

@@ -233,29 +233,28 @@ TEST(NdbcRealtime, ACompanionGivenAsSpectrumIsNamed) {
         << refusal.message;
 }
 
-
 TEST(NdbcRealtime, ALineThatEndsBetweenPairsIsWarnedOf) {
     const std::vector<SpectrumRecord> records =
         read({{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
                                                "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)\n"}});
     ASSERT_EQ(records.size(), 2u);
     EXPECT_EQ(records[1].warnings,
-              (std::vector<std::string>{
-                  "line 3 has 2 frequencies where the line before has 3"}));
+              (std::vector<std::string>{"line 3 has 2 frequencies where the line before has 3"}));
 }
 
 TEST(NdbcRealtime, AnHourlyTableHasItsStationsAndTheirDirections) {
     const std::string two = "41997 2024 03 01 12 00 ";
-    Files files = {{"h.data_spec", "#STN YYYY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n" + two +
+    Files files = {{"h.data_spec", "#STN YYYY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n" +
+                                       two +
                                        "0.2 1 (0.1) 2 (0.2)\n41998 2024 03 01 12 00 0.2 3 (0.1) 4 "
                                        "(0.2)\n"}};
     for (const auto& [suffix, column, value] : {std::tuple{".swdir", "alpha1_1", "90"},
                                                 {".swdir2", "alpha2_1", "90"},
                                                 {".swr1", "r1_1", "0.8"},
                                                 {".swr2", "r2_1", "0.5"}}) {
-        files["h" + std::string(suffix)] =
-            "#STN YYYY MM DD hh mm " + std::string(column) + " (freq_1) ... >\n" + two + value +
-            " (0.1) " + value + " (0.2)\n";
+        files["h" + std::string(suffix)] = "#STN YYYY MM DD hh mm " + std::string(column) +
+                                           " (freq_1) ... >\n" + two + value + " (0.1) " + value +
+                                           " (0.2)\n";
     }
     const std::vector<SpectrumRecord> records = read(files, "h.data_spec");
     ASSERT_EQ(records.size(), 2u);
@@ -269,8 +268,10 @@ TEST(NdbcRealtime, AnHourlyTableHasItsStationsAndTheirDirections) {
 TEST(NdbcFiveDay, ABandThatIsLostCostsItsRecord) {
     const std::string head = "YYYY MM DD hh mm bands\nfreq bandwidth energy r1 r2 alpha1 alpha2\n";
     const auto record = [](const std::string& hour, const std::string& last) {
-        return "2024 03 01 " + hour + " 00 3\n0.04 0.01 -0.01 0.9 0.6 90 90\n"
-               "0.05 0.01 2.0 0.9 0.6 90 90\n" + last;
+        return "2024 03 01 " + hour +
+               " 00 3\n0.04 0.01 -0.01 0.9 0.6 90 90\n"
+               "0.05 0.01 2.0 0.9 0.6 90 90\n" +
+               last;
     };
     const std::string good = "0.06 0.01 1.0 0.9 MM 999 90\n";
     const auto read_five = [](const std::string& content) {
@@ -284,8 +285,9 @@ TEST(NdbcFiveDay, ABandThatIsLostCostsItsRecord) {
     EXPECT_NEAR(whole[0].a1[1], -0.9, 1e-12);
     EXPECT_TRUE(std::isnan(whole[0].a1[2]));
     EXPECT_EQ(whole[0].warnings.size(), 1u) << "the density below 0";
-    for (const std::string& last : {std::string(), std::string("0.06 0.01 1.0\n"),
-                                    std::string("0.05 0.01 1.0 0.9 0.6 90 90\n"), "garbage\n" + good}) {
+    for (const std::string& last :
+         {std::string(), std::string("0.06 0.01 1.0\n"),
+          std::string("0.05 0.01 1.0 0.9 0.6 90 90\n"), "garbage\n" + good}) {
         const std::vector<SpectrumRecord> records =
             read_five(head + record("11", last) + record("12", good));
         ASSERT_EQ(records.size(), 2u) << last;

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "helpers.hpp"
-#include "ocean/record_rules.hpp"
 #include "ocean/directional_spectrum.hpp"
+#include "ocean/record_rules.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/thread_pool.hpp"
 
@@ -91,13 +91,15 @@ TEST(CleanRecord, ABinOfZeroHertzIsLeftOutWithAllThatBelongsToIt) {
 }
 
 TEST(RecordWithFault, IsChosenOnlyToSayWhy) {
-    const std::vector<SpectrumRecord> records = {
-        with_fault("2020-01-01T00:00", "f:3: wrong"), record_of({0.1, 0.2}, {1, 2})};
+    const std::vector<SpectrumRecord> records = {with_fault("2020-01-01T00:00", "f:3: wrong"),
+                                                 record_of({0.1, 0.2}, {1, 2})};
     EXPECT_EQ(refusal_of([&] { choose_record(records, {}, "f"); }).message, "f:3: wrong");
     std::vector<SpectrumRecord> timed = records;
     timed[1].time = "2020-01-01T03:00";
     EXPECT_EQ(choose_record(timed, {"2020-01-01T03:00", ""}, "f").density[1], 2.0);
-    EXPECT_EQ(refusal_of([&] { choose_record(timed, {"2020-01-01T00:00", ""}, "f"); }).message,
+    EXPECT_EQ(refusal_of([&] {
+                  choose_record(timed, {"2020-01-01T00:00", ""}, "f");
+              }).message,
               "f:3: wrong; a record that can be read is that of 2020-01-01T03:00");
 }
 
@@ -155,12 +157,39 @@ TEST(RecordWarnings, OfASeaFileAreFewAndShort) {
     std::string many = "[";
     for (int i = 0; i < 17; ++i) many += "\"a\",";
     const std::string allowed = "an array of at most 16 texts of at most 500 bytes";
-    for (const std::string& value :
-         {many + "]", "[\"" + std::string(501, 'x') + "\"]", std::string("[1]"),
-          std::string("\"a\"")}) {
+    for (const std::string& value : {many + "]", "[\"" + std::string(501, 'x') + "\"]",
+                                     std::string("[1]"), std::string("\"a\"")}) {
         const Refusal refusal = refusal_of_sea(head + value);
         EXPECT_TRUE(refusal.says("test.toml:4: ") && refusal.says(allowed)) << refusal.message;
     }
+}
+
+TEST(RecordWarnings, ASpreadNarrowerThanASeaHoldsIsToldWithBoth) {
+    const auto state_of = [](const std::string& moments) {
+        const Sea sea = parse(
+            "[grid]\nresolution = 64\n[[waves]]\nspectrum = \"measured\"\n[waves.measured_record]\n"
+            "frequency = [0.1, 0.2, 0.3]\ndensity = [1.0, 2.0, 1.0]\n" +
+            moments);
+        ThreadPool pool(1);
+        return sea_state(make_directional_spectrum(sea.parameters), sea.parameters, pool);
+    };
+    const auto said = [](const SeaState& state) {
+        return std::count_if(state.warnings.begin(), state.warnings.end(), [](const auto& text) {
+            return text.find("the least that a sea holds") != std::string::npos;
+        });
+    };
+    // A spread of 0: cos^2s of s = 200 has sqrt(2 (1 - 200/201)) = 5.7 degrees.
+    const SeaState narrow = state_of(
+        "a1 = [1.0, 1.0, 1.0]\nb1 = [0.0, 0.0, 0.0]\na2 = [nan, nan, nan]\nb2 = [nan, nan, nan]\n");
+    EXPECT_NEAR(narrow.directional_spread.asked, 5.7, 0.1);
+    EXPECT_EQ(said(narrow), 1);
+    EXPECT_EQ(std::count(narrow.warnings.begin(), narrow.warnings.end(),
+                         "waves.0.file has a directional spread of 0.0 degrees: the least that a "
+                         "sea holds is taken, 5.7"),
+              1);
+    EXPECT_EQ(said(state_of("a1 = [0.9, 0.9, 0.9]\nb1 = [0.0, 0.0, 0.0]\na2 = [nan, nan, nan]\n"
+                            "b2 = [nan, nan, nan]\n")),
+              0);
 }
 
 }  // namespace

@@ -326,7 +326,6 @@ TEST(SpotterJson, HostileNestingAndListsAreRefusedAtOnce) {
     for (const char c : garbage.message) EXPECT_GE(static_cast<unsigned char>(c), 0x20);
 }
 
-
 TEST(SpotterCsv, ARowThatCannotBeReadCostsNoOther) {
     const std::vector<SpectrumRecord> records = read_csv(replaced(kCsvFile, ",2.5 ", ",inf "));
     ASSERT_EQ(records.size(), 2u);
@@ -358,7 +357,8 @@ TEST(SpotterJson, ListsOfBuoysAndOfSpectraAreRead) {
 }
 
 TEST(SpotterJson, NanIsMissingAndOffsetsAreConverted) {
-    const SpectrumRecord record = read_json(replaced(kJsonFile, "[1.5, 2.5, 1]", "[1.5, NaN, 1]"))[0];
+    const SpectrumRecord record =
+        read_json(replaced(kJsonFile, "[1.5, 2.5, 1]", "[1.5, NaN, 1]"))[0];
     EXPECT_EQ(record.density, (std::vector<double>{1.5, 1.0}));
     EXPECT_EQ(record.frequency, (std::vector<double>{0.1, 0.4}));
     std::string named = replaced(kJsonFile, "SPOT-0070", "NaN \\\"NaN");

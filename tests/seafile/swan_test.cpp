@@ -318,7 +318,6 @@ TEST(Swan, BrokenQuantitiesAreRefusedWithTheLine) {
     }
 }
 
-
 TEST(Swan, RealNumbersAreReadAsTheyAre) {
     const std::string real = with("   1   2   3   4\n", " 1.5 2.5E0 0.35D+1 4.25\n");
     EXPECT_EQ(read(real)[0].directional_density[0], 4.25 * 0.005) << "from the west, to the east";
@@ -344,8 +343,7 @@ TEST(Swan, ActionTimesTheAngularFrequencyIsVariance) {
     }
     std::string radians = with("m2/Hz/degr", "m2/Hz/rad");
     EXPECT_NEAR(read(radians)[0].density[0], variance.density[0] * kDegree, 1e-15);
-    const std::string one_dimensional =
-        over_frequency("1\nAcDens\nm2s/Hz\n-99\n", "1\n2\n");
+    const std::string one_dimensional = over_frequency("1\nAcDens\nm2s/Hz\n-99\n", "1\n2\n");
     EXPECT_NEAR(read(one_dimensional)[0].density[1],
                 2.0 * 2.0 * std::numbers::pi * read(one_dimensional)[0].frequency[1], 1e-12);
 }
@@ -363,12 +361,14 @@ TEST(Swan, OfIterationsTheLastIsTheResult) {
               "the file has 2 iterations of one state: the last, number 8, is the result");
     const std::vector<SpectrumRecord> cut = read(content.substr(0, content.rfind("   5   6")));
     ASSERT_EQ(cut.size(), 2u) << "of the iteration before";
-    EXPECT_EQ(cut[0].warnings[0], "the file has 2 iterations of one state: number 8 cannot be read "
-                                  "whole, and the one before it is taken");
+    EXPECT_EQ(cut[0].warnings[0],
+              "the file has 2 iterations of one state: number 8 cannot be read "
+              "whole, and the one before it is taken");
 }
 
 TEST(Swan, AValueThatIsNoNumberCostsItsLocation) {
-    const std::vector<SpectrumRecord> records = read(with("   1   2   3   4\n", "   1   2 ***   4\n"));
+    const std::vector<SpectrumRecord> records =
+        read(with("   1   2   3   4\n", "   1   2 ***   4\n"));
     ASSERT_EQ(records.size(), 3u);
     EXPECT_NE(records[0].fault.find("s.spec:25: '***' is not a density"), std::string::npos);
     EXPECT_EQ(records[0].longitude, 174.67);

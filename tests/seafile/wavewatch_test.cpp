@@ -218,7 +218,6 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
     }
 }
 
-
 TEST(Wavewatch, TextsMayHaveDoubleQuotesOrNone) {
     const std::vector<SpectrumRecord> quoted = read(kFile);
     for (const char* mark : {"\"", ""}) {

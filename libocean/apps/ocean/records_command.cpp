@@ -32,14 +32,14 @@ std::string line(const SpectrumRecord& record) {
                            known(record.station).c_str());
     }
     const RecordSummary summary = summarize(record);
-    return format_text("%-16s  %-12s %9s %10s %7s %7s %6s %6s %6s %5s %6s\n", known(record.time).c_str(),
-                       known(record.station).c_str(), cell(record.latitude, "%.4f").c_str(),
-                       cell(record.longitude, "%.4f").c_str(), cell(record.depth, "%.4g").c_str(),
-                       cell(4.0 * std::sqrt(summary.m0), "%.2f").c_str(),
-                       cell(summary.peak_period, "%.1f").c_str(),
-                       cell(summary.energy_period, "%.1f").c_str(),
-                       cell(summary.mean_period, "%.1f").c_str(), direction_cell(summary).c_str(),
-                       cell(summary.directional_spread * 180.0 / kPi, "%.0f").c_str());
+    return format_text(
+        "%-16s  %-12s %9s %10s %7s %7s %6s %6s %6s %5s %6s\n", known(record.time).c_str(),
+        known(record.station).c_str(), cell(record.latitude, "%.4f").c_str(),
+        cell(record.longitude, "%.4f").c_str(), cell(record.depth, "%.4g").c_str(),
+        cell(4.0 * std::sqrt(summary.m0), "%.2f").c_str(),
+        cell(summary.peak_period, "%.1f").c_str(), cell(summary.energy_period, "%.1f").c_str(),
+        cell(summary.mean_period, "%.1f").c_str(), direction_cell(summary).c_str(),
+        cell(summary.directional_spread * 180.0 / kPi, "%.0f").c_str());
 }
 
 void run(const std::string& file, const Context& context) {

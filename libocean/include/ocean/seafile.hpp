@@ -70,8 +70,9 @@ struct RecordChoice {
 const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
                                     const RecordChoice& choice, const std::string& file);
 /// JSON, one object a record: time, station, latitude, longitude, depth, significant_wave_height
-/// [m], peak_period, energy_period, mean_period [s], mean_direction [degrees counter-clockwise from +x, travelling to],
-/// coming_from [the same, degrees clockwise from north], directional_spread [degrees], directions
+/// [m], peak_period, energy_period, mean_period [s], mean_direction [degrees counter-clockwise from
+/// +x, travelling to], coming_from [the same, degrees clockwise from north], directional_spread
+/// [degrees], directions
 /// ("none", "moments" or "full"), frequencies [how many], warnings; null where it is not known.
 /// Records with a fault are left out: records_warnings names them.
 std::string records_json(std::span<const SpectrumRecord> records);

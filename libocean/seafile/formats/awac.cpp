@@ -6,7 +6,8 @@
 //   $PNORE,050120,000101,3,0.02,0.01,98,0.063,0.029,...*75     first frequency and step [Hz], how
 //                                                              many, densities
 //   $PNORF,A1,050120,000101,3,0.02,0.01,48,-0.1370,...*06      A1, B1, A2, B2 of the direction that
-//                                                              waves come from, clockwise from north
+//                                                              waves come from, clockwise from
+//                                                              north
 // Other sentences are passed over. *hh is the exclusive or of all characters between $ and *. A
 // moment of -9 is missing; there are fewer moments than densities. The manual gives densities in
 // cm^2/Hz, instruments send m^2/Hz too: Hm0 tells.

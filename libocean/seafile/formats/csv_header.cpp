@@ -52,13 +52,20 @@ static_assert(std::size(kNames) == kColumns);
 
 /// Other names, in lower case, with _ for blanks.
 constexpr std::pair<std::string_view, Column> kAliases[] = {
-    {"freq", frequency},           {"f", frequency},
-    {"efth", density},             {"psd", density},
-    {"spectral_density", density}, {"variance_density", density},
-    {"dir", direction},            {"lat", latitude},
-    {"lon", longitude},            {"datetime", time},
-    {"date", time},                {"timestamp", time},
-    {"site", station},             {"dpt", depth},
+    {"freq", frequency},
+    {"f", frequency},
+    {"efth", density},
+    {"psd", density},
+    {"spectral_density", density},
+    {"variance_density", density},
+    {"dir", direction},
+    {"lat", latitude},
+    {"lon", longitude},
+    {"datetime", time},
+    {"date", time},
+    {"timestamp", time},
+    {"site", station},
+    {"dpt", depth},
 };
 
 std::span<const Unit> units_of(Column column) {

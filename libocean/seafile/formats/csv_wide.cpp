@@ -56,7 +56,8 @@ bool has_record_a_row(std::span<const std::string> titles) {
             if (!(*f > below)) return false;
             below = *f;
             ++frequencies;
-        } else if (frequencies > 0 || (!is_row_index(title) && !is_record_column(column_of(title)))) {
+        } else if (frequencies > 0 ||
+                   (!is_row_index(title) && !is_record_column(column_of(title)))) {
             return false;
         }
     }
@@ -73,8 +74,8 @@ bool has_record_a_column(std::span<const std::string> titles) {
     if (first == titles.end()) return false;
     return (named || is_row_index(titles.front())) &&
            std::all_of(first, titles.end(), [](const std::string& title) {
-               return !is_row_index(title) && column_of(title) == kNone &&
-                      is_density_name(title) && mistyped_column(title).empty();
+               return !is_row_index(title) && column_of(title) == kNone && is_density_name(title) &&
+                      mistyped_column(title).empty();
            });
 }
 
@@ -93,12 +94,14 @@ class WideReader {
         std::vector<double> factors;
         std::vector<SpectrumRecord> records;
         for (std::size_t i = axis + 1; i < titles.size(); ++i) {
-            if (records.size() == kMaxRecords) throw table_.lines().fail("more than 100000 records");
+            if (records.size() == kMaxRecords)
+                throw table_.lines().fail("more than 100000 records");
             records.emplace_back();
             factors.push_back(describe(titles[i], to_hz != 1.0, records.back()));
             if (!named) {
                 records.back().warnings.push_back(
-                    "the first column of the table has no title: it is taken as the frequency in Hz");
+                    "the first column of the table has no title: it is taken as the frequency in "
+                    "Hz");
             }
         }
         while (next_row(records)) {
@@ -133,7 +136,8 @@ class WideReader {
             if (!more) break;
             if (table_.lines().number() == before) throw Error(ErrorKind::bad_file, record.fault);
             if (record.fault.empty() && record.frequency.size() < 2) continue;
-            if (records.size() == kMaxRecords) throw table_.lines().fail("more than 100000 records");
+            if (records.size() == kMaxRecords)
+                throw table_.lines().fail("more than 100000 records");
             record.warnings.push_back(
                 "the titles of the table are taken as frequencies in Hz, its values as densities "
                 "in m^2/Hz");
@@ -200,7 +204,8 @@ class WideReader {
             numbers = numbers && f[i] - f[i - 1] == 1.0 && f[i] == std::floor(f[i]);
         }
         if (numbers) {
-            throw table_.lines().fail("the first column numbers the rows, and none is named frequency");
+            throw table_.lines().fail(
+                "the first column numbers the rows, and none is named frequency");
         }
     }
 
@@ -218,10 +223,9 @@ class WideReader {
             }
             record.time = *when;
         }
-        for (const auto& [column, member] :
-             {std::pair{latitude, &SpectrumRecord::latitude},
-              std::pair{longitude, &SpectrumRecord::longitude},
-              std::pair{depth, &SpectrumRecord::depth}}) {
+        for (const auto& [column, member] : {std::pair{latitude, &SpectrumRecord::latitude},
+                                             std::pair{longitude, &SpectrumRecord::longitude},
+                                             std::pair{depth, &SpectrumRecord::depth}}) {
             if (is_missing(cell(column))) continue;
             record.*member = table_.number(place[column]).value_or(kMissing);
         }

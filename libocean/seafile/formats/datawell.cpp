@@ -79,8 +79,8 @@ class DatawellReader {
         if (record.frequency.size() == kMaxFrequencies) {
             throw lines_.fail("more than 4096 frequencies");
         }
-        const double frequency = within(number(fields_[0], "a frequency"), 0.0,
-                                        kMaxFrequency, "a frequency", kFrequencyRange);
+        const double frequency = within(number(fields_[0], "a frequency"), 0.0, kMaxFrequency,
+                                        "a frequency", kFrequencyRange);
         if (!record.frequency.empty() && !(frequency > record.frequency.back())) {
             throw lines_.fail("the frequencies do not ascend at bin " +
                               std::to_string(record.frequency.size() + 1));

@@ -42,7 +42,8 @@ void add_directions(SpectrumRecord& record, const Row& row, const Companions& co
         const auto found = companions[i].find({row.station, row.time});
         if (found == companions[i].end()) return;
         if (const std::string& fault = found->second.fault; !fault.empty()) {
-            record.warnings.push_back("its directions are left out: " + text::printable(fault, 400));
+            record.warnings.push_back("its directions are left out: " +
+                                      text::printable(fault, 400));
             return;
         }
         rows[i] = &found->second.bins;

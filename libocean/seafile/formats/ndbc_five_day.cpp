@@ -119,16 +119,15 @@ class FiveDayReader {
     void read_band(SpectrumRecord& record, std::vector<Bin>& listed) const {
         const std::vector<std::string_view> words = words_of(lines_.line());
         if (words.size() != width_) {
-            throw lines_.fail(lines_.cut_off() ? "the file ends within this line"
-                                               : std::to_string(words.size()) +
-                                                     " values where a band has " +
-                                                     std::to_string(width_));
+            throw lines_.fail(lines_.cut_off()
+                                  ? "the file ends within this line"
+                                  : std::to_string(words.size()) + " values where a band has " +
+                                        std::to_string(width_));
         }
         listed.push_back({ndbc::next_frequency(lines_, words[0], listed), kMissing});
         std::array<double, enum_count<Quantity>()> values{};
         for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] =
-                ndbc::value(lines_, words[columns_[i]], static_cast<Quantity>(i), 1.0);
+            values[i] = ndbc::value(lines_, words[columns_[i]], static_cast<Quantity>(i), 1.0);
         }
         const auto& [density, alpha1, alpha2, r1, r2] = values;
         if (std::isnan(density)) return;

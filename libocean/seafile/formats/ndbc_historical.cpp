@@ -203,9 +203,8 @@ std::vector<SpectrumRecord> read(const SpectrumSource& source) {
     }
     std::vector<Row> rows = TableReader(source.content, source.name).read(Quantity::density);
     std::set<std::string> times;
-    std::erase_if(rows, [&](const Row& row) {
-        return row.fault.empty() && !times.insert(row.time).second;
-    });
+    std::erase_if(
+        rows, [&](const Row& row) { return row.fault.empty() && !times.insert(row.time).second; });
     return ndbc::make_records(name ? ndbc::station_of(name->station) : "", rows,
                               read_companions(source, name));
 }

@@ -53,7 +53,8 @@ class ObscapeReader {
     SpectrumRecord read() {
         SpectrumRecord record;
         bool row = read_metadata(record);
-        if (degrees_.empty()) throw lines_.fail("the header before has no " + std::string(kColumns));
+        if (degrees_.empty())
+            throw lines_.fail("the header before has no " + std::string(kColumns));
         if (record.frequency.empty()) {
             throw lines_.fail("the header before has no " + std::string(kRows));
         }
@@ -106,8 +107,8 @@ class ObscapeReader {
         return time->text();
     }
     void read_unit(std::string_view title) {
-        const DensityUnit unit = parse_density_unit(csv::parse_title(title).unit,
-                                                    DensityOver::frequency_and_direction);
+        const DensityUnit unit =
+            parse_density_unit(csv::parse_title(title).unit, DensityOver::frequency_and_direction);
         if (!unit.fault.empty()) throw lines_.fail(unit.fault);
         factor_ = unit.factor;
     }
@@ -119,7 +120,8 @@ class ObscapeReader {
                 throw lines_.fail("the frequencies do not ascend at bin " +
                                   std::to_string(frequency.size() + 1));
             }
-            if (frequency.size() == kMaxFrequencies) throw lines_.fail("more than 4096 frequencies");
+            if (frequency.size() == kMaxFrequencies)
+                throw lines_.fail("more than 4096 frequencies");
             frequency.push_back(f);
         }
     }
@@ -163,8 +165,8 @@ class ObscapeReader {
                                         std::to_string(degrees_.size()) + " directions");
         }
         for (const std::string_view field : fields) {
-            values.push_back(number(field, -kMaxBinDensity / factor_, kMaxBinDensity / factor_,
-                                    "a density"));
+            values.push_back(
+                number(field, -kMaxBinDensity / factor_, kMaxBinDensity / factor_, "a density"));
         }
     }
 

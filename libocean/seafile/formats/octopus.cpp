@@ -99,8 +99,7 @@ class OctopusReader {
         return number(csv::trimmed(line.substr(comma + 1)), low, high, key);
     }
     std::size_t count(std::string_view key, std::size_t least, std::size_t most) {
-        const double value =
-            entry(key, static_cast<double>(least), static_cast<double>(most));
+        const double value = entry(key, static_cast<double>(least), static_cast<double>(most));
         if (value != std::floor(value)) {
             throw lines_.fail(std::string(key) + " is not a whole number");
         }
@@ -143,7 +142,8 @@ class OctopusReader {
         const std::string text = std::string(fields_[0]) + std::string(day);
         const std::optional<UtcTime> time = match_time(text, "YYYYMMDDhhmm");
         if (time && time->valid() && text.size() == 12) return time->text();
-        throw lines_.fail("'" + text::printable(text, 20) + "' where a time like 201803,'110000 "
+        throw lines_.fail("'" + text::printable(text, 20) +
+                          "' where a time like 201803,'110000 "
                           "should be");
     }
 

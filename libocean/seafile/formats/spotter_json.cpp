@@ -352,7 +352,8 @@ std::vector<SpectrumRecord> read(const SpectrumSource& source) {
 bool recognises(std::string_view content) {
     if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
     const std::size_t first = content.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || std::string_view("{[").find(content[first]) == std::string_view::npos) {
+    if (first == std::string_view::npos ||
+        std::string_view("{[").find(content[first]) == std::string_view::npos) {
         return false;
     }
     const auto has_key = [&](std::string_view key) {

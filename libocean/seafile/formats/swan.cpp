@@ -246,7 +246,8 @@ class SwanReader {
         if (name == "VaDens" || name == "EnDens" || name == "AcDens") return Meaning::density;
         if (!directional() && (name == "NDIR" || name == "CDIR")) return Meaning::direction;
         if (!directional() && (name == "DSPRDEGR" || name == "DSPR")) return Meaning::spread;
-        throw in_.fail("'" + FreeForm::shown(name) + "' is not a quantity; known: VaDens, EnDens, AcDens" +
+        throw in_.fail("'" + FreeForm::shown(name) +
+                       "' is not a quantity; known: VaDens, EnDens, AcDens" +
                        (directional() ? "" : ", NDIR, CDIR, DSPRDEGR, DSPR"));
     }
 
@@ -362,8 +363,10 @@ class SwanReader {
     void distrust(std::size_t first) {
         for (std::size_t i = first; i < records_.size(); ++i) {
             if (!records_[i].fault.empty()) continue;
-            records_[i].fault = in_.fail("fewer locations than the header has, so that the place of "
-                                         "this one is not known").what();
+            records_[i].fault = in_.fail(
+                                       "fewer locations than the header has, so that the place of "
+                                       "this one is not known")
+                                    .what();
         }
     }
 

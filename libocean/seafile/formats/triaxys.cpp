@@ -221,7 +221,8 @@ class TriaxysReader {
             if (wave) record.frequency.push_back(frequency);
             for (std::size_t j = 0; j < header.directions; ++j) {
                 const double value = in_.number_here("a density");
-                in_.require_within(value, -kMaxBinDensity, kMaxBinDensity, "a density", "0 .. 2500 m^2/Hz/deg");
+                in_.require_within(value, -kMaxBinDensity, kMaxBinDensity, "a density",
+                                   "0 .. 2500 m^2/Hz/deg");
                 if (wave) values.push_back(value);
             }
             in_.end_line("the densities of all directions");

@@ -229,7 +229,8 @@ class WavewatchReader {
         for (std::size_t j = 0; j < directions_; ++j) {
             for (std::size_t i = 0; i < frequency_.size(); ++i) {
                 const double value = in_.number("a density");
-                in_.require_within(value, -kMaxDensity, kMaxDensity, "a density", "0 .. 1e5 m^2/Hz/rad");
+                in_.require_within(value, -kMaxDensity, kMaxDensity, "a density",
+                                   "0 .. 1e5 m^2/Hz/rad");
                 values_[i * directions_ + j] = value;
             }
         }
