@@ -345,6 +345,9 @@ TEST(CsvWide, AColumnIsARecordThatItsTitleNames) {
     EXPECT_EQ(records[2].station, "S");
     EXPECT_DOUBLE_EQ(records[2].density[1], 4.0);
     EXPECT_TRUE(records[2].warnings.empty()) << "its unit is told";
+    const SpectrumRecord symbol = read("f (rad/s),S(w) [m2/(rad/s)]\n1,1\n2,2\n")[0];
+    EXPECT_NEAR(symbol.density[0], 2.0 * std::numbers::pi, 1e-12);
+    EXPECT_TRUE(symbol.warnings.empty());
 }
 
 TEST(CsvWide, AFirstColumnWithoutATitleIsTheFrequencyUnlessItNumbersTheRows) {

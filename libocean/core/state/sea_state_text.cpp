@@ -77,8 +77,8 @@ AskedResolved spread_of_moments(const SpectrumRecord& record) {
         const double weight =
             record.density[i] * (record.frequency[above] - record.frequency[below]);
         if (std::isnan(c1.real()) || !(weight > 0.0)) continue;
-        const double most = std::isnan(record.a2[i]) ? kLargestExponent / (1.0 + kLargestExponent)
-                                                     : kLargestMoment;
+        const double most =
+            std::isnan(record.a2[i]) ? kLargestExponent / (1.0 + kLargestExponent) : kLargestMoment;
         energy += weight;
         asked += weight * c1;
         held += weight * c1 * std::min(1.0, most / std::max(std::abs(c1), most));
@@ -100,10 +100,9 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
         }
         const AskedResolved spread = spread_of_moments(*system.measured);
         if (spread.resolved - spread.asked > kNarrowed) {
-            state.warnings.push_back(name + ".file has a directional spread of " +
-                                     fixed_text(spread.asked, 1) +
-                                     " degrees: the least that a sea holds is taken, " +
-                                     fixed_text(spread.resolved, 1));
+            state.warnings.push_back(
+                name + ".file has a directional spread of " + fixed_text(spread.asked, 1) +
+                " degrees: the least that a sea holds is taken, " + fixed_text(spread.resolved, 1));
         }
         if (system.measured->has_directions() || system.wind_direction) continue;
         state.warnings.push_back(name + ".file says nothing of directions: the waves travel to " +

@@ -147,11 +147,16 @@ class WideReader {
     }
 
   private:
+    static DensityUnit unit_of(std::string_view title) {
+        return parse_density_unit(parse_title(title).unit, DensityOver::frequency);
+    }
     /// The factor of its densities. Sets time, or station, and what had to be assumed.
     double describe(std::string_view title, bool radians, SpectrumRecord& record) const {
-        const Title parts = parse_title(title);
-        const DensityUnit unit = parse_density_unit(parts.unit, DensityOver::frequency);
-        const bool has_unit = !parts.unit.empty() && unit.fault.empty();
+        // "S(f) [m2/Hz]" has its unit in the last brackets, "S (m2/(rad/s))" in the first.
+        const std::size_t last = std::min(title.find_last_of("(["), title.size());
+        DensityUnit unit = unit_of(title);
+        if (!unit.fault.empty()) unit = unit_of(title.substr(last));
+        const bool has_unit = unit.fault.empty();
         if (radians && !has_unit) {
             throw table_.lines().fail(
                 "over rad/s the density needs a unit in its title, like 'density (m2/Hz)'");
