@@ -64,6 +64,16 @@ bool split_into(std::vector<std::string_view>& fields, std::string_view line, ch
     return true;
 }
 
+/// The bracket that closes the one at `open`, which may hold others; npos if there is none.
+std::size_t closing_bracket(std::string_view line, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < line.size(); ++i) {
+        if (line[i] == '(' || line[i] == '[') ++depth;
+        if ((line[i] == ')' || line[i] == ']') && --depth == 0) return i;
+    }
+    return std::string_view::npos;
+}
+
 /// Splits a header line, where brackets hold a unit: separators within them do not count, and after
 /// a blank they belong to the title before them. Nothing if a quote is not closed.
 std::optional<std::vector<std::string_view>> split_header(std::string_view line, char separator) {
@@ -81,7 +91,7 @@ std::optional<std::vector<std::string_view>> split_header(std::string_view line,
         }
         for (; end < line.size(); ++end) {
             if (closed && (line[end] == '(' || line[end] == '[')) {
-                const std::size_t close = line.find(line[end] == '(' ? ')' : ']', end);
+                const std::size_t close = closing_bracket(line, end);
                 closed = close != std::string_view::npos;
                 if (closed) end = close;
             } else if (is_separator(line[end], separator)) {
@@ -250,7 +260,8 @@ Title parse_title(std::string_view cell) {
     for (const char c : trimmed(cell.substr(0, open))) title.name += lower_case(c);
     if (open == std::string_view::npos) return title;
     const std::string_view unit = cell.substr(open + 1);
-    title.unit = unit.substr(0, unit.find_first_of(")]"));
+    const std::size_t close = closing_bracket(cell, open);  // "m2/(rad/s)" has brackets itself
+    title.unit = unit.substr(0, close == std::string_view::npos ? close : close - open - 1);
     if (title.unit.empty()) title.unit = "()";
     return title;
 }

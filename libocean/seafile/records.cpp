@@ -203,11 +203,15 @@ const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
 RecordSummary summarize(const SpectrumRecord& record) {
     RecordSummary summary;
     double highest = 0.0;
+    double m1 = 0.0;        // m^2 Hz
+    double m_minus1 = 0.0;  // m^2 s
     double directed = 0.0;  // energy of bins whose direction is known
     std::complex<double> mean = 0.0;
     for (std::size_t i = 0; i < record.frequency.size(); ++i) {
         const double energy = record.density[i] * trapezoid_weight(record, i);
         summary.m0 += energy;
+        m1 += energy * record.frequency[i];
+        m_minus1 += energy / record.frequency[i];
         if (record.density[i] > highest) {
             highest = record.density[i];
             summary.peak_period = 1.0 / record.frequency[i];
@@ -217,6 +221,10 @@ RecordSummary summarize(const SpectrumRecord& record) {
         if (std::isnan(c1.real()) || !(energy > 0.0)) continue;
         mean += energy * c1;
         directed += energy;
+    }
+    if (summary.m0 > 0.0) {
+        summary.energy_period = m_minus1 / summary.m0;
+        summary.mean_period = summary.m0 / m1;
     }
     const bool known = mean != 0.0;
     const double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -285,6 +293,8 @@ std::string records_json(std::span<const SpectrumRecord> records) {
         number("depth", record.depth);
         number("significant_wave_height", 4.0 * std::sqrt(summary.m0));
         number("peak_period", summary.peak_period);
+        number("energy_period", summary.energy_period);
+        number("mean_period", summary.mean_period);
         number("mean_direction", mean);
         number("coming_from", coming_from(mean));
         number("directional_spread", summary.directional_spread / kDegree);

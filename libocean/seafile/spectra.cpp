@@ -6,9 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <utility>
 
+#include "archive.hpp"
 #include "gzip.hpp"
 #include "ocean/checked_text.hpp"
+#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
 #include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
@@ -19,9 +25,10 @@ namespace ocean {
 namespace {
 
 /// The first that recognises the content reads it; CSV, the least particular, comes last.
-constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kSpotterCsv,
-                                 &kSpotterJson,  &kDatawell,       &kTriaxys,
-                                 &kWavewatch,    &kSwan,           &kCsv};
+constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv,
+                                 &kSpotterJson,  &kDatawell,       &kTriaxys,     &kAwac,
+                                 &kObscape,      &kOctopus,        &kWavewatch,   &kSwan,
+                                 &kCsv};
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;
@@ -113,6 +120,17 @@ std::string place_fault(const SpectrumRecord& record) {
     return "";
 }
 
+/// Of a record with a fault.
+void keep_time_and_place(SpectrumRecord& record) {
+    SpectrumRecord kept;
+    kept.station = std::move(record.station);
+    kept.time = std::move(record.time);
+    kept.fault = std::move(record.fault);
+    kept.latitude = record.latitude;
+    kept.longitude = record.longitude;
+    record = std::move(kept);
+}
+
 std::string known_formats() {
     std::string names;
     for (const SpectrumFormat* format : kFormats) {
@@ -160,27 +178,121 @@ std::vector<SpectrumRecord> read_format(const SpectrumFormat& format,
         if (!record.fault.empty()) continue;
         clean_record(record);
         const std::string fault = record_fault(record);
-        if (!fault.empty()) record.fault = fail("record " + record.time + ": " + fault).what();
+        if (fault.empty()) continue;
+        record.fault = fail("the record" + (record.time.empty() ? "" : " of " + record.time) +
+                            (record.station.empty() ? "" : ", " + record.station) + ": " + fault)
+                           .what();
     }
     require_readable(records);
+    for (SpectrumRecord& record : records) {
+        if (!record.fault.empty()) keep_time_and_place(record);
+    }
     return records;
 }
 
-std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source) {
+namespace {
+
+/// The first that recognises the text; none if it is of no known format.
+const SpectrumFormat* format_of(std::string_view content) {
+    // Blank lines before the first word would be gone through for every format.
+    const std::size_t first = content.find_first_not_of(" \t\r\n");
+    const std::string_view words = content.substr(std::min(first, content.size()));
+    for (const SpectrumFormat* format : kFormats) {
+        if (format->recognises(words)) return format;
+    }
+    return nullptr;
+}
+
+/// A member of an archive as a file of its own.
+std::vector<SpectrumRecord> read_member(
+    const ArchiveMember& member, const SpectrumSource& archive, const SpectrumFormat& format,
+    const std::function<std::optional<std::string>(const std::string&)>& companion) {
+    const std::string name = std::string(archive.name) + "/" + member.name;
+    std::vector<SpectrumRecord> records;
+    std::string fault;
+    catch_fault(fault, [&] { records = read_format(format, {member.content, name, companion}); });
+    if (fault.empty()) return records;
+    SpectrumRecord record;
+    record.fault = fault;
+    return {record};
+}
+
+/// All spectra of an archive that are of the format of its first. Tables that belong to another
+/// (see SpectrumSource::companion) are read with that one.
+std::vector<SpectrumRecord> read_archive(const SpectrumSource& source) {
+    std::string cut_off;
+    const auto members = tar_members(source.content, std::string(source.name), cut_off);
+    const std::string folder = std::string(source.name) + "/";
+    std::set<std::string> companions;
+    const auto companion = [&](const std::string& path) -> std::optional<std::string> {
+        for (const ArchiveMember& member : members) {
+            if (path != folder + member.name) continue;
+            companions.insert(member.name);
+            return std::string(member.content);
+        }
+        return std::nullopt;
+    };
+    const SpectrumFormat* format = nullptr;
+    std::vector<std::pair<std::string, std::vector<SpectrumRecord>>> read;
+    std::vector<std::string> skipped;
+    for (const ArchiveMember& member : members) {
+        const SpectrumFormat* its = format_of(member.content);
+        if (format == nullptr) format = its;
+        if (its == nullptr || its != format) {
+            skipped.push_back(member.name);
+        } else {
+            read.emplace_back(member.name, read_member(member, source, *format, companion));
+        }
+    }
+    std::vector<SpectrumRecord> records;
+    for (auto& [name, of_member] : read) {
+        if (companions.contains(name)) continue;
+        if (records.size() + of_member.size() > kMaxRecords) {
+            throw text::error_at(ErrorKind::bad_file, source.name, 0, "more than 100000 records");
+        }
+        std::move(of_member.begin(), of_member.end(), std::back_inserter(records));
+    }
+    if (records.empty()) {
+        throw text::error_at(
+            ErrorKind::bad_file, source.name, 0,
+            "is an archive without a spectrum file of a known format; known: " + known_formats());
+    }
+    require_readable(records);
+    if (!cut_off.empty()) skipped.push_back(cut_off + " (cut off)");
+    if (skipped.empty()) return records;
+    const std::string warning =
+        text::printable(std::to_string(skipped.size()) + " of " +
+                            std::to_string(members.size() + (cut_off.empty() ? 0 : 1)) +
+                            " files of the archive are left out, the first of them " +
+                            (cut_off.empty() ? skipped.front() : skipped.back()),
+                        kMaxRecordWarningBytes - 10);
+    for (SpectrumRecord& record : records) {
+        if (record.fault.empty()) record.warnings.push_back(warning);
+    }
+    return records;
+}
+
+}  // namespace
+
+std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& original) {
+    const std::optional<std::string> converted = csv::converted(original.content);
+    const SpectrumSource source = {converted ? std::string_view(*converted) : original.content,
+                                   original.name, original.companion};
     const auto fail = [&](const std::string& message) {
         return text::error_at(ErrorKind::bad_file, source.name, 0, message);
     };
     if (source.content.empty()) throw fail("the file is empty");
-    // Blank lines before the first word would be gone through for every format.
-    const std::size_t first = source.content.find_first_not_of(" \t\r\n");
-    const std::string_view words = source.content.substr(std::min(first, source.content.size()));
-    for (const SpectrumFormat* format : kFormats) {
-        if (format->recognises(words)) return read_format(*format, source);
+    if (is_tar(source.content)) return read_archive(source);
+    if (const SpectrumFormat* format = format_of(source.content)) {
+        return read_format(*format, source);
     }
     if (source.content.starts_with("CDF") || source.content.starts_with("\x89HDF")) {
         throw fail(
             "is NetCDF, which the `ocean` command alone reads, and only unpacked; a sea that it "
             "saves (`ocean info SEA --sea-file`) holds the record and needs the file no more");
+    }
+    if (source.content.starts_with("PK\x03\x04")) {
+        throw fail("is a zip archive (or a spreadsheet): unpack it, or save the table as CSV");
     }
     throw fail("is not a spectrum file of a known format; known: " + known_formats());
 }

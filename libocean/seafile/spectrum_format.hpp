@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/error.hpp"
 #include "ocean/record_rules.hpp"
 #include "ocean/spectrum_record.hpp"
 
@@ -37,13 +38,29 @@ struct SpectrumFormat {
 
 extern const SpectrumFormat kNdbcRealtime;    // formats/ndbc_realtime.cpp
 extern const SpectrumFormat kNdbcHistorical;  // formats/ndbc_historical.cpp
+extern const SpectrumFormat kNdbcFiveDay;     // formats/ndbc_five_day.cpp
 extern const SpectrumFormat kWavewatch;       // formats/wavewatch.cpp
 extern const SpectrumFormat kSwan;            // formats/swan.cpp
 extern const SpectrumFormat kSpotterCsv;      // formats/spotter_csv.cpp
 extern const SpectrumFormat kSpotterJson;     // formats/spotter_json.cpp
 extern const SpectrumFormat kDatawell;        // formats/datawell.cpp
 extern const SpectrumFormat kTriaxys;         // formats/triaxys.cpp
+extern const SpectrumFormat kAwac;            // formats/awac.cpp
+extern const SpectrumFormat kObscape;         // formats/obscape.cpp
+extern const SpectrumFormat kOctopus;         // formats/octopus.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
+
+/// Calls `read`; the Error bad_file that it throws becomes the `fault`, "NAME:LINE: ...", of what
+/// it reads.
+template <typename Read>
+void catch_fault(std::string& fault, const Read& read) {
+    try {
+        read();
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_file) throw;
+        fault = error.what();
+    }
+}
 
 /// Reads by one format. The file must hold a spectrum without a fault; others have theirs in
 /// `fault`.

@@ -47,6 +47,26 @@ bool take_fraction(std::string_view& text) {
     return count > 0;
 }
 
+/// Takes "Z", " UTC", " GMT", or an offset from UTC: "+01:00", "-0530", "+01". Minutes, 0 where
+/// there is none of these; nothing for an offset beyond a day.
+std::optional<int> take_zone(std::string_view& text) {
+    for (const std::string_view name : {"Z", " UTC", "UTC", " GMT", "GMT"}) {
+        if (text != name) continue;
+        text = {};
+        return 0;
+    }
+    std::string_view rest = text;
+    take(rest, " ");
+    const bool west = rest.starts_with('-');
+    if (!take(rest, "+-")) return 0;
+    const int hours = take_digits(rest, 2);
+    const bool colon = take(rest, ":");
+    const int minutes = rest.empty() && !colon ? 0 : take_digits(rest, 2);
+    if (hours < 0 || hours > 23 || minutes < 0 || minutes > 59) return std::nullopt;
+    text = rest;
+    return (west ? -1 : 1) * (60 * hours + minutes);
+}
+
 }  // namespace
 
 bool UtcTime::valid() const {
@@ -94,11 +114,11 @@ std::optional<UtcTime> parse_utc_time(std::string_view text) {
     time.minute = take_digits(text, 2);
     if (take(text, ":")) {
         if (take_digits(text, 2) < 0) return std::nullopt;
-        if (take(text, ".") && !take_fraction(text)) return std::nullopt;
+        if (take(text, ".,") && !take_fraction(text)) return std::nullopt;
     }
-    take(text, "Z");
-    if (!text.empty() || !time.valid()) return std::nullopt;
-    return time;
+    const std::optional<int> zone = take_zone(text);
+    if (!zone || !text.empty() || !time.valid()) return std::nullopt;
+    return *zone == 0 ? time : utc_time_at(time.minutes() - *zone);
 }
 
 }  // namespace ocean

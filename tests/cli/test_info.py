@@ -14,6 +14,8 @@ from conftest import BUOY
 PAIRS = [
     "significant_wave_height",
     "peak_period",
+    "energy_period",
+    "mean_period",
     "peak_wavelength",
     "mean_square_slope",
     "mean_direction",

@@ -21,15 +21,26 @@ def rows(text):
 def test_a_line_for_each_record_under_a_header(ocean):
     header, *lines = rows(ocean.good("records", SPECTRA / "ww3_station_44097.spec"))
     assert header == ["time,", "UTC", "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",
-                      "from", "spread"]  # fmt: skip
+                      "Te/s", "Tm01/s", "from", "spread"]  # fmt: skip
     assert [line[0] for line in lines] == [f"2022-09-12T0{hour}:00" for hour in (6, 7, 8, 9)]
-    assert lines[0][1:] == ["44097", "40.9800", "-71.1200", "46.6", "1.16", "13.6", "114", "26"]
+    assert lines[0][1:] == [
+        "44097",
+        "40.9800",
+        "-71.1200",
+        "46.6",
+        "1.16",
+        "13.6",
+        "8.0",
+        "6.1",
+        "114",
+        "26",
+    ]
 
 
 def test_what_is_not_known_is_a_dash_or_null(ocean):
     ocean.write("one.csv", "frequency,density\n0.1,1\n0.2,3\n0.4,2\n")
     _, line = rows(ocean.good("records", "one.csv"))
-    assert line == ["-", "-", "-", "-", "-", "3.35", "5.0", "-", "-"]
+    assert line == ["-", "-", "-", "-", "-", "3.35", "5.0", "4.6", "4.0", "-", "-"]
     (record,) = json.loads(ocean.good("records", "one.csv", "--json"))
     assert record == {
         "time": "",
@@ -39,11 +50,14 @@ def test_what_is_not_known_is_a_dash_or_null(ocean):
         "depth": None,
         "significant_wave_height": pytest.approx(4.0 * 0.7**0.5),
         "peak_period": 5.0,
+        "energy_period": pytest.approx((0.05 / 0.1 + 0.45 / 0.2 + 0.2 / 0.4) / 0.7),
+        "mean_period": pytest.approx(0.7 / (0.05 * 0.1 + 0.45 * 0.2 + 0.2 * 0.4)),
         "mean_direction": None,
         "coming_from": None,
         "directional_spread": None,
         "directions": "none",
         "frequencies": 3,
+        "warnings": [],
     }
 
 

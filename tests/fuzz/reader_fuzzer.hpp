@@ -45,6 +45,8 @@ inline void check(const SpectrumRecord& record) {
     const RecordSummary summary = summarize(record);
     require(std::isfinite(summary.m0) && summary.m0 >= 0.0);
     require(std::isfinite(summary.peak_period) && summary.peak_period >= 0.0);
+    require(std::isfinite(summary.energy_period) && summary.energy_period >= 0.0);
+    require(std::isfinite(summary.mean_period) && summary.mean_period >= 0.0);
     require(std::isnan(summary.mean_direction) || std::abs(summary.mean_direction) < 4.0);
     require(std::isnan(summary.directional_spread) || summary.directional_spread < 1.5);
 }

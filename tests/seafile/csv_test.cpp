@@ -195,7 +195,7 @@ TEST(Csv, IsRecognisedByItsHeader) {
     EXPECT_FALSE(kCsv.recognises("the density, frequency and more\n"));
     EXPECT_FALSE(kCsv.recognises("density\n"));
     EXPECT_FALSE(kCsv.recognises("x,y\n"));
-    EXPECT_FALSE(kCsv.recognises(std::string("\xFF\xFE", 2) + std::string("f\0,\0", 4)));
+    EXPECT_FALSE(kCsv.recognises(std::string("\xFF\xFE", 2) + std::string("x\0,\0", 4)));
 }
 
 TEST(Csv, BrokenHeadersAreRefused) {
@@ -205,9 +205,9 @@ TEST(Csv, BrokenHeadersAreRefused) {
         {"frequency,station", "density is missing"},
         {"density,station", "frequency is missing"},
         {"frequency,density,density", "there twice"},
-        {"frequency (Hz),density (ft2/Hz)", "'ft2/Hz' of density is unknown; allowed: m2/Hz"},
-        {"frequency,density (m2/Hz/deg)", "allowed: m2/Hz, m2 s, m2 s/rad"},
-        {"frequency,direction,density (m2/Hz)", "allowed: m2/Hz/deg, m2/Hz/rad, m2 s/rad"},
+        {"frequency (Hz),density (bar/Hz)", "density: units 'bar/Hz'"},
+        {"frequency,density (m2/Hz/deg)", "is no unit of a density over frequency, like m2/Hz"},
+        {"frequency,direction,density (m2/Hz)", "over frequency and direction, like m2/Hz/deg"},
         {"frequency (kHz),density", "'kHz' of frequency"},
         {"frequency (rad/s),density", "over rad/s the density needs a unit"},
         {"frequency,density,direction,direction_to", "more than one of direction,"},
@@ -228,29 +228,31 @@ TEST(Csv, BrokenHeadersAreRefused) {
 
 TEST(Csv, BrokenRowsAreRefusedWithTheirLine) {
     const std::string head = "time,station,latitude,longitude,depth,frequency,density\n";
-    const std::string good = "2020-06-08T03:50,A,1,2,3,.1,1\n";
+    const std::string good = "2020-06-08T03:50,A,1,2,3,.1,1\n2020-06-08T03:50,A,1,2,3,.2,1\n";
     const std::pair<std::string, std::string> broken[] = {
         {"2020-06-08T03:50,A,1,2,3,.1,1\n", "frequency is there twice"},
-        {"2020-06-08T03:50,A,1,2,3,.2,-1\n", "the density '-1' is not within 0 .. 1e+06"},
+        {"2020-06-08T03:50,A,1,2,3,.3,-1\n", "the density of bin 3 is not within 0 .. 1e6"},
+        {"2020-06-08T03:50,A,1,2,3,.3,1e7\n", "the density '1e7' is not within 0 .. 1e+06"},
         {"2020-06-08T03:50,A,1,2,3,.2,inf\n", "'inf'"},
         {"2020-06-08T03:50,A,1,2,3,.2,x\n", "'x' is not a number"},
         {"2020-06-08T03:50,A,1,2,3,,1\n", "the frequency is missing"},
-        {"2020-06-08T03:50,A,1,2,3,0,1\n", "not within 1e-05 .. 100"},
-        {"2020-06-08T03:50,A,1,2,3,101,1\n", "within 1e-05 .. 100"},
+        {"2020-06-08T03:50,A,1,2,3,1e-9,1\n", "not within 1e-5 .. 100"},
+        {"2020-06-08T03:50,A,1,2,3,101,1\n", "the frequency '101' is not within 0 .. 100"},
         {"2020-06-08T03:50,A,91,2,3,.2,1\n", "the latitude '91'"},
         {"2020-06-08T03:50,A,1,361,3,.2,1\n", "the longitude '361'"},
         {"2020-06-08T03:50,A,1,2,-3,.2,1\n", "the depth '-3'"},
         {"2020-06-08T03:50,A,1,2,4,.2,1\n", "the depth differs"},
         {"20201345,A,1,2,3,.2,1\n", "'20201345' is not UTC"},
-        {"2020-06-08T03:50,A,1,2,3,.2,1,\n", "more fields"},
-        {"2020-06-08T03:50,A,1,2,3,.2\n", "fewer fields"},
+        {"2020-06-08T03:50,A,1,2,3,.2,1,\n", "more cells than the 7 columns"},
+        {"2020-06-08T03:50,A,1,2,3,.2\n", "fewer cells than the 7 columns"},
         {"2020-06-08T03:50,A,1,2", "the file ends within this line"},
         {"2020-06-08T03:50,\"A,1,2,3,.2,1\n", "quote"},
         {"2020-06-08T03:50,\"A\"x,1,2,3,.2,1\n", "quote"},
     };
     for (const auto& [line, words] : broken) {
-        const Refusal refusal = refusal_of([&, text = line] { read(head + good + text); });
-        EXPECT_TRUE(refusal.says("s.csv:3: ") && refusal.says(words)) << line << refusal.message;
+        const Refusal refusal =
+            first_fault_of([&, text = line] { return read(head + good + text); });
+        EXPECT_TRUE(refusal.says("s.csv:4: ") && refusal.says(words)) << line << refusal.message;
     }
 }
 
@@ -276,6 +278,116 @@ TEST(Csv, AGridWithAHoleADoubleOrTooFewDirectionsIsRefused) {
     EXPECT_TRUE(few.says("s.csv:5: ") && few.says("at least 3 directions")) << few.message;
     const Refusal cut = refusal_of([&] { read(text.substr(0, text.size() - 6)); });
     EXPECT_TRUE(cut.refused) << "the last row is cut";
+}
+
+TEST(Csv, ARecordThatCannotBeReadCostsNoOther) {
+    const std::string head = "station,frequency,density\n";
+    const std::vector<SpectrumRecord> records =
+        read(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2,x\nB,.3,2\nC,.1,1\nC,.2,2\n");
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_EQ(records[1].fault, "s.csv:5: the density 'x' is not a number");
+    EXPECT_EQ(records[1].station, "B");
+    EXPECT_EQ(records[0].fault + records[2].fault, "");
+    // A line that is no row may have been of the record before it or of the one after it.
+    const std::vector<SpectrumRecord> garbage =
+        read(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2,2\nxyz\nC,.1,1\nC,.2,2\nE,.1,1\nE,.2,2\n");
+    ASSERT_EQ(garbage.size(), 4u);
+    EXPECT_EQ(garbage[0].fault + garbage[3].fault, "");
+    EXPECT_EQ(garbage[1].fault, "s.csv:6: fewer cells than the 3 columns of the header line");
+    EXPECT_EQ(garbage[2].fault, garbage[1].fault);
+    const std::vector<SpectrumRecord> growing = read(head + "A,.1,1\nA,.2,2\nB,.1,1\nB,.2");
+    ASSERT_EQ(growing.size(), 2u);
+    EXPECT_EQ(growing[1].fault, "s.csv:5: the file ends within this line");
+    EXPECT_EQ(refusal_of([&] { read(head + "no row\n"); }).message,
+              "s.csv:2: fewer cells than the 3 columns of the header line");
+}
+
+TEST(Csv, NamesOfWavespectraAndPandasAreKnown) {
+    const std::vector<SpectrumRecord> records = read(
+        ",time,lat,lon,freq,dir,efth\n0,2024-03-01,1,2,.1,0,1\n1,2024-03-01,1,2,.1,120,2\n"
+        "2,2024-03-01,1,2,.1,240,3\n3,2024-03-01,1,2,.2,0,1\n4,2024-03-01,1,2,.2,120,2\n"
+        "5,2024-03-01,1,2,.2,240,NaN\n");
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].time, "2024-03-01T00:00");
+    EXPECT_EQ(records[0].longitude, 2.0);
+    EXPECT_NEAR(records[0].density[0], 6.0 * 120.0, 1e-9);
+    EXPECT_EQ(read("Unnamed: 0,index,f,PSD\n0,0,.1,1\n1,1,.2,2\n")[0].density[1], 2.0);
+}
+
+TEST(Csv, TimesOfSpreadsheetsAndOtherZonesAreConverted) {
+    for (const auto& [cell, utc] : {std::pair{"2024-03-01T12:00+02:00", "2024-03-01T10:00"},
+                                    {"01.03.2024 12:00", "2024-03-01T12:00"},
+                                    {"01.03.2024 12:00:30", "2024-03-01T12:00"},
+                                    {"2024/03/01 12:00", "2024-03-01T12:00"},
+                                    {"01.03.2024", "2024-03-01T00:00"}}) {
+        const std::string row = std::string(cell) + ",";
+        EXPECT_EQ(read("time,frequency,density\n" + row + ".1,1\n" + row + ".2,2\n")[0].time, utc);
+    }
+    const std::string american = "3/1/2024 12:00,";
+    EXPECT_TRUE(first_fault_of([&] {
+                    return read("time,frequency,density\n" + american + ".1,1\n" + american +
+                                ".2,2\n");
+                }).says("'3/1/2024 12:00' is not UTC"));
+}
+
+TEST(CsvWide, AColumnIsARecordThatItsTitleNames) {
+    const std::vector<SpectrumRecord> records = read(
+        "Frequency,\"JONSWAP (2m,8s)\",2024-03-01 12:00:00+01:00,S (cm2/Hz)\n"
+        "0.1,1,2,30000\n0.2,3,,40000\n");
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_EQ(records[0].station, "JONSWAP (2m,8s)");
+    EXPECT_EQ(records[0].density, (std::vector<double>{1, 3}));
+    EXPECT_EQ(
+        records[0].warnings,
+        (std::vector<std::string>{"the column 'JONSWAP (2m,8s)' is taken as a density in m^2/Hz"}));
+    EXPECT_EQ(records[1].time, "2024-03-01T11:00");
+    EXPECT_EQ(records[1].density, (std::vector<double>{2, 0}));
+    EXPECT_EQ(records[2].station, "S");
+    EXPECT_DOUBLE_EQ(records[2].density[1], 4.0);
+    EXPECT_TRUE(records[2].warnings.empty()) << "its unit is told";
+    const SpectrumRecord symbol = read("f (rad/s),S(w) [m2/(rad/s)]\n1,1\n2,2\n")[0];
+    EXPECT_NEAR(symbol.density[0], 2.0 * std::numbers::pi, 1e-12);
+    EXPECT_TRUE(symbol.warnings.empty());
+}
+
+TEST(CsvWide, AFirstColumnWithoutATitleIsTheFrequencyUnlessItNumbersTheRows) {
+    const std::vector<SpectrumRecord> records = read(",surge\n0.0,7\n0.05,1\n0.1,2\n");
+    ASSERT_EQ(records.size(), 1u);
+    EXPECT_EQ(records[0].frequency, (std::vector<double>{0.05, 0.1}));
+    EXPECT_EQ(records[0].warnings.size(), 3u) << "the frequency, the density, the bin of 0 Hz";
+    EXPECT_TRUE(refusal_of([] {
+                    read(",surge\n0,7\n1,1\n2,2\n");
+                }).says("the first column numbers the rows, and none is named frequency"));
+    EXPECT_TRUE(refusal_of([] {
+                    read("frequency (rad/s),surge\n.1,7\n.2,1\n");
+                }).says("over rad/s the density needs a unit"));
+}
+
+TEST(CsvWide, ARowIsARecordWhoseFrequenciesAreTheTitles) {
+    for (const char* title : {"", "time", "index"}) {
+        const std::vector<SpectrumRecord> records =
+            read(std::string(title) +
+                 ",0.1,0.2,0.4\n2024-03-01 12:00:00,1,2,3\n"
+                 "2024-03-01 13:00:00,4,x,6\n2024-03-01 14:00:00,7,,9\n");
+        ASSERT_EQ(records.size(), 3u) << title;
+        EXPECT_EQ(records[0].time, "2024-03-01T12:00");
+        EXPECT_EQ(records[0].frequency, (std::vector<double>{0.1, 0.2, 0.4}));
+        EXPECT_EQ(records[0].density, (std::vector<double>{1, 2, 3}));
+        EXPECT_EQ(records[0].warnings.size(), 1u);
+        EXPECT_EQ(records[1].fault, "s.csv:3: 'x' is not a density");
+        EXPECT_EQ(records[1].time, "2024-03-01T13:00");
+        EXPECT_EQ(records[2].frequency, (std::vector<double>{0.1, 0.4}));
+    }
+    EXPECT_EQ(read("station;0,1;0,2;0,4\nA;1,5;2,5;3\n")[0].density,
+              (std::vector<double>{1.5, 2.5, 3.0}));
+}
+
+TEST(CsvWide, WhatIsNoDensityIsAnUnknownColumn) {
+    EXPECT_TRUE(refusal_of([] {
+                    read("frequency,amplitude\n.1,1\n.2,2\n");
+                }).says("unknown column 'amplitude'; known:"));
+    EXPECT_TRUE(
+        refusal_of([] { read("frequency,densty\n.1,1\n.2,2\n"); }).says("did you mean density?"));
 }
 
 }  // namespace

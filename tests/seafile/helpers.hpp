@@ -37,6 +37,18 @@ Refusal refusal_of(Action action) {
     return {};
 }
 
+/// What is wrong with a file, or with the first of its records that cannot be read.
+template <typename Read>
+Refusal first_fault_of(Read read) {
+    std::vector<SpectrumRecord> records;
+    const Refusal whole = refusal_of([&] { records = read(); });
+    if (whole.refused) return whole;
+    for (const SpectrumRecord& record : records) {
+        if (!record.fault.empty()) return {true, ErrorKind::bad_file, record.fault};
+    }
+    return {};
+}
+
 /// Parses `body` under the line "libocean = 1", so that the body begins on line 2 of "test.toml".
 inline Sea parse(const std::string& body) {
     return parse_sea("libocean = 1\n" + body, "test.toml", kData + "/spectra");
@@ -61,7 +73,7 @@ inline bool same_record(const SpectrumRecord& a, const SpectrumRecord& b) {
            same_bits(a.longitude, b.longitude) && same_bits(a.depth, b.depth) &&
            same_bits(a.frequency, b.frequency) && same_bits(a.density, b.density) &&
            same_bits(a.a1, b.a1) && same_bits(a.b1, b.b1) && same_bits(a.a2, b.a2) &&
-           same_bits(a.b2, b.b2);
+           same_bits(a.b2, b.b2) && a.warnings == b.warnings;
 }
 inline bool same_value(const ParameterValue& a, const ParameterValue& b) {
     const auto* x = std::get_if<double>(&a);

@@ -169,13 +169,13 @@ TEST(NdbcRealtime, BrokenLinesAreRefusedWithTheirNumber) {
         {"2020 06 08 03 50 0.2 1.5 (0.1) 2.5\n", "pairs"},
         {"2020 06 08 03 50 0.2 1.5 (0.1)\n", "fewer than 2 frequencies"},
         {"2020 06 08 03 50\n", "separation frequency"},
-        {"2020 06 08 03 50 0.2 1.5 (0.1) -2.5 (0.2)\n", "-2.5"},
+        {"2020 06 08 03 50 0.2 1.5 (0.1) -2e6 (0.2)\n", "-2e6"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) 1e7 (0.2)\n", "1e7"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) nan (0.2)\n", "'nan' is not a number"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) 1,5 (0.2)\n", "'1,5' is not a number"},
         {"2020 06 08 03 50 0.2 1.5 (0.2) 2.5 (0.1)\n", "do not ascend"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.1)\n", "do not ascend"},
-        {"2020 06 08 03 50 0.2 1.5 (0.0) 2.5 (0.1)\n", "allowed: 1e-5 .. 100 Hz"},
+        {"2020 06 08 03 50 0.2 1.5 (-.1) 2.5 (0.1)\n", "allowed: 1e-5 .. 100 Hz"},
         {"2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (inf)\n", "'inf' is not a frequency"},
         {"2020 06 31 03 50 0.2 1.5 (0.1) 2.5 (0.2)\n", "date"},
         {"2020 06 08 24 50 0.2 1.5 (0.1) 2.5 (0.2)\n", "date"},
@@ -185,7 +185,7 @@ TEST(NdbcRealtime, BrokenLinesAreRefusedWithTheirNumber) {
     };
     for (const auto& [line, words] : broken) {
         const Files files = {{"b.data_spec", kDensityHeader + good + line}};
-        const Refusal refusal = refusal_of([&] { read(files); });
+        const Refusal refusal = first_fault_of([&] { return read(files); });
         ASSERT_TRUE(refusal.refused) << line;
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("b.data_spec:3: ") && refusal.says(words)) << refusal.message;
@@ -193,14 +193,20 @@ TEST(NdbcRealtime, BrokenLinesAreRefusedWithTheirNumber) {
 }
 
 TEST(NdbcRealtime, AFileCutBetweenPairsIsRefused) {
-    const Refusal refusal = refusal_of([] {
-        read({{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
-                                               "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)"}});
+    const Refusal refusal = first_fault_of([] {
+        return read(
+            {{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
+                                              "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)"}});
     });
     EXPECT_TRUE(refusal.says("b.data_spec:3: the file ends within this line")) << refusal.message;
 }
 
-TEST(NdbcRealtime, BrokenCompanionsAreRefusedByTheirOwnName) {
+TEST(NdbcRealtime, ABrokenLineOfACompanionCostsItsDirectionsAndIsNamed) {
+    const auto warning_of = [](const Files& files) {
+        const SpectrumRecord record = read(files).front();
+        EXPECT_FALSE(record.has_moments());
+        return record.warnings.empty() ? std::string() : record.warnings.front();
+    };
     const std::pair<std::string, std::string> broken[] = {
         {"361.0 (0.100) 99.0 (0.200)", "0 .. 360 degrees"},
         {"-1.0 (0.100) 99.0 (0.200)", "0 .. 360 degrees"},
@@ -209,12 +215,14 @@ TEST(NdbcRealtime, BrokenCompanionsAreRefusedByTheirOwnName) {
     for (const auto& [values, words] : broken) {
         Files files = one_line_buoy();
         files["b.swdir"].replace(files["b.swdir"].find("90.0"), 26, values);
-        const Refusal refusal = refusal_of([&] { read(files); });
-        EXPECT_TRUE(refusal.says("b.swdir:2: ") && refusal.says(words)) << refusal.message;
+        const std::string warning = warning_of(files);
+        EXPECT_NE(warning.find("left out: b.swdir:2: "), std::string::npos) << warning;
+        EXPECT_NE(warning.find(words), std::string::npos) << warning;
     }
     Files files = one_line_buoy();
     files["b.swr1"].replace(files["b.swr1"].find("0.80"), 4, "1.20");
-    EXPECT_TRUE(refusal_of([&] { read(files); }).says("b.swr1:2: r1 and r2 are 0 .. 1, not 1.20"));
+    EXPECT_EQ(warning_of(files),
+              "its directions are left out: b.swr1:2: r1 and r2 are 0 .. 1, not 1.20");
     files["b.swr1"] = files["b.swr2"];
     EXPECT_TRUE(refusal_of([&] { read(files); }).says("b.swr1:1: this is a .swr2 table"));
 }
@@ -223,6 +231,76 @@ TEST(NdbcRealtime, ACompanionGivenAsSpectrumIsNamed) {
     const Refusal refusal = refusal_of([] { read_spectra(kData + "/spectra/ndbc_41010.swdir"); });
     EXPECT_TRUE(refusal.says("this is a .swdir table where .data_spec is needed"))
         << refusal.message;
+}
+
+TEST(NdbcRealtime, ALineThatEndsBetweenPairsIsWarnedOf) {
+    const std::vector<SpectrumRecord> records =
+        read({{"b.data_spec", kDensityHeader + "2020 06 08 03 50 0.2 1.5 (0.1) 2.5 (0.2) 3 (0.3)\n"
+                                               "2020 06 08 02 50 0.2 1.5 (0.1) 2.5 (0.2)\n"}});
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_EQ(records[1].warnings,
+              (std::vector<std::string>{"line 3 has 2 frequencies where the line before has 3"}));
+}
+
+TEST(NdbcRealtime, AnHourlyTableHasItsStationsAndTheirDirections) {
+    const std::string two = "41997 2024 03 01 12 00 ";
+    Files files = {{"h.data_spec", "#STN YYYY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n" +
+                                       two +
+                                       "0.2 1 (0.1) 2 (0.2)\n41998 2024 03 01 12 00 0.2 3 (0.1) 4 "
+                                       "(0.2)\n"}};
+    for (const auto& [suffix, column, value] : {std::tuple{".swdir", "alpha1_1", "90"},
+                                                {".swdir2", "alpha2_1", "90"},
+                                                {".swr1", "r1_1", "0.8"},
+                                                {".swr2", "r2_1", "0.5"}}) {
+        files["h" + std::string(suffix)] = "#STN YYYY MM DD hh mm " + std::string(column) +
+                                           " (freq_1) ... >\n" + two + value + " (0.1) " + value +
+                                           " (0.2)\n";
+    }
+    const std::vector<SpectrumRecord> records = read(files, "h.data_spec");
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_EQ(records[0].station, "41997");
+    ASSERT_TRUE(records[0].has_moments());
+    EXPECT_NEAR(records[0].a1[0], -0.8, 1e-12) << "from the east";
+    EXPECT_EQ(records[1].station, "41998");
+    EXPECT_FALSE(records[1].has_moments()) << "another station's are not its own";
+}
+
+TEST(NdbcFiveDay, ABandThatIsLostCostsItsRecord) {
+    const std::string head = "YYYY MM DD hh mm bands\nfreq bandwidth energy r1 r2 alpha1 alpha2\n";
+    const auto record = [](const std::string& hour, const std::string& last) {
+        return "2024 03 01 " + hour +
+               " 00 3\n0.04 0.01 -0.01 0.9 0.6 90 90\n"
+               "0.05 0.01 2.0 0.9 0.6 90 90\n" +
+               last;
+    };
+    const std::string good = "0.06 0.01 1.0 0.9 MM 999 90\n";
+    const auto read_five = [](const std::string& content) {
+        return read_spectra_from({content, "x/41010_5day.spectral", {}});
+    };
+    const std::vector<SpectrumRecord> whole = read_five("# x\n" + head + record("11", good));
+    ASSERT_EQ(whole.size(), 1u);
+    EXPECT_EQ(whole[0].station, "41010");
+    EXPECT_EQ(whole[0].time, "2024-03-01T11:00");
+    EXPECT_EQ(whole[0].density[0], 0.0);
+    EXPECT_NEAR(whole[0].a1[1], -0.9, 1e-12);
+    EXPECT_TRUE(std::isnan(whole[0].a1[2]));
+    EXPECT_EQ(whole[0].warnings.size(), 1u) << "the density below 0";
+    for (const std::string& last :
+         {std::string(), std::string("0.06 0.01 1.0\n"),
+          std::string("0.05 0.01 1.0 0.9 0.6 90 90\n"), "garbage\n" + good}) {
+        const std::vector<SpectrumRecord> records =
+            read_five(head + record("11", last) + record("12", good));
+        ASSERT_EQ(records.size(), 2u) << last;
+        EXPECT_NE(records[0].fault.find("41010_5day.spectral:6: "), std::string::npos)
+            << records[0].fault;
+        EXPECT_EQ(records[0].time, "2024-03-01T11:00");
+        EXPECT_EQ(records[1].time, "2024-03-01T12:00");
+        EXPECT_EQ(records[1].fault, "");
+    }
+    const std::vector<SpectrumRecord> cut =
+        read_five(head + record("11", good) + record("12", "0.06 0.0"));
+    ASSERT_EQ(cut.size(), 2u);
+    EXPECT_NE(cut[1].fault.find("the file ends within this line"), std::string::npos);
 }
 
 }  // namespace

@@ -155,8 +155,8 @@ TEST(SpotterCsv, BrokenFilesAreRefusedWithTheirLine) {
         {",-121.9", ",-221.9", 2, "a longitude of -221.9"},
         {",0.2 ", ",0.05 ", 2, "the frequencies do not ascend at bin 2"},
         {",0.2 ", ",200 ", 2, "a frequency of 200; allowed: 1e-5 .. 100 Hz"},
-        {",2.5 ", ",-2.5 ", 2, "a density of -2.5; allowed: 0 .. 1e6 m^2/Hz"},
-        {",2.5 ", ",nan ", 2, "'nan' is not a number"},
+        {",2.5 ", ",-2e6 ", 2, "a density of -2e6; allowed: 0 .. 1e6 m^2/Hz"},
+        {",2.5 ", ",inf ", 2, "'inf' is not a number"},
         {",0.8 ", ",1.8 ", 2, "a moment of 1.8; allowed: -1 .. 1"},
         {",180 ", ",1800 ", 2, "a direction of 1800"},
         {",36 ", ",-36 ", 2, "a spread of -36; allowed: 0 .. 180 degrees"},
@@ -166,12 +166,13 @@ TEST(SpotterCsv, BrokenFilesAreRefusedWithTheirLine) {
     };
     for (const auto& [from, to, line, words] : broken) {
         const Refusal refusal =
-            refusal_of([text = replaced(kCsvFile, from, to)] { read_csv(text); });
+            first_fault_of([text = replaced(kCsvFile, from, to)] { return read_csv(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "s.csv:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;
     }
-    const Refusal cut = refusal_of([] { read_csv(kCsvFile.substr(0, kCsvFile.size() - 20)); });
+    const Refusal cut =
+        first_fault_of([] { return read_csv(kCsvFile.substr(0, kCsvFile.size() - 20)); });
     EXPECT_TRUE(cut.says("s.csv:4: the file ends within this line")) << cut.message;
 }
 
@@ -262,24 +263,23 @@ TEST(SpotterJson, BrokenFilesAreRefusedWithTheirLine) {
         {"\"frequency\": [", "\"frequencies\": [", 12, "a spectrum without frequency"},
         {"[1.5, 2.5, 1]", "[]", 12, "a spectrum without varianceDensity"},
         {"[1.5, 2.5, 1]", "[1.5, 2.5]", 12, "2 values of varianceDensity for 3 frequencies"},
-        {"[1.5, 2.5, 1]", "[1.5, 2.5, 1", 7, "'varianceDensity' has a text"},
+        {"[1.5, 2.5, 1]", "[1.5, 2.5, 1", 7, "':' is not what JSON has here"},
         {"[1.5, 2.5, 1]", "1.5", 6, "'varianceDensity' has a single number"},
         {"[1.5, 2.5, 1]", "\"1.5\"", 6, "'varianceDensity' has a text"},
         {"[1.5, 2.5, 1]", "{}", 6, "'varianceDensity' has an object"},
         {"[1.5, 2.5, 1]", "[1.5, [2.5], 1]", 6, "'varianceDensity' has a list"},
         {"[1.5, 2.5, 1]", "[1.5, true, 1]", 6, "'varianceDensity' has true or false"},
         {"[1.5, 2.5, 1]", "[1.5, \"2.5\", 1]", 6, "'varianceDensity' has a text"},
-        {"[1.5, 2.5, 1]", "[1.5, -2.5, 1]", 6, "a density of -2.5; allowed: 0 .. 1e6 m^2/Hz"},
+        {"[1.5, 2.5, 1]", "[1.5, -2e6, 1]", 6, "a density of -2e6; allowed: 0 .. 1e6 m^2/Hz"},
         {"[1.5, 2.5, 1]", "[1.5, 10000001, 1]", 6, "a density of 10000001"},
-        {"[1.5, 2.5, 1]", "[1.5, -1, 1]", 6, "a density of -1;"},
         {"[1.5, 2.5, 1]", "[1.5, 1e999, 1]", 6, "the number '1e999' is out of range"},
-        {"[1.5, 2.5, 1]", "[1.5, NaN, 1]", 6, "'N' is not what JSON has here"},
+        {"[1.5, 2.5, 1]", "[1.5, None, 1]", 6, "'N' is not what JSON has here"},
         {"[1.5, 2.5, 1]", "[1.5, 2,5,, 1]", 6, "',' is not what JSON has here"},
         {"0.2, 0.4]", "0.05, 0.4]", 12, "the frequencies do not ascend at bin 2"},
-        {"0.2, 0.4]", "0, 0.4]", 5, "a frequency of 0; allowed: 1e-5 .. 100 Hz"},
+        {"0.2, 0.4]", "-1, 0.4]", 5, "a frequency of -1; allowed: 1e-5 .. 100 Hz"},
         {"\"b1\":", "\"a1\":", 8, "'a1' is there twice in one spectrum"},
         {"[0.8, 0, -0.8]", "[0.8, 0, -1.8]", 7, "a moment of -1.8; allowed: -1 .. 1"},
-        {"00:27:19.000Z", "00:27:19.000+13:00", 4, "is not UTC like"},
+        {"00:27:19.000Z", "00:27:19.000+25:00", 4, "is not UTC like"},
         {"00:27:19.000Z", "00:27:19.Z", 4, "is not UTC like"},
         {"\"2018-02-14T00:27:19.000Z\"", "1518568039", 4, "'timestamp' has a single number"},
         {"-61.0", "-161.0", 4, "a latitude of -161.0; allowed: -90 .. 90"},
@@ -289,17 +289,18 @@ TEST(SpotterJson, BrokenFilesAreRefusedWithTheirLine) {
     };
     for (const auto& [from, to, line, words] : broken) {
         const Refusal refusal =
-            refusal_of([text = replaced(kJsonFile, from, to)] { read_json(text); });
+            first_fault_of([text = replaced(kJsonFile, from, to)] { return read_json(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file) << to;
         const std::string where = "s.json:" + std::to_string(line) + ": ";
         EXPECT_TRUE(refusal.says(where) && refusal.says(words)) << to << ": " << refusal.message;
     }
 }
 
-TEST(SpotterJson, EveryCutIsRefused) {
+TEST(SpotterJson, EveryCutIsNamed) {
     for (std::size_t size = kJsonFile.find("frequencyData\": [") + 14; size <= kJsonFile.size() - 2;
          ++size) {
-        const Refusal refusal = refusal_of([&] { read_json(kJsonFile.substr(0, size)); });
+        const Refusal refusal =
+            first_fault_of([&] { return read_json(kJsonFile.substr(0, size)); });
         ASSERT_TRUE(refusal.refused) << size;
         ASSERT_TRUE(refusal.says("s.json:")) << refusal.message;
     }
@@ -323,6 +324,70 @@ TEST(SpotterJson, HostileNestingAndListsAreRefusedAtOnce) {
     const Refusal garbage = refused("{\"spotterId\": \x1B[31m\xFF" + std::string(9000, 'x'));
     EXPECT_LT(garbage.message.size(), 200u);
     for (const char c : garbage.message) EXPECT_GE(static_cast<unsigned char>(c), 0x20);
+}
+
+TEST(SpotterCsv, ARowThatCannotBeReadCostsNoOther) {
+    const std::vector<SpectrumRecord> records = read_csv(replaced(kCsvFile, ",2.5 ", ",inf "));
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_NE(records[0].fault.find("s.csv:2: 'inf' is not a number"), std::string::npos);
+    EXPECT_EQ(records[0].time, "2021-09-06T04:12");
+    EXPECT_TRUE(same_record(records[1], read_csv(kCsvFile)[1]));
+}
+
+TEST(SpotterJson, ListsOfBuoysAndOfSpectraAreRead) {
+    const SpectrumRecord alone = read_json(kJsonFile).front();
+    std::string other = kJsonFile;
+    other.replace(other.find("SPOT-0070"), 9, "SPOT-0071");
+    for (const std::string& content :
+         {"[" + kJsonFile + "," + other + "]", "{\"data\": [" + kJsonFile + "," + other + "]}"}) {
+        const std::vector<SpectrumRecord> records = read_json(content);
+        ASSERT_EQ(records.size(), 2u);
+        EXPECT_EQ(records[0].station, "SPOT-0070");
+        EXPECT_EQ(records[1].station, "SPOT-0071");
+        EXPECT_EQ(records[1].a1, alone.a1);
+    }
+    const std::vector<SpectrumRecord> bare =
+        read_json("[" + kJsonSpectrum + "," +
+                  replaced(kJsonSpectrum, "{", "{\"spotterId\": \"SPOT-0072\",") + "]");
+    ASSERT_EQ(bare.size(), 2u);
+    EXPECT_EQ(bare[0].station, "");
+    EXPECT_EQ(bare[0].density, alone.density);
+    EXPECT_EQ(bare[0].latitude, -61.0);
+    EXPECT_EQ(bare[1].station, "SPOT-0072");
+}
+
+TEST(SpotterJson, NanIsMissingAndOffsetsAreConverted) {
+    const SpectrumRecord record =
+        read_json(replaced(kJsonFile, "[1.5, 2.5, 1]", "[1.5, NaN, 1]"))[0];
+    EXPECT_EQ(record.density, (std::vector<double>{1.5, 1.0}));
+    EXPECT_EQ(record.frequency, (std::vector<double>{0.1, 0.4}));
+    std::string named = replaced(kJsonFile, "SPOT-0070", "NaN \\\"NaN");
+    named = replaced(named, "[1.5, 2.5, 1]", "[1.5, NaN, 1]");
+    EXPECT_EQ(read_json(named)[0].station, "NaN \"NaN") << "within a text it is none";
+    EXPECT_EQ(read_json(replaced(kJsonFile, "00:27:19.000Z", "00:27:19+00:00"))[0].time,
+              "2018-02-14T00:27");
+    EXPECT_EQ(read_json(replaced(kJsonFile, "00:27:19.000Z", "00:27:19+13:00"))[0].time,
+              "2018-02-13T11:27");
+}
+
+TEST(SpotterJson, ASpectrumThatCannotBeReadCostsNoOther) {
+    const std::string two =
+        replaced(kJsonFile, kJsonSpectrum,
+                 replaced(kJsonSpectrum, "[1.5, 2.5, 1]", "[1.5, \"x\", 1]") + "," + kJsonSpectrum);
+    const std::vector<SpectrumRecord> records = read_json(two);
+    ASSERT_EQ(records.size(), 2u);
+    EXPECT_NE(records[0].fault.find("s.json:6: 'varianceDensity' has a text"), std::string::npos);
+    EXPECT_EQ(records[0].time, "2018-02-14T00:27");
+    EXPECT_EQ(records[1].station, "SPOT-0070");
+    EXPECT_EQ(records[1].fault, "");
+    const std::string cut = "{\"spotterId\": \"A\", \"frequencyData\": [" + kJsonSpectrum + "," +
+                            kJsonSpectrum.substr(0, 150);
+    const std::vector<SpectrumRecord> growing = read_json(cut);
+    ASSERT_EQ(growing.size(), 2u);
+    EXPECT_EQ(growing[0].station, "A");
+    EXPECT_EQ(growing[0].fault, "");
+    EXPECT_NE(growing[1].fault.find("the file ends where its JSON does not"), std::string::npos);
+    EXPECT_EQ(growing[1].time, "2018-02-14T00:27");
 }
 
 }  // namespace

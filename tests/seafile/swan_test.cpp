@@ -148,7 +148,7 @@ TEST(Swan, AStationaryFileHasNoTimeAndMetresAreNoDegrees) {
     EXPECT_TRUE(std::isnan(records[0].latitude) && std::isnan(records[0].longitude));
     EXPECT_EQ(records[1].station, "mole");
     EXPECT_EQ(records[1].directional_density, (std::vector<double>{1, 2, 3, 4, 5, 6}));
-    const Refusal refusal = refusal_of([&] { read(stationary + "ZERO\n"); });
+    const Refusal refusal = first_fault_of([&] { return read(stationary + "ZERO\n"); });
     EXPECT_TRUE(refusal.says("s.spec:24: 'ZERO' after the last location")) << refusal.message;
 }
 
@@ -228,7 +228,7 @@ TEST(Swan, AFileCutAfterAnyLineIsRefusedUnlessATimeIsComplete) {
             EXPECT_EQ(read(cut).size(), 2u);
             continue;
         }
-        const Refusal refusal = refusal_of([&] { read(cut); });
+        const Refusal refusal = first_fault_of([&] { return read(cut); });
         EXPECT_TRUE(refusal.says(lines == 21 ? "holds no spectrum" : ": the file ends where"))
             << lines << refusal.message;
     }
@@ -251,7 +251,7 @@ TEST(Swan, ShortWordsForHugeSpectraAreRefused) {
 TEST(Swan, BrokenFilesAreRefusedWithTheLine) {
     const std::tuple<std::string, std::string, std::string> broken[] = {
         {"SWAN   1", "SWAN   2", ":1: version 2 of SWAN's files; known: 1"},
-        {"TIME ", "TIDE ", ":3: 'TIDE' where TIME or LONLAT or LOCATIONS should be"},
+        {"TIME ", "TIDE ", ":3: 'TIDE' where TIME or ITER or LONLAT or LOCATIONS should be"},
         {"     1                  time", "     7 time",
          ":4: 7 as time coding option; allowed: 1 .. 6"},
         {"     3                  number", " 1000000000 ", ":6: 1000000000 locations; allowed"},
@@ -271,7 +271,7 @@ TEST(Swan, BrokenFilesAreRefusedWithTheLine) {
         {" 90.", " 0.", ":16: a direction is there twice"},
         {"     1                  number of q", " 2 ", ":18: 2 quantities; allowed: 1 .. 1"},
         {"VaDens", "Hs", ":19: 'Hs' is not a quantity; known: VaDens, EnDens"},
-        {"m2/Hz/degr", "m2/Hz/rad", ":20: 'm2/Hz/rad' is not a unit of VaDens; known: m2/Hz/degr"},
+        {"m2/Hz/degr", "m2/Hz/gon", ":20: 'm2/Hz/gon' is not a unit of VaDens; known: m2/Hz/degr"},
         {"   -99    ", "   none   ", ":21: 'none' is not an exception value"},
         {"20161011.03", "20161311.03", ":22: '20161311.030059' where a time like YYYYMMDD.hhmmss"},
         {"20161011.030059", "20161011.030060", ":22: '20161011.030060' where a time"},
@@ -282,15 +282,14 @@ TEST(Swan, BrokenFilesAreRefusedWithTheLine) {
         {"0.5D-02", "1e10", ":25: 1 times the factor is not within 0 .. 2500 m2/Hz/degr"},
         {"   1   2   3   4\n", "   1   2   3\n", ":26: '6' after the values of all directions"},
         {"   1   2   3   4\n", "   1   2   3   4   5\n", ":25: '5' after the values"},
-        {"   1   2   3   4\n", "   1   2   3  -4\n", ":25: -4 times the factor"},
-        {"   1   2   3   4\n", "   1   2   3 4.5\n", ":25: 4.5 is not a whole number"},
+        {"   1   2   3   4\n", "   1   2   3  -9e9\n", ":25: -9e9 times the factor"},
         {"   1   2   3   4\n", "   1   2 nan   4\n", ":25: 'nan' is not a density"},
         {"   7   8\n", "", ":27: 'ZERO' is not a density"},
-        {"ZERO\n", "", ":29: '20161011.060000' where FACTOR"},
+        {"ZERO\n", "", ":29: a time where location 3 of 3 should be"},
         {"NODATA\n20161011", "NODATA\nNODATA\n20161011", ":30: 'NODATA' where a time"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = refusal_of([text = with(from, to)] { read(text); });
+        const Refusal refusal = first_fault_of([text = with(from, to)] { return read(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("s.spec" + words)) << words << "\n" << refusal.message;
     }
@@ -300,12 +299,12 @@ TEST(Swan, BrokenQuantitiesAreRefusedWithTheLine) {
     const std::string good = "3\nVaDens\nm2/Hz\n-99\nCDIR\ndegr\n-999\nDSPRDEGR\ndegr\n-9\n";
     const std::tuple<std::string, std::string, std::string> broken[] = {
         {"VaDens\nm2/Hz\n-99", "DSPR\ndegr\n-99", ":17: a second DSPRDEGR"},
-        {"3\nVaDens\nm2/Hz\n-99", "2", ":16: no VaDens or EnDens among the quantities"},
+        {"3\nVaDens\nm2/Hz\n-99", "2", ":16: no VaDens, EnDens or AcDens among the quantities"},
         {"m2/Hz", "m2/Hz/degr", ":12: 'm2/Hz/degr' is not a unit of VaDens; known: m2/Hz"},
         {"CDIR\ndegr", "CDIR\nrad", ":15: 'rad' is not a unit of CDIR; known: degr"},
         {"LOCATION 1", "LOCATION 2", ":20: LOCATION 2 where LOCATION 1 should be"},
         {"LOCATION 1", "FACTOR", ":20: 'FACTOR' where LOCATION or NODATA"},
-        {"1 30 20", "-1 30 20", ":21: a density of -1; allowed: 0 .. 1e6"},
+        {"1 30 20", "-2e6 30 20", ":21: a density of -2e6; allowed: 0 .. 1e6"},
         {"1 30 20", "1 1000 20", ":21: a direction of 1000; allowed"},
         {"1 30 20", "1 30 -20", ":21: a spread of -20; allowed"},
         {"1 30 20", "1 30", ":22: '30' after the quantities of a frequency"},
@@ -317,6 +316,85 @@ TEST(Swan, BrokenQuantitiesAreRefusedWithTheLine) {
         const Refusal refusal = refusal_of([text = replaced(file, from, to)] { read(text); });
         EXPECT_TRUE(refusal.says("s.spec" + words)) << words << "\n" << refusal.message;
     }
+}
+
+TEST(Swan, RealNumbersAreReadAsTheyAre) {
+    const std::string real = with("   1   2   3   4\n", " 1.5 2.5E0 0.35D+1 4.25\n");
+    EXPECT_EQ(read(real)[0].directional_density[0], 4.25 * 0.005) << "from the west, to the east";
+    const std::string repeated = with("   1   2   3   4\n", " 2*1.5 2*2.5\n");
+    EXPECT_EQ(read(repeated)[0].directional_density,
+              read(with("   1   2   3   4\n", " 1.5 1.5 2.5 2.5\n"))[0].directional_density);
+    EXPECT_TRUE(first_fault_of([] {
+                    return read(with("   1   2   3   4\n", " 3*1.5 2*2.5\n"));
+                }).says("s.spec:25: more numbers than the values of all directions"));
+}
+
+TEST(Swan, ActionTimesTheAngularFrequencyIsVariance) {
+    const SpectrumRecord variance = read(kFile)[0];
+    for (const char* unit : {"m2s/Hz/degr", "m2s/Hz/deg", "m2 s/Hz/degr", "m2*s/Hz/deg"}) {
+        std::string content = with("VaDens", "AcDens");
+        content.replace(content.find("m2/Hz/degr"), 10, unit);
+        const SpectrumRecord action = read(content)[0];
+        for (std::size_t i = 0; i < action.directional_density.size(); ++i) {
+            const double omega = 2.0 * std::numbers::pi * action.frequency[i / 4];
+            EXPECT_NEAR(action.directional_density[i], omega * variance.directional_density[i],
+                        1e-15);
+        }
+    }
+    std::string radians = with("m2/Hz/degr", "m2/Hz/rad");
+    EXPECT_NEAR(read(radians)[0].density[0], variance.density[0] * kDegree, 1e-15);
+    const std::string one_dimensional = over_frequency("1\nAcDens\nm2s/Hz\n-99\n", "1\n2\n");
+    EXPECT_NEAR(read(one_dimensional)[0].density[1],
+                2.0 * 2.0 * std::numbers::pi * read(one_dimensional)[0].frequency[1], 1e-12);
+}
+
+TEST(Swan, OfIterationsTheLastIsTheResult) {
+    std::string content = with("TIME ", "ITER ");
+    content.replace(content.find("20161011.030059"), 15, "              7");
+    content.replace(content.find("20161011.060000"), 15, "              8");
+    const std::vector<SpectrumRecord> records = read(content);
+    ASSERT_EQ(records.size(), 1u) << "the others are NODATA";
+    EXPECT_EQ(records[0].time, "");
+    EXPECT_EQ(records[0].station, "pier head");
+    ASSERT_EQ(records[0].warnings.size(), 1u);
+    EXPECT_EQ(records[0].warnings[0],
+              "the file has 2 iterations of one state: the last, number 8, is the result");
+    const std::vector<SpectrumRecord> cut = read(content.substr(0, content.rfind("   5   6")));
+    ASSERT_EQ(cut.size(), 2u) << "of the iteration before";
+    EXPECT_EQ(cut[0].warnings[0],
+              "the file has 2 iterations of one state: number 8 cannot be read "
+              "whole, and the one before it is taken");
+}
+
+TEST(Swan, AValueThatIsNoNumberCostsItsLocation) {
+    const std::vector<SpectrumRecord> records =
+        read(with("   1   2   3   4\n", "   1   2 ***   4\n"));
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_NE(records[0].fault.find("s.spec:25: '***' is not a density"), std::string::npos);
+    EXPECT_EQ(records[0].longitude, 174.67);
+    EXPECT_EQ(records[1].fault, "");
+    EXPECT_EQ(records[1].longitude, 174.77) << "ZERO is the second's";
+    EXPECT_EQ(records[2].time, "2016-10-11T06:00");
+}
+
+TEST(Swan, BehindALostLocationThePlacesAreNotKnown) {
+    // The word of the first location is lost, so that ZERO would be taken for it.
+    const std::vector<SpectrumRecord> records = read(with("FACTOR\n    0.5D-02\n", "\n"));
+    ASSERT_EQ(records.size(), 3u);
+    EXPECT_NE(records[0].fault.find("where FACTOR, ZERO or NODATA should be"), std::string::npos);
+    EXPECT_EQ(records[1].fault, "") << "the file has as many as it should";
+    const std::vector<SpectrumRecord> fewer =
+        read(with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\n", "garbage\n"));
+    ASSERT_EQ(fewer.size(), 3u);
+    EXPECT_NE(fewer[0].fault.find("'garbage' where FACTOR"), std::string::npos);
+    EXPECT_EQ(fewer[1].fault, "") << "two words follow, for the second and third";
+    const std::vector<SpectrumRecord> lost =
+        read(with("FACTOR\n    0.5D-02\n   1   2   3   4\n   5   6\n   7   8\nZERO\nNODATA\n",
+                  "garbage\nZERO\n"));
+    ASSERT_EQ(lost.size(), 4u);
+    EXPECT_NE(lost[1].fault.find("the place of this one is not known"), std::string::npos);
+    EXPECT_NE(lost[2].fault.find("a time where location 3 of 3"), std::string::npos);
+    EXPECT_EQ(lost[3].fault, "");
 }
 
 }  // namespace

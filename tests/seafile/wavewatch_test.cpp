@@ -166,7 +166,7 @@ TEST(Wavewatch, AFileCutAfterAnyLineIsRefusedUnlessATimeIsComplete) {
             EXPECT_EQ(read(cut).size(), 2u);
             continue;
         }
-        const Refusal refusal = refusal_of([&] { read(cut); });
+        const Refusal refusal = first_fault_of([&] { return read(cut); });
         const bool no_time = lines == 3;
         EXPECT_TRUE(refusal.says(no_time ? "holds no spectrum"
                                          : ":" + std::to_string(lines) + ": the file ends where"))
@@ -184,10 +184,10 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {"     2     4     2", "   2.5     4     2", ":1: 2.5 frequencies"},
         {"     2     4     2 'a", "'a", ":1: ''a' is not the number of frequencies"},
         {"     2     4     2", "     1     4     2", ":1: 1 frequencies; allowed: 2 .. 4096"},
-        {"     2     4     2", "     3     4     2", ":3: a frequency of 0.000E+00"},
+        {"     2     4     2", "     3     4     2", ":3: the frequencies do not ascend at bin 3"},
         {"0.200E+00", "0.200E+00 0.300E+00", ":2: '0.300E+00' after the frequencies"},
         {" 0.100E+00", " 0.200E+00", ":2: the frequencies do not ascend at bin 2"},
-        {" 0.100E+00", " 0.000E+00", ":2: a frequency of 0.000E+00; allowed: 1e-5 .. 100 Hz"},
+        {" 0.100E+00", " -0.10E+00", ":2: a frequency of -0.10E+00; allowed: 1e-5 .. 100 Hz"},
         {" 0.200E+00", " 200.0", ":2: a frequency of 200.0; allowed"},
         {"0.157E+01", "90.0", ":3: a direction of 90.0; allowed: 0 .. 2 pi"},
         {"0.157E+01", "0.314E+01", ":3: a direction is there twice"},
@@ -195,7 +195,7 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {"20220912 06", "20221312 06", ":4: '20221312' where a time"},
         {"20220912 060000", "2022-09-12 06:00", ":4: '2022-09-12' where a time"},
         {"20220912 060000", "20220912 060000 UTC", ":4: 'UTC' after the time"},
-        {"'A         '", "A", ":5: 'A' where the name of a point"},
+        {"'A         '", "", ":5: '40.98' where the name of a point"},
         {"'A         '", "'A", ":5: ''A' where the name of a point"},
         {"40.98", "90.01", ":5: a latitude of 90.01; allowed: -90 .. 90"},
         {"-71.12", "361.0", ":5: a longitude of 361.0; allowed: -180 .. 360"},
@@ -203,7 +203,7 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {"46.6", "******", ":5: '******' is not a depth: the number was too wide"},
         {" 0.1 94\n", " 0.1\n", ":5: the line ends where a current direction"},
         {" 0.1 94\n", " 0.1 94 7\n", ":5: '7' after the current"},
-        {"  0.300E+01", " -0.300E+01", ":6: a density of -0.300E+01; allowed: 0 .. 1e5"},
+        {"  0.300E+01", " -0.300E+07", ":6: a density of -0.300E+07; allowed: 0 .. 1e5"},
         {"0.300E+01", "nan", ":6: 'nan' is not a density"},
         {"0.300E+01", "0.3E+301", ":6: a density of 0.3E+301"},
         {"0.300E+01", "*********", ":6: '*********' is not a density: the number was too wide"},
@@ -212,10 +212,52 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {"20220912 073059\n", "", ":11: ''A' where a time"},
     };
     for (const auto& [from, to, words] : broken) {
-        const Refusal refusal = refusal_of([text = with(from, to)] { read(text); });
+        const Refusal refusal = first_fault_of([text = with(from, to)] { return read(text); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
         EXPECT_TRUE(refusal.says("p.spec" + words)) << words << "\n" << refusal.message;
     }
+}
+
+TEST(Wavewatch, TextsMayHaveDoubleQuotesOrNone) {
+    const std::vector<SpectrumRecord> quoted = read(kFile);
+    for (const char* mark : {"\"", ""}) {
+        std::string content = kFile;
+        for (std::size_t at = 0; (at = content.find('\'', at)) != std::string::npos;) {
+            content.replace(at, 1, mark);
+        }
+        const std::vector<SpectrumRecord> records = read(content);
+        ASSERT_EQ(records.size(), quoted.size()) << mark;
+        for (std::size_t i = 0; i < records.size(); ++i) {
+            EXPECT_TRUE(same_record(records[i], quoted[i])) << mark << i;
+            EXPECT_EQ(records[i].directional_density, quoted[i].directional_density);
+        }
+    }
+    EXPECT_FALSE(kWavewatch.recognises("'WAVEWATCH III SPECTRA 2 4 2\n"));
+}
+
+TEST(Wavewatch, APointThatCannotBeReadCostsNoOther) {
+    const std::vector<SpectrumRecord> records = read(with("  0.300E+01", "  *********"));
+    ASSERT_EQ(records.size(), 4u);
+    EXPECT_NE(records[0].fault.find("p.spec:6: '*********' is not a density"), std::string::npos);
+    EXPECT_EQ(records[0].station, "A");
+    for (std::size_t i = 1; i < 4; ++i) {
+        EXPECT_TRUE(same_record(records[i], read(kFile)[i])) << i;
+    }
+    const std::vector<SpectrumRecord> cut = read(kFile.substr(0, kFile.size() - 4));
+    ASSERT_EQ(cut.size(), 4u) << "the file is growing";
+    EXPECT_NE(cut[3].fault.find("the file ends where a density should be"), std::string::npos);
+    EXPECT_EQ(cut[2].fault, "");
+    const std::vector<SpectrumRecord> time = read(with("20220912 060000", "2022091x 060000"));
+    ASSERT_EQ(time.size(), 3u);
+    EXPECT_NE(time[0].fault.find("p.spec:4: '2022091x' where a time"), std::string::npos);
+    EXPECT_EQ(time[1].time, "2022-09-12T07:30");
+}
+
+TEST(Wavewatch, NoiseBelowZeroIsTakenAsZero) {
+    const SpectrumRecord record = read(with("  0.300E+01", " -0.100E-02")).front();
+    EXPECT_EQ(record.fault, "");
+    ASSERT_EQ(record.warnings.size(), 1u);
+    EXPECT_NE(record.warnings[0].find("1 of 8 densities are below 0"), std::string::npos);
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ std::string state_text(const SeaState& state) {
     text += asked_resolved("Significant height", state.significant_wave_height, " m");
     if (state.significant_wave_height.asked > 0.0) {
         text += asked_resolved("Peak period", state.peak_period, " s");
+        text += asked_resolved("Energy period, Te", state.energy_period, " s");
+        text += asked_resolved("Mean period, Tm01", state.mean_period, " s");
         text += asked_resolved("Peak wavelength", state.peak_wavelength, " m");
         text += asked_resolved("Mean square slope", state.mean_square_slope, "");
         text += asked_resolved("Mean direction, to", state.mean_direction, " deg", "%.1f");

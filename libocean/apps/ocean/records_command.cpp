@@ -32,31 +32,35 @@ std::string line(const SpectrumRecord& record) {
                            known(record.station).c_str());
     }
     const RecordSummary summary = summarize(record);
-    return format_text("%-16s  %-12s %9s %10s %7s %7s %6s %5s %6s\n", known(record.time).c_str(),
-                       known(record.station).c_str(), cell(record.latitude, "%.4f").c_str(),
-                       cell(record.longitude, "%.4f").c_str(), cell(record.depth, "%.4g").c_str(),
-                       cell(4.0 * std::sqrt(summary.m0), "%.2f").c_str(),
-                       cell(summary.peak_period, "%.1f").c_str(), direction_cell(summary).c_str(),
-                       cell(summary.directional_spread * 180.0 / kPi, "%.0f").c_str());
+    return format_text(
+        "%-16s  %-12s %9s %10s %7s %7s %6s %6s %6s %5s %6s\n", known(record.time).c_str(),
+        known(record.station).c_str(), cell(record.latitude, "%.4f").c_str(),
+        cell(record.longitude, "%.4f").c_str(), cell(record.depth, "%.4g").c_str(),
+        cell(4.0 * std::sqrt(summary.m0), "%.2f").c_str(),
+        cell(summary.peak_period, "%.1f").c_str(), cell(summary.energy_period, "%.1f").c_str(),
+        cell(summary.mean_period, "%.1f").c_str(), direction_cell(summary).c_str(),
+        cell(summary.directional_spread * 180.0 / kPi, "%.0f").c_str());
 }
 
 void run(const std::string& file, const Context& context) {
     const std::vector<SpectrumRecord> records = read_any_spectra(file);
     for (const std::string& warning : records_warnings(records)) context.console.warning(warning);
     if (context.options.json) return context.console.data(records_json(records));
-    context.console.data(format_text("%-16s  %-12s %9s %10s %7s %7s %6s %5s %6s\n", "time, UTC",
-                                     "station", "latitude", "longitude", "depth/m", "Hs/m", "Tp/s",
-                                     "from", "spread"));
+    context.console.data(format_text("%-16s  %-12s %9s %10s %7s %7s %6s %6s %6s %5s %6s\n",
+                                     "time, UTC", "station", "latitude", "longitude", "depth/m",
+                                     "Hs/m", "Tp/s", "Te/s", "Tm01/s", "from", "spread"));
     for (const SpectrumRecord& record : records) context.console.data(line(record));
 }
 
 constexpr char kFooter[] =
-    R"(Reads NDBC real-time and historical tables, Sofar Spotter CSV and JSON, Datawell .spt,
-TRIAXYS spectra, WAVEWATCH III point output, SWAN spectra, CSV and NetCDF, packed with gzip or
-not, recognised by their content. `from` is the mean direction that the waves come from,
-degrees clockwise from north; `spread` the circular standard deviation. A sea takes one of
-them: spectrum = "measured", file, and record = a time, place = a station or
-LATITUDE,LONGITUDE.)";
+    R"(Reads NDBC real-time, hourly, five-day and historical tables, Sofar Spotter CSV and JSON,
+Datawell .spt, TRIAXYS spectra, Nortek AWAC (NMEA), Obscape, Octopus, WAVEWATCH III point
+output, SWAN spectra, CSV and NetCDF, packed with gzip or not, or several text files in a tar;
+recognised by their content. `Tp` is the period of the highest density, `Te` = m-1 / m0 that
+of the energy, `Tm01` = m0 / m1 the mean one. `from` is the mean direction that the waves come
+from, degrees clockwise from north; `spread` the circular standard deviation. A record that
+cannot be read is marked, and a warning says why. A sea takes one of them: spectrum =
+"measured", file, and record = a time, place = a station or LATITUDE,LONGITUDE.)";
 
 }  // namespace
 

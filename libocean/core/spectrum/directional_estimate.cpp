@@ -18,9 +18,7 @@ using Complex = std::complex<double>;
 
 // A distribution on the circle obeys |c1| < 1 and |c2 - c1^2| <= 1 - |c1|^2 (its Toeplitz matrix is
 // positive). Moments printed with two digits, or noisy ones, may not: they are moved to the nearest
-// point inside. 0.98 keeps the narrowest peak about 12 degrees wide.
-constexpr double kLargestMoment = 0.98;
-
+// point inside. kLargestMoment keeps the narrowest peak about 12 degrees wide.
 void make_possible(Complex& c1, Complex& c2) {
     if (std::abs(c1) > kLargestMoment) c1 *= kLargestMoment / std::abs(c1);
     const double radius = kLargestMoment * (1.0 - std::norm(c1));

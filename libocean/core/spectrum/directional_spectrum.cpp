@@ -238,6 +238,8 @@ SpectralMoments DirectionalSpectrum::moments(const Water& water, double shortest
             const double energy = weight * (row_sum_[i] + v * (row_sum_[i + 1] - row_sum_[i]));
             const double k = dispersion.wavenumber(omega);
             result.m0 += energy;
+            result.m1 += omega * energy;
+            result.m_minus1 += energy / omega;
             result.mean_square_slope += k * k * energy;
             mean_east += weight * (east[i] + v * (east[i + 1] - east[i]));
             mean_north += weight * (north[i] + v * (north[i + 1] - north[i]));

@@ -43,6 +43,8 @@ ModeSums sum_row(const StateSource& source, std::size_t cascade, const CascadeBa
         const double off = speed_error(omega, parameters.time.loop_period);
         sums.m0 += variance;
         if (measures_band(band, parameters.grid.resolution, n, m)) sums.measured += variance;
+        sums.m1 += omega * variance;
+        sums.m_minus1 += variance / omega;
         sums.mean_square_slope += k * k * variance;
         sums.slope_by_map[smallest_map(std::max(n, m) * band.divisor)] += k * k * variance;
         sums.loop_error += off * off * variance;
@@ -65,6 +67,8 @@ ModeSums sum_row(const StateSource& source, std::size_t cascade, const CascadeBa
 void ModeSums::add(const ModeSums& other) {
     m0 += other.m0;
     measured += other.measured;
+    m1 += other.m1;
+    m_minus1 += other.m_minus1;
     mean_square_slope += other.mean_square_slope;
     for (std::size_t p = 0; p < other.slope_by_map.size(); ++p) {
         slope_by_map[p] += other.slope_by_map[p];
@@ -105,7 +109,10 @@ ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectru
         for (const ModeSums& row : rows) sums.add(row);
     }
     const double gain = band_gain(spectrum, source.parameters, band, sums.measured);
-    for (double* sum : {&sums.m0, &sums.mean_square_slope, &sums.loop_error}) *sum *= gain;
+    for (double* sum :
+         {&sums.m0, &sums.m1, &sums.m_minus1, &sums.mean_square_slope, &sums.loop_error}) {
+        *sum *= gain;
+    }
     sums.direction *= gain;
     for (double& slope : sums.slope_by_map) slope *= gain;
     for (double& variance : sums.ring) variance *= gain;

@@ -26,6 +26,8 @@ using SlopeByMap = std::array<double, 32>;
 struct ModeSums {
     double m0 = 0.0;
     double measured = 0.0;  // of m0, what measures the band
+    double m1 = 0.0;        // of omega
+    double m_minus1 = 0.0;  // of 1 / omega
     double mean_square_slope = 0.0;
     SlopeByMap slope_by_map{};
     std::complex<double> direction = 0.0;

@@ -123,6 +123,14 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     SeaState state;
     state.significant_wave_height = {asked.significant_wave_height(), 4.0 * std::sqrt(sums.m0)};
     state.peak_period = {period(asked.peak_omega), period(peak)};
+    const auto energy_period = [](const auto& sum) {
+        return sum.m0 > 0.0 ? kTwoPi * sum.m_minus1 / sum.m0 : 0.0;
+    };
+    const auto mean_period = [](const auto& sum) {
+        return sum.m1 > 0.0 ? kTwoPi * sum.m0 / sum.m1 : 0.0;
+    };
+    state.energy_period = {energy_period(asked), energy_period(sums)};
+    state.mean_period = {mean_period(asked), mean_period(sums)};
     state.peak_wavelength = {wavelength(asked.peak_omega), wavelength(peak)};
     state.mean_square_slope = {asked.mean_square_slope, sums.mean_square_slope};
     state.map_slopes = map_slopes(sums.slope_by_map);

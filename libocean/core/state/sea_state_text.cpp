@@ -5,10 +5,14 @@
 #include "state/sea_state_text.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <utility>
 
 #include "modes/mode_lattice.hpp"
+#include "ocean/grid.hpp"
 #include "ocean/json.hpp"
+#include "ocean/spreading.hpp"
 
 namespace ocean {
 
@@ -58,7 +62,33 @@ constexpr double kSaturated = 0.6;
 /// 1.4 % with 4, the end of the hard one.
 constexpr double kMuchFolded = 0.01;
 
-}  // namespace
+/// Degrees of spread that are worth a warning.
+constexpr double kNarrowed = 0.5;
+
+/// The circular spread of a record's moments, degrees, weighted by energy: as they are, and as its
+/// sea has them, whose distributions are not narrower than kLargestExponent and kLargestMoment.
+AskedResolved spread_of_moments(const SpectrumRecord& record) {
+    std::complex<double> asked = 0.0;
+    std::complex<double> held = 0.0;
+    double energy = 0.0;
+    for (std::size_t i = 0; i < record.a1.size(); ++i) {
+        const std::complex<double> c1(record.a1[i], record.b1[i]);
+        const std::size_t below = i > 0 ? i - 1 : i;
+        const std::size_t above = std::min(i + 1, record.a1.size() - 1);
+        const double weight =
+            record.density[i] * (record.frequency[above] - record.frequency[below]);
+        if (std::isnan(c1.real()) || !(weight > 0.0)) continue;
+        const double most =
+            std::isnan(record.a2[i]) ? kLargestExponent / (1.0 + kLargestExponent) : kLargestMoment;
+        energy += weight;
+        asked += weight * c1;
+        held += weight * c1 * std::min(1.0, most / std::max(std::abs(c1), most));
+    }
+    if (!(energy > 0.0)) return {};
+    constexpr double kDegrees = 180.0 / kPi;
+    return {circular_spread(std::abs(asked) / energy) * kDegrees,
+            circular_spread(std::abs(held) / energy) * kDegrees};
+}
 
 /// What the readers of its measured records had to assume, and what no record says.
 void add_record_warnings(const Parameters& parameters, SeaState& state) {
@@ -69,6 +99,12 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
         for (const std::string& warning : system.measured->warnings) {
             state.warnings.push_back(name + ".file: " + warning);
         }
+        const AskedResolved spread = spread_of_moments(*system.measured);
+        if (spread.resolved - spread.asked > kNarrowed) {
+            state.warnings.push_back(
+                name + ".file has a directional spread of " + fixed_text(spread.asked, 1) +
+                " degrees: the least that a sea holds is taken, " + fixed_text(spread.resolved, 1));
+        }
         if (system.measured->has_directions() || system.wind_direction) continue;
         state.warnings.push_back(name + ".file says nothing of directions: the waves travel to " +
                                  name +
@@ -76,6 +112,8 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
                                  ", to the east, spread as " + name + ".spreading says");
     }
 }
+
+}  // namespace
 
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     const auto warn = [&state](std::string text) { state.warnings.push_back(std::move(text)); };
@@ -143,6 +181,8 @@ std::string sea_state_json(const SeaState& state) {
     JsonObject json(JsonLines{2});
     json.add("significant_wave_height", asked_resolved(state.significant_wave_height));
     json.add("peak_period", asked_resolved(state.peak_period));
+    json.add("energy_period", asked_resolved(state.energy_period));
+    json.add("mean_period", asked_resolved(state.mean_period));
     json.add("peak_wavelength", asked_resolved(state.peak_wavelength));
     json.add("mean_square_slope", asked_resolved(state.mean_square_slope));
     json.add("mean_direction", asked_resolved(state.mean_direction));

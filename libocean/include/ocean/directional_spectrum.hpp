@@ -18,6 +18,8 @@ class ThreadPool;
 /// Integrals of the table, exact for its bilinear interpolation in omega.
 struct SpectralMoments {
     double m0 = 0.0;                  // m^2
+    double m1 = 0.0;                  // m^2 rad/s, integral of omega E
+    double m_minus1 = 0.0;            // m^2 s/rad, integral of E / omega
     double mean_square_slope = 0.0;   // integral of k^2 E
     double peak_omega = 0.0;          // where the density over all directions is largest; 0 if flat
     double mean_direction = 0.0;      // rad, energy-weighted; 0 if flat

@@ -45,6 +45,8 @@ struct MapSlope {
 struct SeaState {
     AskedResolved significant_wave_height;  // m
     AskedResolved peak_period;              // s; 0 = flat
+    AskedResolved energy_period;            // s, Te = m-1 / m0; 0 = flat
+    AskedResolved mean_period;              // s, Tm01 = m0 / m1; 0 = flat
     AskedResolved peak_wavelength;          // m
     AskedResolved mean_square_slope;
     AskedResolved mean_direction;      // degrees counter-clockwise from +x, travelling to

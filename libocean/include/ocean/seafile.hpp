@@ -70,8 +70,9 @@ struct RecordChoice {
 const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
                                     const RecordChoice& choice, const std::string& file);
 /// JSON, one object a record: time, station, latitude, longitude, depth, significant_wave_height
-/// [m], peak_period [s], mean_direction [degrees counter-clockwise from +x, travelling to],
-/// coming_from [the same, degrees clockwise from north], directional_spread [degrees], directions
+/// [m], peak_period, energy_period, mean_period [s], mean_direction [degrees counter-clockwise from
+/// +x, travelling to], coming_from [the same, degrees clockwise from north], directional_spread
+/// [degrees], directions
 /// ("none", "moments" or "full"), frequencies [how many], warnings; null where it is not known.
 /// Records with a fault are left out: records_warnings names them.
 std::string records_json(std::span<const SpectrumRecord> records);
@@ -87,6 +88,8 @@ double coming_from(double travelling_to);
 struct RecordSummary {
     double m0 = 0.0;                  // m^2
     double peak_period = 0.0;         // s, of the listed frequency with the most energy
+    double energy_period = 0.0;       // s, Te = m-1 / m0; 0 without energy
+    double mean_period = 0.0;         // s, Tm01 = m0 / m1; 0 without energy
     double mean_direction = 0.0;      // rad, travelling to, energy-weighted; NaN without directions
     double directional_spread = 0.0;  // rad, sqrt(2 (1 - |c1|)); NaN without directions
 };

@@ -14,6 +14,8 @@ namespace ocean {
 /// Of the cos-2s family: a beam 8 degrees wide. Mitsuyasu's s_p grows without bound for swell that
 /// has outrun its wind.
 inline constexpr double kLargestExponent = 200.0;
+/// Of |c1| of a measured record that has both moments: see directional_estimate.cpp.
+inline constexpr double kLargestMoment = 0.98;
 
 /// s of the cos-2s family. x = omega / omega_p; wave_age_inverse = U omega_p / g.
 /// [Mitsuyasu 1975] eq. 27 to 29: s_p = 11.5 (U omega_p / g)^-2.5, s_p x^5 or s_p x^-2.5.

@@ -27,8 +27,9 @@ struct UtcTime {
     std::int64_t minutes() const;
 };
 
-/// "2020-06-08T03:50", with or without seconds, their fractions (both dropped) and a final Z; a
-/// blank may stand for the T.
+/// "2020-06-08T03:50", with or without seconds and their fractions (both dropped); a blank may
+/// stand for the T. After it Z, UTC, GMT or nothing for UTC, or the offset of another zone, which
+/// is converted: "+01:00", "-0530", "+01".
 std::optional<UtcTime> parse_utc_time(std::string_view text);
 /// The inverse of UtcTime::minutes(); nothing outside the years of valid().
 std::optional<UtcTime> utc_time_at(std::int64_t minutes);

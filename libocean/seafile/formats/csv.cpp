@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra as CSV, for data that has no format of its own. Lines that begin with '#' and blank lines
-// are skipped. The first line left names the columns, in any order and any case, separated by tabs,
-// semicolons or commas (the first of these it contains); each line after it is one value of the
-// spectrum. A text may stand in "double quotes".
+// Spectra as CSV, for data that has no format of its own, in the dialects that csv_rows.hpp names:
+// commas, semicolons, tabs or blanks, decimal points or commas, UTF-8 or UTF-16. Lines that begin
+// with '#' and blank lines are skipped. The first line left names the columns, in any order and any
+// case; each line after it is one value of the spectrum. A text may stand in "double quotes".
 //
 //   frequency              (Hz) or (rad/s)                                        needed
 //   density                what the rows hold; empty or nan = missing             needed
-//     without a direction: (m2/Hz), (m2 s), the same, or (m2 s/rad), per rad/s
+//     without a direction: (m2/Hz), (m2 s), (m2/(rad/s)) and their kind: see density_units.hpp
 //     with a direction:    (m2/Hz/deg), (m2/Hz/rad), or (m2 s/rad), per Hz and rad as ERA5 has it
 //   direction              (deg) or (rad), coming from, clockwise from north
 //   direction_to           travelling to, clockwise from north
@@ -16,23 +16,27 @@
 //   mean_direction, mean_direction_to or mean_direction_cartesian, and spread
 //                          (deg) or (rad) at a frequency: circular mean, standard deviation
 //   a1 b1 a2 b2            moments of the travel direction, counter-clockwise from east
-//   time                   UTC: 2020-06-08T03:50 or 2020-06-08
+//   time                   UTC: 2020-06-08T03:50 or 2020-06-08; +02:00 after it is converted
 //   station                a text
 //   latitude longitude     (deg), both or none
 //   depth                  (m), one for each record
 //
 // A unit stands in () or [] after the name; without one it is the first in the list, but a density
-// over rad/s must name its own. m2, m^2 and m² are the same, blank and '*' too. Rows alike in time,
-// station, latitude and longitude are one record. Its rows are in any order: one a frequency, or
-// with a direction one for each of its frequencies and directions.
+// over rad/s must name its own. Columns without a name, of row numbers, are passed over. Rows alike
+// in time, station, latitude and longitude are one record. Its rows are in any order: one a
+// frequency, or with a direction one for each of its frequencies and directions. Tables of another
+// shape, a record a column or a row, are csv_wide.cpp's.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "csv_header.hpp"
+#include "csv_wide.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
 #include "ocean/directional_record.hpp"
@@ -65,24 +69,45 @@ struct Group {
     std::vector<std::array<double, 4>> moments;  // a1 b1 a2 b2, or mean and spread in degrees
 };
 
+/// A row that cannot be read costs its record.
+struct RowFault {
+    std::string text;
+};
+
 class CsvReader {
   public:
     explicit CsvReader(const SpectrumSource& source)
-        : name_(source.name), lines_(source.content, source.name) {}
+        : name_(source.name), table_(source.content, source.name), header_(table_) {
+        direction_ = header_.any_of(direction);
+        mean_ = header_.any_of(mean_direction);
+    }
 
     std::vector<SpectrumRecord> read() {
-        if (!next_row(lines_)) throw lines_.fail("there is no header line");
-        header_.emplace(lines_);
-        direction_ = header_->any_of(direction);
-        mean_ = header_->any_of(mean_direction);
-        while (next_row(lines_)) read_row();
+        while (next_row()) {
+            try {
+                read_row();
+            } catch (const RowFault& fault) {
+                blame(fault.text);
+            }
+        }
+        if (groups_.empty() && !lost_.empty()) throw Error(ErrorKind::bad_file, lost_);
         std::vector<SpectrumRecord> records;
         for (Group& group : groups_) {
             const auto known = [](const Row& row) { return !std::isnan(row.density); };
-            if (std::none_of(group.rows.begin(), group.rows.end(), known)) continue;
-            records.push_back(direction_ == kNone ? over_frequency(group) : over_both(group));
-            const std::string fault = record_fault(records.back());
-            if (!fault.empty()) throw fail_record(group, fault);
+            const bool bad = !group.record.fault.empty();
+            if (!bad && std::none_of(group.rows.begin(), group.rows.end(), known)) continue;
+            SpectrumRecord record = group.record;
+            if (!bad) {
+                catch_fault(record.fault, [&] {
+                    SpectrumRecord read =
+                        direction_ == kNone ? over_frequency(group) : over_both(group);
+                    clean_record(read);
+                    const std::string fault = record_fault(read);
+                    if (!fault.empty()) throw fail_record(group, fault);
+                    record = std::move(read);
+                });
+            }
+            records.push_back(std::move(record));
             group = {};
         }
         return records;
@@ -101,28 +126,46 @@ class CsvReader {
         return fail_at(last_line(group), "in the record that ends here: " + message);
     }
 
+    /// False at the end. A line that is no row costs the record before it and the one after it: it
+    /// may have belonged to either.
+    bool next_row() {
+        while (true) {
+            const std::size_t before = table_.lines().number();
+            try {
+                return table_.next();
+            } catch (const Error& error) {
+                if (table_.lines().number() == before) throw;  // of the table as a whole
+                lost_ = error.what();
+                if (!groups_.empty()) blame(lost_);
+            }
+        }
+    }
+    void blame(const std::string& fault) {
+        std::string& of_group = groups_[current_].record.fault;
+        if (of_group.empty()) of_group = fault;
+        groups_[current_].rows = {};
+        groups_[current_].moments = {};
+    }
+    RowFault bad_row(std::string_view message) const {
+        return {table_.lines().fail(message).what()};
+    }
+
     void read_row() {
-        fields_ = fields_of(lines_, header_->separator(), header_->width());
-        if (fields_.size() < header_->width() && lines_.cut_off()) {
-            throw lines_.fail("the file ends within this line");
-        }
-        if (fields_.size() != header_->width()) {
-            throw lines_.fail((fields_.size() > header_->width() ? "more" : "fewer") +
-                              std::string(" fields than the header line has columns"));
-        }
         Group& group = group_of_row();
+        if (!lost_.empty()) blame(std::exchange(lost_, std::string()));
+        if (!group.record.fault.empty()) return;
         check_depth(group);
         if (group.rows.size() == (direction_ == kNone ? kMaxFrequencies : kMaxDirectionalValues)) {
-            throw lines_.fail("more rows than the 4096 frequencies or 131072 values of a record");
+            throw bad_row("more rows than the 4096 frequencies or 131072 values of a record");
         }
-        Row row{number(frequency, kMinFrequency, kMaxFrequency), 0.0,
-                optional_number(density, 0.0, 1e6), lines_.number(), group.moments.size()};
+        Row row{number(frequency, 0.0, kMaxFrequency), 0.0, optional_number(density, -1e6, 1e6),
+                table_.lines().number(), group.moments.size()};
         if (direction_ != kNone) row.direction = number(direction_, -360.0, 720.0);
         if (mean_ != kNone) {
             const double mean = optional_number(mean_, -360.0, 720.0);
             group.moments.push_back({travel_direction(mean, kConventions[mean_ - mean_direction]),
                                      optional_number(spread, 0.0, 180.0)});
-        } else if (header_->has(a1)) {
+        } else if (header_.has(a1)) {
             group.moments.push_back({optional_number(a1, -1.0, 1.0), optional_number(b1, -1.0, 1.0),
                                      optional_number(a2, -1.0, 1.0),
                                      optional_number(b2, -1.0, 1.0)});
@@ -131,26 +174,31 @@ class CsvReader {
     }
 
     std::string_view field(Column column) const {
-        return header_->has(column) ? fields_[header_->place(column)] : std::string_view();
+        return header_.has(column) ? table_.cell(header_.place(column)) : std::string_view();
     }
     /// Empty or nan = missing = NaN. The limits are in the record's unit.
-    double optional_number(Column column, double low, double high) const {
+    double optional_number(Column column, double low, double high) {
         const std::string_view word = field(column);
         if (word.empty()) return kMissing;
-        const std::optional<double> read = text::parse_number(word);
+        const std::optional<double> read = table_.number(header_.place(column));
+        if (!read && is_missing(word)) return kMissing;
         const auto named = [&] {
             return "the " + std::string(name_of(column)) + " '" + text::printable(word, 20) + "'";
         };
-        if (!read) throw lines_.fail(named() + " is not a number");
-        const double value = *read * header_->factor(column);
+        if (!read) throw bad_row(named() + " is not a number");
+        const double value = *read * header_.factor(column);
         if (std::isnan(value) || (value >= low && value <= high)) return value;
-        throw lines_.fail(named() + " is not within " + shortest_text(low) + " .. " +
-                          shortest_text(high));
+        throw bad_row(named() + " is not within " + shortest_text(std::max(low, least_of(column))) +
+                      " .. " + shortest_text(high));
     }
-    double number(Column column, double low, double high) const {
+    /// What the message says: noise below 0 is let through, see clean_record.
+    static double least_of(Column column) {
+        return column == density ? 0.0 : -std::numeric_limits<double>::infinity();
+    }
+    double number(Column column, double low, double high) {
         const double value = optional_number(column, low, high);
         if (!std::isnan(value)) return value;
-        throw lines_.fail("the " + std::string(name_of(column)) + " is missing");
+        throw bad_row("the " + std::string(name_of(column)) + " is missing");
     }
 
     /// Rows of one record mostly follow each other: only a change is looked up.
@@ -162,35 +210,41 @@ class CsvReader {
         if (!groups_.empty() && key == key_) return groups_[current_];
         key_ = std::move(key);
         SpectrumRecord record;
-        record.time = read_time();
-        record.station = read_station();
-        record.latitude = optional_number(latitude, -90.0, 90.0);
-        record.longitude = optional_number(longitude, -180.0, 360.0);
-        record.depth = optional_number(depth, 0.01, 20000.0);
-        const auto text = [](double value) { return std::to_string(value) + '\n'; };
-        const auto [found, added] =
-            group_by_key_.emplace(record.time + '\n' + record.station + '\n' +
-                                      text(record.latitude) + text(record.longitude),
-                                  groups_.size());
-        if (added && groups_.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
+        std::string name;
+        try {
+            record.station = read_station();
+            record.time = read_time();
+            record.latitude = optional_number(latitude, -90.0, 90.0);
+            record.longitude = optional_number(longitude, -180.0, 360.0);
+            record.depth = optional_number(depth, 0.01, 20000.0);
+            const auto text = [](double value) { return std::to_string(value) + '\n'; };
+            name = record.time + '\n' + record.station + '\n' + text(record.latitude) +
+                   text(record.longitude);
+        } catch (const RowFault& fault) {
+            record.fault = fault.text;
+            name = '\n' + key_;
+        }
+        const auto [found, added] = group_by_key_.emplace(std::move(name), groups_.size());
+        if (added && groups_.size() == kMaxRecords) {
+            throw table_.lines().fail("more than 100000 records");
+        }
         if (added) groups_.push_back({std::move(record), {}, {}});
         current_ = found->second;
         return groups_[current_];
     }
-    void check_depth(const Group& group) const {
+    void check_depth(const Group& group) {
         const double here = optional_number(depth, 0.01, 20000.0);
         const bool same =
             here == group.record.depth || (std::isnan(here) && std::isnan(group.record.depth));
-        if (!same) throw lines_.fail("the depth differs from that of the record's first row");
+        if (!same) throw bad_row("the depth differs from that of the record's first row");
     }
     std::string read_time() const {
         const std::string_view word = field(time);
-        if (word.empty()) return "";
-        const bool date = word.size() == 10;  // what pandas writes of midnights
-        const auto read = parse_utc_time(date ? std::string(word) + "T00:00" : std::string(word));
-        if (read) return read->text();
-        throw lines_.fail("the time '" + text::printable(word, 30) +
-                          "' is not UTC like 2020-06-08T03:50");
+        if (is_missing(word)) return "";
+        const std::optional<std::string> read = time_text(word);
+        if (read) return *read;
+        throw bad_row("the time '" + text::printable(word, 30) +
+                      "' is not UTC like 2020-06-08T03:50");
     }
     std::string read_station() const {
         std::string text(field(station).substr(0, 256));
@@ -272,11 +326,11 @@ class CsvReader {
     }
 
     std::string_view name_;
-    LineReader lines_;
-    std::optional<Header> header_;
+    TableReader table_;
+    Header header_;
     Column direction_ = kNone;
     Column mean_ = kNone;
-    std::vector<std::string_view> fields_;  // of the row
+    std::string lost_;  // the fault of a line that may belong to the next row's record
     std::vector<Group> groups_;
     std::map<std::string, std::size_t> group_by_key_;
     std::string key_;  // of the row before
@@ -284,19 +338,18 @@ class CsvReader {
 };
 
 bool recognises(std::string_view content) {
-    LineReader lines(content, "");
-    if (!next_row(lines)) return false;
-    const std::optional<char> separator = separator_of(lines.line());
-    if (!separator) return false;
-    const auto fields = split(lines.line(), *separator, kColumns);
-    return fields && std::any_of(fields->begin(), fields->end(), [](std::string_view field) {
-               const Column column = column_of(field);
+    const std::vector<std::string> titles = titles_of(content);
+    if (titles.size() < 2) return false;
+    return shape_of(titles) != WideShape::none ||
+           std::any_of(titles.begin(), titles.end(), [](const std::string& title) {
+               const Column column = column_of(title);
                return column == frequency || column == density;
            });
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {
-    return CsvReader(source).read();
+    const WideShape shape = shape_of(titles_of(source.content));
+    return shape == WideShape::none ? CsvReader(source).read() : read_wide(source, shape);
 }
 
 }  // namespace

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
+#include "free_form.hpp"
 #include "ocean/checked_text.hpp"
 #include "ocean/csv_rows.hpp"
+#include "ocean/density_units.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/nearest_name.hpp"
 
@@ -26,10 +29,6 @@ constexpr std::array kTime = {Unit{"UTC", 1.0}};
 constexpr std::array kMetres = {Unit{"m", 1.0}};
 constexpr std::array kAngle = {Unit{"deg", 1.0}, Unit{"degrees", 1.0}, Unit{"rad", kDegrees}};
 constexpr std::array kFrequency = {Unit{"Hz", 1.0}, Unit{"rad/s", 0.5 / kPi}};
-constexpr std::array kDensity = {Unit{"m2/Hz", 1.0}, Unit{"m2 s", 1.0},
-                                 Unit{"m2 s/rad", 2.0 * kPi}};
-constexpr std::array kDirectionalDensity = {Unit{"m2/Hz/deg", 1.0}, Unit{"m2/Hz/rad", 1 / kDegrees},
-                                            Unit{"m2 s/rad", 1 / kDegrees}};
 
 constexpr std::string_view kNames[] = {"frequency",
                                        "density",
@@ -51,10 +50,26 @@ constexpr std::string_view kNames[] = {"frequency",
                                        "depth"};
 static_assert(std::size(kNames) == kColumns);
 
-std::span<const Unit> units_of(Column column, bool directional) {
+/// Other names, in lower case, with _ for blanks.
+constexpr std::pair<std::string_view, Column> kAliases[] = {
+    {"freq", frequency},
+    {"f", frequency},
+    {"efth", density},
+    {"psd", density},
+    {"spectral_density", density},
+    {"variance_density", density},
+    {"dir", direction},
+    {"lat", latitude},
+    {"lon", longitude},
+    {"datetime", time},
+    {"date", time},
+    {"timestamp", time},
+    {"site", station},
+    {"dpt", depth},
+};
+
+std::span<const Unit> units_of(Column column) {
     if (column == frequency) return kFrequency;
-    if (column == density && directional) return kDirectionalDensity;
-    if (column == density) return kDensity;
     if (column == depth) return kMetres;
     if (column == time) return kTime;
     const bool bare = column == station || (column >= a1 && column <= b2);
@@ -75,17 +90,24 @@ std::string reduced(std::string_view unit) {
     return out;
 }
 
-Column column_named(std::string_view name) {
+Column column_named(std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    const auto alias = std::find_if(std::begin(kAliases), std::end(kAliases),
+                                    [&](const auto& one) { return one.first == name; });
+    if (alias != std::end(kAliases)) return alias->second;
     return static_cast<Column>(std::find(std::begin(kNames), std::end(kNames), name) - kNames);
 }
 
-std::string unknown_column(std::string_view name) {
-    const std::string_view nearest = nearest_name(name, kNames);
-    std::string message = "unknown column '" + text::printable(name, 40) + "'";
-    if (!nearest.empty()) return message + "; did you mean " + std::string(nearest) + "?";
-    message += "; known:";
-    for (const std::string_view known : kNames) message += " " + std::string(known);
-    return message;
+double factor_of(const LineReader& lines, Column column, std::string_view unit) {
+    std::string allowed;
+    for (const Unit& one : units_of(column)) {
+        if (reduced(one.name) == reduced(unit)) return one.factor;
+        allowed += (allowed.empty() ? "" : ", ") + std::string(one.name);
+    }
+    if (unit.empty()) return units_of(column).front().factor;
+    throw lines.fail("the unit '" + text::printable(unit, 30) + "' of " +
+                     std::string(kNames[column]) +
+                     " is unknown; allowed: " + (allowed.empty() ? "none" : allowed));
 }
 
 }  // namespace
@@ -98,28 +120,83 @@ Column column_of(std::string_view title) {
     return column_named(parse_title(title).name);
 }
 
-std::optional<char> separator_of(std::string_view line) {
-    for (const char c : {'\t', ';', ','}) {
-        if (line.find(c) != std::string_view::npos) return c;
+bool is_row_index(std::string_view title) {
+    const std::string name = parse_title(title).name;
+    return name.empty() || name == "index" || name.starts_with("unnamed:");
+}
+
+std::string_view mistyped_column(std::string_view title) {
+    return nearest_name(parse_title(title).name, kNames);
+}
+
+std::string unknown_column(std::string_view name) {
+    const std::string_view nearest = nearest_name(name, kNames);
+    std::string message = "unknown column '" + text::printable(name, 40) + "'";
+    if (!nearest.empty()) return message + "; did you mean " + std::string(nearest) + "?";
+    message += "; known:";
+    for (const std::string_view known : kNames) message += " " + std::string(known);
+    return message;
+}
+
+double density_factor(const LineReader& lines, std::string_view unit, bool directional) {
+    if (unit.empty()) return 1.0;
+    const DensityUnit read = parse_density_unit(
+        unit, directional ? DensityOver::frequency_and_direction : DensityOver::frequency);
+    if (!read.fault.empty()) throw lines.fail("density: " + read.fault);
+    return read.factor;
+}
+
+double frequency_factor(const LineReader& lines, std::string_view unit) {
+    return factor_of(lines, frequency, unit);
+}
+
+bool is_missing(std::string_view cell) {
+    constexpr std::string_view kWords[] = {"", "-", "NA", "N/A", "#N/A", "null", "None", "NaT"};
+    return std::find(std::begin(kWords), std::end(kWords), cell) != std::end(kWords);
+}
+
+std::optional<std::string> time_text(std::string_view cell) {
+    if (const auto read = parse_utc_time(cell)) return read->text();
+    if (cell.size() == 10) {  // what pandas writes of midnights
+        const auto read = parse_utc_time(std::string(cell) + "T00:00");
+        if (read) return read->text();
+    }
+    for (const std::string_view pattern :
+         {"YYYY/MM/DD hh:mm:ss", "YYYY/MM/DD hh:mm", "DD.MM.YYYY hh:mm:ss", "DD.MM.YYYY hh:mm",
+          "DD.MM.YYYY", "YYYY/MM/DD"}) {
+        if (cell.size() != pattern.size()) continue;
+        const auto read = match_time(cell, pattern);
+        if (read && read->valid()) return read->text();
     }
     return std::nullopt;
 }
 
-Header::Header(const LineReader& lines) : separator_(separator_of(lines.line()).value_or(',')) {
+Header::Header(const TableReader& table) {
     place_.fill(kNone);
+    const LineReader& lines = table.lines();
     std::array<std::string, kColumns> units;
-    for (const std::string_view field : fields_of(lines, separator_, kColumns)) {
-        const Title title = parse_title(field);
+    for (std::size_t i = 0; i < table.titles().size(); ++i) {
+        if (is_row_index(table.titles()[i])) continue;
+        const Title title = parse_title(table.titles()[i]);
         const Column column = column_named(title.name);
         if (column == kNone) throw lines.fail(unknown_column(title.name));
-        if (has(column)) throw lines.fail("the column " + title.name + " is there twice");
-        place_[column] = width_++;
+        if (has(column)) {
+            throw lines.fail("the column " + text::printable(title.name) + " is there twice");
+        }
+        place_[column] = i;
         units[column] = title.unit;
     }
     check_columns(lines);
     for (std::size_t i = 0; i < kColumns; ++i) {
         const auto column = static_cast<Column>(i);
-        if (has(column)) factor_[column] = factor_of(lines, column, units);
+        if (!has(column)) continue;
+        const bool directional = any_of(direction) != kNone;
+        factor_[column] = column == density ? density_factor(lines, units[column], directional)
+                                            : factor_of(lines, column, units[column]);
+    }
+    const bool radians = has(frequency) && factor_[frequency] != 1.0;
+    if (radians && units[density].empty()) {
+        throw lines.fail("over rad/s the density needs a unit, like density (m2/Hz)");
     }
 }
 
@@ -152,26 +229,6 @@ void Header::check_columns(const LineReader& lines) const {
     need((count(direction, 3) > 0) + (count(spread, 1) > 0) + (count(a1, 4) > 0) <= 1,
          "directions, their mean and their moments exclude each other");
     need(has(latitude) == has(longitude), "latitude and longitude need each other");
-}
-
-double Header::factor_of(const LineReader& lines, Column column,
-                         const std::array<std::string, kColumns>& units) const {
-    const std::span<const Unit> known = units_of(column, any_of(direction) != kNone);
-    const std::string& unit = units[column];
-    std::string allowed;
-    for (const Unit& one : known) {
-        if (reduced(one.name) == reduced(unit)) return one.factor;
-        allowed += (allowed.empty() ? "" : ", ") + std::string(one.name);
-    }
-    if (!unit.empty()) {
-        throw lines.fail("the unit '" + text::printable(unit, 30) + "' of " +
-                         std::string(kNames[column]) +
-                         " is unknown; allowed: " + (allowed.empty() ? "none" : allowed));
-    }
-    if (column == density && reduced(units[frequency]) == kFrequency[1].name) {
-        throw lines.fail("over rad/s the density needs a unit, like density (m2/Hz)");
-    }
-    return known.front().factor;
 }
 
 }  // namespace ocean::csv

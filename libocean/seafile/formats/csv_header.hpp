@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/line_reader.hpp"
+#include "ocean/csv_rows.hpp"
 
 namespace ocean::csv {
 
@@ -38,20 +38,33 @@ enum Column : std::size_t {
 };
 /// As a header line names it.
 std::string_view name_of(Column column);
-/// kNone for a name that is unknown.
+/// kNone for a name that is unknown. Names of wavespectra, xarray and pandas are known too.
 Column column_of(std::string_view title);
+/// A column of row numbers, as pandas writes it: it has no name, or one that says so.
+bool is_row_index(std::string_view title);
+/// The column that a title was meant to name, if it was mistyped; else empty.
+std::string_view mistyped_column(std::string_view title);
+/// "unknown column 'x'", with a name that was mistyped or those there are.
+std::string unknown_column(std::string_view name);
 
-/// Of a header line; nothing if it has one field.
-std::optional<char> separator_of(std::string_view line);
+/// What a density of a unit is to be multiplied by; `unit` as parse_title gives it, empty for the
+/// record's own. Throws Error bad_file for others.
+double density_factor(const LineReader& lines, std::string_view unit, bool directional);
+/// The factor of a frequency's unit to Hz. Throws Error bad_file for an unknown one.
+double frequency_factor(const LineReader& lines, std::string_view unit);
+
+/// What stands in a cell without a value.
+bool is_missing(std::string_view cell);
+/// UTC as a record has it, of "2020-06-08T03:50" and its kind (see parse_utc_time), a date alone,
+/// 2020/06/08 03:50 and 08.06.2020 03:50; nothing for others.
+std::optional<std::string> time_text(std::string_view cell);
 
 /// Where in a row the columns are, and what their values are to be multiplied by.
 class Header {
   public:
-    /// From the current line.
-    explicit Header(const LineReader& lines);
+    /// From the titles of a table.
+    explicit Header(const TableReader& table);
 
-    char separator() const { return separator_; }
-    std::size_t width() const { return width_; }
     std::size_t place(Column column) const { return place_[column]; }
     double factor(Column column) const { return factor_[column]; }
     bool has(Column column) const { return place_[column] != kNone; }
@@ -60,11 +73,7 @@ class Header {
 
   private:
     void check_columns(const LineReader& lines) const;
-    double factor_of(const LineReader& lines, Column column,
-                     const std::array<std::string, kColumns>& units) const;
 
-    char separator_;
-    std::size_t width_ = 0;
     std::array<std::size_t, kColumns> place_{};
     std::array<double, kColumns> factor_{};
 };

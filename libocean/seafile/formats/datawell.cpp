@@ -79,15 +79,15 @@ class DatawellReader {
         if (record.frequency.size() == kMaxFrequencies) {
             throw lines_.fail("more than 4096 frequencies");
         }
-        const double frequency = within(number(fields_[0], "a frequency"), kMinFrequency,
-                                        kMaxFrequency, "a frequency", kFrequencyRange);
+        const double frequency = within(number(fields_[0], "a frequency"), 0.0, kMaxFrequency,
+                                        "a frequency", kFrequencyRange);
         if (!record.frequency.empty() && !(frequency > record.frequency.back())) {
             throw lines_.fail("the frequencies do not ascend at bin " +
                               std::to_string(record.frequency.size() + 1));
         }
         record.frequency.push_back(frequency);
-        record.density.push_back(smax * within(number(fields_[1], "a relative density"), 0.0,
-                                               kMaxRelative, "a relative density",
+        record.density.push_back(smax * within(number(fields_[1], "a relative density"),
+                                               -kMaxRelative, kMaxRelative, "a relative density",
                                                "0 .. 1, of Smax"));
         append_mean_and_spread(
             record,

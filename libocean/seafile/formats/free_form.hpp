@@ -31,6 +31,14 @@ class FreeForm {
 
     /// Leaves the line for the next one with more than a comment; false at the end of the file.
     bool next_line() {
+        repeats_ = 0;
+        if (held_) {
+            held_ = false;
+            rest_ = lines_.line();
+            skip_blanks();
+            begun_ = false;
+            return true;
+        }
         do {
             rest_ = {};
             if (!lines_.next_filled()) return false;
@@ -39,6 +47,20 @@ class FreeForm {
             begun_ = false;
         } while (comment_mark_ != '\0' && rest_.starts_with(comment_mark_));
         return true;
+    }
+    /// The next call of next_line() gives this line again.
+    void hold_line() { held_ = true; }
+    std::size_t line_number() const { return lines_.number(); }
+    /// After a fault of what begins in line `first`: looks behind that line for one that `begins`
+    /// something new, which next_line() gives next.
+    template <typename Begins>
+    void resume_after(std::size_t first, const Begins& begins) {
+        const std::string_view line = lines_.line();
+        rest_ = line;
+        if (lines_.number() > first && begins(rest())) return hold_line();
+        while (next_line()) {
+            if (begins(rest_)) return hold_line();
+        }
     }
     void need_line(std::string_view what) {
         if (!next_line()) throw fail("the file ends where " + std::string(what) + " should be");
@@ -55,6 +77,7 @@ class FreeForm {
     void take(std::size_t bytes) { rest_.remove_prefix(bytes); }
     void leave_line() { rest_ = {}; }
     void end_line(std::string_view what) {
+        if (repeats_ > 0) throw fail("more numbers than " + std::string(what));
         if (!rest().empty()) {
             throw fail("'" + shown(rest()) + "' after " + std::string(what) +
                        ", where the line should end");
@@ -63,9 +86,14 @@ class FreeForm {
 
     /// The next number, of this line or one that follows. `what`: "a density".
     double number(std::string_view what) {
+        if (repeats_ > 0) {
+            --repeats_;
+            return repeated_;
+        }
         while (rest().empty()) need_line(what);
         const std::string_view before = rest_;
-        const std::optional<double> value = text::take_fortran_number(rest_);
+        std::optional<double> value = text::take_fortran_number(rest_);
+        if (!value) value = take_repeated();
         if (!value) throw no_number(what);
         number_ = before.substr(0, before.size() - rest_.size());
         begun_ = true;
@@ -111,6 +139,22 @@ class FreeForm {
     void skip_blanks() {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
     }
+    /// "36*0.0", as list-directed output writes 36 numbers alike: the first of them.
+    std::optional<double> take_repeated() {
+        const std::size_t star = rest_.substr(0, 8).find('*');
+        if (star == std::string_view::npos) return std::nullopt;
+        const std::optional<double> count = text::parse_number(rest_.substr(0, star));
+        if (!count || !(*count >= 1.0 && *count <= 1e6) || *count != std::floor(*count)) {
+            return std::nullopt;
+        }
+        std::string_view after = rest_.substr(star + 1);
+        const std::optional<double> value = text::take_fortran_number(after);
+        if (!value) return std::nullopt;
+        rest_ = after;
+        repeats_ = static_cast<std::size_t>(*count) - 1;
+        repeated_ = *value;
+        return value;
+    }
     static bool begins_number(std::string_view text) {
         return text.find_first_of("0123456789+-.") == 0;
     }
@@ -125,6 +169,9 @@ class FreeForm {
     std::string_view rest_;
     std::string_view number_;
     bool begun_ = false;  // something of the line is taken
+    bool held_ = false;   // the line is to be given again
+    std::size_t repeats_ = 0;
+    double repeated_ = 0.0;  // what the next `repeats_` numbers are
 };
 
 /// Hz, ascending.
@@ -132,7 +179,7 @@ inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
     std::vector<double> frequency;
     while (frequency.size() < count) {
         const double f = in.header_number("a frequency");
-        in.require_within(f, kMinFrequency, kMaxFrequency, "a frequency", kFrequencyRange);
+        in.require_within(f, 0.0, kMaxFrequency, "a frequency", kFrequencyRange);
         if (!frequency.empty() && !(f > frequency.back())) {
             throw in.fail("the frequencies do not ascend at bin " +
                           std::to_string(frequency.size() + 1));

@@ -36,12 +36,17 @@ double value_at(const std::vector<Bin>& bins, double frequency) {
 }
 
 /// A bin that lacks one of the four quantities lacks all four moments.
-void add_directions(SpectrumRecord& record, const Companions& companions) {
+void add_directions(SpectrumRecord& record, const Row& row, const Companions& companions) {
     std::array<const std::vector<Bin>*, kCompanions> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto found = companions[i].find(record.time);
+        const auto found = companions[i].find({row.station, row.time});
         if (found == companions[i].end()) return;
-        rows[i] = &found->second;
+        if (const std::string& fault = found->second.fault; !fault.empty()) {
+            record.warnings.push_back("its directions are left out: " +
+                                      text::printable(fault, 400));
+            return;
+        }
+        rows[i] = &found->second.bins;
     }
     const auto travel = [](double alpha) {
         return travel_direction(alpha, DirectionConvention::from_nautical);
@@ -80,7 +85,7 @@ double next_frequency(const LineReader& lines, std::string_view word,
                       const std::vector<Bin>& bins) {
     if (bins.size() == kMaxFrequencies) throw lines.fail("more than 4096 frequencies");
     const double frequency = number(lines, word, "a frequency");
-    if (!(frequency >= kMinFrequency && frequency <= kMaxFrequency)) {
+    if (!(frequency >= 0.0 && frequency <= kMaxFrequency)) {
         throw lines.fail("a frequency of " + text::printable(word, 20) +
                          "; allowed: " + std::string(kFrequencyRange));
     }
@@ -112,16 +117,22 @@ double value(const LineReader& lines, std::string_view word, Quantity quantity, 
             break;
     }
     if (value == 99.0) return kMissing;
-    return require(0.0, 1e6, "densities are 0 .. 1e6 m^2/Hz");
+    return require(-1e6, 1e6, "densities are 0 .. 1e6 m^2/Hz");
 }
 
 Companion by_time(std::vector<Row> rows) {
     Companion companion;
-    for (Row& row : rows) companion.emplace(std::move(row.time), std::move(row.bins));
+    for (Row& row : rows) {
+        if (row.time.empty()) continue;
+        std::pair key{row.station, row.time};
+        companion.emplace(std::move(key), std::move(row));
+    }
     return companion;
 }
 
 std::string station_of(std::string_view stem) {
+    constexpr std::string_view kFiveDays = "_5day";
+    if (stem.ends_with(kFiveDays)) stem.remove_suffix(kFiveDays.size());
     std::size_t first = stem.size();
     while (first > 0 && std::isalnum(static_cast<unsigned char>(stem[first - 1])) != 0) --first;
     return text::printable(stem.size() - first == 5 ? stem.substr(first) : stem);
@@ -132,15 +143,17 @@ std::vector<SpectrumRecord> make_records(const std::string& station, const std::
     std::vector<SpectrumRecord> records;
     for (const Row& row : rows) {
         SpectrumRecord record;
-        record.station = station;
+        record.station = row.station.empty() ? station : row.station;
         record.time = row.time;
+        record.fault = row.fault;
+        if (!row.warning.empty()) record.warnings.push_back(row.warning);
         for (const Bin& bin : row.bins) {
             if (std::isnan(bin.value)) continue;  // no density: as if the bin were not listed
             record.frequency.push_back(bin.frequency);
             record.density.push_back(bin.value);
         }
-        if (record.frequency.size() < 2) continue;  // nothing was measured at that time
-        if (companions) add_directions(record, *companions);
+        if (record.fault.empty() && record.frequency.size() < 2) continue;  // nothing was measured
+        if (companions) add_directions(record, row, *companions);
         records.push_back(std::move(record));
     }
     return records;

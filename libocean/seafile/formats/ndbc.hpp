@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ocean/enum_words.hpp"
@@ -21,6 +22,9 @@ namespace ocean::ndbc {
 
 /// Two digits may round an r1 or r2 up to here.
 inline constexpr double kMaxSpread = 1.05;
+
+/// Before the header line of a table.
+inline constexpr std::size_t kMaxMetadataLines = 1000;
 
 /// What the five tables hold: density, alpha1, alpha2, r1, r2.
 enum class Quantity { density, direction1, direction2, spread1, spread2 };
@@ -34,10 +38,13 @@ struct Bin {
 struct Row {
     std::string time;
     std::vector<Bin> bins;  // ascending in frequency
+    std::string station;    // of a table of several stations
+    std::string fault;      // why the line cannot be used, "NAME:LINE: ..."
+    std::string warning;
 };
 
-/// Rows of one companion by their time, and all of a station.
-using Companion = std::map<std::string, std::vector<Bin>>;
+/// Rows of one companion by station and time, and all of a station.
+using Companion = std::map<std::pair<std::string, std::string>, Row>;
 using Companions = std::array<Companion, kCompanions>;
 
 /// A finite number, or a failure that says what the word is not.
@@ -51,11 +58,13 @@ double next_frequency(const LineReader& lines, std::string_view word, const std:
 /// missing all the same if the spread beside it is).
 double value(const LineReader& lines, std::string_view word, Quantity quantity, double full);
 
-/// The rows of a table; of two with one time the first.
+/// The rows of a table whose time is known; of two with one time the first.
 Companion by_time(std::vector<Row> rows);
-/// NDBC's identifiers have five characters: "41010" of "ndbc_41010", else all of the stem.
+/// NDBC's identifiers have five characters: "41010" of "ndbc_41010" and "41010_5day", else all of
+/// the stem.
 std::string station_of(std::string_view stem);
-/// A record for each row that has two densities or more.
+/// A record for each row that has two densities or more, or a fault. `station`: of rows that name
+/// none.
 std::vector<SpectrumRecord> make_records(const std::string& station, const std::vector<Row>& rows,
                                          const std::optional<Companions>& companions);
 

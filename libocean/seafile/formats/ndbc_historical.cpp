@@ -6,7 +6,8 @@
 // The header has the frequencies, one line is one time:
 //   #YY  MM DD hh mm   .0200   .0325   .0375 ...
 //   2019 01 01 00 00    0.00    0.00    0.12 ...
-// Old files have no minutes, no '#' or YYYY; some have a second line of units.
+// Old files have no minutes, no '#' or YYYY; some have a second line of units. Lines of metadata,
+// with a '#', may stand before the header.
 #include <algorithm>
 #include <set>
 
@@ -59,7 +60,9 @@ class TableReader {
                 read_header(*words);
             } else if (!lines_.line().starts_with('#')) {  // a line of units begins so
                 if (rows.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
-                rows.push_back(read_row(quantity));
+                Row row;
+                catch_fault(row.fault, [&] { read_row(row, quantity); });
+                rows.push_back(std::move(row));
             }
         }
         return rows;
@@ -80,10 +83,11 @@ class TableReader {
         if (bins_.size() < 2) throw lines_.fail("fewer than 2 frequencies");
     }
 
-    Row read_row(Quantity quantity) const {
+    void read_row(Row& row, Quantity quantity) const {
         if (bins_.empty()) throw lines_.fail("values before the header line");
         std::string_view rest = lines_.line();
-        Row row{ndbc::take_time(lines_, rest, minutes_), bins_};
+        row.time = ndbc::take_time(lines_, rest, minutes_);
+        row.bins = bins_;
         std::size_t count = 0;
         for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
             if (count == bins_.size()) {
@@ -92,7 +96,7 @@ class TableReader {
             }
             row.bins[count++].value = ndbc::value(lines_, word, quantity, 100.0);
         }
-        if (count == bins_.size()) return row;
+        if (count == bins_.size()) return;
         if (lines_.cut_off()) throw lines_.fail("the file ends within this line");
         throw lines_.fail(std::to_string(count) + " values for the " +
                           std::to_string(bins_.size()) + " frequencies of the header line");
@@ -178,11 +182,14 @@ std::optional<ndbc::Companions> read_companions(const SpectrumSource& source,
 /// Tables of meteorology begin alike, but no word of their header is a number.
 bool recognises(std::string_view content) {
     LineReader lines(content, "");
-    if (!lines.next_filled()) return false;
-    std::optional<std::string_view> words = header_words(lines.line());
-    if (!words) return false;
-    for (auto word = take_word(*words); !word.empty(); word = take_word(*words)) {
-        if (text::parse_number(word)) return true;
+    for (std::size_t i = 0; i < ndbc::kMaxMetadataLines && lines.next_filled(); ++i) {
+        std::optional<std::string_view> words = header_words(lines.line());
+        if (!words && !lines.line().starts_with('#')) return false;
+        if (!words) continue;
+        for (auto word = take_word(*words); !word.empty(); word = take_word(*words)) {
+            if (text::parse_number(word)) return true;
+        }
+        return false;
     }
     return false;
 }
@@ -196,7 +203,8 @@ std::vector<SpectrumRecord> read(const SpectrumSource& source) {
     }
     std::vector<Row> rows = TableReader(source.content, source.name).read(Quantity::density);
     std::set<std::string> times;
-    std::erase_if(rows, [&](const Row& row) { return !times.insert(row.time).second; });
+    std::erase_if(
+        rows, [&](const Row& row) { return row.fault.empty() && !times.insert(row.time).second; });
     return ndbc::make_records(name ? ndbc::station_of(name->station) : "", rows,
                               read_companions(source, name));
 }

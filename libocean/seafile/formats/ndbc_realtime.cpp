@@ -5,6 +5,8 @@
 // four tables of directional quantities (.swdir .swdir2 .swr1 .swr2). One line is one time:
 //   #YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >
 //   2020 06 08 03 50 0.225 0.000 (0.033) 0.000 (0.038) ...
+// The hourly tables of all stations (hour_12.data_spec) begin with the station: #STN YYYY MM ...
+// Lines of metadata, with a '#', may stand before the header.
 #include <algorithm>
 
 #include "ndbc.hpp"
@@ -26,6 +28,7 @@ static_assert(std::size(kSuffixes) == enum_count<Quantity>());
 /// Which columns stand before the first value. Old files have no minutes, companions no separation
 /// frequency.
 struct Header {
+    bool station = false;
     bool minutes = false;
     bool separation = false;
     Quantity quantity = Quantity::density;
@@ -60,8 +63,13 @@ class Cursor {
 std::optional<Header> parse_header(std::string_view line) {
     Cursor cursor(line);
     cursor.take('#');
-    if (!cursor.word().starts_with("YY")) return std::nullopt;
     Header header;
+    std::string_view first = cursor.word();
+    if (first == "STN") {
+        header.station = true;
+        first = cursor.word();
+    }
+    if (!first.starts_with("YY")) return std::nullopt;
     for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word()) {
         header.minutes |= word == "mm";
         header.separation |= word == "Sep_Freq";
@@ -89,9 +97,8 @@ class TableReader {
             }
             if (lines_.line().starts_with('#')) continue;
             if (rows.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
-            Row row = read_row();
-            const bool shorter = !rows.empty() && row.bins.size() < rows.back().bins.size();
-            if (shorter && lines_.cut_off()) throw lines_.fail("the file ends within this line");
+            Row row;
+            catch_fault(row.fault, [&] { read_row(row, rows); });
             rows.push_back(std::move(row));
         }
         return rows;
@@ -105,16 +112,27 @@ class TableReader {
         return "this is a " + suffix(found) + " table where " + suffix(expected) + " is needed";
     }
 
-    Row read_row() const {
+    void read_row(Row& row, const std::vector<Row>& before) const {
         if (!header_) throw lines_.fail("values before the header line that names the columns");
         std::string_view line = lines_.line();
-        Row row;
+        if (header_->station) row.station = text::printable(take_word(line), 40);
         row.time = ndbc::take_time(lines_, line, header_->minutes);
         Cursor cursor(line);
         if (header_->separation) ndbc::number(lines_, cursor.word(), "a separation frequency");
         while (!cursor.at_end()) row.bins.push_back(read_bin(cursor, row.bins));
         if (row.bins.size() < 2) throw lines_.fail("fewer than 2 frequencies");
-        return row;
+        if (before.empty() || row.station != before.back().station) return;
+        check_length(row, before.back().bins);
+    }
+
+    /// A line that ends where the one before went on has lost its end, or says so in a warning.
+    void check_length(Row& row, const std::vector<Bin>& before) const {
+        if (row.bins.size() >= before.size()) return;
+        if (lines_.cut_off()) throw lines_.fail("the file ends within this line");
+        if (row.bins.back().frequency != before[row.bins.size() - 1].frequency) return;
+        row.warning = "line " + std::to_string(lines_.number()) + " has " +
+                      std::to_string(row.bins.size()) + " frequencies where the line before has " +
+                      std::to_string(before.size());
     }
 
     Bin read_bin(Cursor& cursor, const std::vector<Bin>& before) const {
@@ -155,7 +173,11 @@ std::string station_of(std::string_view path) {
 
 bool recognises(std::string_view content) {
     LineReader lines(content, "");
-    return lines.next_filled() && parse_header(lines.line()).has_value();
+    for (std::size_t i = 0; i < ndbc::kMaxMetadataLines && lines.next_filled(); ++i) {
+        if (parse_header(lines.line())) return true;
+        if (!lines.line().starts_with('#')) return false;
+    }
+    return false;
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {

@@ -24,8 +24,8 @@ constexpr double kMaxMoment = 1.00001;
 constexpr Limits kMoment = {"a moment", -kMaxMoment, kMaxMoment, "-1 .. 1"};
 /// By quantity.
 constexpr std::array<Limits, kQuantities> kLimits = {{
-    {"a frequency", kMinFrequency, kMaxFrequency, kFrequencyRange},
-    {"a density", 0.0, 1e6, "0 .. 1e6 m^2/Hz"},
+    {"a frequency", 0.0, kMaxFrequency, kFrequencyRange},
+    {"a density", -1e6, 1e6, "0 .. 1e6 m^2/Hz"},
     kMoment,
     kMoment,
     kMoment,
@@ -83,7 +83,7 @@ std::string fault(const Bins& bins) {
         return std::to_string(bins[q].size()) + " values of " + std::string(kNames[q]) + " for " +
                std::to_string(count) + " frequencies";
     }
-    double below = 0.0;
+    double below = -1.0;
     for (std::size_t i = 0; i < count; ++i) {
         if (!is_known(bins, i)) continue;
         if (!(at(bins, Quantity::frequency, i) > below)) {

@@ -70,17 +70,21 @@ class SpotterCsvReader {
         std::vector<SpectrumRecord> records;
         std::size_t values = 0;
         while (lines_.next_filled()) {
-            read_fields();
-            const spotter::Bins bins = read_bins();
-            const std::string fault = spotter::fault(bins);
-            if (!fault.empty()) throw lines_.fail(fault);
-            SpectrumRecord record = describe();
-            if (!spotter::has_spectrum(bins)) continue;
+            SpectrumRecord record;
+            spotter::Bins bins;
+            catch_fault(record.fault, [&] {
+                read_fields();
+                describe(record);
+                bins = read_bins();
+                const std::string fault = spotter::fault(bins);
+                if (!fault.empty()) throw lines_.fail(fault);
+            });
+            if (record.fault.empty() && !spotter::has_spectrum(bins)) continue;
             if (records.size() == kMaxRecords) throw lines_.fail("more than 100000 records");
             values += 6 * bins[0].size();
             if (values > kMaxValues)
                 throw lines_.fail("more than 67108864 values over all records");
-            spotter::set_spectrum(record, bins);
+            if (record.fault.empty()) spotter::set_spectrum(record, bins);
             records.push_back(std::move(record));
         }
         return records;
@@ -136,7 +140,7 @@ class SpotterCsvReader {
     /// Empty or a minus sign = missing = NaN.
     double number(std::size_t column) const {
         const std::string_view word = column == kNone ? "" : fields_[column];
-        if (word.empty() || word == "-") return kMissing;
+        if (word.empty() || word == "-" || word == "nan" || word == "NaN") return kMissing;
         const std::optional<double> value = text::parse_number(word);
         if (value && std::isfinite(*value)) return *value;
         throw lines_.fail("'" + text::printable(word, 20) + "' is not a number");
@@ -156,17 +160,17 @@ class SpotterCsvReader {
         return bins;
     }
 
-    SpectrumRecord describe() const {
-        SpectrumRecord record;
+    void describe(SpectrumRecord& record) const {
         record.time = read_time();
-        record.latitude = number(latitude_);
-        record.longitude = number(longitude_);
-        for (const std::string& fault :
-             {spotter::latitude_fault(record.latitude, spelled(latitude_)),
-              spotter::longitude_fault(record.longitude, spelled(longitude_))}) {
+        const auto within = [&](double value, const std::string& fault) {
             if (!fault.empty()) throw lines_.fail(fault);
-        }
-        return record;
+            return value;
+        };
+        const double latitude = number(latitude_);
+        record.latitude = within(latitude, spotter::latitude_fault(latitude, spelled(latitude_)));
+        const double longitude = number(longitude_);
+        record.longitude =
+            within(longitude, spotter::longitude_fault(longitude, spelled(longitude_)));
     }
     std::string_view spelled(std::size_t column) const {
         return column == kNone ? "" : fields_[column];

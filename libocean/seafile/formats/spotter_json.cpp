@@ -6,10 +6,12 @@
 //    "latitude": -61.09, "longitude": 173.42, "frequency": [...], "varianceDensity": [...],
 //    "a1": [...], "b1": [...], "a2": [...], "b2": [...], "direction": [...],
 //    "directionalSpread": [...]}, ...]}}
-// Each list has a value for each frequency, null = missing; all other keys are passed over. What is
-// in `data` may also stand outside of it. The moments are those of the travel direction, from east.
+// Each list has a value for each frequency, null or NaN = missing; all other keys are passed over.
+// What is in `data` may also stand outside of it, and lists of all of that stand for several buoys;
+// or the file is a list of spectra alone. The moments are those of the travel direction, from east.
 // The file is read as a stream of events: nothing is kept but what is asked for, however deep or
 // long the rest is.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -29,11 +31,13 @@ namespace {
 
 constexpr std::string_view kStation = "spotterId";
 constexpr std::string_view kSpectra = "frequencyData";
+constexpr std::string_view kDensity = spotter::kNames[1];
 
 #ifdef OCEAN_HAVE_JSON
 
 using spotter::Quantity;
 
+constexpr std::string_view kData = "data";
 constexpr std::size_t kMaxDepth = 64;
 /// 512 MiB of doubles over all records.
 constexpr std::size_t kMaxValues = std::size_t{1} << 26;
@@ -93,11 +97,12 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     explicit SpotterJsonReader(const SpectrumSource& source) : source_(source) {}
 
     std::vector<SpectrumRecord> read() {
-        const char* begin = source_.content.data();
-        const char* end = begin + source_.content.size();
+        const std::string known = without_nan(source_.content);
+        const std::string_view content = known.empty() ? source_.content : known;
+        const char* begin = content.data();
+        const char* end = begin + content.size();
         nlohmann::json::sax_parse(CountingIterator(begin, end, progress_),
                                   CountingIterator(end, end, progress_), this);
-        for (SpectrumRecord& record : records_) record.station = station_;
         return std::move(records_);
     }
 
@@ -117,10 +122,10 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         return number(value, spelled);
     }
     bool string(std::string& value) override {
-        if (place() == Place::top && key_ == kStation) {
-            station_ = text::printable(value);
-        } else if (place() == Place::spectrum && key_ == kOtherKeys[0]) {
-            record_.time = time_of(value);
+        if (place() == Place::answer && key_ == kStation) {
+            answers_.back().station = text::printable(value);
+        } else if (describes() && key_ == kOtherKeys[0]) {
+            set_time(value);
         } else {
             refuse_known("a text");
         }
@@ -130,57 +135,102 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     bool key(std::string& value) override {
         key_ = value;
         const std::optional<std::size_t> known = index_of(key_);
-        if (place() != Place::spectrum || !known) return true;
-        if (seen_[*known]) throw fail("'" + key_ + "' is there twice in one spectrum");
+        if (!describes() || !known) return true;
+        if (seen_[*known]) blame("'" + key_ + "' is there twice in one spectrum");
         seen_[*known] = true;
         return true;
     }
     bool start_object(std::size_t) override {
         if (place() == Place::spectra) {
-            record_ = {};
-            bins_ = {};
-            seen_ = {};
+            begin_spectrum();
             return enter(Place::spectrum);
         }
+        const bool answer = place() == Place::outside || place() == Place::answers ||
+                            (place() == Place::answer && key_ == kData);
+        if (answer) {
+            begin_spectrum();
+            answers_.push_back({"", records_.size(), false, false});
+            return enter(Place::answer);
+        }
         refuse_known("an object");
-        const bool data = places_.empty() || (place() == Place::top && key_ == "data");
-        return enter(data ? Place::top : Place::other);
+        return enter(Place::other);
     }
     bool end_object() override {
         if (place() == Place::spectrum) end_spectrum();
+        if (place() == Place::answer) end_answer();
         return leave();
     }
     bool start_array(std::size_t) override {
-        if (place() == Place::top && key_ == kSpectra) {
-            if (listed_) throw fail("'" + key_ + "' is there twice");
-            listed_ = true;
+        if (place() == Place::outside || (place() == Place::answer && key_ == kData)) {
+            return enter(Place::answers);
+        }
+        if (place() == Place::answer && key_ == kSpectra) {
+            if (answers_.back().listed) throw fail("'" + key_ + "' is there twice");
+            answers_.back().listed = true;
             return enter(Place::spectra);
         }
-        if (place() == Place::spectrum) {
-            const std::optional<std::size_t> known = index_of(key_);
-            if (known && *known < spotter::kQuantities) {
-                quantity_ = static_cast<Quantity>(*known);
-                return enter(Place::values);
-            }
+        const std::optional<std::size_t> known = index_of(key_);
+        if (describes() && known && *known < spotter::kQuantities) {
+            quantity_ = static_cast<Quantity>(*known);
+            bins_[*known].clear();
+            if (place() == Place::answer) answers_.back().spectrum = true;
+            return enter(Place::values);
         }
         refuse_known("a list");
         return enter(Place::other);
     }
     bool end_array() override { return leave(); }
 
+    /// Costs the spectrum in which it is, and those after it.
     bool parse_error(std::size_t, const std::string& token,
                      const nlohmann::detail::exception& error) override {
-        if (error.id == kOutOfRange) {
-            throw fail("the number '" + text::printable(token, 20) + "' is out of range");
-        }
-        if (progress_.at_end) throw fail("the file ends where its JSON does not");
         const std::string_view last(&progress_.last, 1);
-        throw fail("'" + text::printable(last) + "' is not what JSON has here");
+        const std::string message =
+            error.id == kOutOfRange
+                ? "the number '" + text::printable(token, 20) + "' is out of range"
+            : progress_.at_end ? "the file ends where its JSON does not"
+                               : "'" + text::printable(last) + "' is not what JSON has here";
+        const bool within = std::any_of(places_.begin(), places_.end(), [](Place place) {
+            return place == Place::spectrum || place == Place::values;
+        });
+        if (records_.empty() && !within) throw fail(message);
+        if (!within) record_ = {};
+        record_.fault = fail(message).what();
+        add_record();
+        while (!answers_.empty()) leave_answer();
+        return false;
     }
 
   private:
-    /// top: the outermost object and its `data`; spectra: the list of them; values: of a quantity.
-    enum class Place { outside, top, spectra, spectrum, values, other };
+    /// answer: the outermost object and its `data`, or one of several; spectra: the list of them;
+    /// values: of a quantity.
+    enum class Place { outside, answers, answer, spectra, spectrum, values, other };
+    struct Answer {
+        std::string station;
+        std::size_t first;  // of its records
+        bool listed;        // its list of spectra has begun
+        bool spectrum;      // it is a spectrum itself
+    };
+
+    /// Python writes NaN, which JSON has not; nothing where it does not.
+    static std::string without_nan(std::string_view content) {
+        constexpr std::string_view kNan = "NaN";
+        constexpr std::string_view kNull = "null";
+        std::string out;
+        if (content.find(kNan) == std::string_view::npos) return out;
+        bool quoted = false;
+        for (std::size_t i = 0; i < content.size(); ++i) {
+            if (!quoted && content.substr(i).starts_with(kNan)) {
+                out += kNull;
+                i += kNan.size() - 1;
+                continue;
+            }
+            if (content[i] == '"') quoted = !quoted;
+            out += content[i];
+            if (quoted && content[i] == '\\' && i + 1 < content.size()) out += content[++i];
+        }
+        return out;
+    }
 
     Place place() const { return places_.empty() ? Place::outside : places_.back(); }
     bool enter(Place place) {
@@ -195,60 +245,88 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     Error fail(const std::string& message) const {
         return text::error_at(ErrorKind::bad_file, source_.name, progress_.line, message);
     }
+    /// Of the spectrum that is being read.
+    void blame(const std::string& message) {
+        if (record_.fault.empty()) record_.fault = fail(message).what();
+    }
+    bool describes() const { return place() == Place::spectrum || place() == Place::answer; }
     /// Only what is asked for must be of the right kind.
-    bool refuse_known(const std::string& what) const {
-        const bool known = place() == Place::spectrum && index_of(key_);
-        if (known || place() == Place::values) throw fail("'" + key_ + "' has " + what);
+    bool refuse_known(const std::string& what) {
+        const bool known = describes() && index_of(key_);
+        if (known || place() == Place::values) blame("'" + key_ + "' has " + what);
         return true;
     }
 
     bool number(double value, const std::string& spelled) {
         if (place() == Place::values) {
             append(value, spelled);
-            return true;
-        }
-        if (place() != Place::spectrum) return true;
-        if (key_ == kOtherKeys[1]) {
-            record_.latitude = within(value, spotter::latitude_fault(value, spelled));
-        } else if (key_ == kOtherKeys[2]) {
-            record_.longitude = within(value, spotter::longitude_fault(value, spelled));
+        } else if (describes() && key_ == kOtherKeys[1]) {
+            set_within(record_.latitude, value, spotter::latitude_fault(value, spelled));
+        } else if (describes() && key_ == kOtherKeys[2]) {
+            set_within(record_.longitude, value, spotter::longitude_fault(value, spelled));
         } else {
             refuse_known("a single number");
         }
         return true;
     }
-    double within(double value, const std::string& fault) const {
-        if (!fault.empty()) throw fail(fault);
-        return value;
+    void set_within(double& to, double value, const std::string& fault) {
+        if (fault.empty()) to = value;
+        if (!fault.empty()) blame(fault);
     }
     void append(double value, std::string_view spelled) {
         std::vector<double>& values = bins_[static_cast<std::size_t>(quantity_)];
-        if (values.size() == kMaxFrequencies) throw fail("more than 4096 frequencies");
+        if (values.size() == kMaxFrequencies) return blame("more than 4096 frequencies");
         if (++values_ > kMaxValues) throw fail("more than 67108864 values over all records");
-        values.push_back(within(value, spotter::fault(quantity_, value, spelled)));
+        values.push_back(value);
+        if (const std::string fault = spotter::fault(quantity_, value, spelled); !fault.empty()) {
+            blame(fault);
+        }
     }
-    std::string time_of(const std::string& spelled) const {
+    void set_time(const std::string& spelled) {
         const std::optional<UtcTime> time = parse_utc_time(spelled);
-        if (time) return time->text();
-        throw fail("the time '" + text::printable(spelled, 30) +
-                   "' is not UTC like 2018-02-14T00:27:19.000Z");
+        if (time) record_.time = time->text();
+        if (!time) {
+            blame("the time '" + text::printable(spelled, 30) +
+                  "' is not UTC like 2018-02-14T00:27:19.000Z");
+        }
     }
 
+    void begin_spectrum() {
+        record_ = {};
+        bins_ = {};
+        seen_ = {};
+    }
     void end_spectrum() {
         const std::string fault = spotter::fault(bins_);
-        if (!fault.empty()) throw fail("in the spectrum that ends here: " + fault);
+        if (!fault.empty()) blame("in the spectrum that ends here: " + fault);
+        if (!record_.fault.empty()) return add_record();
         if (!spotter::has_spectrum(bins_)) return;
-        if (records_.size() == kMaxRecords) throw fail("more than 100000 records");
         spotter::set_spectrum(record_, bins_);
+        add_record();
+    }
+    void add_record() {
+        if (records_.size() == kMaxRecords) throw fail("more than 100000 records");
         records_.push_back(std::move(record_));
+        record_ = {};
+    }
+    void end_answer() {
+        if (answers_.back().spectrum) end_spectrum();
+        leave_answer();
+    }
+    /// The station stands before or behind the spectra.
+    void leave_answer() {
+        const Answer answer = std::move(answers_.back());
+        answers_.pop_back();
+        for (std::size_t i = answer.first; i < records_.size(); ++i) {
+            if (records_[i].station.empty()) records_[i].station = answer.station;
+        }
     }
 
     const SpectrumSource& source_;
     Progress progress_;
     std::vector<Place> places_;  // from the outermost
     std::string key_;            // the last
-    bool listed_ = false;        // the list of spectra has begun
-    std::string station_;
+    std::vector<Answer> answers_;
     SpectrumRecord record_;  // that is being read, and its bins
     spotter::Bins bins_;
     std::array<bool, kKeys> seen_{};
@@ -270,15 +348,18 @@ std::vector<SpectrumRecord> read(const SpectrumSource& source) {
 
 #endif
 
-/// An object with one of two keys somewhere.
+/// An object or a list, with one of three keys somewhere.
 bool recognises(std::string_view content) {
     if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
     const std::size_t first = content.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || content[first] != '{') return false;
+    if (first == std::string_view::npos ||
+        std::string_view("{[").find(content[first]) == std::string_view::npos) {
+        return false;
+    }
     const auto has_key = [&](std::string_view key) {
         return content.find("\"" + std::string(key) + "\"") != std::string_view::npos;
     };
-    return has_key(kStation) || has_key(kSpectra);
+    return has_key(kStation) || has_key(kSpectra) || has_key(kDensity);
 }
 
 }  // namespace

@@ -4,11 +4,12 @@
 // Standard spectral files of SWAN, over frequency or over frequency and direction (SWAN user
 // manual, appendix on spectrum files). A header of keywords, each with its numbers on the lines
 // below:
-//   SWAN 1;  TIME (none: stationary);  LONLAT or LOCATIONS (metres);  AFREQ or RFREQ [Hz];
-//   NDIR or CDIR [degrees] (none: a spectrum over frequency only);  QUANT: name, unit and exception
-//   value of each quantity
-// then for each time a line with it, and for each location
-//   FACTOR, a number, and a line of integers for each frequency; or ZERO; or NODATA
+//   SWAN 1;  TIME, or ITER in test output (none: stationary);  LONLAT or LOCATIONS (metres);
+//   AFREQ or RFREQ [Hz];  NDIR or CDIR [degrees] (none: a spectrum over frequency only);
+//   QUANT: name, unit and exception value of each quantity: VaDens, EnDens, or AcDens in hotfiles
+// then for each time (or iteration, of which the last is the result) a line with it, and for each
+// location
+//   FACTOR, a number, and a line of numbers for each frequency; or ZERO; or NODATA
 // or, over frequency only, LOCATION k and a line of all quantities for each frequency; or NODATA.
 // A line that begins with $ is a comment, and so is what follows the values of the header.
 // A reader of spectra: turns such a file into records in libocean's conventions.
@@ -34,7 +35,8 @@ enum class Meaning { density, direction, spread };
 /// A column of a spectrum over frequency, or all of one over directions.
 struct Quantity {
     Meaning meaning = Meaning::density;
-    double scale = 1.0;  // makes a density m^2/Hz
+    double scale = 1.0;   // makes a density m^2/Hz
+    bool action = false;  // variance over 2 pi f
     DirectionConvention convention = DirectionConvention::to_cartesian;
     bool spread_is_power = false;
     double exception = 0.0;
@@ -61,20 +63,32 @@ class SwanReader {
 
     std::vector<SpectrumRecord> read() {
         read_header();
-        if (time_pattern_.empty()) {
+        if (stationary()) {
             read_places("");
             if (in_.next_line()) {
-                throw in_.fail("'" + FreeForm::shown(in_.rest()) +
-                               "' after the last location of a stationary file");
+                add_fault("", in_.fail("'" + FreeForm::shown(in_.rest()) +
+                                       "' after the last location of a stationary file"));
             }
-        } else {
-            while (in_.next_line()) read_places(read_time());
+            return std::move(records_);
+        }
+        while (in_.next_line()) {
+            const std::size_t first = in_.line_number();
+            std::string time;
+            std::string fault;
+            catch_fault(fault, [&] { time = iterations_ ? read_iteration() : read_time(); });
+            if (fault.empty()) {
+                read_places(time);
+            } else {
+                add_fault("", Error(ErrorKind::bad_file, fault));
+                in_.resume_after(first, [&](std::string_view line) { return begins_time(line); });
+            }
         }
         return std::move(records_);
     }
 
   private:
     bool directional() const { return axis_.has_value(); }
+    bool stationary() const { return time_pattern_.empty() && !iterations_; }
 
     // --- header
 
@@ -83,9 +97,14 @@ class SwanReader {
         if (in_.number_here("a version") != 1.0) {
             throw in_.fail("version " + in_.last_number() + " of SWAN's files; known: 1");
         }
-        std::string_view word = keyword({"TIME", "LONLAT", "LOCATIONS"});
-        if (word == "TIME") {
-            read_time_coding();
+        std::string_view word = keyword({"TIME", "ITER", "LONLAT", "LOCATIONS"});
+        if (word == "TIME" || word == "ITER") {
+            iterations_ = word == "ITER";
+            if (iterations_) {
+                in_.header_number("a number");
+            } else {
+                read_time_coding();
+            }
             word = keyword({"LONLAT", "LOCATIONS"});
         }
         read_locations(word == "LONLAT");
@@ -172,7 +191,9 @@ class SwanReader {
     void read_quantities() {
         const std::size_t count = in_.count("quantities", 1, directional() ? 1 : 3);
         while (quantities_.size() < count) quantities_.push_back(read_quantity());
-        if (!has(Meaning::density)) throw in_.fail("no VaDens or EnDens among the quantities");
+        if (!has(Meaning::density)) {
+            throw in_.fail("no VaDens, EnDens or AcDens among the quantities");
+        }
     }
     bool has(Meaning meaning) const {
         return std::any_of(quantities_.begin(), quantities_.end(),
@@ -187,17 +208,9 @@ class SwanReader {
         if (has(quantity.meaning)) throw in_.fail("a second " + name);
         in_.need_line("the unit of " + name);
         switch (quantity.meaning) {
-            case Meaning::density: {
-                const bool energy = name == "EnDens";
-                const std::string unit = std::string(energy ? "J/" : "") + "m2/Hz";
-                if (directional()) {
-                    read_unit(name, {unit + "/degr", unit + "/deg"});
-                } else {
-                    read_unit(name, {unit});
-                }
-                quantity.scale = energy ? 1.0 / kEnergyOfVariance : 1.0;
+            case Meaning::density:
+                read_density_unit(name, quantity);
                 break;
-            }
             case Meaning::direction:
                 read_unit(name, {"degr", "deg"});
                 quantity.convention = name == "NDIR" ? DirectionConvention::from_nautical
@@ -212,16 +225,36 @@ class SwanReader {
         return quantity;
     }
 
+    /// SWAN writes "m2/Hz/degr", and "J" before it for energy, "s" behind m2 for action.
+    void read_density_unit(const std::string& name, Quantity& quantity) {
+        const bool energy = name == "EnDens";
+        quantity.action = name == "AcDens";
+        std::string unit = quantity.action ? "m2s/Hz" : energy ? "J/m2/Hz" : "m2/Hz";
+        const std::string joules = quantity.action ? "Js/m2/Hz" : unit;
+        std::vector<std::string> allowed;
+        for (const std::string& one : {unit, joules}) {
+            if (!directional()) allowed.push_back(one);
+            if (!directional()) continue;
+            for (const char* angle : {"/degr", "/deg", "/rad"}) allowed.push_back(one + angle);
+        }
+        const std::string read = read_unit(name, allowed);
+        if (read.starts_with('J')) quantity.scale = 1.0 / kEnergyOfVariance;
+        if (read.ends_with("/rad")) quantity.scale *= kPi / 180.0;
+    }
+
     Meaning meaning_of(const std::string& name) const {
-        if (name == "VaDens" || name == "EnDens") return Meaning::density;
+        if (name == "VaDens" || name == "EnDens" || name == "AcDens") return Meaning::density;
         if (!directional() && (name == "NDIR" || name == "CDIR")) return Meaning::direction;
         if (!directional() && (name == "DSPRDEGR" || name == "DSPR")) return Meaning::spread;
-        throw in_.fail("'" + FreeForm::shown(name) + "' is not a quantity; known: VaDens, EnDens" +
+        throw in_.fail("'" + FreeForm::shown(name) +
+                       "' is not a quantity; known: VaDens, EnDens, AcDens" +
                        (directional() ? "" : ", NDIR, CDIR, DSPRDEGR, DSPR"));
     }
 
     std::string read_unit(const std::string& quantity, const std::vector<std::string>& allowed) {
-        const std::string unit(in_.word());
+        std::string unit(in_.word());
+        std::erase(unit, '*');
+        if (unit == "m2" && in_.rest().starts_with("s/")) unit += in_.word();
         if (std::find(allowed.begin(), allowed.end(), unit) == allowed.end()) {
             throw in_.fail("'" + FreeForm::shown(unit) + "' is not a unit of " + quantity +
                            "; known: " + allowed[0] + (allowed.back() == "-" ? " or -" : ""));
@@ -245,27 +278,120 @@ class SwanReader {
         return time->text();
     }
 
+    /// The number before each iteration, as the time of none.
+    std::string read_iteration() {
+        const double number = in_.number_here("the number of an iteration");
+        if (number < 0.0 || number != std::floor(number)) {
+            throw in_.fail(in_.last_number() + " is not the number of an iteration");
+        }
+        iteration_ = in_.last_number();
+        ++iterations_read_;
+        in_.leave_line();
+        return "";
+    }
+
+    /// Without a look at the year: what begins a spectrum's values looks otherwise.
+    bool begins_time(std::string_view line) const {
+        if (iterations_) return false;
+        if (line.starts_with('\'')) line.remove_prefix(1);
+        const std::optional<UtcTime> time = match_time(line, time_pattern_);
+        if (!time) return false;
+        const std::string_view after = line.substr(time_pattern_.size());
+        return after.empty() || after.find_first_of(" \t'") == 0;
+    }
+    bool begins_place(std::string_view line) const {
+        for (const std::string_view word : {"FACTOR", "ZERO", "NODATA", "LOCATION"}) {
+            if (line.starts_with(word)) return true;
+        }
+        return false;
+    }
+
+    void add_fault(const std::string& time, const Error& fault) {
+        require_room(in_, records_.size(), 1);
+        SpectrumRecord record;
+        record.time = time;
+        record.fault = fault.what();
+        records_.push_back(std::move(record));
+    }
+
+    /// All locations of one time. The file does not name them: behind one that cannot be read, the
+    /// others are known to be at their places only if there are as many as there should be.
     void read_places(const std::string& time) {
-        const std::size_t size = frequency_.size() + values_.size();
+        std::vector<SpectrumRecord> before;
+        if (iterations_) before.swap(records_);  // the last one is the result
+        std::size_t found = 0;
+        std::optional<std::size_t> first_fault;  // of records_
         for (std::size_t k = 0; k < places_.size(); ++k) {
-            in_.need_line("location " + std::to_string(k + 1) + " of " +
-                          std::to_string(places_.size()));
-            const std::string_view word = in_.word();
-            if (word == "NODATA") continue;
-            require_room(in_, records_.size(), size);
             SpectrumRecord record;
             record.station = places_[k].station;
             record.latitude = places_[k].latitude;
             record.longitude = places_[k].longitude;
             record.time = time;
-            record.frequency = frequency_;
-            if (directional()) {
-                read_directional(word, record);
-            } else if (!read_rows(word, k + 1, record)) {
-                continue;
+            bool ends = false;
+            bool known = true;
+            std::size_t first = in_.line_number() + 1;
+            catch_fault(record.fault, [&] {
+                ends = true;
+                in_.need_line("location " + std::to_string(k + 1) + " of " +
+                              std::to_string(places_.size()));
+                if (!stationary() && begins_time(in_.rest())) {
+                    in_.hold_line();
+                    throw in_.fail("a time where location " + std::to_string(k + 1) + " of " +
+                                   std::to_string(places_.size()) + " should be");
+                }
+                ends = false;
+                first = in_.line_number();
+                known = read_place(k, record);
+            });
+            const bool bad = !record.fault.empty();
+            found += ends ? 0 : 1;
+            if (bad && !first_fault) first_fault = records_.size();
+            if (bad || known) {
+                require_room(in_, records_.size(), frequency_.size() + values_.size());
+                records_.push_back(std::move(record));
             }
-            records_.push_back(std::move(record));
+            if (ends) break;
+            if (!bad) continue;
+            in_.resume_after(first, [&](std::string_view line) {
+                return begins_place(line) || (!stationary() && begins_time(line));
+            });
         }
+        if (first_fault && found != places_.size()) distrust(*first_fault);
+        if (iterations_) tell_iteration(first_fault.has_value(), std::move(before));
+    }
+
+    void distrust(std::size_t first) {
+        for (std::size_t i = first; i < records_.size(); ++i) {
+            if (!records_[i].fault.empty()) continue;
+            records_[i].fault = in_.fail(
+                                       "fewer locations than the header has, so that the place of "
+                                       "this one is not known")
+                                    .what();
+        }
+    }
+
+    /// Keeps the iteration before where the last one cannot be read as a whole.
+    void tell_iteration(bool bad, std::vector<SpectrumRecord> before) {
+        if (iterations_read_ < 2) return;
+        const bool keep = bad && !before.empty() &&
+                          std::all_of(before.begin(), before.end(),
+                                      [](const SpectrumRecord& r) { return r.fault.empty(); });
+        const std::string warning =
+            "the file has " + std::to_string(iterations_read_) + " iterations of one state: " +
+            (keep ? "number " + iteration_ + " cannot be read whole, and the one before it is taken"
+                  : "the last, number " + iteration_ + ", is the result");
+        if (keep) records_ = std::move(before);
+        for (SpectrumRecord& record : records_) record.warnings = {warning};
+    }
+
+    /// False if there is no spectrum.
+    bool read_place(std::size_t k, SpectrumRecord& record) {
+        const std::string_view word = in_.word();
+        if (word == "NODATA") return false;
+        record.frequency = frequency_;
+        if (!directional()) return read_rows(word, k + 1, record);
+        read_directional(word, record);
+        return true;
     }
 
     void read_directional(std::string_view word, SpectrumRecord& record) {
@@ -275,7 +401,7 @@ class SwanReader {
             const double factor = in_.header_number("a factor");
             in_.require_within(factor, 0.0, 1e300, "a factor", "0 or more");
             in_.leave_line();
-            read_integers(factor);
+            read_values(factor);
         } else {
             throw in_.fail("'" + FreeForm::shown(word) +
                            "' where FACTOR, ZERO or NODATA should be");
@@ -283,18 +409,22 @@ class SwanReader {
         axis_->fill(record, values_, 1.0);
     }
 
-    void read_integers(double factor) {
+    /// Action density is variance density over the angular frequency [SWAN, scientific manual,
+    /// eq. 2.6]: N = E / (2 pi f).
+    double scale_at(const Quantity& quantity, std::size_t i) const {
+        return quantity.action ? quantity.scale * 2.0 * kPi * frequency_[i] : quantity.scale;
+    }
+
+    void read_values(double factor) {
         const Quantity& quantity = quantities_.front();
         const std::size_t bins = values_.size() / frequency_.size();
         for (std::size_t i = 0; i < frequency_.size(); ++i) {
+            const double scale = factor * scale_at(quantity, i);
             for (std::size_t j = 0; j < bins; ++j) {
                 const double digits = in_.number("a density");
-                const double density = digits * factor * quantity.scale;
                 const bool missing = digits == quantity.exception;
-                if (!missing && digits != std::floor(digits)) {
-                    throw in_.fail(in_.last_number() + " is not a whole number");
-                }
-                if (!missing && !(density >= 0.0 && density <= kMaxBinDensity)) {
+                const double density = digits * scale;
+                if (!missing && !(std::abs(density) <= kMaxBinDensity)) {
                     throw in_.fail(in_.last_number() + " times the factor is not within 0 .. " +
                                    "2500 m2/Hz/degr");
                 }
@@ -330,9 +460,10 @@ class SwanReader {
             const bool missing = value == quantity.exception;
             switch (quantity.meaning) {
                 case Meaning::density:
-                    record.density.push_back(missing ? 0.0 : value * quantity.scale);
+                    record.density.push_back(
+                        missing ? 0.0 : value * scale_at(quantity, record.density.size()));
                     if (missing) break;
-                    in_.require_within(record.density.back(), 0.0, 1e6, "a density",
+                    in_.require_within(record.density.back(), -1e6, 1e6, "a density",
                                        "0 .. 1e6 m2/Hz");
                     break;
                 case Meaning::direction:
@@ -354,7 +485,10 @@ class SwanReader {
     }
 
     FreeForm in_;
-    std::string_view time_pattern_;  // empty: stationary
+    std::string_view time_pattern_;  // empty: stationary, or iterations
+    bool iterations_ = false;
+    std::size_t iterations_read_ = 0;
+    std::string iteration_;  // the number of the last
     std::vector<Place> places_;
     std::vector<double> frequency_;
     std::optional<DirectionAxis> axis_;  // none: over frequency only

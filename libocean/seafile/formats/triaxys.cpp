@@ -62,7 +62,10 @@ class TriaxysReader {
         std::vector<SpectrumRecord> records;
         in_.need_line("the title TRIAXYS BUOY DATA REPORT");
         do {
-            SpectrumRecord record = read_record();
+            SpectrumRecord record;
+            const std::size_t first = in_.line_number();
+            catch_fault(record.fault, [&] { read_record(record); });
+            if (!record.fault.empty()) in_.resume_after(first, is_title);
             require_room(in_, records.size(),
                          record.frequency.size() * (1 + record.direction.size()));
             records.push_back(std::move(record));
@@ -81,12 +84,12 @@ class TriaxysReader {
         double angle = 0.0;     // degrees, between directions
     };
 
-    SpectrumRecord read_record() {
+    void read_record(SpectrumRecord& record) {
         if (!is_title(in_.rest())) {
             throw in_.fail("'" + FreeForm::shown(in_.rest()) +
                            "' where the title TRIAXYS BUOY DATA REPORT should be");
         }
-        SpectrumRecord record = read_title(in_.rest());
+        read_title(record, in_.rest());
         const Header header = read_header();
         record.time = header.time;
         if (header.directional) {
@@ -94,14 +97,12 @@ class TriaxysReader {
         } else {
             read_column(record, header);
         }
-        return record;
     }
 
     /// Names of the sensor and the buoy and their position, of which the last ones may be missing.
-    static SpectrumRecord read_title(std::string_view line) {
-        SpectrumRecord record;
+    static void read_title(SpectrumRecord& record, std::string_view line) {
         const std::vector<std::string> parts = split(line, " - ");
-        if (parts.size() < 2) return record;
+        if (parts.size() < 2) return;
         record.station = text::printable(csv::trimmed(parts[1]));
         std::string_view position = csv::trimmed(parts.back());
         const std::optional<double> latitude = take_angle(position, "NS");
@@ -112,7 +113,6 @@ class TriaxysReader {
             record.latitude = *latitude;
             record.longitude = *longitude;
         }
-        return record;
     }
 
     Header read_header() {
@@ -221,7 +221,8 @@ class TriaxysReader {
             if (wave) record.frequency.push_back(frequency);
             for (std::size_t j = 0; j < header.directions; ++j) {
                 const double value = in_.number_here("a density");
-                in_.require_within(value, 0.0, kMaxBinDensity, "a density", "0 .. 2500 m^2/Hz/deg");
+                in_.require_within(value, -kMaxBinDensity, kMaxBinDensity, "a density",
+                                   "0 .. 2500 m^2/Hz/deg");
                 if (wave) values.push_back(value);
             }
             in_.end_line("the densities of all directions");
@@ -236,7 +237,7 @@ class TriaxysReader {
             const double frequency = in_.number_here("a frequency");
             in_.require_within(frequency, 0.0, kMaxFrequency, "a frequency", "0 .. 100 Hz");
             const double density = in_.number_here("a density");
-            in_.require_within(density, 0.0, 1e6, "a density", "0 .. 1e6 m^2/Hz");
+            in_.require_within(density, -1e6, 1e6, "a density", "0 .. 1e6 m^2/Hz");
             in_.end_line("the density");
             if (frequency < kMinFrequency) continue;
             if (!record.frequency.empty() && !(frequency > record.frequency.back())) {

@@ -9,7 +9,10 @@
 //   '44097     '  40.98 -71.12      46.6   1.45 225.6   0.18  94.1
 //   (latitude, longitude, depth, speed and direction of wind and current) and the densities
 //   [m^2/Hz/rad], frequency fastest.
+// Programs that copy such files write texts without their quotes, or with double ones.
 // A reader of spectra: turns such a file into records in libocean's conventions.
+#include <cctype>
+
 #include "free_form.hpp"
 #include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
@@ -17,7 +20,11 @@
 namespace ocean {
 namespace {
 
-constexpr std::string_view kMagic = "'WAVEWATCH III SPECTRA'";
+constexpr std::string_view kMagic = "WAVEWATCH III SPECTRA";
+constexpr std::string_view kQuotes = "'\"";
+constexpr std::string_view kTime = "YYYYMMDD hhmmss";
+/// After the name of a point: its place, depth, wind and current.
+constexpr std::size_t kPointNumbers = 7;
 /// Half a unit of the third digit of 6.28, and what the smallest direction may be off.
 constexpr double kRounding = 0.0055;
 /// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
@@ -46,6 +53,48 @@ std::vector<double> even_circle(const std::vector<double>& printed) {
     return printed;
 }
 
+/// The bytes of the magic words that `line` begins with, quotes included; 0 if it does not.
+std::size_t magic_bytes(std::string_view line) {
+    const bool quoted = !line.empty() && kQuotes.find(line[0]) != std::string_view::npos;
+    std::size_t bytes = quoted ? 1 : 0;
+    if (!line.substr(bytes).starts_with(kMagic)) return 0;
+    bytes += kMagic.size();
+    if (!quoted) return bytes;
+    const std::size_t close = line.find_first_not_of(' ', bytes);
+    return close != std::string_view::npos && line[close] == line[0] ? close + 1 : 0;
+}
+
+bool begins_time(std::string_view line) {
+    const std::optional<UtcTime> time = match_time(line, kTime);
+    return time && time->valid() &&
+           line.find_first_not_of(" \t", kTime.size()) == std::string_view::npos;
+}
+
+/// The bytes of a point's name, quotes included: what stands before the seven numbers.
+std::size_t name_bytes(std::string_view line) {
+    for (const char quote : kQuotes) {
+        if (!line.starts_with(quote)) continue;
+        const std::size_t last = line.rfind(quote);  // a name may contain quotes
+        return last > 0 ? last + 1 : 0;
+    }
+    std::size_t end = line.size();
+    for (std::size_t i = 0; i < kPointNumbers && end != std::string_view::npos && end > 0; ++i) {
+        const std::size_t last = line.find_last_not_of(" \t", end - 1);
+        if (last == std::string_view::npos) return 0;
+        const std::size_t before = line.find_last_of(" \t", last);
+        const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+        std::string_view word = line.substr(first, last + 1 - first);
+        if (!text::take_fortran_number(word) || !word.empty()) return 0;
+        end = first;
+    }
+    return end;
+}
+
+bool begins_point(std::string_view line) {
+    return !line.empty() && (kQuotes.find(line[0]) != std::string_view::npos ||
+                             std::isalpha(static_cast<unsigned char>(line[0])) != 0);
+}
+
 class WavewatchReader {
   public:
     explicit WavewatchReader(const SpectrumSource& source) : in_(source.content, source.name) {}
@@ -55,27 +104,63 @@ class WavewatchReader {
         const DirectionAxis axis = read_directions();
         std::vector<SpectrumRecord> records;
         while (in_.next_line()) {
-            const std::string time = read_time();
-            for (std::size_t point = 1; point <= points_; ++point) {
-                require_room(in_, records.size(), values_.size());
-                in_.need_line("point " + std::to_string(point) + " of " + std::to_string(points_));
-                SpectrumRecord record = read_point();
-                record.time = time;
-                record.frequency = frequency_;
-                read_values();
-                axis.fill(record, values_, kPi / 180.0);
-                records.push_back(std::move(record));
+            SpectrumRecord record;
+            const std::size_t first = in_.line_number();
+            catch_fault(record.fault, [&] { record.time = read_time(); });
+            if (record.fault.empty()) {
+                read_points(record.time, axis, records);
+            } else {
+                add(records, std::move(record));
+                in_.resume_after(first, begins_time);
             }
         }
         return records;
     }
 
   private:
+    void add(std::vector<SpectrumRecord>& records, SpectrumRecord record) const {
+        require_room(in_, records.size(), values_.size());
+        records.push_back(std::move(record));
+    }
+
+    /// All points of one time. One that cannot be read costs those after it only if the file ends.
+    void read_points(const std::string& time, const DirectionAxis& axis,
+                     std::vector<SpectrumRecord>& records) {
+        for (std::size_t point = 1; point <= points_; ++point) {
+            SpectrumRecord record;
+            record.time = time;
+            std::size_t first = in_.line_number() + 1;
+            bool ends = false;
+            catch_fault(record.fault, [&] {
+                ends = true;
+                in_.need_line("point " + std::to_string(point) + " of " + std::to_string(points_));
+                if (begins_time(in_.rest())) {
+                    in_.hold_line();
+                    throw in_.fail("a time where point " + std::to_string(point) + " of " +
+                                   std::to_string(points_) + " should be");
+                }
+                ends = false;
+                first = in_.line_number();
+                read_point(record);
+                record.frequency = frequency_;
+                read_values();
+                axis.fill(record, values_, kPi / 180.0);
+            });
+            const bool bad = !record.fault.empty();
+            add(records, std::move(record));
+            if (ends) return;
+            if (!bad) continue;
+            in_.resume_after(first, [](std::string_view line) {
+                return begins_time(line) || begins_point(line);
+            });
+        }
+    }
+
     void read_header() {
         in_.need_line("a header");
-        if (!in_.rest().starts_with(kMagic))
-            throw in_.fail("does not begin with " + std::string(kMagic));
-        in_.take(kMagic.size());
+        const std::size_t magic = magic_bytes(in_.rest());
+        if (magic == 0) throw in_.fail("does not begin with '" + std::string(kMagic) + "'");
+        in_.take(magic);
         const std::size_t frequencies = in_.count("frequencies", 2, kMaxFrequencies);
         directions_ = in_.count("directions", 3, kMaxDirections);
         if (frequencies * directions_ > kMaxDirectionalValues) {
@@ -103,28 +188,29 @@ class WavewatchReader {
     }
 
     std::string read_time() {
-        constexpr std::string_view kPattern = "YYYYMMDD hhmmss";
-        const std::optional<UtcTime> time = match_time(in_.rest(), kPattern);
+        const std::optional<UtcTime> time = match_time(in_.rest(), kTime);
         if (!time || !time->valid()) {
             throw in_.fail("'" + FreeForm::shown(in_.rest()) +
                            "' where a time like 20220912 060000 should be");
         }
-        in_.take(kPattern.size());
+        in_.take(kTime.size());
         in_.end_line("the time");
         return time->text();
     }
 
-    SpectrumRecord read_point() {
+    void read_point(SpectrumRecord& record) {
         const std::string_view line = in_.rest();
-        const std::size_t quote = line.rfind('\'');  // a name may contain quotes
-        if (!line.starts_with('\'') || quote == 0) {
+        const std::size_t bytes = name_bytes(line);
+        if (bytes == 0) {
             throw in_.fail("'" + FreeForm::shown(line) +
-                           "' where the name of a point in quotes should be");
+                           "' where the name of a point, its place, depth, wind and current "
+                           "should be");
         }
-        SpectrumRecord record;
-        const std::string_view name = line.substr(1, quote - 1);
+        std::string_view name = line.substr(0, bytes);
+        const bool quoted = kQuotes.find(name[0]) != std::string_view::npos;
+        if (quoted) name = name.substr(1, bytes - 2);
         record.station = text::printable(name.substr(0, name.find_last_not_of(" \t") + 1));
-        in_.take(quote + 1);
+        in_.take(bytes);
         record.latitude = in_.number_here("a latitude");
         in_.require_within(record.latitude, -90.0, 90.0, "a latitude", "-90 .. 90");
         record.longitude = in_.number_here("a longitude");
@@ -137,14 +223,14 @@ class WavewatchReader {
             in_.number_here(what);
         }
         in_.end_line("the current");
-        return record;
     }
 
     void read_values() {
         for (std::size_t j = 0; j < directions_; ++j) {
             for (std::size_t i = 0; i < frequency_.size(); ++i) {
                 const double value = in_.number("a density");
-                in_.require_within(value, 0.0, kMaxDensity, "a density", "0 .. 1e5 m^2/Hz/rad");
+                in_.require_within(value, -kMaxDensity, kMaxDensity, "a density",
+                                   "0 .. 1e5 m^2/Hz/rad");
                 values_[i * directions_ + j] = value;
             }
         }
@@ -160,7 +246,7 @@ class WavewatchReader {
 
 bool recognises(std::string_view content) {
     FreeForm in(content, "");
-    return in.next_line() && in.rest().starts_with(kMagic);
+    return in.next_line() && magic_bytes(in.rest()) > 0;
 }
 
 std::vector<SpectrumRecord> read(const SpectrumSource& source) {

@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reader_fuzzer.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    ocean::fuzz::run_reader(ocean::kOctopus, {"fuzz.oct"}, data, size);
+    return 0;
+}

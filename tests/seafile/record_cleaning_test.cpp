@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What estimators leave in spectra and no sea has: bins of 0 Hz, densities below 0. And what of a
+// file can be used when one of its records cannot.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "helpers.hpp"
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/record_rules.hpp"
+#include "ocean/sea_state.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean::test {
+namespace {
+
+SpectrumRecord record_of(std::vector<double> frequency, std::vector<double> density) {
+    SpectrumRecord record;
+    record.frequency = std::move(frequency);
+    record.density = std::move(density);
+    return record;
+}
+
+SpectrumRecord with_fault(const std::string& time, const std::string& fault) {
+    SpectrumRecord record;
+    record.time = time;
+    record.fault = fault;
+    return record;
+}
+
+TEST(CleanRecord, ANegativeDensityCountsAsZeroAndTheEnergyStays) {
+    SpectrumRecord record = record_of({0.1, 0.2, 0.3, 0.4}, {-0.2, 4.0, 2.0, -0.1});
+    const double m0 = summarize(record).m0;
+    clean_record(record);
+    EXPECT_EQ(record_fault(record), "");
+    EXPECT_EQ(record.density[0], 0.0);
+    EXPECT_EQ(record.density[3], 0.0);
+    EXPECT_NEAR(record.density[1] / record.density[2], 2.0, 1e-12) << "the shape stays";
+    EXPECT_NEAR(summarize(record).m0, m0, 1e-12 * m0);
+    ASSERT_EQ(record.warnings.size(), 1u);
+    EXPECT_EQ(record.warnings[0],
+              "2 of 4 densities are below 0, the least by 5.00 % of the highest: they are taken as "
+              "0, and the others keep the energy");
+}
+
+TEST(CleanRecord, OverDirectionsEachFrequencyKeepsItsEnergyToo) {
+    SpectrumRecord record = record_of({0.1, 0.2}, {(4.0 - 0.2) * 90.0, 1.0 * 90.0});
+    record.direction = {0, 90, 180, 270};
+    record.directional_density = {4.0, 0.0, -0.2, 0.0, 0.5, 0.5, 0.0, 0.0};
+    const double m0 = summarize(record).m0;
+    clean_record(record);
+    EXPECT_EQ(record_fault(record), "");
+    EXPECT_NEAR(summarize(record).m0, m0, 1e-12 * m0);
+    EXPECT_NEAR(record.directional_density[0], 3.8, 1e-12);
+    EXPECT_EQ(record.directional_density[2], 0.0);
+    EXPECT_NEAR(record.directional_density[4], 0.5, 1e-12);
+    EXPECT_EQ(record.warnings.size(), 1u);
+}
+
+TEST(CleanRecord, ATenthOfThePeakIsTheMostThatIsNoise) {
+    SpectrumRecord noise = record_of({0.1, 0.2, 0.3}, {1.0, 4.0, -0.4});
+    clean_record(noise);
+    EXPECT_EQ(record_fault(noise), "");
+    SpectrumRecord wrong = record_of({0.1, 0.2, 0.3}, {1.0, 4.0, -0.41});
+    clean_record(wrong);
+    EXPECT_EQ(record_fault(wrong), "the density of bin 3 is not within 0 .. 1e6 m^2/Hz");
+    EXPECT_TRUE(wrong.warnings.empty());
+    SpectrumRecord upside_down = record_of({0.1, 0.2, 0.3}, {-1.0, -4.0, -1.0});
+    clean_record(upside_down);
+    EXPECT_NE(record_fault(upside_down), "");
+}
+
+TEST(CleanRecord, ABinOfZeroHertzIsLeftOutWithAllThatBelongsToIt) {
+    SpectrumRecord record = record_of({0.0, 0.1, 0.2}, {7.0, 4.0, 2.0});
+    record.a1 = record.b1 = record.a2 = record.b2 = {0.1, 0.2, 0.3};
+    clean_record(record);
+    EXPECT_EQ(record.frequency, (std::vector<double>{0.1, 0.2}));
+    EXPECT_EQ(record.density, (std::vector<double>{4.0, 2.0}));
+    EXPECT_EQ(record.a1, (std::vector<double>{0.2, 0.3}));
+    EXPECT_EQ(record.b2, (std::vector<double>{0.2, 0.3}));
+    ASSERT_EQ(record.warnings.size(), 1u);
+    EXPECT_EQ(record.warnings[0], "a density of 7 m^2/Hz at 0 Hz, which is no wave, is left out");
+    SpectrumRecord grid = record_of({0.0, 0.1, 0.2}, {0.0, 360.0, 360.0});
+    grid.direction = {0, 120, 240};
+    grid.directional_density = {0, 0, 0, 1, 2, 3, 4, 5, 6};
+    clean_record(grid);
+    EXPECT_EQ(grid.directional_density, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    EXPECT_TRUE(grid.warnings.empty()) << "nothing was lost";
+}
+
+TEST(RecordWithFault, IsChosenOnlyToSayWhy) {
+    const std::vector<SpectrumRecord> records = {with_fault("2020-01-01T00:00", "f:3: wrong"),
+                                                 record_of({0.1, 0.2}, {1, 2})};
+    EXPECT_EQ(refusal_of([&] { choose_record(records, {}, "f"); }).message, "f:3: wrong");
+    std::vector<SpectrumRecord> timed = records;
+    timed[1].time = "2020-01-01T03:00";
+    EXPECT_EQ(choose_record(timed, {"2020-01-01T03:00", ""}, "f").density[1], 2.0);
+    EXPECT_EQ(refusal_of([&] {
+                  choose_record(timed, {"2020-01-01T00:00", ""}, "f");
+              }).message,
+              "f:3: wrong; a record that can be read is that of 2020-01-01T03:00");
+}
+
+TEST(RecordWithFault, IsNoneOfTheListAndIsWarnedOf) {
+    std::vector<SpectrumRecord> records = {with_fault("2020-01-01T00:00", "f:3: wrong"),
+                                           record_of({0.1, 0.2}, {1, 2}),
+                                           record_of({0.1, 0.2}, {1, 2})};
+    records[1].warnings = {"something was assumed"};
+    records[2].warnings = {"something was assumed"};
+    const std::string json = records_json(records);
+    EXPECT_EQ(json.find("2020-01-01T00:00"), std::string::npos);
+    EXPECT_NE(json.find("\"warnings\": [\"something was assumed\"]"), std::string::npos) << json;
+    const std::vector<std::string> warnings = records_warnings(records);
+    ASSERT_EQ(warnings.size(), 3u);
+    EXPECT_EQ(warnings[0], "record 2020-01-01T00:00: cannot be read: f:3: wrong");
+    EXPECT_EQ(warnings[1], "2 of 3 records: something was assumed");
+    EXPECT_NE(warnings[2].find("2 of 3 records: says nothing of directions"), std::string::npos);
+}
+
+TEST(RecordWithFault, OfAManyTheFirstFiftyAreNamed) {
+    std::vector<SpectrumRecord> records;
+    for (int i = 0; i < 60; ++i) records.push_back(with_fault("", "f:" + std::to_string(i)));
+    const std::vector<std::string> warnings = records_warnings(records);
+    ASSERT_EQ(warnings.size(), 51u);
+    EXPECT_EQ(warnings[50], "10 more warnings are left out");
+    EXPECT_EQ(refusal_of([&] { require_readable(records); }).message, "f:0");
+    records.push_back(record_of({0.1, 0.2}, {1, 2}));
+    EXPECT_FALSE(refusal_of([&] { require_readable(records); }).refused);
+}
+
+TEST(RecordWarnings, ReachTheStateOfTheSeaAndItsFile) {
+    const std::string body =
+        "[grid]\nresolution = 64\n[[waves]]\nspectrum = \"measured\"\n[waves.measured_record]\n"
+        "frequency = [0.1, 0.2, 0.3]\ndensity = [1.0, 2.0, 1.0]\n"
+        "warnings = [\n \"the unit was a \\\"guess\\\"\",\n \"more\"]\n";
+    const Sea sea = parse(body);
+    EXPECT_EQ(sea.parameters.waves[0].measured->warnings,
+              (std::vector<std::string>{"the unit was a \"guess\"", "more"}));
+    const Sea again = parse_sea(write_sea(sea), "again.toml", "");
+    EXPECT_EQ(difference(sea, again), "");
+    ThreadPool pool(1);
+    const SeaState state =
+        sea_state(make_directional_spectrum(sea.parameters), sea.parameters, pool);
+    const auto says = [&](const std::string& text) {
+        return std::count(state.warnings.begin(), state.warnings.end(), text);
+    };
+    EXPECT_EQ(says("waves.0.file: the unit was a \"guess\""), 1);
+    EXPECT_EQ(says("waves.0.file says nothing of directions: the waves travel to "
+                   "waves.0.wind_direction = 0, to the east, spread as waves.0.spreading says"),
+              1);
+}
+
+TEST(RecordWarnings, OfASeaFileAreFewAndShort) {
+    const std::string head = "[[waves]]\n[waves.measured_record]\nwarnings = ";
+    std::string many = "[";
+    for (int i = 0; i < 17; ++i) many += "\"a\",";
+    const std::string allowed = "an array of at most 16 texts of at most 500 bytes";
+    for (const std::string& value : {many + "]", "[\"" + std::string(501, 'x') + "\"]",
+                                     std::string("[1]"), std::string("\"a\"")}) {
+        const Refusal refusal = refusal_of_sea(head + value);
+        EXPECT_TRUE(refusal.says("test.toml:4: ") && refusal.says(allowed)) << refusal.message;
+    }
+}
+
+TEST(RecordWarnings, ASpreadNarrowerThanASeaHoldsIsToldWithBoth) {
+    const auto state_of = [](const std::string& moments) {
+        const Sea sea = parse(
+            "[grid]\nresolution = 64\n[[waves]]\nspectrum = \"measured\"\n[waves.measured_record]\n"
+            "frequency = [0.1, 0.2, 0.3]\ndensity = [1.0, 2.0, 1.0]\n" +
+            moments);
+        ThreadPool pool(1);
+        return sea_state(make_directional_spectrum(sea.parameters), sea.parameters, pool);
+    };
+    const auto said = [](const SeaState& state) {
+        return std::count_if(state.warnings.begin(), state.warnings.end(), [](const auto& text) {
+            return text.find("the least that a sea holds") != std::string::npos;
+        });
+    };
+    // A spread of 0: cos^2s of s = 200 has sqrt(2 (1 - 200/201)) = 5.7 degrees.
+    const SeaState narrow = state_of(
+        "a1 = [1.0, 1.0, 1.0]\nb1 = [0.0, 0.0, 0.0]\na2 = [nan, nan, nan]\nb2 = [nan, nan, nan]\n");
+    EXPECT_NEAR(narrow.directional_spread.asked, 5.7, 0.1);
+    EXPECT_EQ(said(narrow), 1);
+    EXPECT_EQ(std::count(narrow.warnings.begin(), narrow.warnings.end(),
+                         "waves.0.file has a directional spread of 0.0 degrees: the least that a "
+                         "sea holds is taken, 5.7"),
+              1);
+    EXPECT_EQ(said(state_of("a1 = [0.9, 0.9, 0.9]\nb1 = [0.0, 0.0, 0.0]\na2 = [nan, nan, nan]\n"
+                            "b2 = [nan, nan, nan]\n")),
+              0);
+}
+
+}  // namespace
+}  // namespace ocean::test
