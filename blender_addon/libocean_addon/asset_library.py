@@ -20,7 +20,7 @@ from pathlib import Path
 
 import bpy
 
-from . import assets, compat, messages
+from . import assets, compat, messages, paths
 from .compat import tr, tr_label
 
 FILE = "seas.blend"
@@ -164,7 +164,7 @@ class MakeAssetLibrary(bpy.types.Operator):
     )
 
     def execute(self, context):
-        folder = Path(bpy.path.abspath(self.directory)) if self.directory else default_folder()
+        folder = paths.absolute(self.directory) if self.directory else default_folder()
         if context.window is not None:
             context.window.cursor_set("WAIT")
         try:

@@ -8,7 +8,17 @@ import threading
 
 import bpy
 
-from . import bake_job, baked, changes, compat, exr_files, messages, operators
+from . import (
+    bake_files,
+    bake_job,
+    baked,
+    changes,
+    compat,
+    exr_files,
+    messages,
+    operators,
+    overrides,
+)
 from .bake_plan import Bake, BakeError, Work, asked_range
 from .compat import tr, tr_label
 
@@ -73,6 +83,7 @@ class Frames(_OnOwnOcean):
         if running is not None:
             self.report({"ERROR"}, tr("A bake of {} is under way", running.object_name))
             return None
+        overrides.make_editable(context.object)
         try:
             return self.begin(context, (first, last))
         except BakeError as failure:
@@ -169,9 +180,7 @@ class BakeOcean(Frames, bpy.types.Operator):
     bl_label = "Bake Ocean"
 
     def begin(self, context, shot: tuple[int, int]) -> Bake:
-        ob = context.object
-        folder = self.directory or baked.asked_folder(ob)
-        return Bake(context, ob, folder, shot, overwrite=self.overwrite)
+        return Bake(context, context.object, self.directory, shot, overwrite=self.overwrite)
 
 
 class FreeBake(_OnOwnOcean, bpy.types.Operator):
@@ -201,8 +210,9 @@ class FreeBake(_OnOwnOcean, bpy.types.Operator):
 
     def execute(self, context):
         ob = context.object
-        path = baked.folder_path(ob)
-        others = baked.others_in(ob, path)
+        place = baked.place_of(ob)
+        others, strangers = baked.others_in(ob, place), baked.strangers(ob, place)
+        overrides.make_editable(ob)
         with changes.quiet():
             ob.libocean.use_bake = False
             ob.libocean.bake.fields = ""
@@ -214,8 +224,12 @@ class FreeBake(_OnOwnOcean, bpy.types.Operator):
             text = tr("The files stay: {} plays them too", others[0].name)
             self.report({"WARNING"}, text)
             return {"FINISHED"}
+        if strangers:
+            numbers = bake_files.in_words(strangers)
+            self.report({"WARNING"}, tr("The files stay: those of {} show another sea", numbers))
+            return {"FINISHED"}
         try:
-            self.report({"INFO"}, tr("{} files removed", exr_files.remove(path)))
+            self.report({"INFO"}, tr("{} files removed", exr_files.remove(place.path, place.stem)))
         except OSError as failure:
             self.report({"ERROR"}, tr("Not all files could be removed: {}", failure))
         return {"FINISHED"}

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import atlas, detail_tiles, exr_files
+from . import atlas, bake_files, detail_tiles, exr_files
 from .native import libocean
 
 
@@ -46,6 +46,8 @@ class Job:
     failure: Exception | None = None
     warning: str = ""
     """What the user should know of a frame."""
+    marks: list[str] = dataclasses.field(default_factory=list)
+    """By which the files of each frame are known again."""
 
     def run(self, tell: Callable[[], None] = lambda: None) -> None:
         """Writes what is missing; tell is called after each frame. What went wrong is in
@@ -66,6 +68,8 @@ class Job:
                     text, resolved = frame.sea, sea.text
                 if not self._bake(sea, resolved, frame):
                     return
+                time = exr_files.shortest(frame.time)
+                self.marks.append(bake_files.frame_mark(resolved, time))
                 self.done += 1
                 tell()
         finally:
@@ -87,6 +91,8 @@ class MapJob(Job):
     """Frames that become maps as EXR files."""
 
     folder: Path
+    stem: str
+    """How the names of the files begin."""
     fields: list[str]
     """Of maps; those of slope tiles are known, and here, when it is done."""
     use_detail: bool
@@ -125,7 +131,10 @@ class MapJob(Job):
             self.resolution,
             libocean.version,
         )
-        paths = {field: exr_files.path(self.folder, field, frame.number) for field in self.fields}
+        paths = {
+            field: exr_files.path(self.folder, self.stem, field, frame.number)
+            for field in self.fields
+        }
         missing = [
             field
             for field, path in paths.items()

@@ -8,6 +8,7 @@ scene and parameters (here) -> bake_job (a thread) -> record, baked group (here)
 from __future__ import annotations
 
 import json
+import os
 import uuid
 from collections.abc import Callable
 from pathlib import Path
@@ -15,6 +16,7 @@ from pathlib import Path
 import bpy
 
 from . import (
+    bake_files,
     bake_job,
     baked,
     changes,
@@ -24,6 +26,7 @@ from . import (
     messages,
     node_group,
     parameter_values,
+    paths,
     sea_text,
 )
 from .compat import tr
@@ -110,17 +113,57 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
     return frames, recipes
 
 
-def _require_own(ob, asked: str, recipes: dict[str, str]) -> None:
-    for other in baked.others_in(ob, baked.absolute(asked)):
-        if json.loads(other.libocean.bake.recipes) != recipes:
-            text = tr("The bake of {} is in {}: choose another folder", other.name, asked)
+def _require_own(ob, place: baked.Place, recipes: dict[str, str]) -> None:
+    for other in baked.others_in(ob, place):
+        if not baked.is_same_sea(other.libocean.bake, recipes):
+            text = tr("The bake of {} is in {}: choose another folder", other.name, place.folder)
             raise BakeError(text)
+
+
+def require_no_strangers(frames: list[int], asked: str) -> None:
+    """Raises BakeError where files of another sea would be written over. frames: those that have
+    such files."""
+    if frames:
+        numbers = bake_files.in_words(frames)
+        raise BakeError(
+            tr(
+                "{} holds another sea, which would be written over at the frames {}: choose "
+                "another folder, or delete the files",
+                asked,
+                numbers,
+            )
+        )
+
+
+def _strangers(
+    ob, place: baked.Place, frames: list[bake_job.Frame], base_dir: str | None
+) -> list[int]:
+    """The frames of which a folder that was chosen has files neither of the object's bake nor of
+    the one that is to be. Where the object has begun a bake all files are its own."""
+    if ob.libocean.bake.begun == place.folder:
+        return []
+    found = set(baked.strangers(ob, place, [frame.number for frame in frames]))
+    if not found:
+        return []
+    marks: dict[str, str] = {}
+    for frame in frames:
+        if frame.number not in found:
+            continue
+        if frame.sea not in marks:
+            with libocean.parse(frame.sea, base_dir=base_dir) as sea:
+                marks[frame.sea] = bake_files.sea_mark(sea.text)
+        shown = bake_files.identity(place.file("displacement", frame.number))
+        if shown.sea == marks[frame.sea]:
+            found.discard(frame.number)
+    return sorted(found)
 
 
 def make_folder(asked: str) -> Path:
     if asked.startswith("//") and not bpy.data.filepath:
         raise BakeError(tr("Save the blend file first: the bake's folder is relative to it"))
-    path = baked.absolute(asked)
+    if paths.is_of_windows(asked) and os.name != "nt":
+        raise BakeError(tr("{} is a path of Windows: choose another folder", asked))
+    path = paths.absolute(asked)
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as failure:
@@ -134,11 +177,11 @@ class Work:
 
     job: bake_job.Job
 
-    def __init__(self, ob, folder: str, shot: tuple[int, int]) -> None:
+    def __init__(self, ob, shot: tuple[int, int]) -> None:
         if shot[1] < shot[0]:
             text = tr("The last frame, {}, comes before the first, {}", *reversed(shot))
             raise BakeError(text)
-        self.object_name, self.folder = ob.name, folder
+        self.object_name, self.folder = ob.name, ""
         # By which it is found again where it gets another name meanwhile.
         self.token = ob.libocean.bake.token = uuid.uuid4().hex
 
@@ -167,8 +210,9 @@ class Work:
 class Bake(Work):
     """A bake, until the object plays it."""
 
-    def __init__(self, context, ob, folder: str, shot: tuple[int, int], *, overwrite: bool) -> None:
-        super().__init__(ob, folder, shot)
+    def __init__(self, context, ob, asked: str, shot: tuple[int, int], *, overwrite: bool) -> None:
+        """asked: the folder; empty: that of the object's settings, or the default one."""
+        super().__init__(ob, shot)
         try:
             package = exr_files.load_package()
         except ImportError as failure:
@@ -188,11 +232,17 @@ class Bake(Work):
                 resolution = ob.libocean.render_resolution or sea.map_resolution()
                 self.period = float(sea.get("patch_size"))
                 self.samples = live.samples_of(ob.libocean, sea.map_resolution())
+            is_chosen = bool(asked or ob.libocean.bake.directory)
+            place = baked.next_place(ob, self.recipes, asked)
+            _require_own(ob, place, self.recipes)
+            if is_chosen and not overwrite:
+                require_no_strangers(_strangers(ob, place, frames, base_dir), place.folder)
+            self.folder, self.stem = place.folder, place.stem
         except libocean.Error as failure:
             raise BakeError(messages.in_words(str(failure))) from failure
-        _require_own(ob, folder, self.recipes)
         self.job = bake_job.MapJob(
-            folder=make_folder(folder),
+            folder=make_folder(self.folder),
+            stem=self.stem,
             frames=frames,
             fields=baked.wanted_fields(ob.libocean),
             use_detail=detail.is_wanted(ob.libocean),
@@ -201,6 +251,7 @@ class Bake(Work):
             overwrite=overwrite,
             package=package,
         )
+        ob.libocean.bake.begun = self.folder
 
     def finish(self) -> str:
         """The object plays what was baked."""
@@ -211,7 +262,7 @@ class Bake(Work):
             settings.use_bake = False
             baked.follow(ob)
             record.fields = ",".join(job.fields)
-            record.folder = self.folder
+            record.folder, record.stem = self.folder, self.stem
             record.first, record.last = self.range
             record.resolution, record.period = job.resolution, self.period
             record.samples, record.slope_variance = self.samples, job.slope_variance
@@ -220,6 +271,7 @@ class Bake(Work):
             record.frame_length = self.frame_length
             record.sea = job.first_sea
             record.recipes = json.dumps(self.recipes)
+            record.marks = " ".join(job.marks)
             settings.use_bake = True
         changes.tell(ob)
         return self.told()

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 
 from . import bake, baked, exr_files, live, volumes
@@ -18,7 +19,8 @@ def _bytes(count: int) -> str:
 def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     record = ob.libocean.bake
     fields = record.fields.split(",")
-    there, size = _inventory(str(baked.folder_path(ob)), record.first, record.last, tuple(fields))
+    place = baked.place_of(ob)
+    there, size = _inventory(place, record.first, record.last, tuple(fields))
     count = record.last - record.first + 1
     lines = [(tr_label("{} of {} frames, {}", there, count, _bytes(size)), "FILE_CACHE")]
     values = live.current_values(ob.libocean, scene)
@@ -28,6 +30,7 @@ def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     if abs(record.frame_length - baked.frame_length(scene)) > 1e-6:
         text = tr_label("The bake is for another time remapping: bake again")
         lines.append((text, "ERROR"))
+    lines += [(text, "ERROR") for text in faults(ob)]
     if lacking := baked.lacking(ob):
         lines.append((tr_label("Not in the bake: {}", ", ".join(lacking)), "ERROR"))
     first, last = with_margins(*asked_range(ob, scene))
@@ -70,22 +73,47 @@ def state(ob, scene) -> list[tuple[str, str]]:
             resolution,
             resolution,
             _bytes(most),
-            baked.asked_folder(ob),
+            baked.next_place(ob, _recipes_now(ob, scene)).folder,
         )
         lines.append((text, "DISK_DRIVE"))
     return lines
 
 
+def _recipes_now(ob, scene) -> dict[str, str]:
+    """Those of the next bake, as far as the frame that is shown tells."""
+    now = baked.recipe(ob.libocean, live.current_values(ob.libocean, scene))
+    known = json.loads(ob.libocean.bake.recipes or "{}")
+    return {str(scene.frame_current): now} if known and "" not in known else {"": now}
+
+
 _looked_at: dict[tuple, tuple[float, tuple[int, int]]] = {}
+_faults: dict[tuple, tuple[float, list[str]]] = {}
 
 
-def _inventory(folder: str, first: int, last: int, fields: tuple[str, ...]) -> tuple[int, int]:
+def faults(ob) -> list[str]:
+    """What is wrong with the files of a bake, in sentences; looked up anew when the folder has
+    changed."""
+    place, record = baked.place_of(ob), ob.libocean.bake
+    asked = (str(place.path), ob.name_full, record.token, record.fields, *baked.played_fields(ob))
+    try:
+        changed = os.stat(place.path).st_mtime
+    except OSError:
+        changed = -1.0
+    if asked not in _faults or _faults[asked][0] != changed:
+        _faults[asked] = changed, baked.fault_texts(ob, baked.faults(ob))
+    return _faults[asked][1]
+
+
+def _inventory(
+    place: baked.Place, first: int, last: int, fields: tuple[str, ...]
+) -> tuple[int, int]:
     """Frames that are there and their bytes, looked up anew when the folder has changed."""
-    asked = (folder, first, last, fields)
+    folder = str(place.path)
+    asked = (folder, place.stem, first, last, fields)
     try:
         changed = os.stat(folder).st_mtime
     except OSError:
         return 0, 0
     if asked not in _looked_at or _looked_at[asked][0] != changed:
-        _looked_at[asked] = changed, exr_files.inventory(folder, first, last, fields)
+        _looked_at[asked] = changed, exr_files.inventory(*asked)
     return _looked_at[asked][1]

@@ -173,6 +173,31 @@ def draws_points(scene) -> bool:
     return VERSION >= (4, 2) or scene.render.engine != "BLENDER_EEVEE"
 
 
+def shutter(scene) -> tuple[float, float]:
+    """Frames before and after that a frame shows for its motion blur."""
+    eevee, cycles = scene.eevee, getattr(scene, "cycles", None)
+    owners = (scene.render, eevee, cycles)
+    if not scene.render.use_motion_blur and not getattr(eevee, "use_motion_blur", False):
+        return 0.0, 0.0
+    # Of its settings some are the scene's, in others each engine has its own: the widest counts.
+    open_for = max(
+        float(getattr(owner, name, 0.0))
+        for owner, name in ((scene.render, "motion_blur_shutter"), (eevee, "motion_blur_shutter"))
+    )
+    places = {getattr(owner, "motion_blur_position", None) for owner in owners} - {None}
+    before = {"START": 0.0, "CENTER": 0.5, "END": 1.0}
+    shares = [before[place] for place in places] or [0.5]
+    return open_for * max(shares), open_for * (1.0 - min(shares))
+
+
+def renders_objects(scene) -> bool:
+    """Whether a render of the scene shows its own objects: not where its sequencer has strips."""
+    editor = scene.sequence_editor
+    if editor is None or not scene.render.use_sequencer:
+        return True
+    return len(editor.strips if hasattr(editor, "strips") else editor.sequences) == 0  # 4.4
+
+
 # Paths ------------------------------------------------------------------------
 
 RELATIVE_PATH = {"PATH_SUPPORTS_BLEND_RELATIVE"} if VERSION >= (4, 5) else set()

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import glob
 import importlib
 import os
 import struct
@@ -25,7 +26,8 @@ import numpy as np
 
 from . import atlas, detail_tiles
 
-STEM = "sea"
+EARLIER_STEM = "sea"
+"""How the files of earlier versions began; now as the blend file is called."""
 _TEMPORARY = ".baking"
 _UNITS = {"displacement": "m", "cover": "1", "velocity": "m/s", "normal": "1", "jacobian": "1"}
 _NUMBERS = ("cover", "jacobian")  # all else has three components
@@ -79,9 +81,13 @@ def channels(field: str) -> str:
     return "RGBA" if field == far("normal") else "RGB"
 
 
-def path(folder: str | Path, field: str, frame: int) -> Path:
-    """As `ocean bake -o FOLDER/sea.####.exr` names it."""
-    return Path(folder) / f"{STEM}.{field}.{frame:04d}.exr"
+def name(stem: str, field: str, frame: int) -> str:
+    """As `ocean bake -o FOLDER/STEM.####.exr` names a file."""
+    return f"{stem}.{field}.{frame:04d}.exr"
+
+
+def path(folder: str | Path, stem: str, field: str, frame: int) -> Path:
+    return Path(folder) / name(stem, field, frame)
 
 
 def shortest(value: float) -> str:
@@ -151,13 +157,19 @@ def _variance(value: float) -> str:
     return shortest(float(np.rint(value * 1e8)) / 1e8)
 
 
-class _FileError(Exception):
+class FileError(Exception):
     """Not a file of ours, or not all of it."""
 
 
+class OtherKindError(FileError):
+    """An EXR file of several parts, of tiles or of deep pixels: none of ours."""
+
+
 _LARGEST_HEADER = 16 << 20
-# Lines in a chunk, by the format's codes 0 .. 5: none, rle, zips, zip, piz, pxr24.
-_LINES = (1, 1, 1, 16, 32, 16)
+_LONGEST_NAME = 256
+_BLOCK = 1 << 13  # bytes that are read at a time: a header is shorter
+# Lines in a chunk, by the format's codes: none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.
+_LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256)
 
 
 class _Reader:
@@ -170,10 +182,10 @@ class _Reader:
 
     def _require(self, count: int) -> None:
         end = self.position + count
-        while len(self.bytes) < end <= _LARGEST_HEADER and (block := self.file.read(1 << 16)):
+        while len(self.bytes) < end <= _LARGEST_HEADER and (block := self.file.read(_BLOCK)):
             self.bytes += block
         if len(self.bytes) < end:
-            raise _FileError
+            raise FileError
 
     def take(self, count: int) -> bytes:
         self._require(count)
@@ -182,20 +194,32 @@ class _Reader:
         return taken
 
     def name(self) -> bytes:
-        taken = b""
-        while len(taken) < 256:
-            if (letter := self.take(1)) == b"\0":
-                return taken
-            taken += letter
-        raise _FileError
+        end = self.bytes.find(b"\0", self.position)
+        while end < 0 and len(self.bytes) - self.position < _LONGEST_NAME:
+            self._require(len(self.bytes) - self.position + 1)
+            end = self.bytes.find(b"\0", self.position)
+        if not 0 <= end - self.position < _LONGEST_NAME:
+            raise FileError
+        taken = self.bytes[self.position : end]
+        self.position = end + 1
+        return taken
 
     def number(self) -> int:
         return int.from_bytes(self.take(4), "little")
 
 
+_LONG_NAMES = 1 << 10  # flag beside the version, 2: attributes' names have more than 31 bytes
+_FLAGS = _LONG_NAMES | 1 << 9 | 1 << 11 | 1 << 12  # tiles, deep pixels, several parts
+
+
 def _attributes(reader: _Reader) -> dict[bytes, bytes]:
-    if reader.take(4) != b"\x76\x2f\x31\x01" or reader.number() != 2:
-        raise _FileError  # 2: a flat single part
+    if reader.take(4) != b"\x76\x2f\x31\x01":
+        raise FileError
+    version = reader.number()
+    if version & ~_FLAGS != 2:
+        raise FileError
+    if version & ~_LONG_NAMES != 2:
+        raise OtherKindError
     attributes = {}
     while name := reader.name():
         reader.name()  # its type
@@ -211,20 +235,71 @@ def _channels(names: str) -> bytes:
     return one + b"\0"
 
 
+def _offsets(reader: _Reader, rows: int, lines: int) -> tuple[int, ...]:
+    """The table behind the header: where each chunk begins."""
+    chunks = -(-rows // lines)
+    return struct.unpack(f"<{chunks}Q", reader.take(8 * chunks))
+
+
+def _read_line(file, offset: int, size: int) -> int:
+    """The first line of the chunk that begins there and ends inside the file."""
+    file.seek(min(offset, size))
+    start = file.read(8)
+    if len(start) < 8:
+        raise FileError
+    line, length = struct.unpack("<ii", start)
+    if length <= 0 or offset + 8 + length > size:
+        raise FileError
+    return line
+
+
 def _require_whole(file, reader: _Reader, rows: int, compression: int) -> None:
     """Each chunk that the table behind the header lists begins and ends inside the file."""
     lines = _LINES[compression] if compression < len(_LINES) else 1
-    chunks = -(-rows // lines)
-    offsets = struct.unpack(f"<{chunks}Q", reader.take(8 * chunks))
     size = os.fstat(file.fileno()).st_size
-    for number, offset in enumerate(offsets):
-        file.seek(min(offset, size))
-        start = file.read(8)
-        if len(start) < 8:
-            raise _FileError
-        line, length = struct.unpack("<ii", start)
-        if line != number * lines or length <= 0 or offset + 8 + length > size:
-            raise _FileError
+    for number, offset in enumerate(_offsets(reader, rows, lines)):
+        if _read_line(file, offset, size) != number * lines:
+            raise FileError
+
+
+def _require_end(file, reader: _Reader, rows: int, compression: int) -> None:
+    """The chunk that lies last ends inside the file: a file that was cut off lacks it, and one that
+    is not finished has no table."""
+    if rows < 1:
+        raise FileError
+    if compression < len(_LINES):
+        offsets = _offsets(reader, rows, _LINES[compression])
+        if not all(offsets):
+            raise FileError
+        _read_line(file, max(offsets), os.fstat(file.fileno()).st_size)
+
+
+@dataclasses.dataclass(frozen=True)
+class Header:
+    """What a file says of itself; without `ocean:` strings it says nothing of a sea."""
+
+    strings: dict[str, str]
+    columns: int
+    rows: int
+
+
+def read_header(file_path: str | Path) -> Header:
+    """The header of a file that has an end: cheaper than is_there, which follows every chunk.
+    Raises OSError, and FileError for a file that is no EXR or was cut off; OtherKindError for an
+    EXR that is no flat image of scan lines."""
+    with open(file_path, "rb", buffering=0) as file:
+        reader = _Reader(file)
+        found = _attributes(reader)
+        try:
+            left, low, right, high = struct.unpack("<iiii", found[b"dataWindow"])
+            _require_end(file, reader, high - low + 1, found[b"compression"][0])
+        except (KeyError, IndexError, struct.error) as failure:
+            raise FileError from failure
+    ours = {name: text for name, text in found.items() if name.startswith(b"ocean:")}
+    strings = {
+        name.decode(errors="replace"): text.decode(errors="replace") for name, text in ours.items()
+    }
+    return Header(strings, right - left + 1, high - low + 1)
 
 
 def is_there(file_path: Path, label: Label, field: str) -> bool:
@@ -240,7 +315,7 @@ def is_there(file_path: Path, label: Label, field: str) -> bool:
             if any(found.get(name) != value for name, value in wanted.items()):
                 return False
             _require_whole(file, reader, rows, found[b"compression"][0])
-    except (OSError, _FileError, KeyError, IndexError):
+    except (OSError, FileError, KeyError, IndexError):
         return False
     return True
 
@@ -306,12 +381,13 @@ def write(package, file_path: Path, label: Label, field: str, values: np.ndarray
             raise NotWholeError(file_path)
 
 
-def remove(folder: str | Path) -> int:
-    """Removes the files of bakes in a folder, whole ones and what killed ones left, and the folder
+def remove(folder: str | Path, stem: str) -> int:
+    """Removes the files of a bake in a folder, whole ones and what killed ones left, and the folder
     if nothing else is in it. Returns how many."""
     folder = Path(folder)
-    names = [f"{STEM}.{field}.*.exr" for field in FIELDS]
-    found = [p for name in [*names, f".{STEM}.*{_TEMPORARY}"] for p in folder.glob(name)]
+    names = [f"{glob.escape(stem)}.{field}.*.exr" for field in FIELDS]
+    names += [f".{name}.*{_TEMPORARY}" for name in names]
+    found = [file_path for name in names for file_path in folder.glob(name)]
     for file_path in found:
         file_path.unlink()
     if found and not any(folder.iterdir()):
@@ -320,10 +396,10 @@ def remove(folder: str | Path) -> int:
 
 
 def inventory(
-    folder: str | Path, first: int, last: int, fields: tuple[str, ...]
+    folder: str | Path, stem: str, first: int, last: int, fields: tuple[str, ...]
 ) -> tuple[int, int]:
     """How many frames have a file for each field, and the bytes of all."""
-    wanted = {path("", field, f).name: f for f in range(first, last + 1) for field in fields}
+    wanted = {name(stem, field, f): f for f in range(first, last + 1) for field in fields}
     seen: dict[int, int] = {}
     size = 0
     try:

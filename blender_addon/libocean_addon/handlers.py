@@ -7,7 +7,18 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import changes, compat, foam_images, live, meshes, node_group, open_sea, spray, versions
+from . import (
+    changes,
+    compat,
+    foam_images,
+    live,
+    meshes,
+    node_group,
+    open_sea,
+    render_check,
+    spray,
+    versions,
+)
 
 _locked_by_us: set[str] = set()  # scenes
 
@@ -28,6 +39,8 @@ def _own_images(oceans: list[bpy.types.Object]) -> None:
 @persistent
 def _frame_changed(scene, depsgraph=None) -> None:
     rendering = depsgraph is not None and depsgraph.mode == "RENDER"
+    if rendering:
+        render_check.require_stopped()
     live.show_all(live.ocean_objects(), scene, depsgraph, rendering=rendering, passing=True)
 
 
@@ -49,6 +62,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
 
 @persistent
 def _data_replaced(*_) -> None:
+    render_check.forget()
     oceans = live.ocean_objects()
     open_sea.forget({ob.name_full for ob in oceans})
     for ob in oceans:
@@ -63,12 +77,19 @@ def _data_replaced(*_) -> None:
 
 @persistent
 def _saving(*_) -> None:
+    render_check.restore()
     spray.empty_all()  # which is an update: it comes again
+
+
+@persistent
+def _before_frame(scene, *_) -> None:
+    render_check.check(scene)
 
 
 @persistent
 def _lock_interface(scene, *_) -> None:
     """Blender may not draw what a render in another thread rewrites."""
+    render_check.begin()
     if live.ocean_objects() and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
         _locked_by_us.add(scene.name_full)
@@ -76,6 +97,7 @@ def _lock_interface(scene, *_) -> None:
 
 @persistent
 def _unlock_interface(scene, *_) -> None:
+    render_check.restore()
     if scene.name_full in _locked_by_us:
         _locked_by_us.remove(scene.name_full)
         scene.render.use_lock_interface = False
@@ -89,6 +111,7 @@ _HANDLERS = {
     "redo_post": _data_replaced,
     "save_pre": _saving,
     "render_init": _lock_interface,
+    "render_pre": _before_frame,
     "render_complete": _unlock_interface,
     "render_cancel": _unlock_interface,
 }

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import baked_nodes, compat, ring_nodes
+from . import baked_nodes, compat, overrides, ring_nodes
 from .baked_nodes import COVER_POWER, COVER_POWER_HELP, LOST_SLOPES, ON_SAMPLES, ON_SAMPLES_HELP
 from .node_builder import Builder
 from .ring_nodes import far_image
@@ -275,9 +275,14 @@ def image_inputs(group) -> list[str]:
     return [name for name in compat.input_identifiers(group) if name in names]
 
 
-def modifiers(ob) -> list:
-    """The ocean modifiers of an object."""
+def all_modifiers(ob) -> list:
+    """The ocean modifiers of an object, those of its library that its own replace among them."""
     return [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
+
+
+def modifiers(ob) -> list:
+    """The ocean modifiers of an object that count."""
+    return overrides.effective(ob, all_modifiers(ob))
 
 
 def live_modifiers(ob) -> list:

@@ -17,6 +17,7 @@ from . import (
     messages,
     node_group,
     parameter_values,
+    paths,
     resolutions,
     sea_text,
     translations,
@@ -155,7 +156,7 @@ class LoadSea(OnOcean, bpy.types.Operator, ImportHelper):
     def execute(self, context):
         ob = context.object
         try:
-            with libocean.open(bpy.path.abspath(self.filepath)) as sea:
+            with libocean.open(str(paths.absolute(self.filepath))) as sea:
                 take_over(ob, sea)
         except libocean.Error as failure:
             self.report({"ERROR"}, str(failure))
@@ -185,7 +186,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
         try:
             with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
                 text = sea.text
-            with open(bpy.path.abspath(self.filepath), "w", encoding="utf-8") as file:
+            with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
         except libocean.Error as failure:
             self.report({"ERROR"}, messages.in_words(str(failure)))

@@ -153,8 +153,10 @@ class OceanPanel(_Panel, bpy.types.Panel):
         row.operator_menu_enum(operators.LoadPreset.bl_idname, "preset", text="Preset")
         row.operator(operators.LoadSea.bl_idname, text="Load", icon="IMPORT")
         row.operator(operators.SaveSea.bl_idname, text="Save", icon="EXPORT")
-        if ob.libocean.problem:
-            say(layout, ob.libocean.problem, "ERROR")
+        playing = ob.libocean.use_bake and baked.exists(ob)
+        problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
+        for text in filter(None, problems):
+            say(layout, text, "ERROR")
         if context.scene.unit_settings.scale_length != 1.0:
             layout.label(text="The sea takes a Blender unit for a metre", icon="INFO")
         _draw_state(layout, ob)

@@ -14,7 +14,7 @@ from typing import Any
 import bpy
 
 from . import changes, compat, resolutions, sea_text, translations
-from .parameter_values import DIVISORS, entries
+from .parameter_values import DIVISORS, NAMES_A_FILE, entries
 
 _UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
 
@@ -88,7 +88,9 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
         **compat.in_context(translations.SEA),
     }
     if kind == "text":
-        subtype = "FILE_PATH" if key in ("file", "take") else "NONE"
+        if key in NAMES_A_FILE:
+            common["options"] = {"ANIMATABLE", *compat.RELATIVE_PATH}
+        subtype = "FILE_PATH" if key in NAMES_A_FILE else "NONE"
         common["update"] = _named_anew(_COPIES[key]) if key in _COPIES else changed
         return {key: bpy.props.StringProperty(**common, subtype=subtype)}
     if kind == "enum":

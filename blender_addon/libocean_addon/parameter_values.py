@@ -12,15 +12,16 @@ import functools
 import json
 from typing import Any
 
-import bpy
 import numpy as np
 
-from . import changes, sea_text
+from . import changes, paths, sea_text
 from .native import libocean
 
 TABLE: list[dict[str, Any]] = libocean.parameters()
 
 DIVISORS = 5  # of a list of cascades, at most
+
+NAMES_A_FILE = ("file", "take")  # parameters
 
 
 def entries(*, waves: bool) -> list[dict[str, Any]]:
@@ -49,8 +50,10 @@ def _text_of(group, entry: dict[str, Any]) -> str:
         shown = _shortest(value)
     elif kind == "int":
         shown = str(value)
+    elif value.startswith("//"):
+        return str(paths.absolute(value, paths.library_of(group, key)))
     else:
-        return bpy.path.abspath(value) if kind == "text" and value.startswith("//") else value
+        return paths.normal(value) if key in NAMES_A_FILE else value
     # A file may say more digits than a property holds: they stay while it is not changed.
     exact, shown_then = _exact(group.exact).get(key, ("", ""))
     return exact if exact and shown == shown_then else shown

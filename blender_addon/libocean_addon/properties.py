@@ -10,12 +10,14 @@ from __future__ import annotations
 import bpy
 
 from . import compat, live, meshes, parameter_values, resolutions
+from .overrides import overridable
 from .parameter_properties import annotations as parameters
 from .parameter_properties import changed
 
 _EXACT = bpy.props.StringProperty(options={"HIDDEN"})
 
 
+@overridable
 class OceanWaves(bpy.types.PropertyGroup):
     """One wave system of a sea: a wind sea, a swell, a measured spectrum"""
 
@@ -40,13 +42,14 @@ def _map_resolution(where: str) -> dict:
     )
 
 
+@overridable
 class OceanBake(bpy.types.PropertyGroup):
     """Where and what to bake, and the record of the bake that there is"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
-        description="Where the next bake goes; empty: ocean_bake and the object's name, beside the "
-        "blend file",
+        description="Where the next bake goes, in files that begin with the blend file's name; "
+        "empty: ocean_bake and the object's name, beside the blend file",
         subtype="DIR_PATH",
         options=compat.RELATIVE_PATH,
     )
@@ -65,6 +68,7 @@ class OceanBake(bpy.types.PropertyGroup):
     # The record. fields: "displacement,cover"; empty: there is no bake.
     fields: bpy.props.StringProperty(options={"HIDDEN"})
     folder: bpy.props.StringProperty(options={"HIDDEN"})
+    stem: bpy.props.StringProperty(options={"HIDDEN"})  # empty: of an earlier version
     first: bpy.props.IntProperty(options={"HIDDEN"})
     last: bpy.props.IntProperty(options={"HIDDEN"})
     resolution: bpy.props.IntProperty(options={"HIDDEN"})
@@ -77,15 +81,20 @@ class OceanBake(bpy.types.PropertyGroup):
     recipes: bpy.props.StringProperty(options={"HIDDEN"})
     # JSON of detail_tiles.Band; empty: baked without detail.
     bands: bpy.props.StringProperty(options={"HIDDEN"})
+    # By which the files of each frame are known, from the first on; empty: of an earlier version.
+    marks: bpy.props.StringProperty(options={"HIDDEN"})
     token: bpy.props.StringProperty(options={"HIDDEN"})  # of the last bake that was begun
+    begun: bpy.props.StringProperty(options={"HIDDEN"})  # the folder of the last one
 
 
+@overridable
 class OceanVolumes(bpy.types.PropertyGroup):
     """What to write as volumes"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
-        description="Where the volumes go; empty: ocean_volumes, beside the blend file",
+        description="Where the volumes go, in files that begin with the blend file's name; empty: "
+        "ocean_volumes, beside the blend file",
         subtype="DIR_PATH",
         options=compat.RELATIVE_PATH,
     )
@@ -143,6 +152,10 @@ class OceanVolumes(bpy.types.PropertyGroup):
         options=set(),
     )
 
+    # Folder and beginning of the names of what was begun last, and of what is shown.
+    begun: bpy.props.StringProperty(options={"HIDDEN"})
+    written: bpy.props.StringProperty(options={"HIDDEN"})
+
 
 def _has_divisors(settings) -> bool:
     return any(settings.cascade_divisors)
@@ -157,6 +170,7 @@ def _set_divisors(settings, wanted: bool) -> None:
     settings.cascade_divisors = [*chosen, *[0] * free]
 
 
+@overridable
 class OceanSettings(bpy.types.PropertyGroup):
     """The sea of an object and how it is shown"""
 
@@ -353,7 +367,9 @@ CLASSES = (OceanWaves, OceanBake, OceanVolumes, OceanSettings)
 def register() -> None:
     for cls in CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.Object.libocean = bpy.props.PointerProperty(type=OceanSettings)
+    bpy.types.Object.libocean = bpy.props.PointerProperty(
+        type=OceanSettings, override={"LIBRARY_OVERRIDABLE"}
+    )
 
 
 def unregister() -> None:

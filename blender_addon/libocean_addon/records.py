@@ -13,7 +13,7 @@ import os
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from . import live, messages, operators, parameter_values, sea_text
+from . import live, messages, operators, parameter_values, paths, sea_text
 from .native import libocean
 
 
@@ -47,7 +47,7 @@ _items: list[tuple[str, str, str]] = []  # Blender holds no reference to what it
 def _choices(self, _context):
     global _items
     try:
-        found = records_of(bpy.path.abspath(self.filepath))
+        found = records_of(str(paths.absolute(self.filepath)))
     except (libocean.Error, OSError):
         found = []
     _items = [(str(number), _label(record), "") for number, record in enumerate(found)]
@@ -85,7 +85,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
         return {"RUNNING_MODAL"}
 
     def execute(self, context):
-        path = bpy.path.abspath(self.filepath)
+        path = str(paths.absolute(self.filepath))
         try:
             found = records_of(path)
             # Unset, a list shows its first entry.

@@ -254,7 +254,6 @@ GERMAN = {
         "The bake is of another sea than the parameters say: bake again": (
             "Gebacken ist eine andere See als die der Parameter: neu backen"
         ),
-        "The files of the bake are not in {}": "Die gebackenen Dateien sind nicht in {}",
         # Volumes.
         "Volumes": "Volumen",
         "Box": "Quader",
@@ -323,7 +322,35 @@ GERMAN = {
         "The object is linked: bake it in its own file": (
             "Das Objekt ist verknüpft: backen Sie es in seiner eigenen Datei"
         ),
+        "Frames {} to {}": "Bilder {} bis {}",
+        # Before a render.
+        "files of the bake are missing, of the frames": "gebackene Dateien fehlen, der Bilder",
+        "files of the bake cannot be read, of the frames": (
+            "gebackene Dateien sind nicht lesbar, der Bilder"
+        ),
+        "files of the bake show another sea, of the frames": (
+            "gebackene Dateien zeigen eine andere See, der Bilder"
+        ),
+        "{}: the sea stands still at frames {}: ": "{}: die See steht still in den Bildern {}: ",
+        "{}: files of the bake do not say which sea they show: {}": (
+            "{}: gebackene Dateien sagen nicht, welche See sie zeigen: {}"
+        ),
+        "The render is stopped": "Das Rendern ist angehalten",
+        "The render is stopped before this frame: its camera is taken away": (
+            "Das Rendern ist vor diesem Bild angehalten: ihm ist die Kamera genommen"
+        ),
         # Reports.
+        "{} holds another sea, which would be written over at the frames {}: choose another "
+        "folder, or delete the files": (
+            "In {} ist eine andere See, deren Bilder {} überschrieben würden: wählen Sie einen "
+            "anderen Ordner, oder löschen Sie die Dateien"
+        ),
+        "{} is a path of Windows: choose another folder": (
+            "{} ist ein Pfad von Windows: wählen Sie einen anderen Ordner"
+        ),
+        "The files stay: those of {} show another sea": (
+            "Die Dateien bleiben: die der Bilder {} zeigen eine andere See"
+        ),
         "A measured spectrum needs a file: choose one below": (
             "Ein gemessenes Spektrum braucht eine Datei: wählen Sie unten eine"
         ),

@@ -13,8 +13,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-import os
-import struct
 import subprocess
 import tempfile
 import threading
@@ -25,6 +23,7 @@ import numpy as np
 from .bake_job import Frame, Job
 from .exr_files import NotWholeError, replacing, shortest
 from .native import libocean
+from .vdb_files import FileError, read_header
 
 SURFACE, VELOCITY = "surface", "vel"
 BAND = 3
@@ -88,49 +87,11 @@ class Settings:
 # Files --------------------------------------------------------------------------
 
 
-class _FileError(Exception):
-    """No VDB file, or not all of it."""
-
-
-def _read_header(path: Path) -> dict[str, str]:
-    """The texts of a file that is whole. By hand, since OpenVDB believes what sizes it claims."""
-    with open(path, "rb") as file:
-        size = os.fstat(file.fileno()).st_size
-
-        def take(count: int) -> bytes:
-            if count > size - file.tell():
-                raise _FileError
-            return file.read(count)
-
-        def number(form: str = "<I") -> int:
-            return struct.unpack(form, take(struct.calcsize(form)))[0]
-
-        if number("<Q") != 0x56444220:  # "VDB "
-            raise _FileError
-        take(3 * 4 + 1 + 36)  # versions, whether grids have offsets, a UUID
-        texts = {}
-        for _ in range(number()):
-            name, kind, value = (take(number()) for _ in range(3))
-            if kind == b"string":
-                texts[name.decode(errors="replace")] = value.decode(errors="replace")
-        for _ in range(number()):  # grids, each up to where it says it ends
-            for _ in ("name", "type", "whose instance"):
-                take(number())
-            take(2 * 8)
-            end = number("<q")
-            if not file.tell() < end <= size:
-                raise _FileError
-            file.seek(end)
-        if file.tell() != size:
-            raise _FileError
-        return texts
-
-
 def is_there(path: Path, strings: dict[str, str]) -> bool:
     """Whether the file is whole and says that of itself."""
     try:
-        found = _read_header(path)
-    except (OSError, _FileError):
+        found = read_header(path)
+    except (OSError, FileError):
         return False
     return all(found.get(name) == text for name, text in strings.items())
 

@@ -20,13 +20,14 @@ from mathutils import Matrix, Vector
 
 from . import (
     bake,
+    bake_files,
     bake_job,
     bake_plan,
-    baked,
     compat,
     live,
     messages,
     parameter_values,
+    paths,
     sea_text,
     volume_job,
 )
@@ -34,11 +35,33 @@ from .bake_plan import BakeError
 from .compat import tr
 from .native import libocean
 
-DEFAULT_FOLDER = "//ocean_volumes/"
+_VOLUMES = "//ocean_volumes/"
+MARKS = "libocean_marks"
+"""Custom property of a volume: the first frame, and by what the file of each is known again."""
 
 
 def asked_folder(ob) -> str:
-    return ob.libocean.volumes.directory or DEFAULT_FOLDER
+    """Returns where the next volumes go."""
+    return paths.normal(ob.libocean.volumes.directory) or _VOLUMES
+
+
+def _join(folder: str, name: str) -> str:
+    return folder + ("" if folder.endswith("/") else "/") + name
+
+
+def _stem(ob, folder: str) -> str:
+    """The beginning of the files' names: those of blend file and object, and a number where that
+    of another object is the same."""
+    name = bpy.path.clean_name(ob.name)
+    own = f"{paths.blend_name()}.{name}"
+    taken = {
+        other.libocean.volumes.written
+        for other in live.ocean_objects()
+        if other != ob and bpy.path.clean_name(other.name) == name
+    }
+    numbered = (f"{own}_{number}" for number in itertools.count(2))
+    free = (stem for stem in itertools.chain([own], numbered) if _join(folder, stem) not in taken)
+    return next(free)
 
 
 # Where the sea is ---------------------------------------------------------------
@@ -118,7 +141,7 @@ def find_command() -> str | None:
     first cannot do it."""
     addon = bpy.context.preferences.addons.get(__package__)
     chosen = addon.preferences.ocean_command if addon else ""
-    command = shutil.which(bpy.path.abspath(chosen) if chosen else "ocean")
+    command = shutil.which(str(paths.absolute(chosen)) if chosen else "ocean")
     if command is not None and _writes_volumes(command):
         return os.path.abspath(command)
     if chosen:
@@ -175,8 +198,8 @@ class Volumes(bake_plan.Work):
     """The volumes of a shot, until an object shows them."""
 
     def __init__(self, context, ob, folder, shot, *, overwrite: bool, shows: bool) -> None:
-        super().__init__(ob, folder, shot)
-        self.shot, self.shows = shot, shows
+        super().__init__(ob, shot)
+        self.folder, self.shot, self.shows = paths.normal(folder), shot, shows
         frames = _plan(context, ob, *shot)
         base_dir = bpy.path.abspath("//") or None
         try:
@@ -186,9 +209,11 @@ class Volumes(bake_plan.Work):
             raise BakeError(messages.in_words(str(failure))) from failure
         command = find_command()
         module = None if command else compat.load_openvdb()
+        stem = _stem(ob, self.folder)
+        self.written = _join(self.folder, stem)
         self.job = volume_job.VolumeJob(
-            folder=bake_plan.make_folder(folder),
-            stem=bpy.path.clean_name(ob.name),
+            folder=bake_plan.make_folder(self.folder),
+            stem=stem,
             frames=frames,
             settings=settings,
             base_dir=base_dir,
@@ -198,6 +223,27 @@ class Volumes(bake_plan.Work):
         )
         if command is None and module is None:
             raise BakeError(_what_to_run(self.job))
+        is_chosen = self.folder != _VOLUMES
+        if is_chosen and not overwrite and ob.libocean.volumes.begun != self.written:
+            bake_plan.require_no_strangers(self._strangers(base_dir), self.folder)
+        ob.libocean.volumes.begun = self.written
+
+    def _strangers(self, base_dir: str | None) -> list[int]:
+        """The frames whose files are of other seas; none where this file shows those files."""
+        found, marks = [], {}
+        if any(_is_of(ob.data, self.job.path(self.shot[0])) for ob in _own_volumes()):
+            return found
+        for frame in self.job.frames:
+            shown = bake_files.identity(str(self.job.path(frame.number)))
+            if not isinstance(shown, bake_files.Identity):
+                continue
+            text = frame.sea
+            if text not in marks:
+                with libocean.parse(text, base_dir=base_dir) as sea:
+                    marks[text] = bake_files.sea_mark(sea.text)
+            if shown.sea != marks[text]:
+                found.append(frame.number)
+        return found
 
     def finish(self) -> str:
         """An object shows them where the sea is."""
@@ -205,8 +251,9 @@ class Volumes(bake_plan.Work):
             ob, job = self.find(), self.job
             first = job.path(self.shot[0])
             volume = _volume_object(ob, first)
-            between = "" if self.folder.endswith(("/", "\\")) else "/"
-            _play(volume.data, self.folder + between + first.name, *self.shot)
+            _play(volume.data, _join(self.folder, first.name), *self.shot)
+            volume.data[MARKS] = f"{self.shot[0]} {' '.join(job.marks)}"
+            ob.libocean.volumes.written = self.written
             volume.matrix_world = sea_to_world(ob)
             if job.replaced and compat.READS_VOLUMES_ONCE:
                 job.warning = tr("Until it is started again Blender shows the files of before")
@@ -218,17 +265,32 @@ class Volumes(bake_plan.Work):
 
 def _is_of(volume, path: Path) -> bool:
     """Whether it shows that sequence, whichever its first file is."""
-    shown, digits = baked.absolute(volume.filepath), "0123456789"
+    shown, digits = paths.absolute(volume.filepath), "0123456789"
     is_named = shown.stem.rstrip(digits) == path.stem.rstrip(digits)
     return is_named and shown.parent == path.parent
 
 
+def _own_volumes() -> list:
+    """The volume objects of scenes of this file."""
+    return [
+        ob
+        for ob in bpy.data.objects
+        if ob.type == "VOLUME" and ob.library is None and ob.data.library is None and ob.users_scene
+    ]
+
+
 def _volume_object(ob, path: Path):
-    """The one that shows the sequence, or a new one beside the sea."""
-    for other in bpy.data.objects:
-        is_own = other.type == "VOLUME" and other.library is None and other.data.library is None
-        if is_own and other.users_scene and _is_of(other.data, path):
-            return other
+    """The one that shows the sequence, or the one that was written before, or a new one beside the
+    sea."""
+    written = ob.libocean.volumes.written
+    others = (other for other in live.ocean_objects() if other != ob)
+    if any(other.libocean.volumes.written == written for other in others):  # of a copy, or its own
+        written = ""
+    before = written or _join(_VOLUMES, bpy.path.clean_name(ob.name))
+    for sequence in (path, paths.absolute(f"{before}_0001.vdb")):
+        for other in _own_volumes():
+            if _is_of(other.data, sequence):
+                return other
     name = f"{ob.name} Volumes"
     volume = bpy.data.objects.new(name, bpy.data.volumes.new(name))
     beside = ob.users_collection or (bpy.context.scene.collection,)

@@ -90,7 +90,7 @@ def test_the_files_are_those_of_ocean_bake(scene, sea, tmp_path):
     assert bpy.ops.libocean.bake() == {"FINISHED"}
     bpy.ops.libocean.save_sea(filepath=str(tmp_path / "sea.toml"))
     subprocess.run(
-        [program, "bake", "sea.toml", "-o", "there/sea.####.exr", "--frames", "1-6"]
+        [program, "bake", "sea.toml", "-o", "there/shot.####.exr", "--frames", "1-6"]
         + ["--type", "float", "--products", ",".join((*FIELDS, "detail"))],
         cwd=tmp_path,
         check=True,
@@ -125,11 +125,11 @@ def test_unused_fields_are_not_baked(sea, tmp_path):
 def test_what_is_there_is_kept(sea, tmp_path):
     bpy.ops.libocean.bake()
     before = times(files(tmp_path))
-    (files(tmp_path) / "sea.cover.0003.exr").unlink()
+    (files(tmp_path) / "shot.cover.0003.exr").unlink()
     bpy.ops.libocean.bake()
     after = times(files(tmp_path))
     changed = {name for name in after if before[name] != after[name]}
-    assert changed == {"sea.cover.0003.exr"}
+    assert changed == {"shot.cover.0003.exr"}
     bpy.ops.libocean.bake(overwrite=True)
     again = times(files(tmp_path))
     assert all(again[name] != after[name] for name in after)
@@ -153,17 +153,17 @@ def test_a_broken_file_never_counts(sea, tmp_path):
     bpy.ops.libocean.bake()
     whole = {name: (files(tmp_path) / name).read_bytes() for name in times(files(tmp_path))}
     damage = {
-        "sea.displacement.0001.exr": lambda data: data[:-1],
-        "sea.displacement.0002.exr": lambda data: data[:1000],
-        "sea.displacement.0003.exr": lambda _: b"",
-        "sea.displacement.0004.exr": lambda _: whole["sea.displacement.0005.exr"],
-        "sea.velocity.0001.exr": lambda _: whole["sea.normal.0001.exr"],
-        "sea.normal.0002.exr": lambda data: data.replace(b"choppiness = 1", b"choppiness = 2"),
+        "shot.displacement.0001.exr": lambda data: data[:-1],
+        "shot.displacement.0002.exr": lambda data: data[:1000],
+        "shot.displacement.0003.exr": lambda _: b"",
+        "shot.displacement.0004.exr": lambda _: whole["shot.displacement.0005.exr"],
+        "shot.velocity.0001.exr": lambda _: whole["shot.normal.0001.exr"],
+        "shot.normal.0002.exr": lambda data: data.replace(b"choppiness = 1", b"choppiness = 2"),
     }
     for name, change in damage.items():
         (files(tmp_path) / name).write_bytes(change(whole[name]))
-    (files(tmp_path) / ".sea.cover.0006.exr.1-1.baking").write_bytes(b"killed")
-    (files(tmp_path) / "sea.cover.0006.exr").unlink()
+    (files(tmp_path) / ".shot.cover.0006.exr.1-1.baking").write_bytes(b"killed")
+    (files(tmp_path) / "shot.cover.0006.exr").unlink()
     bpy.ops.libocean.bake()
     for name, data in whole.items():
         assert (files(tmp_path) / name).read_bytes() == data, name
@@ -280,7 +280,7 @@ def test_a_horizon_plays_around_the_camera(scene, tmp_path):
         scene.frame_set(frame)
         for name, baked in now().items():
             assert np.allclose(baked, values[name], atol=2e-6, rtol=1e-6), name
-    header, planes = read_exr(files(tmp_path) / "sea.normal_far.0004.exr")
+    header, planes = read_exr(files(tmp_path) / "shot.normal_far.0004.exr")
     assert set(planes) == set("RGBA")
     assert eval(header["ocean:field"]) == b"normal_far"
     bpy.ops.libocean.bake()  # all of them are there
@@ -359,7 +359,7 @@ def made_by_an_earlier_version(ob, folder: Path) -> None:
     record = ob.libocean.bake
     for field in record.fields.split(","):
         if field.startswith(("jacobian", "detail")):
-            for path in folder.glob(f"sea.{field}.*.exr"):
+            for path in folder.glob(f"shot.{field}.*.exr"):
                 path.unlink()
     fields = [name for name in record.fields.split(",") if not name.startswith(("jac", "detail"))]
     record.fields, record.bands = ",".join(fields), ""
@@ -415,7 +415,7 @@ def test_sizes_are_told(scene, sea, kind):
         sea.libocean.resolution, sea.libocean.horizon_vertices = 64, 20000
         sea.libocean.use_detail = True
     bpy.ops.libocean.bake(frame_start=2, frame_end=2)
-    folder = baked.folder_path(sea)
+    folder = baked.place_of(sea).path
     one = {path.name.split(".")[1]: read_exr(path)[1] for path in folder.glob("*.0002.exr")}
     bands = [planes for field, planes in one.items() if field.startswith("detail")]
     assert len(bands) == 3
@@ -558,7 +558,7 @@ def test_baked_into_another_folder_it_plays_that(scene, sea, tmp_path):
     sea.libocean.choppiness = 0.5
     sea.libocean.bake.directory = "//second"
     bpy.ops.libocean.bake()
-    assert baked.folder_path(sea) == tmp_path / "second"
+    assert baked.place_of(sea).path == tmp_path / "second"
     scene.frame_set(4)
     playing = shown(sea)
     sea.libocean.use_bake = False
@@ -608,9 +608,10 @@ def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
 
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}
-    before = baked.folder(sea)
+    before = baked.place_of(sea)
+    recipes = json.loads(sea.libocean.bake.recipes)
     sea.name = "Atlantic"
-    assert baked.folder(sea) == baked.asked_folder(sea) == before
+    assert baked.place_of(sea) == baked.next_place(sea, recipes) == before
     written = sorted((tmp_path / "ocean_bake").rglob("*.exr"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}  # goes on, there
     assert sorted((tmp_path / "ocean_bake").rglob("*.exr")) == written
@@ -618,7 +619,7 @@ def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
     assert sea.libocean.problem == ""
     twin = sea.copy()  # a bake of its own
     bpy.context.collection.objects.link(twin)
-    assert baked.asked_folder(twin) != before
+    assert baked.next_place(twin, recipes) != before
 
 
 def test_an_object_that_is_renamed_meanwhile_gets_its_bake(sea, tmp_path):
@@ -676,7 +677,7 @@ def test_the_panel_compares_a_keyframed_sea_at_its_frame(scene, sea):
 
 def test_the_object_keeps_the_sea_that_its_files_name(sea, tmp_path):
     bpy.ops.libocean.bake()
-    header, _ = read_exr(files(tmp_path) / "sea.displacement.0003.exr")
+    header, _ = read_exr(files(tmp_path) / "shot.displacement.0003.exr")
     assert header["ocean:sea"] == str(sea.libocean.bake.sea.encode())
 
 

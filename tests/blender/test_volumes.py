@@ -98,7 +98,7 @@ def volume_objects() -> list:
 
 def open_sea(path: Path):
     """The sea that a file names, and its time."""
-    strings = volume_job._read_header(path)
+    strings = volume_job.read_header(path)
     return libocean.parse(strings["ocean:sea"]), float(strings["ocean:time"])
 
 
@@ -125,7 +125,7 @@ def test_the_surface_is_where_the_sea_is(sea, way, name, tmp_path):
     for key, value in SEAS[name].items():
         setattr(sea.libocean, key, value)
     write(frame_start=3, frame_end=3)
-    path = tmp_path / "ocean_volumes" / "Ocean_0003.vdb"
+    path = tmp_path / "ocean_volumes" / "shot.Ocean_0003.vdb"
     points, height = crossings(path)
     assert len(points) > 3000
     some = np.random.default_rng(1).choice(len(points), 300, replace=False)
@@ -151,7 +151,7 @@ def test_frames_that_are_keyed_or_at_their_own_time(scene, sea, way, tmp_path):
     for frame in (2, 3, 5):
         scene.frame_set(frame)
         seen = sea.evaluated_get(bpy.context.evaluated_depsgraph_get()).libocean
-        opened, time = open_sea(folder / f"Ocean_{frame:04d}.vdb")
+        opened, time = open_sea(folder / f"shot.Ocean_{frame:04d}.vdb")
         with opened as asked:
             assert time == pytest.approx(seen.custom_time)
             assert float(asked.get("choppiness")) == pytest.approx(seen.choppiness)
@@ -173,8 +173,8 @@ def test_both_ways_make_the_same_volume(sea, by, name, use_half, tmp_path, capfd
         by(way)
         write(frame_start=4, frame_end=4, directory=str(tmp_path / way))
         assert ("crests have folded over" in capfd.readouterr().out) == (name == "folded")
-        path = tmp_path / way / "Ocean_0004.vdb"
-        found.append((volume_job._read_header(path), *OPENVDB.readAll(str(path))[0]))
+        path = tmp_path / way / "shot.Ocean_0004.vdb"
+        found.append((volume_job.read_header(path), *OPENVDB.readAll(str(path))[0]))
     (said, *theirs), (ours_said, *ours) = found
     theirs, ours = (sorted(grids, key=lambda grid: grid.name) for grids in (theirs, ours))
     assert said == ours_said
@@ -206,19 +206,19 @@ def test_both_ways_make_the_same_volume(sea, by, name, use_half, tmp_path, capfd
 @needs_openvdb
 def test_the_box_is_that_of_ocean_bake_unless_chosen(sea, way, tmp_path):
     write(frame_start=2, frame_end=2)
-    path = tmp_path / "ocean_volumes" / "Ocean_0002.vdb"
+    path = tmp_path / "ocean_volumes" / "shot.Ocean_0002.vdb"
     opened, _ = open_sea(path)
     with opened as asked:
         period = float(asked.get("patch_size"))
         wave_height = asked.state["significant_wave_height"]["asked"]
-    box = volume_job._read_header(path)["ocean:box"].split(",")
+    box = volume_job.read_header(path)["ocean:box"].split(",")
     assert box[-1] == "crest"
     expected = [0.0, 0.0, -max(4.0, 2.0 * wave_height), period, period]
     assert [float(side) for side in box[:-1]] == pytest.approx(expected)
     assert wave_height > 2.0
     sea.libocean.use_depth, sea.libocean.depth = True, 3.0
     write(frame_start=2, frame_end=2)
-    assert float(volume_job._read_header(path)["ocean:box"].split(",")[2]) == -3.0
+    assert float(volume_job.read_header(path)["ocean:box"].split(",")[2]) == -3.0
 
 
 class Cliff:
@@ -264,7 +264,7 @@ def test_an_object_is_the_box(sea, way, kind, tmp_path):
     asked = sea.libocean.volumes
     asked.box, asked.box_object = "OBJECT", box
     write(frame_start=2, frame_end=2)
-    header = volume_job._read_header(tmp_path / "ocean_volumes" / "Ocean_0002.vdb")
+    header = volume_job.read_header(tmp_path / "ocean_volumes" / "shot.Ocean_0002.vdb")
     sides = [float(side) for side in header["ocean:box"].split(",")]
     assert sides == pytest.approx([46.0, 18.0, -3.5, 54.0, 22.0, 2.5])
     asked.box_object = None
@@ -296,7 +296,7 @@ def test_an_object_plays_them(scene, sea, way, tmp_path):
     for frame in (2, 3, 5):
         scene.frame_set(frame)
         seen = volume.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-        assert Path(seen.grids.frame_filepath).name == f"Ocean_{frame:04d}.vdb"
+        assert Path(seen.grids.frame_filepath).name == f"shot.Ocean_{frame:04d}.vdb"
         seen.grids.load()
         kinds = {grid.name: grid.data_type for grid in seen.grids}
         assert kinds == {"surface": "FLOAT", "vel": "VECTOR_FLOAT"}
@@ -307,7 +307,7 @@ def test_an_object_plays_them(scene, sea, way, tmp_path):
     assert volume_objects() == [volume]
     scene.frame_set(7)
     seen = volume.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
-    assert Path(seen.grids.frame_filepath).name == "Ocean_0007.vdb"
+    assert Path(seen.grids.frame_filepath).name == "shot.Ocean_0007.vdb"
     write(directory=str(tmp_path / "elsewhere"), use_import=False)
     assert volume_objects() == [volume]
     assert numbers(tmp_path / "elsewhere") == [2, 3, 4, 5]
@@ -374,26 +374,26 @@ def test_what_is_there_is_kept(sea, way, tmp_path):
     assert numbers(folder) == [2, 3, 4, 5]
     write()
     assert times(folder) == before
-    whole = (folder / "Ocean_0003.vdb").read_bytes()
+    whole = (folder / "shot.Ocean_0003.vdb").read_bytes()
     for size in (0, 10, 60, 4000, len(whole) // 2, len(whole) - 1):
-        (folder / "Ocean_0003.vdb").write_bytes(whole[:size])
+        (folder / "shot.Ocean_0003.vdb").write_bytes(whole[:size])
         write()
-        assert volume_job._read_header(folder / "Ocean_0003.vdb")
-        assert len((folder / "Ocean_0003.vdb").read_bytes()) == len(whole)
+        assert volume_job.read_header(folder / "shot.Ocean_0003.vdb")
+        assert len((folder / "shot.Ocean_0003.vdb").read_bytes()) == len(whole)
     after = times(folder)
-    assert {name for name in after if after[name] != before[name]} == {"Ocean_0003.vdb"}
+    assert {name for name in after if after[name] != before[name]} == {"shot.Ocean_0003.vdb"}
     changes = {"voxel": 5.0, "velocity_voxel": 20.0, "use_half": True}
     for name, value in changes.items():
         setattr(sea.libocean.volumes, name, value)
         write(frame_start=2, frame_end=2)
-        assert times(folder)["Ocean_0002.vdb"] != after["Ocean_0002.vdb"], name
+        assert times(folder)["shot.Ocean_0002.vdb"] != after["shot.Ocean_0002.vdb"], name
         after = times(folder)
     sea.libocean.seed = 7
     write(frame_start=2, frame_end=2)
-    assert times(folder)["Ocean_0002.vdb"] != after["Ocean_0002.vdb"]
+    assert times(folder)["shot.Ocean_0002.vdb"] != after["shot.Ocean_0002.vdb"]
     after = times(folder)
     write(frame_start=2, frame_end=2, overwrite=True)
-    assert times(folder)["Ocean_0002.vdb"] != after["Ocean_0002.vdb"]
+    assert times(folder)["shot.Ocean_0002.vdb"] != after["shot.Ocean_0002.vdb"]
 
 
 @needs_openvdb
@@ -441,7 +441,7 @@ def test_stopped_in_a_frame_it_leaves_whole_files_only(sea, way, tmp_path):
     assert 1 <= job.done < 20
     assert len(files(folder)) == job.done  # nothing half, nothing hidden
     for path in files(folder):
-        assert volume_job._read_header(path)
+        assert volume_job.read_header(path)
     assert not volume_objects()
 
 

@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Paths as users write them: relative to a blend file, and with the separators of any system."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path, PureWindowsPath
+
+import bpy
+
+_TO_BLEND = "//"
+
+
+def is_of_windows(path: str) -> bool:
+    """Returns whether a path names a drive or a server of Windows: elsewhere it leads nowhere."""
+    return not path.startswith(_TO_BLEND) and PureWindowsPath(path).is_absolute()
+
+
+def normal(path: str) -> str:
+    """Returns a path with `/` between its parts where it is relative, whichever system it was typed
+    on. An absolute path is that of its own system, where `\\` may be part of a name."""
+    if os.path.isabs(path) and not path.startswith(_TO_BLEND) or is_of_windows(path):
+        return path
+    return path.replace("\\", "/")
+
+
+def absolute(path: str, library=None) -> Path:
+    """Returns where a path leads. library: the one whose file a path that begins with `//` is
+    relative to; None: the open file."""
+    return Path(os.path.normpath(bpy.path.abspath(normal(path), library=library)))
+
+
+def library_of(group, key: str):
+    """Returns the library that a path in a property is relative to, None for the open file. group:
+    of an object's settings; an override has the paths of its library until it has its own."""
+    ob = group.id_data.original
+    if ob.library is not None or ob.override_library is None:
+        return ob.library
+    theirs = ob.override_library.reference
+    try:
+        is_theirs = theirs.path_resolve(group.path_from_id(key)) == getattr(group, key)
+    except ValueError:  # of a wave system that the library does not have
+        return None
+    return theirs.library if is_theirs else None
+
+
+def blend_name() -> str:
+    """Returns how names of files begin that are the open file's: as it is called, without its
+    extension. `#` stands for digits of a frame in names that `ocean bake` is given."""
+    stem = Path(bpy.data.filepath).stem
+    return stem.replace("\\", "_").replace("#", "_") or "untitled"
