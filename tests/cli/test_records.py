@@ -30,8 +30,8 @@ def test_a_line_for_each_record_under_a_header(ocean):
         "46.6",
         "1.16",
         "13.6",
-        "8.0",
-        "6.1",
+        "11.5",
+        "9.8",
         "114",
         "26",
     ]

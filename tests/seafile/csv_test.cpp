@@ -304,9 +304,9 @@ TEST(Csv, ARecordThatCannotBeReadCostsNoOther) {
 
 TEST(Csv, NamesOfWavespectraAndPandasAreKnown) {
     const std::vector<SpectrumRecord> records = read(
-        ",time,lat,lon,freq,dir,efth\n0,2024-03-01,1,2,.1,0,1\n1,2024-03-01,1,2,.1,120,2\n"
-        "2,2024-03-01,1,2,.1,240,3\n3,2024-03-01,1,2,.2,0,1\n4,2024-03-01,1,2,.2,120,2\n"
-        "5,2024-03-01,1,2,.2,240,NaN\n");
+        ",time,lat,lon,freq,dir,efth,wspd\n0,2024-03-01,1,2,.1,0,1,7\n1,2024-03-01,1,2,.1,120,2,7\n"
+        "2,2024-03-01,1,2,.1,240,3,7\n3,2024-03-01,1,2,.2,0,1,7\n4,2024-03-01,1,2,.2,120,2,7\n"
+        "5,2024-03-01,1,2,.2,240,NaN,7\n");
     ASSERT_EQ(records.size(), 1u);
     EXPECT_EQ(records[0].time, "2024-03-01T00:00");
     EXPECT_EQ(records[0].longitude, 2.0);

@@ -346,6 +346,16 @@ TEST(SpotterJson, ListsOfBuoysAndOfSpectraAreRead) {
         EXPECT_EQ(records[1].station, "SPOT-0071");
         EXPECT_EQ(records[1].a1, alone.a1);
     }
+    for (const std::string& content :
+         {"{\"spotters\": {\"first\": " + kJsonFile + ", \"second\": " + other + "}}",
+          "{\"data\": {\"frequencyData\": " + kJsonSpectrum + "}}",
+          replaced(kJsonSpectrum, "\"frequency\"", "\"at\": {\"latitude\": 1}, \"frequency\"")}) {
+        const std::vector<SpectrumRecord> records = read_json(content);
+        EXPECT_EQ(records.front().a1, alone.a1);
+        EXPECT_EQ(records.front().time, alone.time);
+        EXPECT_EQ(records.front().latitude, -61.0);
+        EXPECT_EQ(records.back().station.empty(), records.size() == 1);
+    }
     const std::vector<SpectrumRecord> bare =
         read_json("[" + kJsonSpectrum + "," +
                   replaced(kJsonSpectrum, "{", "{\"spotterId\": \"SPOT-0072\",") + "]");

@@ -39,9 +39,9 @@ TEST(SeaState, AskedAndResolvedAgreeOnAGoodGrid) {
     EXPECT_NEAR(state.significant_wave_height.resolved, 2.0131, 0.01);
     EXPECT_NEAR(state.peak_period.asked, kTwoPi / 1.03912, 1e-3);
     EXPECT_NEAR(state.peak_period.resolved, kTwoPi / 1.03912, 0.2);
-    // Over JONSWAP of gamma 3.3: Te = 0.906 Tp and Tm01 = 0.834 Tp [DNV-RP-C205, 3.5.5.4].
-    EXPECT_NEAR(state.energy_period.asked, 0.906 * state.peak_period.asked, 0.01);
-    EXPECT_NEAR(state.mean_period.asked, 0.834 * state.peak_period.asked, 0.02);
+    // The closed formula of JONSWAP with gamma 3.3, integrated to 30 fp: Te and Tm01 over Tp.
+    EXPECT_NEAR(state.energy_period.asked / state.peak_period.asked, 0.9033, 5e-4);
+    EXPECT_NEAR(state.mean_period.asked / state.peak_period.asked, 0.8344, 2e-3);
     EXPECT_NEAR(state.energy_period.resolved, state.energy_period.asked, 0.05);
     EXPECT_NEAR(state.mean_period.resolved, state.mean_period.asked, 0.05);
     EXPECT_NEAR(state.peak_wavelength.asked, kTwoPi * 9.81 / (1.03912 * 1.03912), 0.05);

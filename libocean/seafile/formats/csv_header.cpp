@@ -125,6 +125,13 @@ bool is_row_index(std::string_view title) {
     return name.empty() || name == "index" || name.starts_with("unnamed:");
 }
 
+bool is_passed_over(std::string_view title) {
+    constexpr std::string_view kOthers[] = {"wspd", "wdir"};  // wavespectra's wind
+    const std::string name = parse_title(title).name;
+    return is_row_index(title) ||
+           std::find(std::begin(kOthers), std::end(kOthers), name) != std::end(kOthers);
+}
+
 std::string_view mistyped_column(std::string_view title) {
     return nearest_name(parse_title(title).name, kNames);
 }
@@ -176,7 +183,7 @@ Header::Header(const TableReader& table) {
     const LineReader& lines = table.lines();
     std::array<std::string, kColumns> units;
     for (std::size_t i = 0; i < table.titles().size(); ++i) {
-        if (is_row_index(table.titles()[i])) continue;
+        if (is_passed_over(table.titles()[i])) continue;
         const Title title = parse_title(table.titles()[i]);
         const Column column = column_named(title.name);
         if (column == kNone) throw lines.fail(unknown_column(title.name));

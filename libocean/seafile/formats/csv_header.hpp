@@ -42,6 +42,8 @@ std::string_view name_of(Column column);
 Column column_of(std::string_view title);
 /// A column of row numbers, as pandas writes it: it has no name, or one that says so.
 bool is_row_index(std::string_view title);
+/// A row index, or what wavespectra writes beside a spectrum.
+bool is_passed_over(std::string_view title);
 /// The column that a title was meant to name, if it was mistyped; else empty.
 std::string_view mistyped_column(std::string_view title);
 /// "unknown column 'x'", with a name that was mistyped or those there are.

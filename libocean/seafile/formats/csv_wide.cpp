@@ -48,6 +48,18 @@ std::optional<double> frequency_title(std::string_view title) {
     return text::parse_number(point);
 }
 
+/// Where the last brackets begin that are not within others; the end if there are none.
+std::size_t last_brackets(std::string_view title) {
+    std::size_t last = title.size();
+    int depth = 0;
+    for (std::size_t i = 0; i < title.size(); ++i) {
+        const bool open = title[i] == '(' || title[i] == '[';
+        if (open && depth++ == 0) last = i;
+        if (title[i] == ')' || title[i] == ']') --depth;
+    }
+    return last;
+}
+
 bool has_record_a_row(std::span<const std::string> titles) {
     std::size_t frequencies = 0;
     double below = -1.0;
@@ -153,9 +165,8 @@ class WideReader {
     /// The factor of its densities. Sets time, or station, and what had to be assumed.
     double describe(std::string_view title, bool radians, SpectrumRecord& record) const {
         // "S(f) [m2/Hz]" has its unit in the last brackets, "S (m2/(rad/s))" in the first.
-        const std::size_t last = std::min(title.find_last_of("(["), title.size());
         DensityUnit unit = unit_of(title);
-        if (!unit.fault.empty()) unit = unit_of(title.substr(last));
+        if (!unit.fault.empty()) unit = unit_of(title.substr(last_brackets(title)));
         const bool has_unit = unit.fault.empty();
         if (radians && !has_unit) {
             throw table_.lines().fail(

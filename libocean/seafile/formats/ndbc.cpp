@@ -122,6 +122,9 @@ double value(const LineReader& lines, std::string_view word, Quantity quantity, 
 
 Companion by_time(std::vector<Row> rows) {
     Companion companion;
+    const bool lost =
+        std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.time.empty(); });
+    if (lost && !rows.empty()) throw Error(ErrorKind::bad_file, rows.front().fault);
     for (Row& row : rows) {
         if (row.time.empty()) continue;
         std::pair key{row.station, row.time};

@@ -58,7 +58,8 @@ double next_frequency(const LineReader& lines, std::string_view word, const std:
 /// missing all the same if the spread beside it is).
 double value(const LineReader& lines, std::string_view word, Quantity quantity, double full);
 
-/// The rows of a table whose time is known; of two with one time the first.
+/// The rows of a table whose time is known; of two with one time the first. Throws Error bad_file
+/// where none is.
 Companion by_time(std::vector<Row> rows);
 /// NDBC's identifiers have five characters: "41010" of "ndbc_41010" and "41010_5day", else all of
 /// the stem.

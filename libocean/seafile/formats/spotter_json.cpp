@@ -37,7 +37,6 @@ constexpr std::string_view kDensity = spotter::kNames[1];
 
 using spotter::Quantity;
 
-constexpr std::string_view kData = "data";
 constexpr std::size_t kMaxDepth = 64;
 /// 512 MiB of doubles over all records.
 constexpr std::size_t kMaxValues = std::size_t{1} << 26;
@@ -145,11 +144,10 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
             begin_spectrum();
             return enter(Place::spectrum);
         }
-        const bool answer = place() == Place::outside || place() == Place::answers ||
-                            (place() == Place::answer && key_ == kData);
-        if (answer) {
+        if (place() <= Place::answer) {
+            answers_.push_back(
+                {"", records_.size(), false, false, std::move(record_), std::move(bins_), seen_});
             begin_spectrum();
-            answers_.push_back({"", records_.size(), false, false});
             return enter(Place::answer);
         }
         refuse_known("an object");
@@ -161,9 +159,6 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         return leave();
     }
     bool start_array(std::size_t) override {
-        if (place() == Place::outside || (place() == Place::answer && key_ == kData)) {
-            return enter(Place::answers);
-        }
         if (place() == Place::answer && key_ == kSpectra) {
             if (answers_.back().listed) throw fail("'" + key_ + "' is there twice");
             answers_.back().listed = true;
@@ -176,6 +171,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
             if (place() == Place::answer) answers_.back().spectrum = true;
             return enter(Place::values);
         }
+        if (place() <= Place::answer) return enter(Place::answers);
         refuse_known("a list");
         return enter(Place::other);
     }
@@ -202,14 +198,19 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
 
   private:
-    /// answer: the outermost object and its `data`, or one of several; spectra: the list of them;
-    /// values: of a quantity.
+    /// answer: the outermost object, its `data` and other objects within, which may be a spectrum
+    /// themselves or have a list of them; answers: a list of such; spectra: of what must be
+    /// spectra; values: of a quantity; other: within a spectrum.
     enum class Place { outside, answers, answer, spectra, spectrum, values, other };
     struct Answer {
         std::string station;
         std::size_t first;  // of its records
         bool listed;        // its list of spectra has begun
         bool spectrum;      // it is a spectrum itself
+        // What was read of the object around it.
+        SpectrumRecord outer_record;
+        spotter::Bins outer_bins;
+        std::array<bool, kKeys> outer_seen;
     };
 
     /// Python writes NaN, which JSON has not; nothing where it does not.
@@ -315,8 +316,11 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
     /// The station stands before or behind the spectra.
     void leave_answer() {
-        const Answer answer = std::move(answers_.back());
+        Answer answer = std::move(answers_.back());
         answers_.pop_back();
+        record_ = std::move(answer.outer_record);
+        bins_ = std::move(answer.outer_bins);
+        seen_ = answer.outer_seen;
         for (std::size_t i = answer.first; i < records_.size(); ++i) {
             if (records_[i].station.empty()) records_[i].station = answer.station;
         }

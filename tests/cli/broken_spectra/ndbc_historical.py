@@ -41,7 +41,6 @@ def wide(count):
 CASES = [
     ("header_alone", alone(HEADER), None, "holds no spectrum"),
     ("header_cut", alone(HEADER[:24]), 1, "fewer than 2 frequencies"),
-    ("utf_16", alone(GOOD.decode().encode("utf-16")), None, "not a spectrum file"),
     (
         "all_missing",
         alone(HEADER + b"2019 01 02 03 40 99.00 999.00 MM\n"),
@@ -69,7 +68,6 @@ CASES = [
     ("hours_missing", changed(b" hh mm", b" mm"), 1, "YY MM DD hh [mm]"),
     ("descending", changed(b".3000", b".1500"), 1, "do not ascend at bin 3"),
     ("frequency_twice", changed(b".2000", b".1000"), 1, "do not ascend at bin 2"),
-    ("frequency_zero", changed(b".1000", b".0000"), 1, "1e-5 .. 100 Hz"),
     ("frequency_negative", changed(b".1000", b"-.100"), 1, "1e-5 .. 100 Hz"),
     ("frequency_in_millihertz", changed(b".3000", b"300.0"), 1, "1e-5 .. 100 Hz"),
     ("frequency_nan", changed(b".2000", b"nan"), 1, "'nan' is not a frequency"),
@@ -78,7 +76,7 @@ CASES = [
     ("one_frequency", alone(b"#YY MM DD hh mm .1\n2019 01 02 03 40 1\n"), 1, "fewer than 2"),
     ("too_many_frequencies", alone(wide(4097)), 1, "more than 4096"),
     ("second_header_is_bad", alone(GOOD + b"#YY MM DD hh mm .3 .2 .1\n"), 4, "do not ascend"),
-    ("negative_density", changed(b"1.21", b"-1.2"), 2, "not -1.2"),
+    ("negative_density", changed(b"1.21", b"-1.2"), None, "is not within 0 .. 1e6 m^2/Hz"),
     ("density_nan", changed(b"1.21", b"NaN"), 2, "'NaN' is not a number"),
     ("density_infinite", changed(b"1.21", b"-inf"), 2, "'-inf' is not a number"),
     ("density_1e300", changed(b"1.21", b"1e300"), 2, "not 1e300"),

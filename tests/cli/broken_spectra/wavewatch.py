@@ -49,7 +49,7 @@ BROKEN = [
         "frequencies_too_many",
         changed(b"     3     4", b"     5     4"),
         3,
-        "a frequency of 0.000E+00",
+        "the frequencies do not ascend",
     ),
     ("directions_too_few", changed(b"     4     2", b"     3     2"), 3, "after the directions"),
     (
@@ -58,7 +58,12 @@ BROKEN = [
         4,
         "a direction of 20220912",
     ),
-    ("points_too_many", changed(b"     4     2", b"     4     3"), 11, "where the name of a point"),
+    (
+        "points_too_many",
+        changed(b"     4     2", b"     4     3"),
+        11,
+        "a time where point 3 of 3 should be",
+    ),
     ("points_too_few", changed(b"     4     2", b"     4     1"), 8, "where a time like"),
     # Frequencies and directions.
     (
@@ -68,7 +73,6 @@ BROKEN = [
         "do not ascend at bin 2",
     ),
     ("frequency_twice", changed(b"0.200E+00", b"0.100E+00"), 2, "do not ascend at bin 3"),
-    ("frequency_zero", changed(b"0.500E-01", b"0.000E+00"), 2, "allowed: 1e-5 .. 100 Hz"),
     ("frequency_in_mhz", changed(b"0.200E+00", b"0.200E+03"), 2, "1e-5 .. 100 Hz"),
     ("frequency_garbled", changed(b"0.200E+00", b"0.2O0E+00"), 2, "'0.2O0E+00' is not a frequency"),
     ("directions_in_degrees", changed(b"0.157E+01", b"0.900E+02"), 3, "0 .. 2 pi (radians)"),
@@ -87,12 +91,6 @@ BROKEN = [
     ("time_missing", without(11), 11, "where a time like"),
     # Points.
     (
-        "name_without_quotes",
-        changed(b"'B         '", b" B          "),
-        8,
-        "'B' where the name of a point",
-    ),
-    (
         "latitude_beyond_pole",
         changed(b"40.98", b"98.40"),
         5,
@@ -108,7 +106,12 @@ BROKEN = [
     ("current_missing", changed(b"   0.18  94.1", b""), 5, "the line ends where a current speed"),
     ("depth_overflow", changed(b"46.6", b"********"), 5, "the number was too wide for its column"),
     # Densities.
-    ("density_negative", changed(b"  0.300E+01", b" -0.300E+01"), 6, "a density of -0.300E+01"),
+    (
+        "density_negative",
+        changed(b"  0.300E+01", b" -0.300E+01"),
+        None,
+        "is not within 0 .. 1e6 m^2/Hz",
+    ),
     ("density_nan", changed(b"0.300E+01", b"      NaN"), 6, "'NaN' is not a density"),
     ("density_huge", changed(b"0.300E+01", b"0.300+300"), 6, "a density of 0.300+300"),
     ("density_overflow", changed(b"0.300E+01", b"*********"), 6, "'*********' is not a density"),
@@ -134,7 +137,6 @@ BROKEN = [
     ("cut_after_a_time", lines(11), 11, "the file ends where point 1 of 2 should be"),
     ("cut_after_a_point", lines(14), 14, "the file ends where point 2 of 2 should be"),
     ("cut_in_values_crlf", lines(16).replace(b"\n", b"\r\n"), 16, "the file ends where a density"),
-    ("utf_16", GOOD.decode().encode("utf-16"), None, "is not a spectrum file of a known format"),
 ]
 
 CASES = [(name, {"broken.spec": content}, line, words) for name, content, line, words in BROKEN]
