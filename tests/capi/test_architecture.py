@@ -86,11 +86,11 @@ LIBRARIES = {
             "exr": ("Imf",),
             "file": (*SYSTEM, "io.h", "process.h"),
             "mesh": ("wave/",),
-            "png": ("png.h",),
+            "png": ("png.h", "zlib.h"),
             "povray": ("png.h", "wave/"),
             "vdb": ("openvdb/", "tbb/"),
         },
-        links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG"),
+        links=("OpenEXR::OpenEXR", "OpenVDB::openvdb", "PNG::PNG", "ZLIB::ZLIB"),
     ),
     "gl": Library(
         below=("core", "seafile"),

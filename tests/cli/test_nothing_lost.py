@@ -154,16 +154,17 @@ def test_a_picture_of_a_command_is_not_written_over_a_file_of_others(ocean, name
     first = path.read_bytes()
     ocean.good(*command)  # its own is made again
     assert path.read_bytes() == first
-    other = ("spectrum", "sea.toml", "--plot", name) if "texture" in command[0] else (
-        "foam-texture", "lace", "--size", "64", "-o", name)
+    other = (
+        ("spectrum", "sea.toml", "--plot", name)
+        if "texture" in command[0]
+        else ("foam-texture", "lace", "--size", "64", "-o", name)
+    )
     if name.endswith(".png"):
         assert "was not written by" in ocean.bad(*other)
 
 
 def test_a_plot_holds_its_sea(ocean):
     ocean.good("spectrum", "sea.toml", "--plot", "a.png")
-    assert ocean.good("info", "a.png", "--sea-file") == ocean.good(
-        "info", "sea.toml", "--sea-file"
-    )
+    assert ocean.good("info", "a.png", "--sea-file") == ocean.good("info", "sea.toml", "--sea-file")
     ocean.good("foam-texture", "lace", "--size", "64", "-o", "b.png")
     assert "b.png: shows a foam_texture, no sea" in ocean.bad("info", "b.png")

@@ -90,10 +90,35 @@ TEST(CleanRecord, ABinOfZeroHertzIsLeftOutWithAllThatBelongsToIt) {
     EXPECT_TRUE(grid.warnings.empty()) << "nothing was lost";
 }
 
-TEST(RecordWithFault, IsChosenOnlyToSayWhy) {
+TEST(RecordWithFault, IsToldOfBySeasThatTakeALaterRecord) {
+    const auto reader = [](const std::string&) {
+        std::vector<SpectrumRecord> records = {with_fault("2020-01-01T00:00", "f:3: wrong"),
+                                               record_of({0.1, 0.2}, {1, 2})};
+        records[1].time = "2020-01-01T03:00";
+        return records;
+    };
+    const std::string waves = "libocean = 1\n[[waves]]\nspectrum = \"measured\"\nfile = \"f\"\n";
+    const Sea first = parse_sea(waves, "s.toml", "", reader);
+    const Sea chosen = parse_sea(waves + "record = \"2020-01-01T03:00\"\n", "s.toml", "", reader);
+    const auto warnings = [](const Sea& sea) {
+        return sea.parameters.waves.front().measured->warnings;
+    };
+    ASSERT_EQ(warnings(first).size(), 1u);
+    EXPECT_EQ(warnings(first)[0],
+              "is of 2020-01-01T03:00: an earlier record cannot be read "
+              "(`ocean records` says why)");
+    EXPECT_TRUE(warnings(chosen).empty()) << "it was asked for by its time";
+    EXPECT_EQ(parse_sea(write_sea(first), "t.toml", "", reader)
+                  .parameters.waves.front()
+                  .measured->warnings,
+              warnings(first))
+        << "a saved sea says so too";
+}
+
+TEST(RecordWithFault, IsPassedOverOrSaysWhy) {
     const std::vector<SpectrumRecord> records = {with_fault("2020-01-01T00:00", "f:3: wrong"),
                                                  record_of({0.1, 0.2}, {1, 2})};
-    EXPECT_EQ(refusal_of([&] { choose_record(records, {}, "f"); }).message, "f:3: wrong");
+    EXPECT_EQ(choose_record(records, {}, "f").density[1], 2.0) << "none was asked for by its time";
     std::vector<SpectrumRecord> timed = records;
     timed[1].time = "2020-01-01T03:00";
     EXPECT_EQ(choose_record(timed, {"2020-01-01T03:00", ""}, "f").density[1], 2.0);
