@@ -222,7 +222,8 @@ RecordSummary summarize(const SpectrumRecord& record) {
         mean += energy * c1;
         directed += energy;
     }
-    if (summary.m0 > 0.0) {
+    // An energy of 1e-320 m^2 is above 0, its first moment may not be.
+    if (summary.m0 > 0.0 && m1 > 0.0) {
         summary.energy_period = m_minus1 / summary.m0;
         summary.mean_period = summary.m0 / m1;
     }

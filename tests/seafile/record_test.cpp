@@ -73,6 +73,16 @@ TEST(RecordSummary, FullSpectrumHasTheDirectionAndSpreadOfItsDensity) {
     EXPECT_NE(records_json({&record, 1}).find("\"directions\": \"full\""), std::string::npos);
 }
 
+TEST(RecordSummary, OfTheLeastEnergyIsFinite) {
+    SpectrumRecord record;
+    record.frequency = {0.04, 0.05, 0.06};
+    record.density = {0.0, 5.9e-322, 0.0};  // m0 is the least number above 0, m1 is 0
+    const RecordSummary summary = summarize(record);
+    EXPECT_GT(summary.m0, 0.0);
+    EXPECT_EQ(summary.mean_period, 0.0);
+    EXPECT_EQ(summary.energy_period, 0.0);
+}
+
 TEST(RecordSummary, FlatSeaHasNoDirection) {
     SpectrumRecord record = record_at("");
     record.density = {0.0, 0.0, 0.0};
