@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/platform.hpp"
 #include "sha256.hpp"
 
 namespace ocean {

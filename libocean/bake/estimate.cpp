@@ -9,8 +9,9 @@
 #include "complete_file.hpp"
 #include "manifest.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/internal/memory.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/text.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "complete_file.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/map_levels.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/text.hpp"
 #include "ocean/world_heights.hpp"
 

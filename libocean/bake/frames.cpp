@@ -11,8 +11,8 @@
 #include <regex>
 #include <unordered_set>
 
-#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/csv_rows.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <iterator>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 

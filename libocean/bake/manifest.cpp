@@ -8,10 +8,10 @@
 #include <fstream>
 #include <set>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/platform.hpp"
 
 namespace ocean {
 namespace {

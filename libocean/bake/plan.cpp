@@ -9,8 +9,8 @@
 
 #include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
-#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/csv_rows.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"

@@ -10,8 +10,8 @@
 #include <iterator>
 
 #include "complete_file.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/foam_texture.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/io/mesh.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/io/png.hpp"

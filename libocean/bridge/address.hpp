@@ -7,8 +7,8 @@
 #include <asio.hpp>
 #include <string>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::bridge {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::bridge {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ocean/bridge/map_file.hpp"
-#include "ocean/toml_sections.hpp"
+#include "ocean/internal/toml_sections.hpp"
 
 namespace ocean::bridge {
 

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <array>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

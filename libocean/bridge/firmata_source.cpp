@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "firmata_protocol.hpp"
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "serial_port.hpp"
 
 namespace ocean::bridge {

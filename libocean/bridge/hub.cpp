@@ -8,10 +8,10 @@
 
 #include "ocean/bridge/devices.hpp"
 #include "ocean/bridge/line_protocol.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

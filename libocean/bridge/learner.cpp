@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "ocean/bridge/mapping.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

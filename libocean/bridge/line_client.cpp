@@ -15,8 +15,8 @@
 
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/bridge/source.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/parameter_table.hpp"
 
 namespace ocean::bridge {

@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/line_reader.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 

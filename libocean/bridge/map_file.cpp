@@ -8,10 +8,10 @@
 
 #include "device_reader.hpp"
 #include "ocean/bridge/source.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/toml_sections.hpp"
 #include "ocean/text.hpp"
-#include "ocean/toml_sections.hpp"
 #include "section_reader.hpp"
 
 namespace ocean::bridge {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

@@ -14,8 +14,8 @@
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "midi_source_of_ports.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::bridge {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 #ifdef OCEAN_HAVE_LIBLO

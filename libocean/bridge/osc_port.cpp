@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "address.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "ocean/bridge/k8055_source.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/line_reader.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

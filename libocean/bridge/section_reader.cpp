@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

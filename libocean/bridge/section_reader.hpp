@@ -13,7 +13,7 @@
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
-#include "ocean/toml_sections.hpp"
+#include "ocean/internal/toml_sections.hpp"
 
 namespace ocean::bridge {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::bridge {

@@ -11,7 +11,7 @@
 
 #include "guard.hpp"
 #include "ocean/gauge_series.hpp"
-#include "ocean/memory.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "sea_handle.hpp"
 

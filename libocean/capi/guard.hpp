@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "libocean.h"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::capi {

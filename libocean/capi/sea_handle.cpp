@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "guard.hpp"
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/version.hpp"

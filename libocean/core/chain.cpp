@@ -9,6 +9,7 @@
 
 #include "modes/mode_lattice.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
 

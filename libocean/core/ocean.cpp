@@ -16,6 +16,7 @@
 #include "detail/detail_maps.hpp"
 #include "kernel/map_kernel.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/parameter_table.hpp"
 #include "parameters/performer.hpp"
 #include "spray/spray_follower.hpp"

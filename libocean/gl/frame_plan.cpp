@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "ocean/error.hpp"
-#include "ocean/linear_shape.hpp"
+#include "ocean/internal/linear_shape.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::gl {

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::gl {
 

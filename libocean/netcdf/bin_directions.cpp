@@ -9,10 +9,10 @@
 
 #include "bin_names.hpp"
 #include "names.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/record_rules.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::netcdf {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "names.hpp"
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::netcdf {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/density_units.hpp"
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/density_units.hpp"
+#include "ocean/internal/utc_time.hpp"
 
 namespace ocean::netcdf {
 

@@ -10,7 +10,7 @@
 #include "bin_names.hpp"
 #include "cf_units.hpp"
 #include "names.hpp"
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::netcdf {
 namespace {

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Spectra from NetCDF: see netcdf_spectra.hpp.
-#include "ocean/netcdf_spectra.hpp"
+#include "ocean/internal/netcdf_spectra.hpp"
 
 #include <filesystem>
 #include <fstream>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
+#include "ocean/internal/record_rules.hpp"
 #ifdef OCEAN_HAVE_NETCDF
 #include "child_process.hpp"
 #include "netcdf_file.hpp"

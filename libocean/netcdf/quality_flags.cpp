@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "names.hpp"
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::netcdf {

@@ -11,10 +11,10 @@
 #include "bin_directions.hpp"
 #include "direction_sense.hpp"
 #include "names.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/density_units.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/density_units.hpp"
+#include "ocean/internal/record_rules.hpp"
 
 namespace ocean::netcdf {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "netcdf_layout.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 
 namespace ocean::netcdf {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Text that comes from files nobody has checked: see checked_text.hpp.
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -10,7 +10,7 @@
 #include <fstream>
 #include <vector>
 
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::text {

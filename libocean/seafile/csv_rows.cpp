@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Rows of a CSV that nobody has checked; see csv_rows.hpp.
-#include "ocean/csv_rows.hpp"
+#include "ocean/internal/csv_rows.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -6,7 +6,7 @@
 //   product  = factor { ["." | "*" | "-" | "/" | "per"] factor }
 //   factor   = (name | number | "(" product ")") [power] | "square" factor
 //   power    = ["^" | "**"] integer | "squared"
-#include "ocean/density_units.hpp"
+#include "ocean/internal/density_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +17,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What spectrum formats say of directions: see directional_record.hpp.
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // Packed text files: see gzip.hpp. zlib is linked statically, so that libocean.so needs no library.
 #include "gzip.hpp"
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 #ifdef OCEAN_HAVE_ZLIB
 #include <zlib.h>

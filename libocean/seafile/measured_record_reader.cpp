@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "measured_record.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

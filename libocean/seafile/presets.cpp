@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/seafile.hpp"
 #include "sea_writer.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/record_rules.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

@@ -10,15 +10,15 @@
 #include <limits>
 #include <map>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/directional_record.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/json.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/json.hpp"
+#include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/spreading.hpp"
-#include "ocean/utc_time.hpp"
 
 namespace ocean {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "measured_record.hpp"
 #include "measured_record_reader.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
 #include "take.hpp"
 #include "toml_input.hpp"

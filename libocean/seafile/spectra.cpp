@@ -13,12 +13,12 @@
 
 #include "archive.hpp"
 #include "gzip.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/platform.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "ocean/seafile.hpp"
-#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ocean/error.hpp"
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/record_rules.hpp"
 #include "ocean/spectrum_record.hpp"
 
 namespace ocean {

@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/line_reader.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/seafile.hpp"
 #include "toml_text.hpp"
 

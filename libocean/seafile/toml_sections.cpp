@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/toml_sections.hpp"
+#include "ocean/internal/toml_sections.hpp"
 
 #include <algorithm>
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "toml_input.hpp"
 
 namespace ocean {

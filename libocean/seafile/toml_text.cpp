@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/json.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/json.hpp"
 
 namespace ocean {
 

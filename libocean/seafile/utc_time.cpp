@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Times of records: see utc_time.hpp.
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/utc_time.hpp"
 
 #include <algorithm>
 #include <chrono>

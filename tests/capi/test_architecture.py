@@ -18,17 +18,17 @@ ROOT = Path(__file__).parents[2] / "libocean"
 # Public headers that are not core's. io, bake, gl and bridge have folders of their names.
 HEADER_OWNER = {
     "libocean.h": "capi",
-    "ocean/checked_text.hpp": "seafile",
-    "ocean/csv_rows.hpp": "seafile",
-    "ocean/density_units.hpp": "seafile",
-    "ocean/directional_record.hpp": "seafile",
+    "ocean/internal/checked_text.hpp": "seafile",
+    "ocean/internal/csv_rows.hpp": "seafile",
+    "ocean/internal/density_units.hpp": "seafile",
+    "ocean/internal/directional_record.hpp": "seafile",
     "ocean/io.hpp": "io",
-    "ocean/line_reader.hpp": "seafile",
-    "ocean/netcdf_spectra.hpp": "netcdf",
-    "ocean/record_rules.hpp": "seafile",
+    "ocean/internal/line_reader.hpp": "seafile",
+    "ocean/internal/netcdf_spectra.hpp": "netcdf",
+    "ocean/internal/record_rules.hpp": "seafile",
     "ocean/seafile.hpp": "seafile",
-    "ocean/toml_sections.hpp": "seafile",
-    "ocean/utc_time.hpp": "seafile",
+    "ocean/internal/toml_sections.hpp": "seafile",
+    "ocean/internal/utc_time.hpp": "seafile",
 }
 
 STREAMS = frozenset({"iostream", "fstream", "cstdio", "stdio.h"})
@@ -301,6 +301,15 @@ def test_public_headers_go_one_way():
         assert not include_breaches(owner_of_header(name), name, path.read_text())
 
 
+def test_installed_headers_include_installed_ones_alone():
+    """ocean/internal/ is for the library's own sources and is not installed."""
+    include = ROOT / "include"
+    headers = [path for path in sources(include) if "internal" not in path.parts]
+    assert len(headers) > 90
+    for path in headers:
+        assert '"ocean/internal/' not in path.read_text(), path
+
+
 @pytest.mark.parametrize("library", LIBRARIES)
 def test_links_go_one_way(library):
     lists = cmake_lists(library)
@@ -328,7 +337,7 @@ def test_private_folders_stay_private(library):
         ("seafile", "sea_reader.cpp", "#include <sys/stat.h>"),
         ("seafile", "sea_reader.cpp", "#include <png.h>"),
         ("capi", "guard.cpp", '#include "ocean/io/image.hpp"'),
-        ("capi", "guard.cpp", '#include "ocean/netcdf_spectra.hpp"'),
+        ("capi", "guard.cpp", '#include "ocean/internal/netcdf_spectra.hpp"'),
         ("capi", "guard.cpp", "#include <toml++/toml.h>"),
         ("capi", "guard.cpp", "#include <windows.h>"),
         ("io", "exr/exr_writer.cpp", '#include "libocean.h"'),
@@ -346,7 +355,7 @@ def test_private_folders_stay_private(library):
         ("netcdf", "cf_units.cpp", "#include <netcdf.h>"),
         ("netcdf", "cf_units.cpp", '#include "take.hpp"'),
         ("netcdf", "cf_units.cpp", '#include "ocean/io/image.hpp"'),
-        ("bake", "plan.cpp", '#include "ocean/netcdf_spectra.hpp"'),
+        ("bake", "plan.cpp", '#include "ocean/internal/netcdf_spectra.hpp"'),
         ("bake", "plan.cpp", '#include "console.hpp"'),
         ("bake", "plan.cpp", "#include <openssl/evp.h>"),
         ("apps", "ocean/info_command.cpp", '#include "libocean.h"'),

@@ -5,8 +5,8 @@
 // give records, each good or with a fault, or one exception with a message that is safe to print.
 #include "netcdf_records.hpp"
 #include "netcdf_wire.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/record_rules.hpp"
 #include "reader_fuzzer.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

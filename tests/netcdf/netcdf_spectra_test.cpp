@@ -3,7 +3,7 @@
 //
 // Spectra from NetCDF: what variables and units mean, on contents made by hand; real files of the
 // classic and the HDF5 kind through the child process; and a child that crashes, hangs or lies.
-#include "ocean/netcdf_spectra.hpp"
+#include "ocean/internal/netcdf_spectra.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

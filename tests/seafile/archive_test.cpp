@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "helpers.hpp"
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 #include "spectrum_format.hpp"
 

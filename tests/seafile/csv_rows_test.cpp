@@ -3,7 +3,7 @@
 //
 // Tables as spreadsheets, pandas, R and loggers write them give the same numbers; where a table can
 // be read in two ways, the error says which.
-#include "ocean/csv_rows.hpp"
+#include "ocean/internal/csv_rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "helpers.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

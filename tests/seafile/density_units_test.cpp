@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Units of spectral densities: what each spelling is in m^2/Hz or m^2/Hz/degree, by hand.
-#include "ocean/density_units.hpp"
+#include "ocean/internal/density_units.hpp"
 
 #include <gtest/gtest.h>
 

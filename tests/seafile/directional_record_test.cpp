@@ -3,7 +3,7 @@
 //
 // Directions of files in libocean's convention: every quadrant, axes in any order, sectors, the
 // energy of each frequency row, and moments from mean and spread against the distribution itself.
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 
 #include <gtest/gtest.h>
 

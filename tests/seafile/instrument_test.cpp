@@ -9,7 +9,7 @@
 #include <span>
 
 #include "helpers.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "ocean/text.hpp"
 #include "spectrum_format.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "helpers.hpp"
 #include "ocean/directional_spectrum.hpp"
-#include "ocean/record_rules.hpp"
+#include "ocean/internal/record_rules.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/thread_pool.hpp"
 

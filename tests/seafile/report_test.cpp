@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "helpers.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 
 namespace ocean::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "helpers.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "helpers.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::test {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Times of records: what is one as text, and minutes since 1970 there and back.
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/utc_time.hpp"
 
 #include <gtest/gtest.h>
 

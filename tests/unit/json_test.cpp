@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the JSON writer writes can be read by every reader of JSON.
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 
 #include <gtest/gtest.h>
 

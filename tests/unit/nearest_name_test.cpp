@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A hint names what was mistyped, and nothing where a word was not mistyped.
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
-#include "ocean/memory.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/parameter_table.hpp"
 #include "test_seas.hpp"
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 namespace {

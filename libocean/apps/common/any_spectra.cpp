@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/netcdf_spectra.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/netcdf_spectra.hpp"
 #include "ocean/seafile.hpp"
 #include "text.hpp"
 

@@ -17,9 +17,9 @@
 
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean::app {
 namespace {

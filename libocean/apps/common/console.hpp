@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 
 namespace ocean::app {
 

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::app {
 

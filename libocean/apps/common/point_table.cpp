@@ -8,9 +8,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "standard_input.hpp"
 
 namespace ocean::app {

@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "any_spectra.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/read_provenance.hpp"
 #include "ocean/parameter_table.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/seafile.hpp"
 #include "standard_input.hpp"
 

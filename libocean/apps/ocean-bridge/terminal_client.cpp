@@ -11,8 +11,8 @@
 #include "line_input.hpp"
 #include "ocean/bridge/line_client.hpp"
 #include "ocean/bridge/line_protocol.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/error.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/line_reader.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/text.hpp"
 

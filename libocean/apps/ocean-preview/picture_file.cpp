@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "ocean/bake/frames.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/png.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/preview/canvas.hpp"
 
 namespace ocean::app {

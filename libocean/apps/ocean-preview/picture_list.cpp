@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 #include "picture_file.hpp"
 

@@ -16,11 +16,11 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/read_provenance.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 

@@ -13,6 +13,7 @@
 #include "input_files.hpp"
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"

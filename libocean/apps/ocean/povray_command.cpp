@@ -12,11 +12,11 @@
 #include "console_host.hpp"
 #include "input_files.hpp"
 #include "ocean/bake/povray_folder.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
-#include "ocean/platform.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
 

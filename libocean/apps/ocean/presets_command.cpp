@@ -6,7 +6,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 #include "ocean/seafile.hpp"
 
 namespace ocean::app {

@@ -6,7 +6,7 @@
 #include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/product_image.hpp"

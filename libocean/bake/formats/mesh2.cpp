@@ -8,8 +8,8 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/text.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "formats/formats.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
 

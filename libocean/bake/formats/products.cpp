@@ -4,8 +4,8 @@
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/csv_rows.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

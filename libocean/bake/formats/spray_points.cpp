@@ -6,10 +6,10 @@
 
 #include "formats/formats.hpp"
 #include "ocean/cascades.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
 #include "ocean/error.hpp"
-#include "ocean/memory.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"

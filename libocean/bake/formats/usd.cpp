@@ -10,8 +10,8 @@
 
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
-#include "ocean/checked_text.hpp"
 #include "ocean/error.hpp"
+#include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/text.hpp"
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // JSON, written; see json.hpp.
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 
 #include <algorithm>
 #include <cmath>

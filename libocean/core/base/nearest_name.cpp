@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The distance of Damerau and Levenshtein over a handful of names.
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 #include <algorithm>
 #include <numeric>

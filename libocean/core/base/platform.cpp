@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The only file of core, seafile and capi that knows which operating system it runs on.
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 #include <algorithm>
 #include <new>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/control_groups.hpp"
+#include "ocean/page_vector.hpp"
 
 #if defined(_WIN32)
 #define WIN32_LEAN_AND_MEAN

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/crew_size.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ocean/memory.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

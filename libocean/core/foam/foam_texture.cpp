@@ -27,8 +27,8 @@
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/memory.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/memory.hpp"
+#include "ocean/internal/nearest_name.hpp"
 #include "ocean/thread_pool.hpp"
 
 namespace ocean {

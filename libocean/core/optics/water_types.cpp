@@ -21,7 +21,7 @@
 #include <cmath>
 
 #include "ocean/error.hpp"
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 
 namespace ocean {
 

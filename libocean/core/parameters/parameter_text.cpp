@@ -11,8 +11,8 @@
 
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
-#include "ocean/json.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/json.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean {
 

@@ -13,7 +13,7 @@
 
 #include "kernel/map_kernel.hpp"
 #include "ocean/error.hpp"
-#include "ocean/memory.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/query.hpp"
 #include "ocean/thread_pool.hpp"
 #include "query/spline_map.hpp"

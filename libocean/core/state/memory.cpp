@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Bytes of modes and maps; see memory.hpp.
-#include "ocean/memory.hpp"
+#include "ocean/internal/memory.hpp"
 
 #include <complex>
 
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean {
 

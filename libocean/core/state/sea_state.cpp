@@ -10,8 +10,10 @@
 #include <span>
 
 #include "ocean/cascades.hpp"
+#include "ocean/channel.hpp"
 #include "ocean/dispersion.hpp"
 #include "ocean/foam.hpp"
+#include "ocean/internal/memory.hpp"
 #include "ocean/spreading.hpp"
 #include "ocean/thread_pool.hpp"
 #include "state/mode_sums.hpp"

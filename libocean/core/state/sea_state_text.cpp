@@ -11,7 +11,7 @@
 
 #include "modes/mode_lattice.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 #include "ocean/spreading.hpp"
 
 namespace ocean {

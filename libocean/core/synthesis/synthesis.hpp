@@ -6,7 +6,7 @@
 #pragma once
 
 #include "ocean/backend.hpp"
-#include "ocean/linear_shape.hpp"
+#include "ocean/internal/linear_shape.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {

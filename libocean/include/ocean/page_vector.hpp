@@ -11,9 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "ocean/platform.hpp"
-
 namespace ocean {
+
+/// Returns uninitialised memory for large arrays, aligned to 2 MiB from that size on and to 64
+/// bytes below; the system is asked for huge pages. Throws std::bad_alloc. nullptr for no bytes.
+void* allocate_pages(std::size_t bytes);
+void free_pages(void* pages, std::size_t bytes);
 
 /// Memory from allocate_pages; elements without an initial value are left uninitialised.
 template <typename T>

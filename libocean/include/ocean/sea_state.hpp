@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "ocean/memory.hpp"
 #include "ocean/modes.hpp"
 
 namespace ocean {

@@ -14,8 +14,8 @@
 #include "exr_library.hpp"
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
-#include "ocean/platform.hpp"
 
 namespace ocean::io {
 namespace {

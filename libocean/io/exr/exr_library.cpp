@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::io {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "exr_library.hpp"
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::io {
 namespace {

@@ -22,7 +22,7 @@
 #endif
 
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::io {
 namespace {

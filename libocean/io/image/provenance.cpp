@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
 

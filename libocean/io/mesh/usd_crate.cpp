@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "ocean/error.hpp"
-#include "ocean/platform.hpp"
+#include "ocean/internal/platform.hpp"
 
 namespace ocean::io {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/text_writer.hpp"
-#include "ocean/platform.hpp"
 #include "ocean/version.hpp"
 
 namespace ocean::io {

@@ -9,12 +9,12 @@
 #include <string_view>
 
 #include "ocean/error.hpp"
+#include "ocean/internal/platform.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/mesh_files.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/usd.hpp"
 #include "ocean/io/vdb.hpp"
-#include "ocean/platform.hpp"
 
 namespace ocean::io {
 namespace {

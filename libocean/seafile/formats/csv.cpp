@@ -37,11 +37,11 @@
 
 #include "csv_header.hpp"
 #include "csv_wide.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "ocean/text.hpp"
-#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "free_form.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
-#include "ocean/density_units.hpp"
 #include "ocean/grid.hpp"
-#include "ocean/nearest_name.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/density_units.hpp"
+#include "ocean/internal/nearest_name.hpp"
 
 namespace ocean::csv {
 namespace {

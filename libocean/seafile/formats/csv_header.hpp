@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/csv_rows.hpp"
+#include "ocean/internal/csv_rows.hpp"
 
 namespace ocean::csv {
 

@@ -17,9 +17,9 @@
 #include <optional>
 
 #include "csv_header.hpp"
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
-#include "ocean/density_units.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/density_units.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::csv {

@@ -16,10 +16,10 @@
 #include <tuple>
 #include <utility>
 
-#include "ocean/csv_rows.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "ocean/text.hpp"
-#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

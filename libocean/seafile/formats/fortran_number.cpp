@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean::text {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "fortran_number.hpp"
-#include "ocean/line_reader.hpp"
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/line_reader.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

@@ -8,8 +8,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "ocean/directional_record.hpp"
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::ndbc {

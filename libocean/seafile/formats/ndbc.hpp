@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ocean/enum_words.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/line_reader.hpp"
 #include "ocean/spectrum_record.hpp"
 
 namespace ocean::ndbc {

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "ndbc.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

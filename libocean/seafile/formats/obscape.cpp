@@ -14,13 +14,13 @@
 #include <cmath>
 #include <optional>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/csv_rows.hpp"
-#include "ocean/density_units.hpp"
-#include "ocean/directional_record.hpp"
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/density_units.hpp"
+#include "ocean/internal/directional_record.hpp"
+#include "ocean/internal/line_reader.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "ocean/text.hpp"
-#include "ocean/utc_time.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean {

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "ocean/checked_text.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "spectrum_format.hpp"
 
 namespace ocean::spotter {

@@ -15,8 +15,8 @@
 #include <cmath>
 #include <optional>
 
-#include "ocean/csv_rows.hpp"
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "spectrum_format.hpp"
 #include "spotter.hpp"
 

@@ -21,8 +21,8 @@
 #include <nlohmann/json.hpp>
 #endif
 
-#include "ocean/checked_text.hpp"
-#include "ocean/utc_time.hpp"
+#include "ocean/internal/checked_text.hpp"
+#include "ocean/internal/utc_time.hpp"
 #include "spectrum_format.hpp"
 #include "spotter.hpp"
 

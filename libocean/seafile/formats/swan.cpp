@@ -16,8 +16,8 @@
 #include <array>
 
 #include "free_form.hpp"
-#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "ocean/spreading.hpp"
 
 namespace ocean {

@@ -15,8 +15,8 @@
 #include <optional>
 
 #include "free_form.hpp"
-#include "ocean/csv_rows.hpp"
-#include "ocean/directional_record.hpp"
+#include "ocean/internal/csv_rows.hpp"
+#include "ocean/internal/directional_record.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {

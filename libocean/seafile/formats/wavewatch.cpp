@@ -14,8 +14,8 @@
 #include <cctype>
 
 #include "free_form.hpp"
-#include "ocean/directional_record.hpp"
 #include "ocean/grid.hpp"
+#include "ocean/internal/directional_record.hpp"
 
 namespace ocean {
 namespace {

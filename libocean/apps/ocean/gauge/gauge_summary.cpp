@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/json.hpp"
+#include "ocean/internal/json.hpp"
 #include "text.hpp"
 
 namespace ocean::app {

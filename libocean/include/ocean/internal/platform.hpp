@@ -39,10 +39,6 @@ class PlainFloats {
 /// Bytes that can still be allocated (free memory, container and process limits), or the largest
 /// value where the system does not tell.
 std::uint64_t available_memory();
-/// Uninitialised memory for large arrays, aligned to 2 MiB from that size on and to 64 bytes below;
-/// the system is asked for huge pages. Throws std::bad_alloc. nullptr for no bytes.
-void* allocate_pages(std::size_t bytes);
-void free_pages(void* pages, std::size_t bytes);
 /// Path from the UTF-8 text that all interfaces use.
 std::filesystem::path utf8_path(std::string_view text);
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/checked_text.hpp"
+#include "ocean/internal/checked_text.hpp"
 
 namespace ocean {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/line_reader.hpp"
+#include "ocean/internal/line_reader.hpp"
 
 namespace ocean::csv {
 
