@@ -26,6 +26,29 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+ErrorFields fields_of(std::string_view name, std::string_view text) {
+    Parameters parameters;
+    try {
+        set_parameter(parameters, name, text);
+    } catch (const Error& error) {
+        return error.fields();
+    }
+    return {};
+}
+
+TEST(ParameterErrors, HaveTheirPartsAsFields) {
+    const ErrorFields range = fields_of("water.depth", "-3");
+    EXPECT_EQ(range.parameter, "water.depth");
+    EXPECT_EQ(range.value, "-3");
+    EXPECT_EQ(range.what, "is out of range");
+    EXPECT_EQ(range.allowed, "0.01 .. inf m");
+    const ErrorFields word = fields_of("waves.0.fetch", "far");
+    EXPECT_EQ(word.parameter, "waves.0.fetch");
+    EXPECT_EQ(word.value, "\"far\"");
+    EXPECT_EQ(fields_of("watre.depth", "3").parameter, "watre.depth");
+    EXPECT_EQ(Error(ErrorKind::bad_file, "no such file").fields().what, "no such file");
+}
+
 TEST(ParameterTable, HasEveryKeyOfTheSeaFileOnce) {
     const std::set<std::string> expected = {"water.depth",
                                             "water.gravity",

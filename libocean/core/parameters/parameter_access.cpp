@@ -33,8 +33,10 @@ auto& target_of(AnyParameters& parameters, std::size_t wave, Value Section::*mem
 
 [[noreturn]] void refuse(const ParameterRef& ref, const std::string& value,
                          const std::string& reason) {
-    throw Error(ErrorKind::invalid_value, ref.info->path(ref.wave) + " = " + value + ": " + reason +
-                                              "; allowed: " + allowed_values(*ref.info));
+    throw Error(ErrorKind::invalid_value, {.what = reason,
+                                           .parameter = ref.info->path(ref.wave),
+                                           .value = value,
+                                           .allowed = allowed_values(*ref.info)});
 }
 
 double checked_number(const ParameterRef& ref, const ParameterValue& value) {
@@ -143,9 +145,10 @@ requires std::is_enum_v<Enum> ParameterValue load(const ParameterInfo& info, Enu
 
 void require_system(const Parameters& parameters, const ParameterRef& ref) {
     if (!ref.info->per_wave_system() || ref.wave < parameters.waves.size()) return;
-    throw Error(ErrorKind::invalid_value, ref.info->path(ref.wave) + ": there are " +
-                                              std::to_string(parameters.waves.size()) +
-                                              " wave systems, numbered from 0");
+    throw Error(ErrorKind::invalid_value,
+                {.what = "there are " + std::to_string(parameters.waves.size()) +
+                         " wave systems, numbered from 0",
+                 .parameter = ref.info->path(ref.wave)});
 }
 
 }  // namespace

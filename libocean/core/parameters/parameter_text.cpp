@@ -31,7 +31,8 @@ namespace {
         const auto at = static_cast<std::size_t>(nearest - keys.begin());
         message += "; did you mean " + parameter_table()[at].path() + "?";
     }
-    throw Error(ErrorKind::invalid_value, message);
+    throw Error(ErrorKind::invalid_value, message,
+                {.what = "unknown parameter", .parameter = std::string(name.substr(0, 80))});
 }
 
 /// A float that is not set is null; an infinite one a word, as the sea file writes it.
@@ -90,8 +91,10 @@ ParameterValue parse_value(const ParameterRef& ref, std::string_view text) {
     if (type == "enum" || type == "text" || (optional && text.empty())) return std::string(text);
     const auto fail = [&](const char* reason) {
         throw Error(ErrorKind::invalid_value,
-                    info.path(ref.wave) + " = \"" + std::string(text.substr(0, 80)) +
-                        "\": " + reason + "; allowed: " + allowed_values(info));
+                    {.what = reason,
+                     .parameter = info.path(ref.wave),
+                     .value = "\"" + std::string(text.substr(0, 80)) + "\"",
+                     .allowed = allowed_values(info)});
     };
     if (type == "list") {
         std::vector<std::int64_t> numbers;

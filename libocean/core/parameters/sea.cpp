@@ -291,8 +291,10 @@ void validate(const Sea& sea) {
     if (sea.take.empty()) return;
     if (sea.parameters.time.loop_period > 0.0) {
         throw Error(ErrorKind::invalid_value,
-                    "time.loop_period = " + to_text(sea.parameters.time.loop_period) +
-                        " s: a loop repeats and the take does not; allowed: 0 with a take");
+                    {.what = "a loop repeats and the take does not",
+                     .parameter = "time.loop_period",
+                     .value = to_text(sea.parameters.time.loop_period) + " s",
+                     .allowed = "0 with a take"});
     }
     Parameters any = sea.parameters;
     double last = -std::numeric_limits<double>::infinity();

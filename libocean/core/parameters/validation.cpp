@@ -14,7 +14,8 @@ namespace ocean {
 
 void require_time(double time) {
     if (std::abs(time) <= kLatestTime) return;
-    throw Error(ErrorKind::invalid_value, "time = " + to_text(time) + " s; allowed: -1e9 .. 1e9");
+    throw Error(ErrorKind::invalid_value,
+                {.parameter = "time", .value = to_text(time) + " s", .allowed = "-1e9 .. 1e9"});
 }
 
 namespace {
@@ -45,21 +46,21 @@ void validate_record(const SpectrumRecord& record, const std::string& name) {
                record.density[i] >= 0.0 && std::isfinite(record.density[i]);
     }
     if (good) return;
-    throw Error(
-        ErrorKind::invalid_value,
-        name +
-            ": a measured spectrum needs two or more ascending frequencies above 0 with a "
-            "density of 0 or more each, and directions for all of them or none, as moments or "
-            "as a density");
+    throw Error(ErrorKind::invalid_value,
+                {.what = "a measured spectrum needs two or more ascending frequencies above 0 with "
+                         "a density of 0 or more each, and directions for all of them or none, as "
+                         "moments or as a density",
+                 .parameter = name});
 }
 
 void validate_band(const SurfaceSettings& band) {
     if (band.longest_wavelength == 0.0 || band.longest_wavelength > band.shortest_wavelength)
         return;
     throw Error(ErrorKind::invalid_value,
-                "surface.longest_wavelength = " + to_text(band.longest_wavelength) +
-                    " m: must be more than surface.shortest_wavelength = " +
-                    to_text(band.shortest_wavelength) + " m, or 0 for no limit");
+                {.what = "must be more than surface.shortest_wavelength = " +
+                         to_text(band.shortest_wavelength) + " m, or 0 for no limit",
+                 .parameter = "surface.longest_wavelength",
+                 .value = to_text(band.longest_wavelength) + " m"});
 }
 
 void validate_cascades(const Grid& grid) {
@@ -67,8 +68,9 @@ void validate_cascades(const Grid& grid) {
     const auto refuse = [&](const std::string& reason) {
         const std::vector<std::int64_t> given(grid.cascade_divisors.begin(),
                                               grid.cascade_divisors.end());
-        throw Error(ErrorKind::invalid_value,
-                    "grid.cascade_divisors = " + to_text(given) + ": " + reason);
+        throw Error(
+            ErrorKind::invalid_value,
+            {.what = reason, .parameter = "grid.cascade_divisors", .value = to_text(given)});
     };
     if (static_cast<int>(grid.cascade_divisors.size()) != grid.cascades) {
         refuse("must be " + std::to_string(grid.cascades) +
@@ -99,11 +101,15 @@ void validate(const Parameters& parameters) {
         const std::string name = "waves." + std::to_string(i);
         if (system.spectrum != SpectrumKind::measured) continue;
         if (!system.measured) {
+            if (!system.file.empty()) {
+                throw Error(ErrorKind::invalid_value, {.what = "has not been read",
+                                                       .parameter = name + ".file",
+                                                       .value = "\"" + system.file + "\""});
+            }
             throw Error(ErrorKind::invalid_value,
-                        system.file.empty()
-                            ? name + ".spectrum = \"measured\": needs " + name +
-                                  ".file, a file of measured spectra"
-                            : name + ".file = \"" + system.file + "\": has not been read");
+                        {.what = "needs " + name + ".file, a file of measured spectra",
+                         .parameter = name + ".spectrum",
+                         .value = "\"measured\""});
         }
         validate_record(*system.measured, name);
     }
