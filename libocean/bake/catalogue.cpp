@@ -7,6 +7,7 @@
 #include "formats/formats.hpp"
 #include "ocean/caustics.hpp"
 #include "ocean/detail.hpp"
+#include "ocean/sea_subject.hpp"
 
 namespace ocean {
 namespace {
@@ -78,7 +79,8 @@ const Catalogue& standard_catalogue() {
         all.insert(all.end(), kDetailProducts.begin(), kDetailProducts.end());
         return all;
     }();
-    static const Catalogue catalogue{kFormats, products, core_backends()};
+    static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject}};
+    static const Catalogue catalogue{kFormats, products, core_backends(), kSubjects};
     return catalogue;
 }
 

@@ -62,7 +62,7 @@ ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
     ManifestEntry entry;
     entry.name = native(file).filename().string();
     entry.frame = file.frame;
-    entry.time = plan.sea.time_of(file.frame);
+    entry.time = plan.subject->time_of(file.frame);
     entry.product = file.product;
     entry.recipe = plan.format->recipe(plan, file);
     hash_file(file, entry);

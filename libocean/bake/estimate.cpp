@@ -30,9 +30,9 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
     const int maps = plan.maps.channels.size() + (plan.follows_foam() ? kFoamMaps : 0);
     const auto add = [&](int resolution, int maps_there, ChannelSet channels) {
-        bytes +=
-            maps_bytes(resolution, maps_there) +
-            work_bytes(plan.sea.parameters.grid, plan.backend, channels, resolution, plan.channels);
+        bytes += maps_bytes(resolution, maps_there) +
+                 plan.subject->work_bytes({.backend = plan.backend, .channels = plan.channels},
+                                          channels, resolution);
     };
     for (const int resolution : plan.maps.resolutions) add(resolution, maps, plan.maps.channels);
     if (plan.maps.finer > 0) {
@@ -45,9 +45,7 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
 
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time) {
     const auto each = static_cast<std::uint64_t>(frames_at_a_time);
-    // With a take each worker is at a time of its own, and the sea at another.
-    const std::uint64_t seas = plan.sea.take.empty() ? 1 : 1 + each;
-    return kProgramBytes + seas * modes_bytes(plan.sea.parameters.grid) + each * frame_bytes(plan);
+    return kProgramBytes + plan.subject->bytes(frames_at_a_time) + each * frame_bytes(plan);
 }
 
 WorkShare share_work(const BakePlan& plan) {

@@ -5,24 +5,24 @@
 // those of what the disk holds, and a disk that lies is found out.
 #include "frame_baker.hpp"
 
+#include <array>
 #include <filesystem>
+#include <utility>
 
 #include "complete_file.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/map_levels.hpp"
 #include "ocean/text.hpp"
-#include "ocean/world_heights.hpp"
 
 namespace ocean {
 
 FrameBaker::FrameBaker(const Bake& bake, int threads)
     : bake_(bake),
       threads_(threads),
-      ocean_(bake.ocean, {.threads = threads,
-                          .backend = bake.plan.backend,
-                          .foam_progress = bake.host.foam_progress(),
-                          .channels = bake.plan.channels}) {}
+      source_(bake.source.share({.threads = threads,
+                                 .backend = bake.plan.backend,
+                                 .foam_progress = bake.host.foam_progress(),
+                                 .channels = bake.plan.channels})) {}
 
 bool FrameBaker::keep(const std::vector<BakeFile>& files) {
     std::vector<ManifestEntry> entries;
@@ -36,8 +36,8 @@ bool FrameBaker::keep(const std::vector<BakeFile>& files) {
 }
 
 void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
-    const std::vector<Surface> maps = make_maps(bake_.plan.sea.time_of(frame));
-    bake_.plan.format->write({bake_.plan, frame, maps, ocean_, threads_,
+    const std::vector<Surface> maps = make_maps(bake_.plan.subject->time_of(frame));
+    bake_.plan.format->write({bake_.plan, frame, maps, *source_, threads_,
                               [this](const BakeFile& file, const std::function<void()>& write) {
                                   put_file(bake_, file, threads_, write);
                               },
@@ -49,13 +49,14 @@ std::vector<Surface> FrameBaker::make_maps(double time) {
     const FrameMaps& maps = bake_.plan.maps;
     if (maps.channels.empty()) return {};
     if (!maps.by_place) {
-        std::vector<Surface> levels = map_levels(ocean_, time, maps.channels, maps.resolutions);
+        std::vector<Surface> levels = source_->levels(time, maps.channels, maps.resolutions);
         if (maps.finer > 0) {
-            levels.push_back(ocean_.evaluate(time, maps.finer_channels, maps.finer));
+            auto finer = source_->levels(time, maps.finer_channels, std::array{maps.finer});
+            levels.push_back(std::move(finer.front()));
         }
         return levels;
     }
-    WorldHeights heights = world_heights(ocean_, time, maps.resolutions.front());
+    WorldHeights heights = source_->heights_by_place(time, maps.resolutions.front());
     if (heights.folded > 0) {
         bake_.host.warning(format_text(
             "at %g s %zu of %zu points lie where the crests have folded over: they take the top "

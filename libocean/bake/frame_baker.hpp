@@ -4,19 +4,20 @@
 // One frame of a bake after another: computed, written, read back.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "manifest.hpp"
 #include "ocean/bake/run.hpp"
-#include "ocean/ocean.hpp"
+#include "ocean/subject.hpp"
 
 namespace ocean {
 
 /// What all frames of a bake share.
 struct Bake {
     const BakePlan& plan;
-    const Ocean& ocean;  // with its modes
+    const SubjectMaps& source;  // with what its frames share
     Manifest& manifest;
     BakeHost& host;
 };
@@ -44,7 +45,7 @@ class FrameBaker {
 
     const Bake& bake_;
     int threads_;
-    Ocean ocean_;
+    std::unique_ptr<SubjectMaps> source_;
 };
 
 }  // namespace ocean

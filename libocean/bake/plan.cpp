@@ -74,6 +74,42 @@ void refuse_foreign(const BakeOptions& options, const BakeFormat& format,
     }
 }
 
+[[noreturn]] void refuse_foreign_subject(const std::string& what, std::string_view owner,
+                                         const Subject& subject) {
+    throw Error(ErrorKind::unsupported, what + ": only a " + std::string(owner) +
+                                            " has it, and this is a " +
+                                            std::string(subject.kind()));
+}
+
+/// Refuses options and products that only another kind of subject has.
+void refuse_foreign_subject(const BakeOptions& options, const Catalogue& catalogue,
+                            const BakePlan& begun) {
+    const auto is_foreign = [&](std::string_view owner) {
+        return !owner.empty() && owner != begun.subject->kind();
+    };
+    for (const FormatOption& option : options_of(*begun.format, catalogue)) {
+        if (!is_foreign(option.subject) || options.format_option(option.name).empty()) continue;
+        refuse_foreign_subject("--" + option.name, option.subject, *begun.subject);
+    }
+    if (begun.format->products == nullptr) return;
+    for (const Product* product : begun.format->products(begun)) {
+        if (!is_foreign(product->subject)) continue;
+        refuse_foreign_subject("--products " + std::string(product->name), product->subject,
+                               *begun.subject);
+    }
+}
+
+/// Refuses maps of channels that the subject does not have. Those of hosts are made of others.
+void require_channels(const BakePlan& plan) {
+    const ChannelSet there = plan.subject->channels();
+    for (int c = 0; c < kChannelCount; ++c) {
+        const auto channel = static_cast<Channel>(c);
+        if (!plan.maps.channels.contains(channel) || there.contains(channel)) continue;
+        throw Error(ErrorKind::unsupported, "a " + std::string(plan.subject->kind()) + " has no " +
+                                                std::string(channel_info(channel).name));
+    }
+}
+
 const Backend& backend_by_name(const Catalogue& catalogue, const std::string& name) {
     for (const Backend& backend : catalogue.backends) {
         if (backend.name == name) return backend;
@@ -111,10 +147,10 @@ void settle_backend(const Catalogue& catalogue, const std::string& name, BakePla
     plan.backend_note = "backend " + name + ": " + fitness.reason;
 }
 
-int find_resolution(const BakeOptions& options, const Grid& grid) {
+int find_resolution(const BakeOptions& options, const Subject& subject) {
     const std::string& text = options.resolution;
     if (text.empty()) {
-        const int shown = default_map_resolution(grid);
+        const int shown = subject.default_resolution();
         return options.largest_map > 0 ? std::min(shown, options.largest_map) : shown;
     }
     const int resolution = parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
@@ -145,12 +181,6 @@ void BakeOptions::take(const std::string& name, std::string_view value) {
     if (option.empty()) option = value;
 }
 
-double BakePlan::shortest_wave() const {
-    const Parameters& parameters = sea.parameters;
-    return std::max(parameters.surface.shortest_wavelength,
-                    ocean::shortest_wave(parameters.grid, finest()));
-}
-
 std::vector<std::string> output_paths(const BakePlan& plan) {
     std::vector<std::string> paths = {plan.pattern.manifest()};
     for (BakeFile& file : all_files(plan)) paths.push_back(std::move(file.path));
@@ -167,12 +197,12 @@ std::vector<BakeFile> all_files(const BakePlan& plan) {
 }
 
 io::Provenance provenance_of(const BakePlan& plan, int frame) {
-    return {.kind = std::string(io::kSeaKind),
-            .text = plan.sea_text,
-            .id = plan.sea_id,
+    return {.kind = std::string(plan.subject->kind()),
+            .text = plan.subject_text,
+            .id = plan.subject_id,
             .frame = frame,
-            .time = plan.sea.time_of(frame),
-            .domain = Domain::tile(plan.sea.parameters.grid.patch_size, plan.resolution),
+            .time = plan.subject->time_of(frame),
+            .domain = plan.subject->domain(plan.resolution),
             .backend = std::string(plan.backend.name)};
 }
 
@@ -181,7 +211,7 @@ io::Provenance FrameWork::provenance() const {
 }
 
 double FrameWork::time() const {
-    return plan.sea.time_of(frame);
+    return plan.subject->time_of(frame);
 }
 
 std::vector<int> halving_resolutions(int resolution) {
@@ -195,7 +225,7 @@ std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format
                                    OCEAN_VERSION, plan.pattern.extension().c_str(),
                                    std::string(plan.backend.name).c_str(), plan.resolution, frame);
     text += format_lines;
-    return sha256_hex(text + plan.sea_text);
+    return sha256_hex(text + plan.subject_text);
 }
 
 BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
@@ -220,22 +250,23 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     }
     if (!options.frames.empty()) plan.frames = parse_frames(options.frames);
 
-    plan.sea = options.open_sea(options.source);
-    if (!options.fps.empty()) {
-        set_parameter(plan.sea.parameters, "time.fps", decimal_rate(options.fps));
-    }
-    if (plan.frames.empty()) plan.frames = {plan.sea.parameters.time.first_frame};
+    std::unique_ptr<Subject> subject = options.open_subject(options.source);
+    if (!options.fps.empty()) subject->set("time.fps", decimal_rate(options.fps));
+    plan.subject = std::move(subject);
+    if (plan.frames.empty()) plan.frames = {plan.subject->first_frame()};
     plan.all_frames = plan.frames;
-    plan.resolution = find_resolution(options, plan.sea.parameters.grid);
+    plan.resolution = find_resolution(options, *plan.subject);
+    refuse_foreign_subject(options, catalogue, plan);
     FormatPlan settled = plan.format->settle(plan);
     settle_names(settled, plan);
     plan.maps = std::move(settled.maps);
+    require_channels(plan);
     plan.settings = std::move(settled.settings);
     settle_backend(catalogue, options.backend, plan);
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
-    plan.sea_text = write_sea(plan.sea);
-    plan.sea_id = sha256_hex(plan.sea_text + std::to_string(plan.resolution)).substr(0, 16);
+    plan.subject_text = plan.subject->text();
+    plan.subject_id = sha256_hex(plan.subject_text + std::to_string(plan.resolution)).substr(0, 16);
     return plan;
 }
 

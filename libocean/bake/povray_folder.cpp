@@ -16,6 +16,7 @@
 #include "ocean/io/mesh2.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/povray_declarations.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "povray_macros.hpp"
@@ -96,29 +97,25 @@ FramesThere povray_frames_there(const BakePlan& plan) {
     return find_frames(plan, [&plan](std::span<const BakeFile> files) {
         constexpr std::size_t kHead = 4096;  // the declarations begin the file
         return std::ranges::all_of(files, is_regular) &&
-               io::declares_sea(text::first_bytes(files.back().path, kHead), plan.sea_id);
+               io::declares_sea(text::first_bytes(files.back().path, kHead), plan.subject_id);
     });
 }
 
 std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
                                            const std::vector<int>& frames) {
-    const io::PovrayFolder folder{plan.sea,
-                                  state,
-                                  plan.format->name,
-                                  plan.maps.resolutions,
-                                  frames,
-                                  frames_text(frames),
-                                  plan.sea_id,
-                                  plan.maps.finer};
+    const io::PovrayFolder folder{sea_of(*plan.subject), state,          plan.format->name,
+                                  plan.maps.resolutions, frames,         frames_text(frames),
+                                  plan.subject_id,       plan.maps.finer};
     return {{"ocean_parameters.inc", io::povray_declarations(folder)},
-            {"ocean.ini", animation_settings(plan.sea, frames)}};
+            {"ocean.ini", animation_settings(sea_of(*plan.subject), frames)}};
 }
 
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
                                             const std::vector<int>& frames) {
     std::vector<FolderFile> files = {{"ocean.inc", std::string(kOceanInc)}};
     std::ranges::move(povray_frame_lists(plan, state, frames), std::back_inserter(files));
-    files.push_back({"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.sea_text});
+    files.push_back(
+        {"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.subject_text});
     files.push_back({"scene.pov", std::string(kScenePov), true});
     // Of larger maps the macros make them: the text would be 220 MB at 2048.
     if (plan.format->name == "df3" && plan.resolution <= 1024) {

@@ -17,7 +17,7 @@
 #include "ocean/bake/frames_there.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
-#include "ocean/ocean.hpp"
+#include "ocean/subject.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {
@@ -96,7 +96,8 @@ class Report {
         if (outcome.skipped) {
             host_.frame_kept(number, outcome.files);
         } else {
-            host_.note(format_text("frame %d is at %.9g s", number, plan_.sea.time_of(number)));
+            host_.note(
+                format_text("frame %d is at %.9g s", number, plan_.subject->time_of(number)));
             host_.frame_baked(number, outcome.seconds, outcome.files);
         }
     }
@@ -134,7 +135,7 @@ FramesThere frames_of_folder(const BakePlan& plan) {
 }
 
 void put_shared(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
-    put_file_held({plan, bake.ocean, bake.manifest, bake.host}, file, plan.threads,
+    put_file_held({plan, bake.source, bake.manifest, bake.host}, file, plan.threads,
                   [&] { plan.format->write_shared(plan, file); });
 }
 
@@ -188,12 +189,11 @@ void update_frame_lists(const Bake& bake) {
     if (plan.format->hides_gaps) tell_gaps(bake, plan.all_frames, there.of_plan);
 }
 
-/// Warns of waves beyond full development, in a take of those of the first frame that has some.
-void warn_of_development(const BakePlan& plan, BakeHost& host) {
-    const bool plays = !plan.sea.take.empty();
+/// Passes on what the subject warns of, in a take at the first frame that has some.
+void warn_of_subject(const BakePlan& plan, BakeHost& host) {
+    const bool plays = plan.subject->plays_take();
     for (const int frame : plan.frames) {
-        const Parameters parameters = plan.sea.at(plan.sea.time_of(frame));
-        const std::vector<std::string> warnings = full_development_warnings(parameters);
+        const auto warnings = plan.subject->warnings(plan.subject->time_of(frame));
         for (const std::string& warning : warnings) {
             host.warning(plays ? "frame " + std::to_string(frame) + ": " + warning : warning);
         }
@@ -264,10 +264,9 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     if (!plan.backend_note.empty()) host.note(plan.backend_note);
     host.note(format_text("%d frames at a time, %d threads each", share.frames_at_a_time,
                           share.threads_each));
-    warn_of_development(plan, host);
-    Ocean ocean(plan.sea, {.threads = plan.threads});
-    ocean.modes();  // once, for all workers
-    const Bake bake{plan, ocean, manifest, host};
+    warn_of_subject(plan, host);
+    const auto source = plan.subject->open({.threads = plan.threads});  // once, for all workers
+    const Bake bake{plan, *source, manifest, host};
     ManifestKeeper keeper(bake);
     const InterruptedManifest last_act(manifest, host);
     try {

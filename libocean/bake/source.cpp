@@ -6,13 +6,13 @@
 // had been.
 #include "source.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
 #include "formats/formats.hpp"
-#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
-#include "ocean/seafile.hpp"
+#include "ocean/subject.hpp"
 
 namespace ocean {
 namespace {
@@ -22,9 +22,19 @@ void take(std::string& option, std::string_view value) {
 }
 
 /// A file whose time is not its frame's was not baked, and would not come out again.
-void check_time(const Sea& sea, const BakedHeader& header, const std::string& path) {
-    if (sea.time_of(header.whole_number("frame")) == header.number("time")) return;
+void check_time(const Subject& subject, const BakedHeader& header, const std::string& path) {
+    if (subject.time_of(header.whole_number("frame")) == header.number("time")) return;
     refuse_source(path, "its ocean:time is not that of its ocean:frame");
+}
+
+std::unique_ptr<Subject> subject_of(const BakedHeader& header, const Catalogue& catalogue,
+                                    const std::string& path) {
+    const auto shown = std::ranges::find_if(catalogue.subjects, [&](const SubjectReader& reader) {
+        return header.has(std::string(reader.kind));
+    });
+    const SubjectReader& reader =
+        shown == catalogue.subjects.end() ? catalogue.subjects.front() : *shown;
+    return reader.parse(header.text(std::string(reader.kind)), path);
 }
 
 }  // namespace
@@ -84,12 +94,12 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     if (options.from.empty()) return options;
     options.source = options.from;
     const BakedHeader header(options.from, catalogue);
-    const Sea sea = parse_sea(header.text("sea"), options.from, "");
-    check_time(sea, header, options.from);
+    const auto subject = subject_of(header, catalogue, options.from);
+    check_time(*subject, header, options.from);
     take(options.frames, std::to_string(header.whole_number("frame")));
     // Where the sea's own resolution was used, a changed sea may change it.
     const int resolution = header.resolution();
-    if (resolution != default_map_resolution(sea.parameters.grid)) {
+    if (resolution != subject->default_resolution()) {
         take(options.resolution, std::to_string(resolution));
     }
     if (header.has("backend")) take(options.backend, header.text("backend"));

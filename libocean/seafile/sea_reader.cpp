@@ -340,6 +340,16 @@ void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& 
     resolve_take(sea, base_dir);
 }
 
+std::vector<std::string> named_files(const Sea& sea) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& file) {
+        if (!file.empty()) files.push_back(file);
+    };
+    add(sea.parameters.time.take);
+    for (const WaveSystem& system : sea.parameters.waves) add(system.file);
+    return files;
+}
+
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
               const SpectrumReader& reader) {
     return SeaReader(name, base_dir, reader).read(toml);

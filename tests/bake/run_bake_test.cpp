@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "ocean/error.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "temporary_folder.hpp"
 
@@ -27,8 +28,8 @@ BakeOptions small_bake(const TemporaryFolder& folder, const std::string& output)
     options.frames = "3,1-2";
     options.resolution = "32";
     options.threads = 2;
-    options.open_sea = [](const std::string&) {
-        return parse_sea(find_preset("beaufort_4").toml, "beaufort_4", "");
+    options.open_subject = [](const std::string&) {
+        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
     };
     return options;
 }

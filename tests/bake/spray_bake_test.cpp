@@ -8,6 +8,7 @@
 #include "ocean/bake/run.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/mesh_files.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/seafile.hpp"
 #include "temporary_folder.hpp"
 
@@ -23,11 +24,11 @@ BakeOptions spray_bake(const TemporaryFolder& folder) {
     options.frames = "1-2";
     options.threads = 2;
     options.of_format = {{"products", "spray"}, {"spray-lifetime", "0.2"}};
-    options.open_sea = [](const std::string&) {
+    options.open_subject = [](const std::string&) {
         Sea sea = parse_sea(find_preset("beaufort_8").toml, "beaufort_8", "");
         sea.parameters.grid.resolution = 64;
         sea.parameters.grid.patch_size = 150.0;
-        return sea;
+        return make_subject(std::move(sea));
     };
     return options;
 }
@@ -81,8 +82,8 @@ TEST(SprayBake, AFileIsOfItsOwnSettings) {
         again.of_format.clear();
         again.source.clear();
         again.from = folder.file("s.0001.ply");
-        again.open_sea = [](const std::string& path) {
-            return parse_sea(io::read_ply_header(path).front().text, path, "");
+        again.open_subject = [](const std::string& path) {
+            return parse_sea_subject(io::read_ply_header(path).front().text, path);
         };
         EXPECT_EQ(recipe(again), recipe(other)) << name;
     }

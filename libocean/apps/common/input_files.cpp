@@ -12,14 +12,10 @@
 
 namespace ocean::app {
 
-InputFiles::InputFiles(const SeaArgument& argument, const Sea& sea) {
+InputFiles::InputFiles(const SeaArgument& argument, const std::vector<std::string>& named) {
     add(argument.source);
     const std::filesystem::path folder = utf8_path(argument.source).parent_path();
-    const auto add_named = [&](const std::string& name) {
-        if (!name.empty()) add((folder / utf8_path(name)).string());
-    };
-    add_named(sea.parameters.time.take);
-    for (const WaveSystem& system : sea.parameters.waves) add_named(system.file);
+    for (const std::string& name : named) add((folder / utf8_path(name)).string());
 }
 
 void InputFiles::add(const std::string& path) {

@@ -7,15 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "ocean/sea.hpp"
 #include "sea_argument.hpp"
 
 namespace ocean::app {
 
 class InputFiles {
   public:
-    /// The file of the SEA argument and those that the sea names.
-    InputFiles(const SeaArgument& argument, const Sea& sea);
+    /// The file of the SEA argument and those that it names (named_files).
+    InputFiles(const SeaArgument& argument, const std::vector<std::string>& named);
     /// "" and what is no file are let in: they cannot be written over.
     void add(const std::string& path);
 

@@ -36,7 +36,7 @@ Sea read_source(const std::string& source) {
     }
     const auto provenance = io::read_provenance(source);
     if (!provenance) return read_sea(source, read_any_spectra);
-    if (provenance->kind != io::kSeaKind) {
+    if (provenance->kind != kSeaKind) {
         throw Error(ErrorKind::bad_file,
                     source + ": shows a " + text::printable(provenance->kind) + ", no sea");
     }

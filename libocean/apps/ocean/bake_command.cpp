@@ -16,6 +16,7 @@
 #if OCEAN_HAS_GL
 #include "ocean/error.hpp"
 #include "ocean/gl/context.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "stage_images.hpp"
 #endif
@@ -117,8 +118,8 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     }
     options.source = typed.sea.source;
     options.threads = context.options.threads;
-    options.open_sea = [&typed](const std::string& source) {
-        return open_sea({source, typed.sea.assignments});
+    options.open_subject = [&typed](const std::string& source) {
+        return make_subject(open_sea({source, typed.sea.assignments}));
     };
 #if OCEAN_HAS_GL
     if (!typed.egl_device.empty()) {
@@ -136,7 +137,7 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
     }
 #endif
     const BakePlan plan = make_bake_plan(options, catalogue);
-    InputFiles inputs(typed.sea, plan.sea);
+    InputFiles inputs(typed.sea, plan.subject->named_files());
     inputs.add(options.from);
     for (const std::string& path : output_paths(plan)) inputs.spare(path);
 #if OCEAN_HAS_GL

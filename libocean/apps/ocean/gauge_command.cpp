@@ -15,6 +15,7 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/seafile.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
 
@@ -107,7 +108,7 @@ void require_room(const GaugePlan& plan, Ocean& ocean, int threads) {
 
 void run(const GaugeOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
-    InputFiles inputs(options.sea, sea);
+    InputFiles inputs(options.sea, named_files(sea));
     inputs.add(options.points);
     for (const std::string& output : {options.output, options.spectrum}) inputs.spare(output);
     const GaugePlan plan = plan_of(options, sea);

@@ -17,6 +17,8 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
 
@@ -56,8 +58,8 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
     if (df3) options.of_format["detail-map"] = "yes";
     if (df3 && !typed.near_only) options.of_format["far-maps"] = "yes";
     if (typed.format == "mesh2") options.of_format["mesh-foam"] = "yes";
-    options.open_sea = [&typed](const std::string& source) {
-        return open_sea({source, typed.sea.assignments});
+    options.open_subject = [&typed](const std::string& source) {
+        return make_subject(open_sea({source, typed.sea.assignments}));
     };
     BakePlan plan = make_bake_plan(options, standard_catalogue());
     if (plan.resolution <= kLargestMap) return plan;
@@ -135,11 +137,12 @@ void update_frame_lists(const BakePlan& plan, const SeaState& state, const std::
 void run(const Typed& typed, const Context& context) {
     const std::string folder = typed.folder.empty() ? "." : typed.folder;
     const BakePlan plan = make_povray_plan(typed, folder, context);
-    const SeaState state = Ocean(plan.sea.parameters, {.threads = plan.threads}).state();
+    const Sea& sea = sea_of(*plan.subject);
+    const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
     const FramesThere there = povray_frames_there(plan);
     std::vector<FolderFile> files =
         povray_folder_files(plan, state, united(plan.all_frames, there.of_plan));
-    const InputFiles inputs(typed.sea, plan.sea);
+    const InputFiles inputs(typed.sea, named_files(sea));
     for (const FolderFile& file : files) {
         // The sea of the folder itself makes the folder again.
         const std::string path = folder + "/" + file.name;

@@ -14,6 +14,7 @@
 #include "interrupt.hpp"
 #include "ocean/error.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/seafile.hpp"
 #include "point_table.hpp"
 #include "sea_argument.hpp"
 #include "text.hpp"
@@ -46,7 +47,7 @@ class QueryRun {
         time_ = options.time ? *options.time : sea_.time_of(*options.frame);
         require_finite("--time", time_);
         if (options.orbital_z) require_finite("--orbital", *options.orbital_z);
-        InputFiles inputs(options.sea, sea_);
+        InputFiles inputs(options.sea, named_files(sea_));
         inputs.add(options.points);
         inputs.spare(options.output);
     }

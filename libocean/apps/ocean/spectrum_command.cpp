@@ -36,7 +36,7 @@ struct SpectrumOptions {
 };
 
 std::vector<io::HeaderString> plot_strings(const Sea& sea) {
-    const io::Provenance provenance{.kind = std::string(io::kSeaKind), .text = write_sea(sea)};
+    const io::Provenance provenance{.kind = std::string(kSeaKind), .text = write_sea(sea)};
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance);
     strings.push_back({std::string(kPlotString), "spectrum"});
     return strings;
@@ -54,7 +54,7 @@ bool is_plot(const std::string& path) {
 
 void run(const SpectrumOptions& options, const Context& context) {
     const Sea sea = open_sea(options.sea);
-    const InputFiles inputs(options.sea, sea);
+    const InputFiles inputs(options.sea, named_files(sea));
     for (const std::string& output : {options.output, options.plot}) inputs.spare(output);
     const std::filesystem::path picture = utf8_path(options.plot);
     if (picture.has_extension() && picture.extension() != ".png") {

@@ -13,6 +13,7 @@
 #include "ocean/io/exr.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
 
 namespace ocean::app {
 namespace {
@@ -47,12 +48,13 @@ bool is_stage(const std::string& path) {
 }  // namespace
 
 void bake_stage(const BakePlan& plan, const std::string& stage, const Context& context) {
-    Ocean ocean(plan.sea, {.threads = plan.threads});
+    const Sea& sea = sea_of(*plan.subject);
+    Ocean ocean(sea, {.threads = plan.threads});
     io::make_folder(plan.pattern.folder());
     gl::StageMaker stages;
     std::vector<std::vector<float>> planes;
     for (const int frame : plan.frames) {
-        const double time = plan.sea.time_of(frame);
+        const double time = sea.time_of(frame);
         const MapModes modes = map_modes(ocean.modes(time), time, plan.resolution);
         io::Image image = image_of(stages.make(modes, stage, ocean.pool()), planes);
         image.provenance = provenance_of(plan, frame);

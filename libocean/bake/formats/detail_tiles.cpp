@@ -8,6 +8,7 @@
 
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 
@@ -59,11 +60,12 @@ std::vector<const Product*> with_bands(const std::vector<const Product*>& produc
 
 DetailBudget DetailBudgets::of(const BakePlan& plan, int frame, const DetailSettings& settings) {
     const std::lock_guard lock(mutex_);
-    const int key = plan.sea.take.empty() ? 0 : frame;
+    const Sea& sea = sea_of(*plan.subject);
+    const int key = sea.take.empty() ? 0 : frame;
     const auto found = found_.find(key);
     if (found != found_.end()) return found->second;
     ThreadPool alone(1);
-    const Parameters parameters = plan.sea.at(plan.sea.time_of(frame));
+    const Parameters parameters = sea.at(sea.time_of(frame));
     return found_[key] = detail_budget(parameters, make_directional_spectrum(parameters, alone),
                                        settings, alone);
 }

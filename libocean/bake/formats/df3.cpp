@@ -18,6 +18,7 @@
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {
@@ -55,7 +56,7 @@ std::any read_options(const BakeOptions& options, const Catalogue&) {
 int fine_resolution(const BakePlan& begun) {
     constexpr int kLargest = 4096;  // 200 MB
     const double shortest = begun.shortest_wave();
-    const double cell = begun.sea.parameters.grid.patch_size / begun.resolution;
+    const double cell = begun.subject->domain(begun.resolution).step(0);
     const int fine = 2 * begun.resolution;
     return shortest < 4.0 * cell && fine <= kLargest ? fine : 0;
 }
@@ -72,8 +73,8 @@ FormatPlan settle(const BakePlan& begun) {
         // As fine as the map, so that the files grow alike.
         settings.detail = {begun.resolution,
                            std::clamp(begun.resolution, kLeastDetailSamples, kUsualDetailSamples)};
-        settings.detail_bands =
-            static_cast<int>(detail_bands(begun.sea.parameters, settings.detail).size());
+        settings.detail_bands = static_cast<int>(
+            detail_bands(sea_of(*begun.subject).parameters, settings.detail).size());
     }
     return {maps, settings};
 }
@@ -144,7 +145,7 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
 std::uint64_t frame_bytes(const BakePlan& plan) {
     const Settings& settings = settings_of(plan);
     if (settings.detail_bands == 0) return 0;
-    return detail_bytes(plan.sea.parameters, settings.detail, plan.backend) +
+    return detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
            maps_bytes(settings.detail.samples, 2 * settings.detail_bands);
 }
 
@@ -167,7 +168,7 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
     }
     Detail detail;
     if (settings_of(work.plan).detail_bands > 0) {
-        detail = work.ocean.detail(work.time(), settings_of(work.plan).detail);
+        detail = ocean_of(work.source).detail(work.time(), settings_of(work.plan).detail);
         const BakeFile& file = files[work.maps.size()];
         work.put(file, [&] { io::write_slopes_df3(detail, file.path); });
     }

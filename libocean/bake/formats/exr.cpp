@@ -20,7 +20,7 @@
 #include "ocean/internal/memory.hpp"
 #include "ocean/io/exr.hpp"
 #include "ocean/io/product_image.hpp"
-#include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
 #include "sha256.hpp"
@@ -30,6 +30,7 @@ namespace ocean {
 namespace {
 
 constexpr const char* kDefaultProducts = "displacement,normal,foam";
+constexpr const char* kUndisplacedProducts = "height";  // of a subject without dx and dy
 /// m, where there is no floor above it: waves of three metres gather light about here.
 constexpr double kUsualCausticsDepth = 10.0;
 constexpr const char* kUsualSun = "90,0";
@@ -46,6 +47,7 @@ bool have_detail(std::span<const Product* const> products) {
 
 struct Settings {
     std::vector<const Product*> products;
+    bool usual = false;  // nobody asked for products
     io::ProductLayout layout;
     std::optional<io::ExrCompression> compression;  // none: what pays for each file
     std::optional<double> caustics_depth;           // as typed
@@ -171,7 +173,8 @@ double caustics_depth(const Settings& settings, double water) {
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     Settings settings;
     const std::string& products = options.format_option("products");
-    settings.products = find_products(products.empty() ? kDefaultProducts : products, catalogue);
+    settings.usual = products.empty();
+    settings.products = find_products(settings.usual ? kDefaultProducts : products, catalogue);
     if (const std::string& layout = options.format_option("layout"); !layout.empty()) {
         settings.layout.layered =
             choose<bool>("--layout", layout, {{"separate", false}, {"layered", true}});
@@ -192,12 +195,19 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     return settings;
 }
 
+std::vector<const Product*> list_products(const BakePlan& begun) {
+    return settings_of(begun).products;
+}
+
 FormatPlan settle(const BakePlan& begun) {
     Settings settings = settings_of(begun);
+    const bool is_displaced = begun.subject->channels().contains({Channel::dx, Channel::dy});
+    if (settings.usual && !is_displaced) settings.products = {&find_product(kUndisplacedProducts)};
     FormatPlan result{{{}, {begun.resolution}}, {}};
     if (settings.has_detail()) {
         settings.detail = {begun.resolution, settings.detail_samples.value_or(kUsualDetailSamples)};
-        settings.products = with_bands(settings.products, begun.sea.parameters, settings.detail);
+        settings.products =
+            with_bands(settings.products, sea_of(*begun.subject).parameters, settings.detail);
         settings.budgets = std::make_shared<DetailBudgets>();
     }
     for (const Product* product : settings.products) {
@@ -206,7 +216,8 @@ FormatPlan settle(const BakePlan& begun) {
     }
     if (settings.has_caustics()) {
         result.maps.channels = result.maps.channels | kCausticsChannels;
-        settings.caustics.depth = caustics_depth(settings, begun.sea.parameters.water.depth);
+        settings.caustics.depth =
+            caustics_depth(settings, sea_of(*begun.subject).parameters.water.depth);
     }
     result.settings = std::move(settings);
     return result;
@@ -309,7 +320,7 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
     std::uint64_t bytes = settings.has_caustics() ? caustics_bytes(plan.resolution) : 0;
     if (settings.has_detail()) {
         // Two slopes of each band, and of one again for its file.
-        bytes += detail_bytes(plan.sea.parameters, settings.detail, plan.backend) +
+        bytes += detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
                  maps_bytes(settings.detail.samples, 2 * kMostDetailBands + 2);
     }
     return bytes;
@@ -323,7 +334,7 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
         caustics = make_caustics(work.maps.front(), settings.caustics, pool);
     }
     Detail detail;
-    if (settings.has_detail()) detail = work.ocean.detail(work.time(), settings.detail);
+    if (settings.has_detail()) detail = ocean_of(work.source).detail(work.time(), settings.detail);
     for (const BakeFile& file : files) {
         const auto products = settings.of_file(file.part);
         const auto band = band_of(*products.front());
@@ -408,6 +419,7 @@ const BakeFormat kExrFormat = {
     .family = "EXR files",
     .options = list_options,
     .read_options = read_options,
+    .products = list_products,
     .settle = settle,
     .files = list_files,
     .recipe = recipe,

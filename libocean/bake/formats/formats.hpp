@@ -25,6 +25,10 @@ extern const BakeFormat kVdbFormat;
 /// "normal, foam". Throws Error invalid_value for a name that is unknown or there twice.
 std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue);
 
+/// Returns those products of a default list whose channels the subject has.
+std::vector<const Product*> those_of(const Subject& subject,
+                                     const std::vector<const Product*>& products);
+
 /// --axes of what lies in the world, zup if it is not given. Throws Error invalid_value for tnb,
 /// which is of maps alone: "of a mesh allowed are ...".
 io::Axes read_up_axes(const BakeOptions& options, std::string_view what);

@@ -10,7 +10,6 @@
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
 #include "ocean/io/product_image.hpp"
-#include "ocean/world_heights.hpp"
 
 namespace ocean {
 namespace {
@@ -48,7 +47,7 @@ bool is_baked(const BakeFile& file) {
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan) {
-    return world_heights_bytes(plan.sea, plan.resolution);
+    return plan.subject->by_place_bytes(plan.resolution);
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {

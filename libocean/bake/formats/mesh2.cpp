@@ -12,6 +12,7 @@
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/mesh2.hpp"
 #include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean {
@@ -90,14 +91,15 @@ double unresolved_slope_variance(const BakePlan& plan) {
     const auto slope_of = [&](const Parameters& parameters) {
         return Ocean(parameters, {.threads = plan.threads}).state().mean_square_slope;
     };
-    Parameters held = plan.sea.parameters;
+    const Parameters& shown = sea_of(*plan.subject).parameters;
+    Parameters held = shown;
     if (held.grid.cascades == 1) {
         held.grid.resolution = std::min(plan.resolution, held.grid.resolution);
     } else {
         held.surface.shortest_wavelength =
             std::max(held.surface.shortest_wavelength, plan.shortest_wave());
     }
-    return std::max(0.0, slope_of(plan.sea.parameters).asked - slope_of(held).resolved);
+    return std::max(0.0, slope_of(shown).asked - slope_of(held).resolved);
 }
 
 FormatPlan settle(const BakePlan& begun) {

@@ -21,7 +21,7 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
-    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
+    const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
     return comments + io::most_obj_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats(),
                                          plain_mesh_triangles(plan));
 }

@@ -44,7 +44,8 @@ PlainMesh read_plain_mesh(const BakeOptions& options, const Catalogue& catalogue
     PlainMesh mesh;
     const std::string allowed(products);
     std::string list = options.format_option("products");
-    if (list.empty()) list = all ? allowed : std::string(kNormalAlone);
+    mesh.usual = list.empty();
+    if (mesh.usual) list = all ? allowed : std::string(kNormalAlone);
     if (list != kNothing) mesh.products = find_products(list, catalogue);
     const std::vector<const Product*> possible = find_products(allowed, catalogue);
     for (const Product* product : mesh.products) {
@@ -63,11 +64,13 @@ const PlainMesh& plain_mesh_of(const BakePlan& plan) {
 
 FormatPlan settle_plain_mesh(const BakePlan& begun) {
     using enum Channel;
-    FrameMaps maps{{dx, dy, height}, {begun.resolution}};
-    for (const Product* product : plain_mesh_of(begun).products) {
-        maps.channels = maps.channels | product->set();
-    }
-    return {maps, begun.settings};
+    PlainMesh mesh = plain_mesh_of(begun);
+    if (mesh.usual) mesh.products = those_of(*begun.subject, mesh.products);
+    FrameMaps maps{{height}, {begun.resolution}};
+    // A subject that is not displaced has no dx and dy.
+    if (begun.subject->channels().contains({dx, dy})) maps.channels = {dx, dy, height};
+    for (const Product* product : mesh.products) maps.channels = maps.channels | product->set();
+    return {maps, mesh};
 }
 
 std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, int frame) {

@@ -19,6 +19,7 @@ namespace ocean {
 /// --products and --axes of a mesh.
 struct PlainMesh {
     std::vector<const Product*> products;
+    bool usual = false;  // nobody asked for products
     io::Axes axes = io::Axes::zup;
 
     /// Numbers of a vertex.

@@ -22,8 +22,12 @@ std::vector<FormatOption> list_options(const Catalogue&) {
 
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     if (wants_spray(options)) return read_spray(options);
-    refuse_spray_options(options, kSprayProduct);
+    refuse_spray_options(options, kSprayProduct.name);
     return read_plain_mesh(options, catalogue, kProducts, kAll);
+}
+
+std::vector<const Product*> list_products(const BakePlan& begun) {
+    return spray_of(begun) != nullptr ? std::vector{&kSprayProduct} : plain_mesh_of(begun).products;
 }
 
 FormatPlan settle(const BakePlan& begun) {
@@ -43,7 +47,7 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
-    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096;
+    const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
     if (spray_of(plan) != nullptr) return comments + io::points_ply_bytes(most_spray_points(plan));
     return comments + io::ply_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats(),
                                     plain_mesh_triangles(plan));
@@ -75,6 +79,7 @@ const BakeFormat kPlyFormat = {
     .family = "Mesh files PLY",
     .options = list_options,
     .read_options = read_options,
+    .products = list_products,
     .settle = settle,
     .files = list_files,
     .recipe = recipe,

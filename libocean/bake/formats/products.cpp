@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
@@ -22,6 +23,15 @@ std::vector<const Product*> find_products(const std::string& list, const Catalog
         products.push_back(product);
     }
     return products;
+}
+
+std::vector<const Product*> those_of(const Subject& subject,
+                                     const std::vector<const Product*>& products) {
+    std::vector<const Product*> there;
+    std::ranges::copy_if(products, std::back_inserter(there), [&](const Product* product) {
+        return subject.channels().contains(product->set());
+    });
+    return there;
 }
 
 io::Axes read_up_axes(const BakeOptions& options, std::string_view what) {

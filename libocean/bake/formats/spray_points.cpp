@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "formats/formats.hpp"
-#include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/memory.hpp"
-#include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
 
@@ -53,9 +52,9 @@ std::vector<FormatOption> spray_options() {
 
 bool wants_spray(const BakeOptions& options) {
     const std::string& products = options.format_option("products");
-    if (products == kSprayProduct) return true;
+    if (products == kSprayProduct.name) return true;
     for (const std::string& part : split(products, ',')) {
-        if (csv::trimmed(part) != kSprayProduct) continue;
+        if (csv::trimmed(part) != kSprayProduct.name) continue;
         throw Error(ErrorKind::invalid_value, "--products " + products +
                                                   ": spray is points of its own; allowed is "
                                                   "--products spray alone");
@@ -108,23 +107,23 @@ const SprayPoints* spray_of(const BakePlan& plan) {
 }
 
 FormatPlan settle_spray(const BakePlan& begun) {
-    FrameMaps maps{{}, {spray_lattice(begun.sea.parameters.grid).resolution}};
+    FrameMaps maps{{}, {spray_lattice(sea_of(*begun.subject).parameters.grid).resolution}};
     maps.has_past = true;
     return {maps, begun.settings};
 }
 
 std::vector<BakeFile> list_spray(const BakePlan& plan, int frame) {
-    return {{plan.pattern.file(frame), frame, 0, std::string(kSprayProduct)}};
+    return {{plan.pattern.file(frame), frame, 0, std::string(kSprayProduct.name)}};
 }
 
 std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
     const SprayPoints& spray = *spray_of(plan);
     // What is emitted on the sea's own lattice is the same for any --resolution.
-    const int resolution = default_map_resolution(plan.sea.parameters.grid);
+    const int resolution = plan.subject->default_resolution();
     strings.push_back({"ocean:resolution", std::to_string(resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(spray.axes))});
-    strings.push_back({"ocean:field", std::string(kSprayProduct)});
+    strings.push_back({"ocean:field", std::string(kSprayProduct.name)});
     for (io::HeaderString& string : spray_setting_strings(spray.settings)) {
         strings.push_back(std::move(string));
     }
@@ -139,12 +138,12 @@ std::string spray_recipe(const BakePlan& plan, const BakeFile& file) {
 }
 
 std::uint64_t most_spray_points(const BakePlan& plan) {
-    return most_spray(plan.sea, spray_of(plan)->settings);
+    return most_spray(sea_of(*plan.subject), spray_of(plan)->settings);
 }
 
 std::uint64_t spray_frame_bytes(const BakePlan& plan) {
     const std::uint64_t most = most_spray_points(plan);
-    const Grid& grid = plan.sea.parameters.grid;
+    const Grid& grid = sea_of(*plan.subject).parameters.grid;
     return spray_bytes(most) + io::points_bytes(most) +
            maps_bytes(plan.finest(), kSprayChannels.size()) +
            work_bytes(grid, plan.backend, kSprayChannels, plan.finest());
@@ -152,7 +151,7 @@ std::uint64_t spray_frame_bytes(const BakePlan& plan) {
 
 io::Points make_spray_points(const FrameWork& work) {
     const std::vector<SprayParticle> particles =
-        work.ocean.spray(work.time(), spray_of(work.plan)->settings);
+        ocean_of(work.source).spray(work.time(), spray_of(work.plan)->settings);
     io::Points points;
     const std::size_t count = particles.size();
     points.positions.reserve(3 * count);
@@ -178,7 +177,8 @@ io::Points make_spray_points(const FrameWork& work) {
 }
 
 void adopt_spray(const BakedHeader& header, BakeOptions& options) {
-    if (options.format_option("products") == kSprayProduct) adopt_spray_settings(header, options);
+    if (options.format_option("products") == kSprayProduct.name)
+        adopt_spray_settings(header, options);
 }
 
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options) {

@@ -16,7 +16,7 @@
 
 namespace ocean {
 
-inline constexpr std::string_view kSprayProduct = "spray";
+inline constexpr Product kSprayProduct = {"spray", {}, 0, "", false, kSeaKind};
 /// For the help of --products.
 inline constexpr std::string_view kSprayProductHelp =
     "; or spray alone: particles that the wind tears off where the sea turns white";

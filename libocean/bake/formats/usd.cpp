@@ -112,7 +112,7 @@ io::UsdSequence sequence_of(const BakePlan& plan) {
             .manifest = file_name(shared[kClips].path),
             .frames = frame_template(plan),
             .numbers = plan.all_frames,
-            .rate = plan.sea.parameters.time.fps,
+            .rate = plan.subject->frame_rate(),
             .y_up = mesh.axes == io::Axes::yup,
             .normals = has("normal"),
             .foam = has("foam"),
@@ -172,7 +172,7 @@ bool is_baked(const BakeFile& file) {
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     // Of each frame a stage may have a name and two pairs of numbers.
     const std::uint64_t list = plan.all_frames.size() * (2 * file.path.size() + 64);
-    const std::uint64_t comments = 2 * plan.sea_text.size() + 4096 + list;
+    const std::uint64_t comments = 2 * plan.subject_text.size() + 4096 + list;
     const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
     if (file.part == kTopology && is_shared(file)) return comments + faces * 5 * sizeof(int);
     if (is_shared(file)) return comments;

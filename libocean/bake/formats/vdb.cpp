@@ -8,6 +8,7 @@
 #include "formats/spray_points.hpp"
 #include "formats/volumes.hpp"
 #include "ocean/error.hpp"
+#include "ocean/sea_subject.hpp"
 #include "source.hpp"
 
 namespace ocean {
@@ -28,6 +29,10 @@ std::any read_options(const BakeOptions& options, const Catalogue&) {
                     "--" + std::string(name) + " " + value + ": is of volumes, spray is points");
     }
     return read_spray(options);
+}
+
+std::vector<const Product*> list_products(const BakePlan& begun) {
+    return spray_of(begun) != nullptr ? std::vector{&kSprayProduct} : volume_products(begun);
 }
 
 FormatPlan settle(const BakePlan& begun) {
@@ -57,7 +62,7 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
 
 /// Of the points' grid, m: that of the spray's lattice, so that a cell has a few.
 double cell_of(const BakePlan& plan) {
-    const Lattice lattice = spray_lattice(plan.sea.parameters.grid);
+    const Lattice lattice = spray_lattice(sea_of(*plan.subject).parameters.grid);
     return lattice.period / lattice.resolution;
 }
 
@@ -67,9 +72,9 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
     // The period and what the wind carries out of it, in four layers.
     constexpr double kFastest = 60.0;  // m/s
     const double leaf = 8.0 * cell_of(plan);
-    const double side = plan.sea.parameters.grid.patch_size / leaf + 2.0 +
+    const double side = plan.subject->domain(plan.resolution).size[0] / leaf + 2.0 +
                         2.0 * kFastest * spray->settings.lifetime / leaf;
-    return 2 * plan.sea_text.size() + 8192 +
+    return 2 * plan.subject_text.size() + 8192 +
            io::points_vdb_bytes(most_spray_points(plan),
                                 static_cast<std::uint64_t>(4.0 * side * side));
 }
@@ -89,7 +94,7 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
 void adopt(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
     options.take("products", header.text("field"));
     options.take("axes", header.text("axes"));
-    if (header.text("field") == kSprayProduct) {
+    if (header.text("field") == kSprayProduct.name) {
         adopt_spray(header, options);  // unless another product was typed
     } else {
         adopt_volumes(header, options);
@@ -104,6 +109,7 @@ const BakeFormat kVdbFormat = {
     .family = "Volumes VDB",
     .options = list_options,
     .read_options = read_options,
+    .products = list_products,
     .settle = settle,
     .files = list_files,
     .recipe = recipe,

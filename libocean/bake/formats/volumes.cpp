@@ -13,27 +13,27 @@
 #include "formats/formats.hpp"
 #include "formats/spray_points.hpp"
 #include "ocean/bake/plan.hpp"
-#include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/io/product_image.hpp"
-#include "ocean/ocean.hpp"
+#include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "source.hpp"
 
 namespace ocean {
 namespace {
 
-constexpr std::string_view kSurface = "surface";
-constexpr std::string_view kVelocity = "vel";
-constexpr std::string_view kDensity = "density";
-constexpr std::string_view kUsualProducts = "surface,vel";
+constexpr Product kSurface = {"surface", {}, 0, "m"};
+constexpr Product kVelocity = {"vel", {}, 0, "m/s", true, kSeaKind};
+constexpr Product kDensity = {"density", {}, 0, "1/m", false, kSeaKind};
+constexpr std::string_view kUsualProducts = "surface,vel";  // without vel where no water moves
 constexpr std::string_view kCrest = "crest";
 constexpr double kFarthest = 1e7;  // m
 
 struct Settings {
+    bool usual = false;  // nobody asked for products
     bool surface = false;
     bool velocity = false;
     bool density = false;
@@ -43,17 +43,23 @@ struct Settings {
     std::optional<std::array<double, 6>> box;  // low and high x, y, z; NaN at the end: the crest
     double voxel = 0.0;                        // m
     double velocity_voxel = 0.0;
-    double wave_height = 0.0;  // 4 sqrt(m0), m
+    HeightRange heights;  // of the subject
     /// m^2 of cross-section for each m^2 that turns white: a strong gale leaves 3 km of sight.
     double mist = 0.05;
     SpraySettings spray;  // whose births the mist is of
 
     bool to_the_crest() const { return std::isnan(box->back()); }
+    std::vector<const Product*> product_rows() const {
+        std::vector<const Product*> rows;
+        if (surface) rows.push_back(&kSurface);
+        if (velocity) rows.push_back(&kVelocity);
+        if (density) rows.push_back(&kDensity);
+        return rows;
+    }
     std::string products() const {
         std::string names;
-        for (const auto& [name, is_there] :
-             {std::pair(kSurface, surface), {kVelocity, velocity}, {kDensity, density}}) {
-            if (is_there) names += (names.empty() ? "" : ",") + std::string(name);
+        for (const Product* product : product_rows()) {
+            names += (names.empty() ? "" : ",") + std::string(product->name);
         }
         return names;
     }
@@ -107,10 +113,10 @@ std::vector<std::string_view> fields_of(const std::string& list, std::size_t lim
 void read_products(const std::string& list, Settings& settings) {
     const std::string text = list.empty() ? std::string(kUsualProducts) : list;
     for (const std::string_view name : fields_of(text, 3)) {
-        bool Settings::*const product = name == kSurface    ? &Settings::surface
-                                        : name == kVelocity ? &Settings::velocity
-                                        : name == kDensity  ? &Settings::density
-                                                            : nullptr;
+        bool Settings::*const product = name == kSurface.name    ? &Settings::surface
+                                        : name == kVelocity.name ? &Settings::velocity
+                                        : name == kDensity.name  ? &Settings::density
+                                                                 : nullptr;
         if (product == nullptr || settings.*product) {
             refuse("--products " + list +
                    ": of a volume allowed are surface, vel and density, each once");
@@ -145,6 +151,7 @@ double read_voxel(const std::string& option, const std::string& text) {
 
 std::any read_volumes(const BakeOptions& options) {
     Settings settings;
+    settings.usual = options.format_option("products").empty();
     read_products(options.format_option("products"), settings);
     if (const std::string& box = options.format_option("box"); !box.empty()) {
         settings.box = read_box(box);
@@ -168,21 +175,24 @@ std::any read_volumes(const BakeOptions& options) {
     return settings;
 }
 
+std::vector<const Product*> volume_products(const BakePlan& begun) {
+    const Settings& settings = settings_of(begun);
+    return settings.usual ? std::vector{&kSurface} : settings.product_rows();
+}
+
 FormatPlan settle_volumes(const BakePlan& begun) {
     Settings settings = settings_of(begun);
-    const Parameters& parameters = begun.sea.parameters;
-    const double variance = make_directional_spectrum(parameters).variance(parameters.water);
-    settings.wave_height = 4.0 * std::sqrt(variance);
-    if (settings.voxel == 0.0) settings.voxel = parameters.grid.patch_size / begun.resolution;
+    if (settings.usual && begun.subject->kind() != kVelocity.subject) settings.velocity = false;
+    const Domain domain = begun.subject->domain(begun.resolution);
+    settings.heights = begun.subject->height_range();
+    if (settings.voxel == 0.0) settings.voxel = domain.step(0);
     if (settings.velocity_voxel == 0.0) settings.velocity_voxel = 2.0 * settings.voxel;
     if (!settings.box) {
-        constexpr double kLeastDepth = 4.0;  // m
-        const double deep = std::max(kLeastDepth, 2.0 * settings.wave_height);
-        settings.box = {0.0,
-                        0.0,
-                        -std::min(deep, parameters.water.depth),
-                        parameters.grid.patch_size,
-                        parameters.grid.patch_size,
+        settings.box = {domain.origin[0],
+                        domain.origin[1],
+                        settings.heights.bottom,
+                        domain.origin[0] + domain.size[0],
+                        domain.origin[1] + domain.size[1],
                         std::nan("")};
     }
     FrameMaps maps{{}, {begun.resolution}};
@@ -253,7 +263,7 @@ struct Numbers {
 
 Numbers most_numbers(const BakePlan& plan) {
     const Settings& settings = settings_of(plan);
-    const double crest = settings.to_the_crest() ? 2.0 * settings.wave_height : 0.0;
+    const double crest = settings.to_the_crest() ? settings.heights.top : 0.0;
     const io::WorldBox box = world_box(settings, crest);
     constexpr int kLeaf = 8;
     Numbers numbers;
@@ -274,13 +284,13 @@ Numbers most_numbers(const BakePlan& plan) {
             io::voxels_around(world_box(settings, crest + reach), settings.velocity_voxel, kLeaf);
         numbers.density = voxels.voxels();
         numbers.columns = std::max(numbers.columns, voxels.columns());
-        const double period = plan.sea.parameters.grid.patch_size;
+        const double period = plan.subject->domain(plan.resolution).size[0];
         double copies = 1.0;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
         }
         numbers.puffs = static_cast<std::uint64_t>(
-            copies * static_cast<double>(most_spray(plan.sea, settings.spray)));
+            copies * static_cast<double>(most_spray(sea_of(*plan.subject), settings.spray)));
     }
     return numbers;
 }
@@ -292,9 +302,9 @@ QueryOptions height_query(const BakePlan& plan) {
 /// Waves that the velocity's voxels hold: two of them, at least.
 QueryOptions velocity_query(const BakePlan& plan) {
     const double voxel = settings_of(plan).velocity_voxel;
+    const double period = plan.subject->domain(plan.resolution).size[0];
     int resolution = kMinResolution;
-    while (2 * resolution <= plan.resolution &&
-           2 * resolution * voxel <= plan.sea.parameters.grid.patch_size * (1.0 + 1e-9)) {
+    while (2 * resolution <= plan.resolution && 2 * resolution * voxel <= period * (1.0 + 1e-9)) {
         resolution *= 2;
     }
     return {.foam = false, .resolution = resolution};
@@ -302,10 +312,10 @@ QueryOptions velocity_query(const BakePlan& plan) {
 
 /// Of the mist's puffs and of the spray that they are of.
 std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
-    const Grid& grid = plan.sea.parameters.grid;
+    const Grid& grid = sea_of(*plan.subject).parameters.grid;
     const SpraySettings& spray = settings_of(plan).spray;
     const int lattice = spray_lattice(grid).resolution;
-    return spray_bytes(most_spray(plan.sea, spray)) +
+    return spray_bytes(most_spray(sea_of(*plan.subject), spray)) +
            puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) +
            maps_bytes(lattice, kSprayChannels.size()) +
            work_bytes(grid, plan.backend, kSprayChannels, lattice);
@@ -317,19 +327,18 @@ std::uint64_t volume_frame_bytes(const BakePlan& plan) {
     const Numbers numbers = most_numbers(plan);
     constexpr std::uint64_t kOfColumn =
         sizeof(io::SurfaceColumn) + sizeof(float) + 8 * sizeof(io::Velocity);  // a leaf's layers
-    const int grid = plan.sea.parameters.grid.resolution;
     // Leaves have a mask too.
     const std::uint64_t mist =
         settings_of(plan).density ? mist_bytes(plan, numbers.puffs) : std::uint64_t{0};
     return mist + numbers.voxels() * (sizeof(float) + 1) + numbers.columns * kOfColumn +
-           SurfaceQuery::map_bytes(grid, height_query(plan)) +
-           2 * SurfaceQuery::map_bytes(grid, velocity_query(plan));
+           plan.subject->query_bytes(height_query(plan)) +
+           2 * plan.subject->query_bytes(velocity_query(plan));
 }
 
 std::uint64_t most_volume_bytes(const BakePlan& plan) {
     const Numbers numbers = most_numbers(plan);
     const std::uint64_t size = settings_of(plan).half_floats ? 2 : sizeof(float);
-    return 2 * plan.sea_text.size() + 8192 + numbers.voxels() * size;
+    return 2 * plan.subject_text.size() + 8192 + numbers.voxels() * size;
 }
 
 namespace {
@@ -349,7 +358,7 @@ void query_columns(const FrameWork& work, const io::VoxelRange& voxels, const Qu
                               voxels.place(1, static_cast<int>(at / width))});
         }
         samples.resize(points.size());
-        work.ocean.query(work.time(), points, samples, options);
+        work.source.query(work.time(), points, samples, options);
         take(first, samples);
     }
 }
@@ -405,7 +414,7 @@ io::VdbGrid make_surface(const FrameWork& work, io::VolumeAxes axes) {
             format_text("at %g s no water reaches the box, and its surface is empty", work.time()));
     }
     return io::make_level_set(box, io::voxels_around(box, settings.voxel, io::kLevelSetBand),
-                              columns.surface, axes, work.ocean.pool());
+                              columns.surface, axes, work.source.pool());
 }
 
 io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
@@ -428,7 +437,7 @@ io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
                 points[at] = {voxels.place(0, static_cast<int>(at % width)),
                               voxels.place(1, static_cast<int>(at / width)), z};
             }
-            work.ocean.water_motion(work.time(), points, motions, query);
+            ocean_of(work.source).water_motion(work.time(), points, motions, query);
             moved_at = z;
         }
         for (std::size_t at = 0; at < out.size(); ++at) {
@@ -437,16 +446,16 @@ io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
                        static_cast<float>(motions[at].velocity_z)};
         }
     };
-    return io::make_velocity(voxels, heights, layer, axes, work.ocean.pool());
+    return io::make_velocity(voxels, heights, layer, axes, work.source.pool());
 }
 
 /// The puffs of all copies of the period that reach into the box.
 std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const Settings& settings) {
-    const double period = work.plan.sea.parameters.grid.patch_size;
+    const double period = work.plan.subject->domain(work.plan.resolution).size[0];
     const std::array<double, 6>& box = *settings.box;
     const double area = settings.spray.density > 0.0 ? settings.mist / settings.spray.density : 0.0;
     std::vector<io::DensityPuff> puffs;
-    for (const MistPuff& mist : work.ocean.mist(work.time(), settings.spray)) {
+    for (const MistPuff& mist : ocean_of(work.source).mist(work.time(), settings.spray)) {
         io::DensityPuff puff{{mist.x, mist.y, mist.z}, mist.deviation, area * mist.share};
         const double reach = io::density_reach(puff, settings.velocity_voxel);
         const auto first = [&](std::size_t axis) {
@@ -480,7 +489,7 @@ io::VdbGrid make_mist(const FrameWork& work, io::VolumeAxes axes) {
     }
     const io::VoxelRange voxels = io::voxels_around(world_box(settings, highest), voxel, 0);
     const std::vector<float> heights = columns_of(work, voxels).heights();
-    return io::make_density(voxels, heights, puffs, axes, work.ocean.pool());
+    return io::make_density(voxels, heights, puffs, axes, work.source.pool());
 }
 
 }  // namespace

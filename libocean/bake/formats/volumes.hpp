@@ -17,6 +17,7 @@ namespace ocean {
 
 std::vector<FormatOption> volume_options();
 std::any read_volumes(const BakeOptions& options);
+std::vector<const Product*> volume_products(const BakePlan& begun);
 FormatPlan settle_volumes(const BakePlan& begun);
 std::vector<BakeFile> list_volumes(const BakePlan& plan, int frame);
 std::vector<io::HeaderString> volume_strings(const BakePlan& plan, int frame);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ocean/channel.hpp"
+#include "ocean/subject_kind.hpp"
 #include "ocean/surface.hpp"
 
 namespace ocean {
@@ -30,7 +31,8 @@ inline constexpr double kLeastCausticsSun = 5.0;  // degrees
 inline constexpr ChannelSet kCausticsChannels = {Channel::dx, Channel::dy, Channel::height,
                                                  Channel::nx, Channel::ny, Channel::nz};
 /// As users ask for it.
-inline constexpr Product kCausticsProduct = {"caustics", {}, 0, ""};
+inline constexpr Product kCausticsProduct = {
+    .name = "caustics", .channels = {}, .count = 0, .unit = "", .subject = kSeaKind};
 
 /// Irradiance of the plane over what it is under flat water, resolution^2 values [j][i]: the mean
 /// over the cell of sample (i, j), whose middle is (i, j) period / resolution. The map's mean is 1.

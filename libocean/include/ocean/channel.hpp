@@ -284,7 +284,8 @@ struct Product {
     std::array<Channel, 3> channels;  // the first `count` hold
     int count;  // 0: one map that is made of a whole surface, not of the channels of a sample
     std::string_view unit;
-    bool vector = false;  // x, y and z, which a host may want in other axes
+    bool vector = false;            // x, y and z, which a host may want in other axes
+    std::string_view subject = {};  // the one kind of subject that has it; empty: any may
 
     constexpr ChannelSet set() const {
         ChannelSet result;

@@ -15,6 +15,7 @@
 #include "ocean/channel.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/parameters.hpp"
+#include "ocean/subject_kind.hpp"
 
 namespace ocean {
 
@@ -78,10 +79,10 @@ std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& s
 
 /// As users ask for them: all bands, or one.
 inline constexpr std::array<Product, 1 + kMostDetailBands> kDetailProducts = {
-    {{"detail", {}, 0, ""},
-     {"detail1", {}, 0, ""},
-     {"detail2", {}, 0, ""},
-     {"detail3", {}, 0, ""}}};
+    {{"detail", {}, 0, "", false, kSeaKind},
+     {"detail1", {}, 0, "", false, kSeaKind},
+     {"detail2", {}, 0, "", false, kSeaKind},
+     {"detail3", {}, 0, "", false, kSeaKind}}};
 
 /// Slope maps of one time, by label: linear fields, as `slope` of a Surface is. Row-major [j][i],
 /// sample (i, j) at (i, j) * tile / samples, dh/dx and dh/dy interleaved. Each wave is so much

@@ -9,13 +9,9 @@
 #include <cstdint>
 
 #include "ocean/ocean.hpp"
+#include "ocean/subject.hpp"
 
 namespace ocean {
-
-struct WorldHeights {
-    Surface surface;         // the channel height alone; sample (i, j) is the place itself
-    std::size_t folded = 0;  // samples where several labels are shown
-};
 
 /// On resolution^2 places of the period. Throws what Ocean::query throws.
 WorldHeights world_heights(Ocean& ocean, double time, int resolution);

@@ -107,6 +107,6 @@ int main(int argc, char** argv) {
     formats.push_back(&kStatsFormat);
     std::vector<Product> products(ours.products.begin(), ours.products.end());
     products.push_back({"steepness", {kSteepness}, 1, ""});
-    const Catalogue catalogue{formats, products, ours.backends, kToyChannels};
+    const Catalogue catalogue{formats, products, ours.backends, ours.subjects, kToyChannels};
     return app::run_ocean(argc, argv, catalogue);
 }

@@ -5,22 +5,33 @@
 // program that adds a format, a product or a backend of its own hands over a longer table.
 #pragma once
 
+#include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "ocean/backend.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/channel.hpp"
+#include "ocean/subject.hpp"
 
 namespace ocean {
 
 /// As `--backend`: what is fastest on this machine.
 inline constexpr std::string_view kAutoBackend = "auto";
 
+/// A kind of subject that baked files may show, and the way back from their text to it.
+struct SubjectReader {
+    std::string_view kind;
+    /// `name` stands for a path in messages. Throws Error.
+    std::unique_ptr<Subject> (*parse)(std::string_view text, const std::string& name);
+};
+
 struct Catalogue {
     std::span<const BakeFormat* const> formats;
     std::span<const Product> products;
     std::span<const Backend> backends;
+    std::span<const SubjectReader> subjects;
     std::span<const ChannelInfo> channels = {};  // beside the library's own
 
     /// ".exr, .df3, .png (height_field) or .inc (mesh2)", with the last conjunction.

@@ -22,7 +22,7 @@
 namespace ocean {
 
 class BakedHeader;
-class Ocean;
+class SubjectMaps;
 struct BakeOptions;
 struct BakePlan;
 struct Catalogue;
@@ -33,6 +33,7 @@ struct FormatOption {
     std::string value;  // what stands for its value in a help text, "AXES"; empty: it is a flag
     std::string help;
     std::string needs = "";  // another option and its value, "eye X,Y,HEIGHT": refused without it
+    std::string_view subject = {};  // the one kind of subject that has it; empty: any may
 };
 
 /// The maps that a frame is made of.
@@ -65,7 +66,7 @@ struct FrameWork {
     const BakePlan& plan;
     int frame;
     std::span<const Surface> maps;  // as FrameMaps says
-    Ocean& ocean;                   // for what is no map
+    SubjectMaps& source;            // of the maps, for what is no map
     int threads;
     /// Has `write` make a file, undisturbed by an interrupt; reads it back for the manifest.
     std::function<void(const BakeFile& file, const std::function<void()>& write)> put;
@@ -105,7 +106,10 @@ struct BakeFormat {
     std::vector<FormatOption> (*options)(const Catalogue& catalogue) = nullptr;
     /// The settings that the options ask for, before there is a sea. Throws Error.
     std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue) = nullptr;
-    /// For a plan with sea, resolution and settings. Throws Error.
+    /// The products that the settings of a plan ask for: the plan refuses those that its subject
+    /// does not have. Of formats with a choice of products.
+    std::vector<const Product*> (*products)(const BakePlan& begun) = nullptr;
+    /// For a plan with subject, resolution and settings. Throws Error.
     Required<FormatPlan(const BakePlan& begun)> settle;
     /// In the order in which they are written. Cheap: a bake asks for all its frames at its start.
     Required<std::vector<BakeFile>(const BakePlan& plan, int frame)> files;

@@ -9,13 +9,14 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ocean/bake/catalogue.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/frames.hpp"
-#include "ocean/sea.hpp"
+#include "ocean/subject.hpp"
 
 namespace ocean {
 
@@ -29,8 +30,8 @@ struct BakeOptions {
     bool keep_going = false;
     int threads = 0;      // 0 = the cores this process may use
     int largest_map = 0;  // samples a side, where --resolution does not say; 0 = no limit
-    /// Opens SEA, or the sea of a baked file: resolved and valid. Throws Error.
-    std::function<Sea(const std::string& source)> open_sea;
+    /// Opens SEA, or the subject of a baked file: resolved and valid. Throws Error.
+    std::function<std::unique_ptr<Subject>(const std::string& source)> open_subject;
 
     /// "" for an option that was not given.
     const std::string& format_option(const std::string& name) const;
@@ -39,9 +40,9 @@ struct BakeOptions {
 };
 
 struct BakePlan {
-    Sea sea;
-    std::string sea_text;
-    std::string sea_id;  // of io::Provenance
+    std::shared_ptr<const Subject> subject;
+    std::string subject_text;
+    std::string subject_id;  // of io::Provenance
     const BakeFormat* format = nullptr;
     std::any settings;  // the format's
     FrameMaps maps;
@@ -64,8 +65,8 @@ struct BakePlan {
     bool has_past() const { return follows_foam() || maps.has_past; }
     /// Of the finest map, samples along a side.
     int finest() const { return maps.has_past ? maps.resolutions.front() : resolution; }
-    /// The shortest wave of the finest map.
-    double shortest_wave() const;
+    /// Returns the shortest wave of the finest map [m].
+    double shortest_wave() const { return subject->shortest_wave(finest()); }
 };
 
 /// Of this shard, those that frames share first.

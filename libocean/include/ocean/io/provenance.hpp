@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ocean/domain.hpp"
+#include "ocean/subject_kind.hpp"
 
 namespace ocean::io {
 
@@ -32,8 +33,6 @@ struct Provenance {
     std::optional<Domain> domain = {};
     std::string backend = {};  // which computed it: the last bits differ
 };
-
-inline constexpr std::string_view kSeaKind = "sea";
 
 /// Returns ocean:KIND, frame, time, period (of a domain that is no tile: origin, size, samples and
 /// wraps), backend and version. A kind that is newer than this list has ocean:subject = KIND too.

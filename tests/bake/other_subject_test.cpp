@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A subject that no library knows, a tilted plane that is placed once, is baked, labelled, resumed,
+// listed and refused as a sea is: no format and no product file knows of it.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "ocean/bake/run.hpp"
+#include "ocean/error.hpp"
+#include "ocean/io/read_provenance.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/text.hpp"
+#include "ocean/thread_pool.hpp"
+#include "temporary_folder.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+constexpr std::string_view kPlaneKind = "plane";
+
+/// height = level + x / 10 - y / 20 over 300 m x 150 m from (100, -50) on.
+class Plane final : public Subject {
+  public:
+    explicit Plane(double level) : level_(level) {}
+
+    double height(double x, double y) const { return level_ + x / 10.0 - y / 20.0; }
+
+    std::string_view kind() const override { return kPlaneKind; }
+    std::string text() const override { return "level = " + shortest_text(level_) + "\n"; }
+    std::vector<std::string> named_files() const override { return {}; }
+    void set(std::string_view name, std::string_view) override {
+        throw Error(ErrorKind::invalid_value,
+                    {.what = "a plane has no such parameter", .parameter = std::string(name)});
+    }
+    double time_of(double frame) const override { return frame / 24.0; }
+    int first_frame() const override { return 1; }
+    double frame_rate() const override { return 24.0; }
+    bool plays_take() const override { return false; }
+    std::vector<std::string> warnings(double) const override { return {}; }
+    ChannelSet channels() const override {
+        using enum Channel;
+        return {height_channel(), nx, ny, nz, slope_x, slope_y};
+    }
+    int default_resolution() const override { return 64; }
+    Domain domain(int resolution) const override {
+        return {{100.0, -50.0}, {300.0, 150.0}, {resolution, resolution}, false};
+    }
+    double shortest_wave(int resolution) const override { return 2.0 * domain(resolution).step(0); }
+    HeightRange height_range() const override { return {-10.0, level_ + 45.0}; }
+    std::unique_ptr<SubjectMaps> open(const MapsOptions& options) const override;
+    std::uint64_t bytes(int) const override { return sizeof(Plane); }
+    std::uint64_t work_bytes(const MapsOptions&, ChannelSet, int) const override { return 0; }
+    std::uint64_t by_place_bytes(int) const override { return 0; }
+    std::uint64_t query_bytes(const QueryOptions&) const override { return 0; }
+
+  private:
+    static constexpr Channel height_channel() { return Channel::height; }
+
+    double level_;
+};
+
+class PlaneMaps final : public SubjectMaps {
+  public:
+    PlaneMaps(const Plane& plane, int threads) : plane_(plane), pool_(threads) {}
+
+    std::unique_ptr<SubjectMaps> share(const MapsOptions& options) const override {
+        return std::make_unique<PlaneMaps>(plane_, options.threads);
+    }
+    std::vector<Surface> levels(double time, ChannelSet channels,
+                                std::span<const int> resolutions) override {
+        std::vector<Surface> maps;
+        for (const int resolution : resolutions) maps.push_back(map(time, channels, resolution));
+        return maps;
+    }
+    WorldHeights heights_by_place(double time, int resolution) override {
+        return {map(time, {Channel::height}, resolution)};
+    }
+    void query(double, std::span<const WorldPoint> points, std::span<QuerySample> samples,
+               const QueryOptions&) override {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            samples[i] = {};
+            samples[i].height = plane_.height(points[i].x, points[i].y);
+            samples[i].normal[2] = 1.0 / std::sqrt(1.0 + 0.01 + 0.0025);
+        }
+    }
+    ThreadPool& pool() override { return pool_; }
+
+  private:
+    Surface map(double time, ChannelSet channels, int resolution) const {
+        Surface surface(plane_.domain(resolution), time, channels);
+        const double length = std::sqrt(1.0 + 0.01 + 0.0025);
+        const std::pair<Channel, double> constant[] = {{Channel::nx, -0.1 / length},
+                                                       {Channel::ny, 0.05 / length},
+                                                       {Channel::nz, 1.0 / length},
+                                                       {Channel::slope_x, 0.1},
+                                                       {Channel::slope_y, -0.05}};
+        for (const auto& [channel, value] : constant) {
+            std::ranges::fill(surface.channel(channel), static_cast<float>(value));
+        }
+        const std::span<float> heights = surface.channel(Channel::height);
+        for (std::size_t at = 0; at < heights.size(); ++at) {
+            const auto n = static_cast<std::size_t>(resolution);
+            const auto [x, y] =
+                surface.domain().place(static_cast<int>(at % n), static_cast<int>(at / n));
+            heights[at] = static_cast<float>(plane_.height(x, y));
+        }
+        return surface;
+    }
+
+    const Plane& plane_;
+    ThreadPool pool_;
+};
+
+std::unique_ptr<SubjectMaps> Plane::open(const MapsOptions& options) const {
+    return std::make_unique<PlaneMaps>(*this, options.threads);
+}
+
+std::unique_ptr<Subject> parse_plane(std::string_view text, const std::string& name) {
+    constexpr std::string_view kKey = "level = ";
+    if (!text.starts_with(kKey)) throw Error(ErrorKind::bad_file, name + ": is no plane");
+    return std::make_unique<Plane>(std::stod(std::string(text.substr(kKey.size()))));
+}
+
+Catalogue catalogue_with_planes() {
+    static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject},
+                                                  {kPlaneKind, parse_plane}};
+    Catalogue catalogue = standard_catalogue();
+    catalogue.subjects = kSubjects;
+    return catalogue;
+}
+
+BakeOptions plane_bake(const std::string& output) {
+    BakeOptions options;
+    options.source = "plane.toml";
+    options.output = output;
+    options.frames = "1-2";
+    options.resolution = "32";
+    options.threads = 1;
+    options.open_subject = [](const std::string&) { return std::make_unique<Plane>(2.5); };
+    return options;
+}
+
+/// Bakes, and returns the events of its frames: "baked" or "kept".
+std::string bake(const BakeOptions& options) {
+    struct Events : BakeHost {
+        std::string text;
+        void frame_baked(int, double, const std::vector<std::string>&) override { text += "b"; }
+        void frame_kept(int, const std::vector<std::string>&) override { text += "k"; }
+    } events;
+    run_bake(make_bake_plan(options, catalogue_with_planes()), events);
+    return events.text;
+}
+
+std::string refusal(const BakeOptions& options) {
+    try {
+        make_bake_plan(options, catalogue_with_planes());
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "planned";
+}
+
+class EveryFormat : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
+    const TemporaryFolder folder;
+    const std::string extension = GetParam();
+    if (standard_catalogue().find_format(extension) == nullptr) GTEST_SKIP() << "not built";
+    BakeOptions options = plane_bake(folder.file("plane" + extension));
+    ASSERT_EQ(bake(options), "bb");
+    options.skip_existing = true;
+    EXPECT_EQ(bake(options), "kk");  // resumed
+    EXPECT_TRUE(std::filesystem::exists(folder.file("plane.manifest.json")));
+
+    if (extension == ".png") return;  // it has no header
+    const BakePlan plan = make_bake_plan(options, catalogue_with_planes());
+    for (const BakeFile& file : plan.format->files(plan, 2)) {
+        const auto provenance = io::read_provenance(file.path);
+        ASSERT_TRUE(provenance) << file.path;
+        EXPECT_EQ(provenance->kind, kPlaneKind) << file.path;
+        EXPECT_EQ(provenance->text, "level = 2.5\n");
+        EXPECT_EQ(provenance->frame, 2);
+        ASSERT_TRUE(provenance->domain) << file.path;
+        EXPECT_EQ(provenance->domain->origin, (std::array{100.0, -50.0}));
+        EXPECT_FALSE(provenance->domain->wraps);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OtherSubject, EveryFormat, testing::Values(".exr", ".vdb", ".png"),
+                         [](const auto& name) { return std::string(name.param).substr(1); });
+
+TEST(OtherSubject, IsTakenFromItsOwnFile) {
+    const TemporaryFolder folder;
+    BakeOptions options = plane_bake(folder.file("plane.exr"));
+    options.of_format["products"] = "height";
+    options.frames = "2";
+    bake(options);
+    BakeOptions again;
+    again.from = folder.file("plane.exr");
+    again.output = folder.file("again.exr");
+    again.threads = 1;
+    again.open_subject = [](const std::string&) { return std::make_unique<Plane>(2.5); };
+    bake(again);
+    const auto bytes = [](const std::string& path) {
+        std::ifstream stream(path, std::ios::binary);
+        return (std::ostringstream() << stream.rdbuf()).str();
+    };
+    EXPECT_EQ(bytes(folder.file("plane.exr")), bytes(folder.file("again.exr")));
+    ASSERT_FALSE(bytes(folder.file("again.exr")).empty());
+}
+
+TEST(OtherSubject, IsRefusedWhatOnlyASeaHas) {
+    BakeOptions spray = plane_bake("spray.ply");
+    spray.of_format["products"] = "spray";
+    EXPECT_EQ(refusal(spray), "--products spray: only a sea has it, and this is a plane");
+    BakeOptions water = plane_bake("water.vdb");
+    water.of_format["products"] = "surface,vel";
+    EXPECT_EQ(refusal(water), "--products vel: only a sea has it, and this is a plane");
+    BakeOptions light = plane_bake("light.exr");
+    light.of_format["products"] = "caustics";
+    EXPECT_EQ(refusal(light), "--products caustics: only a sea has it, and this is a plane");
+    BakeOptions foam = plane_bake("foam.exr");
+    foam.of_format["products"] = "height,foam";
+    EXPECT_EQ(refusal(foam), "a plane has no foam");
+    BakeOptions rate = plane_bake("rate.exr");
+    rate.fps = "25";
+    EXPECT_EQ(refusal(rate), "time.fps: a plane has no such parameter");
+}
+
+}  // namespace
+}  // namespace ocean
