@@ -41,14 +41,13 @@ def in_words(text: str, systems: int = 1) -> str:
 
 
 def of_error(failure: Exception, systems: int = 1) -> str:
-    """What failed; where a field of the panel is wrong, put together from the parts that the
+    """What failed; where the value of a field is wrong, put together from the parts that the
     library gives: label, value, what is wrong with it, and what is allowed."""
     parameter = getattr(failure, "parameter", "")
     text = label_of(parameter, systems)
-    if text == parameter:
+    if text == parameter or not failure.value:
         return in_words(_LINE.sub("", str(failure)), systems)
-    if failure.value:
-        text += f" = {failure.value}"
+    text += f" = {failure.value}"
     if failure.what:
         # A text in quotes is the user's, wherever the library says it again.
         own = failure.value[1:-1] if failure.value.startswith('"') else ""
