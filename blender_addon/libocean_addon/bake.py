@@ -32,7 +32,7 @@ def _words(failure: Exception) -> str:
         return tr(
             "The limits of the wavelength are animated: a bake with near detail has one of each"
         )
-    return messages.in_words(str(failure)) or type(failure).__name__
+    return messages.of_error(failure) or type(failure).__name__
 
 
 running: Work | None = None

@@ -239,7 +239,7 @@ class Bake(Work):
                 require_no_strangers(_strangers(ob, place, frames, base_dir), place.folder)
             self.folder, self.stem = place.folder, place.stem
         except libocean.Error as failure:
-            raise BakeError(messages.in_words(str(failure))) from failure
+            raise BakeError(messages.of_error(failure)) from failure
         self.job = bake_job.MapJob(
             folder=make_folder(self.folder),
             stem=self.stem,

@@ -157,7 +157,7 @@ def show(ob, depsgraph, moment: Moment) -> None:
         for modifier in modifiers:
             _show_in(ob, seen, modifier, sea, moment)
     except libocean.Error as failure:
-        problem = messages.in_words(str(failure), len(values.waves))
+        problem = messages.of_error(failure, len(values.waves))
     if ob.libocean.problem != problem:
         ob.libocean.problem = problem
 
@@ -348,7 +348,7 @@ def _finish(name: str, job: drafts.Job) -> None:
         follow_mesh(ob)
         show_all([ob], bpy.context.scene)
     elif isinstance(job.failure, (libocean.Error, MemoryError)):
-        ob.libocean.problem = messages.in_words(str(job.failure), len(sea.values.waves))
+        ob.libocean.problem = messages.of_error(job.failure, len(sea.values.waves))
 
 
 drafts.make_job, drafts.finish = _job, _finish

@@ -14,24 +14,46 @@ from . import parameter_values, sea_text, translations
 from .compat import tr
 from .native import libocean
 
-_LABELS = {entry["key"]: entry["label"] for entry in parameter_values.TABLE}
-_SECTIONS = sorted({entry["section"] for entry in parameter_values.TABLE} - {"waves"})
-_PATH = re.compile(rf"\b(?:waves\.(\d+)|{'|'.join(_SECTIONS)})\.([a-z_]+)\b")
-_LINE = re.compile(r"\btext:\d+: ")
+_LABELS = {(entry["section"], entry["key"]): entry["label"] for entry in parameter_values.TABLE}
+_SECTIONS = "|".join(sorted({section for section, _ in _LABELS} - {"waves"}))
+_PATH = re.compile(rf"(?<![^\s(])(?:waves\.\d+|{_SECTIONS})\.[a-z_]+\b")
+"""Of a parameter in prose; in quotes or behind a slash it is of a file's name."""
+_LINE = re.compile(r"^text:\d+: ")
 
 
-def _label(found: re.Match, systems: int) -> str:
-    number, key = found.groups()
-    if key not in _LABELS:
-        return found.group()
-    label = bpy.app.translations.pgettext_iface(_LABELS[key], translations.SEA)
-    return f"{label} ({int(number) + 1})" if number and systems > 1 else label
+def label_of(path: str, systems: int = 1) -> str:
+    """The label of the field of a parameter, such as waves.1.fetch; other paths as they are.
+    systems: how many wave systems the sea has; of several, a field is named with the number that
+    its list shows."""
+    section, _, key = path.partition(".")
+    number, _, key_of_system = key.partition(".")
+    if key_of_system:
+        key = key_of_system
+    if (section, key) not in _LABELS:
+        return path
+    label = bpy.app.translations.pgettext_iface(_LABELS[section, key], translations.SEA)
+    return f"{label} ({int(number) + 1})" if key_of_system and systems > 1 else label
 
 
 def in_words(text: str, systems: int = 1) -> str:
-    """A message or warning of the library. systems: how many wave systems the sea has; of several,
-    a field is named with the number that its list shows."""
-    return _PATH.sub(lambda found: _label(found, systems), _LINE.sub("", text))
+    """Prose of the library, such as a warning, with labels for the parameters that it names."""
+    return _PATH.sub(lambda found: label_of(found.group(), systems), text)
+
+
+def of_error(failure: Exception, systems: int = 1) -> str:
+    """What failed; where the value of a field is wrong, put together from the parts that the
+    library gives: label, value, what is wrong with it, and what is allowed."""
+    parameter = getattr(failure, "parameter", "")
+    text = label_of(parameter, systems)
+    if text == parameter or not failure.value:
+        return in_words(_LINE.sub("", str(failure)), systems)
+    text += f" = {failure.value}"
+    if failure.what:
+        # A text in quotes is the user's, wherever the library says it again.
+        own = failure.value[1:-1] if failure.value.startswith('"') else ""
+        parts = failure.what.split(own) if own else [failure.what]
+        text += ": " + own.join(in_words(part, systems) for part in parts)
+    return f"{text}; allowed: {failure.allowed}" if failure.allowed else text
 
 
 def of_file(failure: OSError) -> str:
@@ -39,16 +61,17 @@ def of_file(failure: OSError) -> str:
     return f"{failure.filename}: {failure.strerror}" if failure.filename else str(failure)
 
 
-def of_field(failure: Exception, changed: dict[str, str]) -> str:
-    """What the library says of values that were set: of a file it says no more than its name."""
-    text = str(failure)
-    named = [name for name, value in changed.items() if value and value in text]
-    if _PATH.search(text) or not named:
-        return text
-    name = max(named, key=lambda name: len(changed[name]))
-    sections = [entry["section"] for entry in parameter_values.TABLE if entry["key"] == name]
-    path = ".".join([*sections, name])  # those of waves have theirs: waves.1.file
-    return f'{path} = "{changed[name]}": {text}'
+_OF_SPECTRA = ("file", "record", "place")
+
+
+def name_file(failure: libocean.Error, changed: dict[str, str]) -> None:
+    """Names the parameter of a spectrum that could not be read, where the library does not: one
+    that was changed."""
+    named = [name for name, value in changed.items() if value and name.endswith(_OF_SPECTRA)]
+    if failure.parameter or not named:
+        return
+    failure.parameter = min(named, key=lambda name: _OF_SPECTRA.index(name.rpartition(".")[2]))
+    failure.value = f'"{changed[failure.parameter]}"'
 
 
 def require_files(values: sea_text.SeaValues) -> None:

@@ -67,8 +67,8 @@ class OpenSea:
             try:
                 self.sea.set_all(changed)
             except libocean.Error as failure:
-                text = messages.of_field(failure, changed)
-                raise libocean.Error(text, failure.code) from failure
+                messages.name_file(failure, changed)
+                raise
         self.values = values
         self.state_before = self.state or self.state_before
         self.state = self.share = None

@@ -189,7 +189,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
             with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
         except libocean.Error as failure:
-            self.report({"ERROR"}, messages.in_words(str(failure)))
+            self.report({"ERROR"}, messages.of_error(failure))
             return {"CANCELLED"}
         except OSError as failure:
             self.report({"ERROR"}, messages.of_file(failure))

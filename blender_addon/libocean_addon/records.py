@@ -98,7 +98,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
                 return {"CANCELLED"}  # nothing was done yet
             self._measure(context, path)
         except libocean.Error as failure:
-            self.report({"ERROR"}, messages.in_words(str(failure)))
+            self.report({"ERROR"}, messages.of_error(failure))
             return {"CANCELLED"}
         except OSError as failure:
             self.report({"ERROR"}, messages.of_file(failure))

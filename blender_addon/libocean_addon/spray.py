@@ -224,7 +224,7 @@ def show_all(depsgraph, moment) -> None:
         try:
             _show(ob, modifier, depsgraph, moment)
         except libocean.Error as failure:
-            problem = messages.in_words(str(failure))
+            problem = messages.of_error(failure)
             _empty(ob, modifier)
         if ob.libocean.spray_problem != problem:
             ob.libocean.spray_problem = problem

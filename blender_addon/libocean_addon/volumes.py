@@ -154,7 +154,7 @@ def _what_to_run(job: volume_job.VolumeJob) -> str:
     try:
         lines = _command_lines(job)
     except libocean.Error as failure:
-        return messages.in_words(str(failure))
+        return messages.of_error(failure)
     except OSError as failure:
         return messages.of_file(failure)
     return tr(
@@ -206,7 +206,7 @@ class Volumes(bake_plan.Work):
             with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
                 settings = _settings(ob, sea)
         except libocean.Error as failure:
-            raise BakeError(messages.in_words(str(failure))) from failure
+            raise BakeError(messages.of_error(failure)) from failure
         command = find_command()
         module = None if command else compat.load_openvdb()
         stem = _stem(ob, self.folder)

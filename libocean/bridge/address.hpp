@@ -17,9 +17,11 @@ inline asio::ip::address parse_address(const std::string& host, const std::strin
     asio::error_code wrong;
     const auto address = asio::ip::make_address(host == "localhost" ? "127.0.0.1" : host, wrong);
     if (!wrong) return address;
+    const std::string given = text::printable(host);
+    const std::string allowed = "one in numbers, or localhost";
     throw Error(ErrorKind::invalid_value,
-                what + " " + text::printable(host) +
-                    ": is no address; allowed: one in numbers, or localhost");
+                what + " " + given + ": is no address; allowed: " + allowed,
+                {.what = "is no address", .parameter = what, .value = given, .allowed = allowed});
 }
 
 }  // namespace ocean::bridge

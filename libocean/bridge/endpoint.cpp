@@ -43,10 +43,12 @@ bool Endpoint::is_loopback() const {
 Endpoint parse_endpoint(std::string_view text, const std::string& what, unsigned short usual_port) {
     constexpr std::size_t kLongestHost = 255;
     const auto refused = [&] {
-        return Error(ErrorKind::invalid_value, what + " " + text::printable(text) +
-                                                   ": allowed is HOST:PORT, such as " +
-                                                   Endpoint{"127.0.0.1", usual_port}.text() +
-                                                   " or " + Endpoint{"::1", usual_port}.text());
+        const std::string given = text::printable(text);
+        const std::string allowed = "HOST:PORT, such as " +
+                                    Endpoint{"127.0.0.1", usual_port}.text() + " or " +
+                                    Endpoint{"::1", usual_port}.text();
+        return Error(ErrorKind::invalid_value, what + " " + given + ": allowed is " + allowed,
+                     {.parameter = what, .value = given, .allowed = allowed});
     };
     Endpoint endpoint{.port = usual_port};
     std::string_view rest = text;

@@ -148,7 +148,7 @@ class FirmataSource : public Source {
         }
         line.reset();  // nothing of it is open when that is told
         be_there(false);
-        if (std::exchange(connected_, false)) listener_.event(id_ + std::string(kLost));
+        if (std::exchange(connected_, false)) listener_.event({BoardEvent::Kind::lost, id_});
         return true;
     }
 
@@ -170,7 +170,8 @@ class FirmataSource : public Source {
     /// Says what is wrong with the line, once.
     void complain(const std::string& trouble) {
         if (std::exchange(trouble_, trouble) == trouble) return;
-        listener_.event(id_ + " BUSY: " + text::printable(device_.port) + ": " + trouble);
+        listener_.event(
+            {BoardEvent::Kind::busy, id_, text::printable(device_.port) + ": " + trouble});
     }
 
     void talk(const SerialPort& line) {
@@ -225,9 +226,10 @@ class FirmataSource : public Source {
         trouble_.clear();
         places_.assign(inputs_.size(), std::nullopt);
         be_there(true);
-        listener_.event(id_ + std::string(kConnected) + ": Firmata " +
-                        std::to_string(version.number) + "." + std::to_string(version.value) +
-                        " at " + text::printable(device_.port));
+        listener_.event({BoardEvent::Kind::connected, id_,
+                         "Firmata " + std::to_string(version.number) + "." +
+                             std::to_string(version.value) + " at " +
+                             text::printable(device_.port)});
         configure();
     }
 

@@ -198,16 +198,16 @@ void Hub::report(const Report& report) {
     apply(mapping_->report(report, values_), report.time);
 }
 
-void Hub::board_event(const std::string& event) {
-    say(event);
-    const std::size_t board_end = event.find(' ');
-    const std::string_view board = std::string_view(event).substr(0, board_end);
-    const std::string_view what = std::string_view(event).substr(board.size());
-    if (what.starts_with(kConnected)) {
-        mapping_->board_connected(board);
-        light_lamps();
-    } else if (what.starts_with(kLost)) {
-        apply(mapping_->board_lost(board), Clock::now());
+void Hub::board_event(const BoardEvent& event) {
+    say(event_text(event));
+    switch (event.kind) {
+        case BoardEvent::Kind::connected:
+            mapping_->board_connected(event.board);
+            return light_lamps();
+        case BoardEvent::Kind::lost:
+            return apply(mapping_->board_lost(event.board), Clock::now());
+        case BoardEvent::Kind::busy:
+            return;
     }
 }
 

@@ -3,8 +3,6 @@
 #include "ocean/bridge/k8055_source.hpp"
 
 #ifdef OCEAN_HAVE_LIBUSB
-#include <libusb.h>
-
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -14,6 +12,7 @@
 #include <utility>
 
 #include "k8055_report.hpp"
+#include "k8055_usb.hpp"
 #include "ocean/text.hpp"
 #endif
 #include "ocean/error.hpp"
@@ -55,57 +54,10 @@ struct Board {
     std::array<std::uint8_t, kK8055Bytes> out_bytes{};
     bool in_flies = false;
     bool out_flies = false;
-    std::string fault;  // why it is to be closed
+    std::optional<Fault> fault;  // why it is to be closed
     std::optional<K8055Inputs> reported;
     std::string complaint;  // last one, said once
 };
-
-/// Addresses of the endpoints through which reports come and outputs go: those of the first
-/// interface that has both as interrupts, whatever numbers they have.
-struct Wiring {
-    int interface = 0;
-    std::uint8_t in = 0;
-    std::uint8_t out = 0;
-    std::size_t in_size = 0;
-};
-
-std::optional<Wiring> wiring_of(const libusb_interface_descriptor& interface) {
-    Wiring wiring{.interface = interface.bInterfaceNumber};
-    for (const libusb_endpoint_descriptor& end :
-         std::span(interface.endpoint, interface.bNumEndpoints)) {
-        if ((end.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) != LIBUSB_TRANSFER_TYPE_INTERRUPT ||
-            end.wMaxPacketSize < kK8055Bytes) {
-            continue;
-        }
-        if ((end.bEndpointAddress & LIBUSB_ENDPOINT_IN) == 0) {
-            wiring.out = end.bEndpointAddress;
-        } else if (wiring.in == 0) {
-            wiring.in = end.bEndpointAddress;
-            wiring.in_size = end.wMaxPacketSize;
-        }
-    }
-    if (wiring.in == 0 || wiring.out == 0) return std::nullopt;
-    return wiring;
-}
-
-std::optional<Wiring> wiring_of(libusb_device* device) {
-    libusb_config_descriptor* config = nullptr;
-    if (libusb_get_active_config_descriptor(device, &config) != 0) return std::nullopt;
-    std::optional<Wiring> found;
-    for (const libusb_interface& interface : std::span(config->interface, config->bNumInterfaces)) {
-        if (!found && interface.num_altsetting > 0) found = wiring_of(interface.altsetting[0]);
-    }
-    libusb_free_config_descriptor(config);
-    return found;
-}
-
-std::string why(int error) {
-    if (error == LIBUSB_ERROR_ACCESS) {
-        return "may not be opened; the udev rule 60-ocean-bridge.rules allows it";
-    }
-    if (error == LIBUSB_ERROR_BUSY) return "another program has it";
-    return libusb_strerror(static_cast<libusb_error>(error));
-}
 
 class K8055Source : public Source {
   public:
@@ -149,14 +101,10 @@ class K8055Source : public Source {
             const Channel* channel = find_channel(board.channels, name);
             if (channel == nullptr) continue;
             if (!channel->output) {
-                throw Error(ErrorKind::invalid_value, name + ": is an input of the board");
-            }
-            if (!(value >= channel->lowest && value <= channel->highest)) {
                 throw Error(ErrorKind::invalid_value,
-                            name + " = " + plain_text(value) +
-                                ": allowed: " + plain_text(channel->lowest) + " .. " +
-                                plain_text(channel->highest));
+                            {.what = "is an input of the board", .parameter = name});
             }
+            require_in_range(*channel, value);
             const std::size_t output =
                 static_cast<std::size_t>(channel - board.channels.data()) - K8055Inputs{}.size();
             const std::lock_guard lock(mutex_);
@@ -165,16 +113,10 @@ class K8055Source : public Source {
             if (context_ != nullptr) libusb_interrupt_event_handler(context_);
             return;
         }
-        throw Error(ErrorKind::invalid_value, name + ": is of another board");
+        throw Error(ErrorKind::invalid_value, {.what = "is of another board", .parameter = name});
     }
 
   private:
-    /// A board that could be opened.
-    struct Candidate {
-        libusb_device* device;  // a reference
-        Clock::time_point next_try;
-    };
-
     bool stopped() const {
         const std::lock_guard lock(mutex_);
         return stopped_;
@@ -187,7 +129,7 @@ class K8055Source : public Source {
             if (error == 0) {
                 serve();
             } else if (std::exchange(complaint, why(error)) != why(error)) {
-                listener_.event("USB BUSY: " + complaint);
+                listener_.event({BoardEvent::Kind::busy, "USB", complaint});
             }
             end();
             if (error != 0) rest();
@@ -223,7 +165,6 @@ class K8055Source : public Source {
         }
         if (context == nullptr) return;
         libusb_hotplug_deregister_callback(context, plug_watch_);
-        for (const Candidate& candidate : candidates_) libusb_unref_device(candidate.device);
         candidates_.clear();
         libusb_exit(context);
     }
@@ -235,7 +176,7 @@ class K8055Source : public Source {
             open_candidates();
             bool any = false;
             for (Board& board : boards_) {
-                if (!board.fault.empty()) close(board);
+                if (board.fault) close(board);
                 tell(board);
                 any = any || board.handle != nullptr;
             }
@@ -268,40 +209,25 @@ class K8055Source : public Source {
     }
 
     void add_candidate(libusb_device* device, Clock::time_point next_try) {
-        const auto same = [&](const Candidate& other) { return other.device == device; };
-        const auto open = [&](const Board& board) { return board.device == device; };
-        if (std::ranges::any_of(candidates_, same) || std::ranges::any_of(boards_, open)) return;
-        candidates_.push_back({libusb_ref_device(device), next_try});
+        const bool is_open = std::ranges::find(boards_, device, &Board::device) != boards_.end();
+        if (!is_open) candidates_.add(device, next_try);
     }
 
     void forget(libusb_device* device) {
         for (Board& board : boards_) {
-            if (board.device == device && board.fault.empty()) board.fault = "unplugged";
+            if (board.device == device) fail(board, unplugged());
         }
-        std::erase_if(candidates_, [&](const Candidate& candidate) {
-            if (candidate.device != device) return false;
-            libusb_unref_device(device);
-            return true;
-        });
+        candidates_.forget(device);
     }
 
     void open_candidates() {
-        const auto now = Clock::now();
-        for (auto candidate = candidates_.begin(); candidate != candidates_.end();) {
-            const auto current = candidate++;
-            if (current->next_try > now) continue;
+        candidates_.open_due(kTryAgain, [this](libusb_device* device) {
             libusb_device_descriptor descriptor{};
-            libusb_get_device_descriptor(current->device, &descriptor);
+            libusb_get_device_descriptor(device, &descriptor);
             const auto board = std::ranges::find(
                 boards_, static_cast<int>(descriptor.idProduct) - kFirstProduct, &Board::address);
-            const bool wanted = board != boards_.end();
-            if (wanted && !open(*board, current->device)) {
-                current->next_try = now + kTryAgain;
-                continue;
-            }
-            libusb_unref_device(current->device);
-            candidates_.erase(current);
-        }
+            return board == boards_.end() || open(*board, device);
+        });
     }
 
     bool open(Board& board, libusb_device* device) {
@@ -325,7 +251,7 @@ class K8055Source : public Source {
 
     bool complain(Board& board, const std::string& reason) const {
         if (std::exchange(board.complaint, reason) != reason) {
-            listener_.event(board.id + " BUSY: " + reason);
+            listener_.event({BoardEvent::Kind::busy, board.id, reason});
         }
         return false;
     }
@@ -341,7 +267,7 @@ class K8055Source : public Source {
         libusb_fill_interrupt_transfer(board.out, board.handle, wiring.out, board.out_bytes.data(),
                                        static_cast<int>(board.out_bytes.size()), taken, this,
                                        kOutputTimeout);
-        board.fault.clear();
+        board.fault.reset();
         board.complaint.clear();
         board.reported.reset();
         {
@@ -349,9 +275,9 @@ class K8055Source : public Source {
             board.there = true;
             board.to_tell = true;  // the kernel's driver has put all out
         }
-        listener_.event(board.id + std::string(kConnected) + ": K8055 on bus " +
-                        std::to_string(libusb_get_bus_number(device)) + ", device " +
-                        std::to_string(libusb_get_device_address(device)));
+        listener_.event({BoardEvent::Kind::connected, board.id,
+                         "K8055 on bus " + std::to_string(libusb_get_bus_number(device)) +
+                             ", device " + std::to_string(libusb_get_device_address(device))});
         listen(board);
     }
 
@@ -372,21 +298,22 @@ class K8055Source : public Source {
         libusb_close(std::exchange(board.handle, nullptr));
         libusb_device* device = std::exchange(board.device, nullptr);
         if (!stopped()) {
-            listener_.event(board.id + " LOST: " + board.fault);
-            if (board.fault != kUnplugged) add_candidate(device, Clock::now() + kTryAgain);
+            const Fault fault = board.fault.value_or(Fault{});
+            listener_.event({BoardEvent::Kind::lost, board.id, fault.text});
+            if (!fault.is_unplugged) add_candidate(device, Clock::now() + kTryAgain);
         }
-        board.fault.clear();
+        board.fault.reset();
         libusb_unref_device(device);
     }
 
     void listen(Board& board) {
         const int error = libusb_submit_transfer(board.in);
         board.in_flies = error == 0;
-        if (error != 0) fail(board, error == LIBUSB_ERROR_NO_DEVICE ? kUnplugged : why(error));
+        if (error != 0) fail(board, fault_of(error));
     }
 
-    static void fail(Board& board, std::string fault) {
-        if (board.fault.empty()) board.fault = std::move(fault);
+    static void fail(Board& board, Fault fault) {
+        if (!board.fault) board.fault = std::move(fault);
     }
 
     /// The board whose transfer it is.
@@ -396,30 +323,13 @@ class K8055Source : public Source {
         });
     }
 
-    static std::string fault_of(const libusb_transfer* transfer) {
-        switch (transfer->status) {
-            case LIBUSB_TRANSFER_COMPLETED:
-                return "";
-            case LIBUSB_TRANSFER_NO_DEVICE:
-                return kUnplugged;
-            case LIBUSB_TRANSFER_STALL:
-                return "it refuses the transfer";
-            case LIBUSB_TRANSFER_TIMED_OUT:
-                return "it does not answer";
-            default:
-                return "a transfer failed";
-        }
-    }
-
     static void LIBUSB_CALL reported(libusb_transfer* transfer) {
         auto& source = *static_cast<K8055Source*>(transfer->user_data);
         Board& board = source.owner(transfer);
         board.in_flies = false;
-        if (std::string fault = fault_of(transfer); !fault.empty()) {
-            return fail(board, std::move(fault));
-        }
+        if (auto fault = fault_of(transfer)) return fail(board, std::move(*fault));
         source.report(board, {transfer->buffer, static_cast<std::size_t>(transfer->actual_length)});
-        if (board.fault.empty()) source.listen(board);
+        if (!board.fault) source.listen(board);
     }
 
     void report(Board& board, std::span<const std::uint8_t> bytes) {
@@ -436,12 +346,12 @@ class K8055Source : public Source {
     static void LIBUSB_CALL taken(libusb_transfer* transfer) {
         Board& board = static_cast<K8055Source*>(transfer->user_data)->owner(transfer);
         board.out_flies = false;
-        if (std::string fault = fault_of(transfer); !fault.empty()) fail(board, std::move(fault));
+        if (auto fault = fault_of(transfer)) fail(board, std::move(*fault));
     }
 
     /// What was told since the last time, as one report of all outputs.
     void tell(Board& board) {
-        if (board.handle == nullptr || board.out_flies || !board.fault.empty()) return;
+        if (board.handle == nullptr || board.out_flies || board.fault) return;
         {
             const std::lock_guard lock(mutex_);
             if (!board.to_tell.exchange(false)) return;
@@ -449,7 +359,7 @@ class K8055Source : public Source {
         }
         const int error = libusb_submit_transfer(board.out);
         board.out_flies = error == 0;
-        if (error != 0) fail(board, error == LIBUSB_ERROR_NO_DEVICE ? kUnplugged : why(error));
+        if (error != 0) fail(board, fault_of(error));
     }
 
     void put_out() {
@@ -462,8 +372,7 @@ class K8055Source : public Source {
         }
         const auto end = Clock::now() + kLastWords;
         const auto busy = [](const Board& board) {
-            return board.handle != nullptr && board.fault.empty() &&
-                   (board.out_flies || board.to_tell);
+            return board.handle != nullptr && !board.fault && (board.out_flies || board.to_tell);
         };
         while (std::ranges::any_of(boards_, busy) && Clock::now() < end) {
             for (Board& board : boards_) tell(board);
@@ -471,11 +380,9 @@ class K8055Source : public Source {
         }
     }
 
-    static constexpr const char* kUnplugged = "unplugged";
-
     std::list<Board> boards_;  // their places do not change
     Listener listener_;
-    std::list<Candidate> candidates_;
+    UsbCandidates candidates_;
     libusb_hotplug_callback_handle plug_watch_{};
 
     mutable std::mutex mutex_;

@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "client_events.hpp"
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/bridge/source.hpp"
 #include "ocean/error.hpp"
@@ -30,7 +31,7 @@ constexpr auto kLastRetry = std::chrono::milliseconds(3000);
 constexpr auto kConnectLimit = std::chrono::seconds(5);
 constexpr auto kLook = std::chrono::seconds(2);      // a PING when nothing came for so long
 constexpr auto kSilence = std::chrono::seconds(10);  // then the line is dead
-/// What an owner that does not look keeps of lines; of values it keeps them all, once.
+/// Lines of an owner that wait to be sent.
 constexpr std::size_t kMostLines = 1000;
 
 /// Owner and bridge may spell a parameter in two ways.
@@ -67,13 +68,13 @@ class LineClient::Core {
 
     std::vector<ClientEvent> events() {
         const std::lock_guard lock(mutex_);
-        return take();
+        return events_.take();
     }
 
     std::vector<ClientEvent> wait(std::chrono::milliseconds longest) {
         std::unique_lock lock(mutex_);
         arrived_.wait_for(lock, longest, [this] { return !events_.empty(); });
-        return take();
+        return events_.take();
     }
 
     void set(const std::string& given, const std::string& value, bool as_wish) {
@@ -83,7 +84,7 @@ class LineClient::Core {
         wanted_[name] = value;
         if (as_wish) {
             reported_.erase(name);
-            drop_values(name);
+            events_.drop_values(name);
         } else {
             reported_.insert(name);
         }
@@ -101,58 +102,12 @@ class LineClient::Core {
   private:
     // ---- what its owner sees; all of it under the lock
 
-    std::vector<ClientEvent> take() {
-        value_at_.clear();
-        turned_.clear();
-        line_count_ = 0;
-        return std::exchange(events_, {});
-    }
-    static bool is_value(const ClientEvent& event, const std::string& name) {
-        return event.kind == Kind::value && event.name == name;
-    }
-    void drop_values(const std::string& name) {
-        if (!value_at_.contains(name)) return;
-        std::erase_if(events_, [&](const ClientEvent& event) { return is_value(event, name); });
-        index_values();
-    }
-    /// Of what two writers have made of a value in turn the latest of each.
-    void keep_one_of(const std::string& name) {
-        const auto of_it = [&](const ClientEvent& event) { return is_value(event, name); };
-        const auto first = std::ranges::find_if(events_, of_it);
-        if (first == events_.begin() + static_cast<std::ptrdiff_t>(value_at_.at(name))) return;
-        events_.erase(first);
-        index_values();
-    }
-    void index_values() {
-        value_at_.clear();
-        for (std::size_t i = 0; i < events_.size(); ++i) {
-            if (events_[i].kind == Kind::value) value_at_[events_[i].name] = i;
-        }
-    }
     void deliver(ClientEvent event) {
         const std::lock_guard lock(mutex_);
-        if (event.kind == Kind::value) {
-            const bool overtaken = wanted_.contains(event.name) || on_its_way(event.name);
-            if (overtaken && !reported_.contains(event.name)) return;
-            const bool turned = turned_.erase(event.name) > 0;
-            if (const auto found = value_at_.find(event.name); found != value_at_.end()) {
-                if (!turned) {
-                    events_[found->second].text = std::move(event.text);
-                    return;
-                }
-                keep_one_of(event.name);
-            }
-            value_at_[event.name] = events_.size();
-        } else {
-            if (event.kind == Kind::writer) turned_.insert(event.name);
-            if (++line_count_ > kMostLines) {
-                const auto oldest = std::ranges::find_if(
-                    events_, [](const ClientEvent& old) { return old.kind != Kind::value; });
-                events_.erase(oldest);
-                index_values();
-            }
-        }
-        events_.push_back(std::move(event));
+        const bool overtaken =
+            event.kind == Kind::value && (wanted_.contains(event.name) || on_its_way(event.name));
+        if (overtaken && !reported_.contains(event.name)) return;
+        events_.add(std::move(event));
         arrived_.notify_all();
     }
     bool on_its_way(const std::string& name) const {
@@ -386,11 +341,8 @@ class LineClient::Core {
     std::condition_variable arrived_;
     bool greeted_ = false;
     bool woken_ = false;
-    std::vector<ClientEvent> events_;
-    std::map<std::string, std::size_t> value_at_;  // of events_, the latest of a name
-    std::set<std::string> turned_;                 // names that have another writer since that
-    std::set<std::string> reported_;               // names that were reported last, not set
-    std::size_t line_count_ = 0;
+    ClientEvents events_;
+    std::set<std::string> reported_;             // names that were reported last, not set
     std::map<std::string, std::string> wanted_;  // to be sent
     std::deque<std::string> lines_;
     struct Asked {

@@ -35,19 +35,20 @@ constexpr auto kLastWords = std::chrono::milliseconds(500);
 constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
 constexpr std::size_t kMostClients = 100'000;
 /// A report, or an event. Their order counts.
-using BoardNews = std::variant<Report, std::string>;
+using BoardNews = std::variant<Report, BoardEvent>;
 /// Of boards, while this thread is busy.
 constexpr std::size_t kMostReports = 65536;
 
 const ServerOptions& checked(const ServerOptions& options) {
     if (!options.listen.is_loopback() && options.token.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--listen " + options.listen.text() +
-                        ": others than this machine may come there only with --token-file");
+        const std::string what = "others than this machine may come there only with --token-file";
+        throw Error(ErrorKind::invalid_value, "--listen " + options.listen.text() + ": " + what,
+                    {.what = what, .parameter = "--listen", .value = options.listen.text()});
     }
     if (options.clients < 1 || options.clients > kMostClients) {
-        throw Error(ErrorKind::invalid_value,
-                    "--clients " + std::to_string(options.clients) + ": allowed: 1 .. 100000");
+        const std::string given = std::to_string(options.clients);
+        throw Error(ErrorKind::invalid_value, "--clients " + given + ": allowed: 1 .. 100000",
+                    {.parameter = "--clients", .value = given, .allowed = "1 .. 100000"});
     }
     require_valid(options.osc);
     require_descriptors(options.clients);
@@ -74,7 +75,7 @@ class LineServer::Core {
         accept();
         look_around();
         hub_.start({[this](Report report) { take(std::move(report)); },
-                    [this](std::string event) { take(std::move(event)); }});
+                    [this](BoardEvent event) { take(std::move(event)); }});
         thread_ = std::thread([this] { io_.run(); });
     }
 
@@ -186,7 +187,7 @@ class LineServer::Core {
             if (const auto* report = std::get_if<Report>(&news)) {
                 hub_.report(*report);
             } else {
-                hub_.board_event(std::get<std::string>(news));
+                hub_.board_event(std::get<BoardEvent>(news));
             }
         }
         changed();

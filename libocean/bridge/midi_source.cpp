@@ -117,8 +117,9 @@ class MidiSource : public Source {
             trouble_.clear();
         } catch (const Error& error) {
             if (!open_.empty()) leave();
-            const std::string trouble = id_ + " BUSY: " + error.what();
-            if (std::exchange(trouble_, trouble) != trouble) listener_.event(trouble);
+            const std::string trouble = error.what();
+            if (std::exchange(trouble_, trouble) == trouble) return;
+            listener_.event({BoardEvent::Kind::busy, id_, trouble});
         }
     }
 
@@ -136,7 +137,7 @@ class MidiSource : public Source {
         }
         open_.clear();
         be_there(false);
-        listener_.event(id_ + std::string(kLost));
+        listener_.event({BoardEvent::Kind::lost, id_});
     }
 
     void join(const std::vector<std::string>& names) {
@@ -148,7 +149,7 @@ class MidiSource : public Source {
         if (!ports_->open(*port, [this](auto bytes) { receive(bytes); })) return;
         open_ = *port;
         be_there(true);
-        listener_.event(id_ + std::string(kConnected) + ": " + text::printable(open_));
+        listener_.event({BoardEvent::Kind::connected, id_, text::printable(open_)});
         for (const auto& [index, value] : told_) send(index, value);
     }
 

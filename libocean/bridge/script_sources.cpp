@@ -80,7 +80,7 @@ class ScriptSource : public Source {
     void put(const std::string& name, double value) override {
         const Channel* channel = find_channel(channels_, name);
         if (channel == nullptr || !has_places_) {
-            throw Error(ErrorKind::invalid_value, name + ": cannot be told");
+            throw Error(ErrorKind::invalid_value, {.what = "cannot be told", .parameter = name});
         }
         require_in_range(*channel, value);
         {

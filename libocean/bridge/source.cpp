@@ -23,6 +23,21 @@ bool is_channel_name(std::string_view name) {
            end != wire.begin() && end != wire.end() && std::all_of(end, wire.end(), digit);
 }
 
+std::string event_text(const BoardEvent& event) {
+    const auto line = [&event](std::string_view word) {
+        return event.board + std::string(word) + (event.text.empty() ? "" : ": " + event.text);
+    };
+    switch (event.kind) {
+        case BoardEvent::Kind::connected:
+            return line(" CONNECTED");
+        case BoardEvent::Kind::lost:
+            return line(" LOST");
+        case BoardEvent::Kind::busy:
+            return line(" BUSY");
+    }
+    return event.board;
+}
+
 const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name) {
     const auto found = std::ranges::find(channels, name, &Channel::name);
     return found == channels.end() ? nullptr : &*found;
@@ -30,16 +45,17 @@ const Channel* find_channel(const std::vector<Channel>& channels, std::string_vi
 
 void require_in_range(const Channel& channel, double value) {
     if (value >= channel.lowest && value <= channel.highest) return;
-    throw Error(ErrorKind::invalid_value, channel.name + " = " + plain_text(value) +
-                                              ": allowed: " + plain_text(channel.lowest) + " .. " +
-                                              plain_text(channel.highest));
+    const std::string given = plain_text(value);
+    const std::string allowed = plain_text(channel.lowest) + " .. " + plain_text(channel.highest);
+    throw Error(ErrorKind::invalid_value, channel.name + " = " + given + ": allowed: " + allowed,
+                {.parameter = channel.name, .value = given, .allowed = allowed});
 }
 
 std::size_t output_index(const std::vector<Channel>& channels, const std::string& name,
                          double value) {
     const Channel* channel = find_channel(channels, name);
     if (channel == nullptr || !channel->output) {
-        throw Error(ErrorKind::invalid_value, name + ": cannot be told");
+        throw Error(ErrorKind::invalid_value, {.what = "cannot be told", .parameter = name});
     }
     require_in_range(*channel, value);
     return static_cast<std::size_t>(channel - channels.data());

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -75,30 +74,33 @@ std::size_t needed_floats(const MapOutput& map, int resolution, const std::strin
     const std::size_t rows = width / static_cast<std::size_t>(map.components);
     const std::size_t pitch = map.pitch(resolution);
     if (pitch < width || pitch > SIZE_MAX / sizeof(float) / rows) {
-        refuse(name + ".row_pitch = " + std::to_string(pitch) + "; allowed: 0, or " +
-               std::to_string(width) + " floats or more");
+        refuse({.parameter = name + ".row_pitch",
+                .value = std::to_string(pitch),
+                .allowed = "0, or " + std::to_string(width) + " floats or more"});
     }
     return (rows - 1) * pitch + width;
 }
 
 void check_output(const ocean_output& output, const std::string& name) {
     if (output.channels < 1 || output.channels > kMaxComponents) {
-        refuse(name + ".channels = " + std::to_string(output.channels) + "; allowed: 1 .. 4");
+        refuse({.parameter = name + ".channels",
+                .value = std::to_string(output.channels),
+                .allowed = "1 .. 4"});
     }
     if (output.axes < OCEAN_ZUP || output.axes > OCEAN_TNB) {
-        refuse(name + ".axes = " + std::to_string(output.axes) +
-               "; allowed: OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB");
+        refuse({.parameter = name + ".axes",
+                .value = std::to_string(output.axes),
+                .allowed = "OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB"});
     }
-    if (output.reserved != 0) {
-        refuse(name + ".reserved = " + std::to_string(output.reserved) + "; allowed: 0");
-    }
+    require_reserved(output.reserved, name + ".reserved");
     require(output.data, (name + ".data").c_str());
     for (int c = 0; c < output.channels; ++c) {
         if (output.channel[c] == kUntouched) continue;
         if (output.channel[c] < 0 || output.channel[c] >= kChannelCount) {
-            refuse(name + ".channel[" + std::to_string(c) +
-                   "] = " + std::to_string(output.channel[c]) + "; allowed: " + c_name(0) + " .. " +
-                   c_name(kChannelCount - 1) + ", or -1 to leave that component as it is");
+            refuse({.parameter = name + ".channel[" + std::to_string(c) + "]",
+                    .value = std::to_string(output.channel[c]),
+                    .allowed = c_name(0) + " .. " + c_name(kChannelCount - 1) +
+                               ", or -1 to leave that component as it is"});
         }
     }
 }
@@ -179,8 +181,9 @@ class OutputArray {
 int map_resolution(int asked, int shown) {
     if (asked == 0) return shown;
     if (!is_resolution(asked)) {
-        refuse("resolution = " + std::to_string(asked) +
-               "; allowed: 0 (ocean_map_resolution) or a power of two, 32 .. 8192");
+        refuse({.parameter = "resolution",
+                .value = std::to_string(asked),
+                .allowed = "0 (ocean_map_resolution) or a power of two, 32 .. 8192"});
     }
     return asked;
 }
@@ -227,18 +230,14 @@ ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request) {
         require(request, "request");
         const ocean_request asked =
             read_struct(request, offsetof(ocean_request, output_size), "ocean_request");
-        if (!std::isfinite(asked.time)) {
-            refuse("time = " + std::to_string(asked.time) +
-                   "; allowed: a finite number of seconds");
-        }
+        require_finite(asked.time, "time", "seconds");
         const Grid& grid = sea->ocean->parameters().grid;
         if (asked.cascade < 0 || asked.cascade > grid.cascades) {
-            refuse("cascade = " + std::to_string(asked.cascade) +
-                   "; allowed: 0 (the whole sea) .. " + std::to_string(grid.cascades));
+            refuse({.parameter = "cascade",
+                    .value = std::to_string(asked.cascade),
+                    .allowed = "0 (the whole sea) .. " + std::to_string(grid.cascades)});
         }
-        if (asked.reserved != 0) {
-            refuse("reserved = " + std::to_string(asked.reserved) + "; allowed: 0");
-        }
+        require_reserved(asked.reserved, "reserved");
         const int resolution = map_resolution(
             asked.resolution, asked.cascade == 0 ? default_map_resolution(grid) : grid.resolution);
         const OutputArray outputs(asked, request->struct_size);
@@ -265,9 +264,7 @@ ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution, 
     return guarded([&] {
         const Visit visit(sea);
         require(power, "power");
-        if (!std::isfinite(time)) {
-            refuse("time = " + std::to_string(time) + "; allowed: a finite number of seconds");
-        }
+        require_finite(time, "time", "seconds");
         const Grid& grid = sea->ocean->parameters().grid;
         *power =
             sea->ocean->cover_power(time, map_resolution(resolution, default_map_resolution(grid)));

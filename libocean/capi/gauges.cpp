@@ -27,33 +27,37 @@ SampleTimes sample_times(const ocean_gauge_request& asked) {
     require_time(asked.start);
     require_time(asked.end);
     if (!(asked.end >= asked.start)) {
-        refuse("end = " + std::to_string(asked.end) +
-               "; allowed: start = " + std::to_string(asked.start) + " or later");
+        refuse({.parameter = "end",
+                .value = std::to_string(asked.end),
+                .allowed = "start = " + std::to_string(asked.start) + " or later"});
     }
     if (!(asked.rate > 0.0) || !((asked.end - asked.start) * asked.rate < kMostTimes)) {
-        refuse("rate = " + std::to_string(asked.rate) + "; allowed: more than 0 Hz, and at most " +
-               std::to_string(kMostTimes) + " times");
+        refuse({.parameter = "rate",
+                .value = std::to_string(asked.rate),
+                .allowed = "more than 0 Hz, and at most " + std::to_string(kMostTimes) + " times"});
     }
     return {asked.start, asked.end, asked.rate};
 }
 
 Gauge gauge_of(const ocean_gauge& from, const std::string& name) {
     require(from.fixes, (name + ".fixes").c_str());
-    if (from.fix_count == 0) refuse(name + ".fix_count = 0; allowed: 1 or more");
+    if (from.fix_count == 0) {
+        refuse({.parameter = name + ".fix_count", .value = "0", .allowed = "1 or more"});
+    }
     Gauge gauge{name, {}, from.velocity[0], from.velocity[1]};
     for (std::size_t i = 0; i < from.fix_count; ++i) {
         const double* fix = from.fixes + kFixDoubles * i;
         const std::string which = name + ".fixes[" + std::to_string(i) + "]";
         if (!std::all_of(fix, fix + kFixDoubles, [](double x) { return std::isfinite(x); })) {
-            refuse(which + ": a number is not finite");
+            refuse({.what = "a number is not finite", .parameter = which});
         }
         if (i > 0 && !(fix[0] > gauge.track.back().time)) {
-            refuse(which + ": is no later than the one before it");
+            refuse({.what = "is no later than the one before it", .parameter = which});
         }
         gauge.track.push_back({fix[0], {fix[1], fix[2], fix[3]}});
     }
     if (!std::isfinite(gauge.velocity_x) || !std::isfinite(gauge.velocity_y)) {
-        refuse(name + ".velocity: is not finite");
+        refuse({.what = "is not finite", .parameter = name + ".velocity"});
     }
     return gauge;
 }

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "libocean.h"
+#include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
 #include "ocean/version.hpp"
 
@@ -24,23 +25,42 @@ namespace ocean::capi {
 class CallError : public std::runtime_error {
   public:
     CallError(ocean_result code, const std::string& message)
-        : std::runtime_error(message), code_(code) {}
+        : CallError(code, Error(ErrorKind::invalid_value, message)) {}
+    /// The sentence is that of ocean::Error.
+    CallError(ocean_result code, ErrorFields fields)
+        : CallError(code, Error(ErrorKind::invalid_value, std::move(fields))) {}
+
+    CallError(ocean_result code, const Error& said)
+        : std::runtime_error(said.what()), code_(code), fields_(said.fields()) {}
+
     ocean_result code() const noexcept { return code_; }
+    const ErrorFields& fields() const noexcept { return fields_; }
 
   private:
     ocean_result code_;
+    ErrorFields fields_;
 };
 
 [[noreturn]] inline void refuse(const std::string& message) {
     throw CallError(OCEAN_INVALID_ARGUMENT, message);
 }
+[[noreturn]] inline void refuse(ErrorFields fields) {
+    throw CallError(OCEAN_INVALID_ARGUMENT, std::move(fields));
+}
 inline void require(const void* argument, const char* name) {
     if (argument == nullptr) refuse(std::string(name) + " is NULL");
 }
+/// Throws CallError for a value other than 0 of the member of that name.
+void require_reserved(std::int32_t value, const std::string& name);
+/// Throws CallError for an infinite value or none of the argument or member of that name.
+void require_finite(double value, const std::string& name, const char* unit);
 
 /// The sentence of this thread's last failure; never NULL.
 const char* last_error() noexcept;
-/// The code of the exception being handled; keeps its sentence. Only inside a catch block.
+/// Returns the part OCEAN_ERROR_... of it; "" where it has no such part.
+const char* last_error_field(std::int32_t field) noexcept;
+/// The code of the exception being handled; keeps its sentence and its parts. Only inside a catch
+/// block.
 ocean_result translate_exception() noexcept;
 
 /// Runs `body` so that nothing is thrown out of it.
@@ -65,8 +85,11 @@ inline constexpr std::size_t kMaxStructSize = 4096;
 inline void require_struct_size(std::size_t size, std::size_t minimum, const std::string& member,
                                 const std::string& name, std::size_t here) {
     if (size >= minimum && size <= kMaxStructSize && size % alignof(std::int32_t) == 0) return;
-    refuse(member + " = " + std::to_string(size) + "; set it to sizeof(" + name + "), here " +
-           std::to_string(here));
+    const std::string given = std::to_string(size);
+    const std::string what = "set it to sizeof(" + name + "), here " + std::to_string(here);
+    throw CallError(OCEAN_INVALID_ARGUMENT,
+                    Error(ErrorKind::invalid_value, member + " = " + given + "; " + what,
+                          {.what = what, .parameter = member, .value = given}));
 }
 
 /// The caller's `size` bytes as this version's struct: what is missing is 0.

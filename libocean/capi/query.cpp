@@ -5,7 +5,6 @@
 // in batches, so that a long list needs no memory of its own.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -30,11 +29,6 @@ constexpr std::size_t kVelocityFloats = 3;
 constexpr std::size_t kBodyDoubles = 5;
 constexpr std::size_t kPoseFloats = 11;
 
-void require_finite(double value, const std::string& name, const char* unit) {
-    if (std::isfinite(value)) return;
-    refuse(name + " = " + std::to_string(value) + "; allowed: a finite number of " + unit);
-}
-
 /// n inputs of `width` doubles and n outputs of `floats` floats, `stride` apart.
 struct Lists {
     const double* in;
@@ -48,8 +42,9 @@ struct Lists {
 
     void check() const {
         if (stride < floats) {
-            refuse("stride = " + std::to_string(stride) + "; allowed: " + std::to_string(floats) +
-                   " floats or more");
+            refuse({.parameter = "stride",
+                    .value = std::to_string(stride),
+                    .allowed = std::to_string(floats) + " floats or more"});
         }
         if (n == 0) return;
         require(in, in_name);
@@ -242,7 +237,9 @@ ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies,
             try {
                 require_body(list.back());
             } catch (const Error& error) {
-                refuse("body " + std::to_string(i) + ": " + error.what());
+                const std::string sentence = "body " + std::to_string(i) + ": " + error.what();
+                throw CallError(OCEAN_INVALID_ARGUMENT,
+                                Error(error.kind(), sentence, error.fields()));
             }
         }
         std::vector<FloatPose> answers(n);

@@ -75,19 +75,21 @@ OceanOptions ocean::capi::read_options(const ocean_options* given) {
     if (given == nullptr) return {};
     const ocean_options asked = read_struct(given, sizeof(given->struct_size), "ocean_options");
     if (asked.threads < 0 || asked.threads > kMaxThreads) {
-        refuse("threads = " + std::to_string(asked.threads) +
-               "; allowed: 0 (the cores this process may use) .. " + std::to_string(kMaxThreads));
+        refuse({.parameter = "threads",
+                .value = std::to_string(asked.threads),
+                .allowed = "0 (the cores this process may use) .. " + std::to_string(kMaxThreads)});
     }
     if (asked.backend < OCEAN_CPU || asked.backend > OCEAN_DFT) {
-        refuse("backend = " + std::to_string(asked.backend) +
-               "; allowed: OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT");
+        refuse({.parameter = "backend",
+                .value = std::to_string(asked.backend),
+                .allowed = "OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT"});
     }
     if (asked.foam_start < OCEAN_FOAM_SETTLED || asked.foam_start > OCEAN_FOAM_EMPTY) {
-        refuse("foam_start = " + std::to_string(asked.foam_start) +
-               "; allowed: OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY");
+        refuse({.parameter = "foam_start",
+                .value = std::to_string(asked.foam_start),
+                .allowed = "OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY"});
     }
-    if (asked.reserved != 0)
-        refuse("reserved = " + std::to_string(asked.reserved) + "; allowed: 0");
+    require_reserved(asked.reserved, "reserved");
     OceanOptions options;
     options.threads = asked.threads;
     options.backend = find_backend(kBackends[static_cast<std::size_t>(asked.backend)]);
@@ -122,6 +124,9 @@ const char* ocean_version(void) {
 }
 const char* ocean_last_error(void) {
     return last_error();
+}
+const char* ocean_last_error_field(int32_t field) {
+    return last_error_field(field);
 }
 
 ocean_result ocean_open(const char* path, const ocean_options* options, ocean_sea** out) {

@@ -49,9 +49,7 @@ ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request, siz
         require(count, "count");
         const ocean_spray_request asked =
             read_struct(request, sizeof(ocean_spray_request), "ocean_spray_request");
-        if (asked.reserved != 0) {
-            refuse("reserved = " + std::to_string(asked.reserved) + "; allowed: 0");
-        }
+        require_reserved(asked.reserved, "reserved");
         if (asked.particles != nullptr) {
             require_struct_size(asked.particle_size, sizeof(std::uint64_t), "particle_size",
                                 "ocean_spray_particle", sizeof(ocean_spray_particle));

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -360,106 +359,6 @@ std::vector<SprayParticle> Ocean::spray(double time, const SpraySettings& settin
 
 std::vector<MistPuff> Ocean::mist(double time, const SpraySettings& settings) {
     return spray_at(time, settings).mist();
-}
-
-namespace {
-
-void require_query_memory(std::uint64_t bytes) {
-    require_memory(bytes, "a query of this sea");
-}
-
-}  // namespace
-
-QueryOptions Ocean::shown(QueryOptions options) const {
-    if (options.resolution == 0) {
-        options.resolution = default_map_resolution(sea_.parameters.grid);
-    }
-    return options;
-}
-
-const SurfaceQuery& Ocean::surface_query(double time, const QueryOptions& options) {
-    const Asked asked{revision_, time, 0.0, shown(options)};
-    auto& kept = surface_query_;
-    if (kept && kept->asked == asked) return kept->query;
-    if (kept && kept->asked.options != asked.options) kept.reset();
-    FoamMap foam;
-    if (options.foam) {
-        const Surface map = evaluate(time, {Channel::foam}, asked.options.resolution);
-        const std::span<const float> values = map.channel(Channel::foam);
-        foam = {{values.begin(), values.end()}, map.resolution()};
-    }
-    const Modes& modes = this->modes(time);  // foam has been in the past
-    if (kept) {
-        kept->asked.revision = 0;
-        kept->query.move_to(modes, now().surface, now().water, time, pool_, std::move(foam));
-        kept->asked = asked;
-    } else {
-        require_query_memory(SurfaceQuery::bytes(modes, asked.options));
-        kept = {asked, SurfaceQuery(modes, now().surface, now().water, time, asked.options, pool_,
-                                    std::move(foam))};
-    }
-    return kept->query;
-}
-
-const OrbitalMotion& Ocean::orbital_motion(double time, double z, const QueryOptions& options) {
-    const Asked asked{revision_, time, z, shown(options)};
-    auto& kept = orbital_motion_;
-    if (kept && kept->asked == asked) return kept->query;
-    if (kept && kept->asked.options != asked.options) kept.reset();
-    const Modes& modes = this->modes(time);
-    if (kept) {
-        kept->asked.revision = 0;
-        kept->query.move_to(modes, now().water, time, z, pool_);
-        kept->asked = asked;
-    } else {
-        require_query_memory(OrbitalMotion::bytes(modes, asked.options));
-        kept = {asked, OrbitalMotion(modes, now().water, time, z, asked.options, pool_)};
-    }
-    return kept->query;
-}
-
-void Ocean::query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
-                  const QueryOptions& options) {
-    surface_query(time, options).sample(points, samples, pool_);
-}
-
-double Ocean::query_height_error(double time, const QueryOptions& options) {
-    return surface_query(time, options).height_error();
-}
-
-void Ocean::water_motion(double time, std::span<const WaterPoint> points,
-                         std::span<WaterMotion> motions, const QueryOptions& options) {
-    for (const WaterPoint& point : points) {
-        if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) continue;
-        throw Error(ErrorKind::invalid_value, "a point must be finite numbers of metres");
-    }
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i].z; });
-    std::vector<WorldPoint> level;
-    std::vector<WaterMotion> found;
-    for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-        const double z = points[order[first]].z;
-        level.clear();
-        for (; last < order.size() && points[order[last]].z == z; ++last) {
-            level.push_back({points[order[last]].x, points[order[last]].y});
-        }
-        found.resize(level.size());
-        orbital_motion(time, z, options).sample(level, found, pool_);
-        for (std::size_t i = first; i < last; ++i) motions[order[i]] = found[i - first];
-    }
-}
-
-void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
-                        std::span<FloatPose> poses) {
-    // A pose needs no foam, but the query that is kept may have some.
-    QueryOptions options;
-    options.foam =
-        surface_query_ && surface_query_->asked == Asked{revision_, time, 0.0, shown({})};
-    const SurfaceQuery& query = surface_query(time, options);
-    std::vector<FloatPose> found;
-    for (const FloatBody& body : bodies) found.push_back(float_pose(query, body, pool_));
-    std::copy(found.begin(), found.end(), poses.begin());
 }
 
 }  // namespace ocean

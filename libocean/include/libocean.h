@@ -6,8 +6,9 @@
 //
 // Rules that hold for every function:
 // - No exception crosses. A function that fails returns a code, leaves its outputs alone and keeps
-//   a sentence for ocean_last_error(). Any function may return OCEAN_INVALID_ARGUMENT,
-//   OCEAN_OUT_OF_MEMORY and OCEAN_INTERNAL; the other codes stand beside it.
+//   a sentence for ocean_last_error(), and its parts for ocean_last_error_field(). Any function may
+//   return OCEAN_INVALID_ARGUMENT, OCEAN_OUT_OF_MEMORY and OCEAN_INTERNAL; the other codes stand
+//   beside it.
 // - An ocean_sea is for one thread at a time, several run in parallel: a call while another thread
 //   is in the same sea returns OCEAN_BUSY, and ocean_free waits for that thread. Functions without
 //   a sea may be called from any thread.
@@ -178,6 +179,19 @@ OCEAN_API const char* ocean_version(void);
 /* What went wrong in this thread's last failed call; "" before any. Lives until the next failed
  * call of this thread. */
 OCEAN_API const char* ocean_last_error(void);
+/* Parts of a failure. */
+enum {
+    OCEAN_ERROR_WHAT,      /* "is out of range": all of the sentence where it has no other part */
+    OCEAN_ERROR_PARAMETER, /* "waves.0.fetch"; also a member of a request or an argument */
+    OCEAN_ERROR_VALUE,     /* "5": as the sentence shows it */
+    OCEAN_ERROR_ALLOWED    /* "1000 .. 10000000 m" */
+};
+/* Returns one part of what ocean_last_error() says in a sentence, so that a host need not take the
+ * sentence apart: to mark a field, or to say it in its own words. "" where the failure has no such
+ * part, and for a part of a later version; never NULL. The parameter of a failure is promised, the
+ * words of its other parts are not. Lives until the next failed call of this thread. Never fails.
+ */
+OCEAN_API const char* ocean_last_error_field(int32_t field);
 
 /* Opens a sea file. options may be NULL. *out is to be freed by ocean_free; it needs neither the
  * file nor the options any more. BAD_FILE, INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */

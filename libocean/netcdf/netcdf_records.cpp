@@ -18,7 +18,7 @@
 #include "ocean/internal/directional_record.hpp"
 #include "ocean/internal/record_rules.hpp"
 #include "ocean/text.hpp"
-#include "quality_flags.hpp"
+#include "record_flags.hpp"
 #include "spectrum_axes.hpp"
 
 namespace ocean::netcdf {
@@ -31,19 +31,14 @@ std::string shown(double value) {
     return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
 }
 
-/// What the flags of one variable say in one record.
-struct Verdict {
-    std::string record_fault;  // if the whole record is bad
-    std::vector<bool> bad;     // by frequency of the file; empty where none is
-};
-
 class RecordMaker {
   public:
     explicit RecordMaker(const Content& content)
         : content_(content),
           layout_(find_layout(content)),
           spectrum_(content.variables[layout_.spectrum]),
-          bins_(content, layout_) {}
+          bins_(content, layout_),
+          flags_(content, layout_) {}
 
     std::vector<SpectrumRecord> make() {
         if (spectrum_.values.empty()) throw fail("has no values");
@@ -52,10 +47,6 @@ class RecordMaker {
         read_units();
         if (layout_.time) read_time_units();
         for (const std::string& warning : bins_.warnings()) warn(warning);
-        for (const auto& [flag, judged] : layout_.flags) {
-            flags_.push_back({&content_.variables[flag], &content_.variables[judged],
-                              QualityFlags(content_.variables[flag])});
-        }
         std::vector<SpectrumRecord> records;
         // The point of the record among all dimensions of the content.
         std::vector<std::size_t> at(content_.dimensions.size(), 0);
@@ -71,13 +62,6 @@ class RecordMaker {
     }
 
   private:
-    /// A variable of flags, the one that it judges, and what its flags mean.
-    struct Flags {
-        const Variable* flags;
-        const Variable* judged;
-        QualityFlags meaning;
-    };
-
     Fault fail(const std::string& message) const { return {spectrum_.name, message}; }
     const Variable* variable(const std::optional<std::size_t>& index) const {
         return index ? &content_.variables[*index] : nullptr;
@@ -213,7 +197,7 @@ class RecordMaker {
     }
 
     void fill(SpectrumRecord& result, std::vector<std::size_t> at) {
-        const Verdict verdict = judge(result, spectrum_, at);
+        const Verdict verdict = flags_.judge(result, spectrum_, at);
         if (!verdict.record_fault.empty()) throw Fault(verdict.record_fault);
         const double scale = layout_.scale ? value_at(variable(layout_.scale), at) : 1.0;
         if (std::isnan(scale))
@@ -225,7 +209,7 @@ class RecordMaker {
         std::vector<std::pair<const Variable*, Verdict>> bin_verdicts;
         for (const auto& bin : layout_.bins) {
             if (const Variable* v = variable(bin))
-                bin_verdicts.emplace_back(v, judge(result, *v, at));
+                bin_verdicts.emplace_back(v, flags_.judge(result, *v, at));
         }
         const auto value_of = [&](const Variable& v) {
             for (const auto& [judged, said] : bin_verdicts) {
@@ -280,59 +264,6 @@ class RecordMaker {
             gathered_ = std::move(good);
         }
         axes_.directions->fill(result, gathered_, units_.factor);
-    }
-
-    /// What the flags of a variable say; warns of those of the spectrum.
-    Verdict judge(SpectrumRecord& result, const Variable& judged,
-                  std::vector<std::size_t> at) const {
-        Verdict verdict;
-        for (const Flags& flags : flags_) {
-            if (flags.judged != &judged) continue;
-            const std::vector<std::size_t>& over = flags.flags->dimensions;
-            const bool by_frequency =
-                std::find(over.begin(), over.end(), layout_.frequency_dimension) != over.end();
-            const std::size_t count = by_frequency ? axes_.frequency.size() : 1;
-            std::size_t bad = 0;
-            std::size_t doubtful = 0;
-            for (std::size_t k = 0; k < count; ++k) {
-                at[layout_.frequency_dimension] = k;
-                const double flag = flags.flags->values[offset(content_, *flags.flags, at)];
-                const Quality quality = flags.meaning.quality(flag);
-                doubtful += quality == Quality::doubtful ? 1 : 0;
-                if (quality != Quality::bad) continue;
-                ++bad;
-                if (!by_frequency) {
-                    verdict.record_fault = text::printable(flags.flags->name) + ": " +
-                                           label(result) + "its flag is " + shortest_text(flag) +
-                                           ", bad";
-                    continue;
-                }
-                verdict.bad.resize(count);
-                verdict.bad[k] = true;
-            }
-            if (&judged != &spectrum_) continue;
-            const std::string name = text::printable(flags.flags->name);
-            const std::string bands =
-                by_frequency ? " of " + std::to_string(count) + " frequencies" : "";
-            if (by_frequency && bad > 0) {
-                result.warnings.push_back(std::to_string(bad) + bands + " are flagged as bad by " +
-                                          name + ": they are left out");
-            }
-            if (by_frequency && doubtful > 0) {
-                result.warnings.push_back(std::to_string(doubtful) + bands +
-                                          " are flagged as doubtful by " + name +
-                                          ": they are taken as they are");
-            } else if (doubtful > 0) {
-                result.warnings.push_back("the record is flagged as doubtful by " + name +
-                                          ": it is taken as it is");
-            }
-        }
-        return verdict;
-    }
-
-    static std::string label(const SpectrumRecord& record) {
-        return "record " + record.time + (record.station.empty() ? "" : " " + record.station) +
-               ": ";
     }
 
     double density(double value, const SpectrumRecord& record) const {
@@ -397,7 +328,7 @@ class RecordMaker {
     TimeUnits time_units_;
     SpectrumAxes axes_;
     BinDirections bins_;
-    std::vector<Flags> flags_;
+    RecordFlags flags_;
     std::vector<std::string> warnings_;
     std::vector<double> gathered_;
 };

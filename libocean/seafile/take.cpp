@@ -96,7 +96,14 @@ void resolve_take(Sea& sea, const std::string& base_dir) {
         return;
     }
     const std::string path = text::to_utf8(utf8_path(base_dir) / utf8_path(file));
-    sea.take = parse_take(text::read_file(path, kMaxTakeBytes), path, sea.parameters);
+    try {
+        sea.take = parse_take(text::read_file(path, kMaxTakeBytes), path, sea.parameters);
+    } catch (const Error& error) {
+        throw Error(error.kind(), error.what(),
+                    {.what = error.what(),
+                     .parameter = "time.take",
+                     .value = "\"" + text::printable(file) + "\""});
+    }
 }
 
 }  // namespace ocean

@@ -253,6 +253,17 @@ def test_messages_speak_of_the_panels_fields(ocean, tmp_path):
     assert settings.problem == ""
 
 
+@pytest.mark.parametrize("name", ["/grid.resolution", "/waves.0.fetch = 5", "/nowhere surface.x"])
+def test_messages_take_no_file_for_a_field(ocean, name):
+    """A file may be named as a parameter is, or as a whole message."""
+    settings = ocean.libocean
+    settings.take = name
+    assert settings.problem == f'Take = "{name}": {name}: no such file'
+    settings.take = ""
+    settings.waves[0].spectrum, settings.waves[0].file = "measured", name
+    assert settings.problem == f'Spectrum file = "{name}": {name}: no such file'
+
+
 def test_a_measured_sea_without_its_file_keeps_the_sea_that_was(ocean):
     from libocean_addon import live
 

@@ -209,8 +209,8 @@ out = [0, 1]
     turn(3);
     turn(4);
     EXPECT_EQ(wind(), 4.0);
-    hub.board_event("board0 LOST: unplugged");
-    hub.board_event("board0 CONNECTED: again");
+    hub.board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
+    hub.board_event({BoardEvent::Kind::connected, "board0", "again"});
     const std::vector<std::pair<std::string, double>> told = {{"board0/dac1", 102.0},
                                                               {"board0/dac1", 102.0}};
     EXPECT_EQ(board->told, told);
@@ -218,12 +218,40 @@ out = [0, 1]
     EXPECT_EQ(wind(), 4.0);
     turn(8);
     EXPECT_EQ(wind(), 8.0);
-    hub.board_event("board1 CONNECTED: another");
+    hub.board_event({BoardEvent::Kind::connected, "board1", "another"});
     turn(7);
     EXPECT_EQ(wind(), 7.0);
     EXPECT_EQ(hub.events(),
               (std::vector<std::string>{"board0 LOST: unplugged", "board0 CONNECTED: again",
                                         "board1 CONNECTED: another"}));
+}
+
+TEST(Hub, WordsInTheNamesAndFaultsOfBoardsAreNoEvents) {
+    // A board whose name or fault has the words of other events holds its button.
+    Hub hub({.map_text = R"(
+[[map]]
+from = "board0/d1"
+to = "app.pause"
+mode = "momentary"
+)"},
+            {});
+    const auto paused = [&] { return hub.values().number(hub.values().find("app.pause")) == 1.0; };
+    for (const double raw : {0.0, 1.0}) hub.report({Clock::now(), "board0/d1", raw});
+    ASSERT_TRUE(paused());
+    hub.board_event({BoardEvent::Kind::connected, "board0 LOST"});
+    EXPECT_TRUE(paused());
+    hub.board_event({BoardEvent::Kind::busy, "board0", "board0 LOST: another program has it"});
+    EXPECT_TRUE(paused());
+    hub.board_event({BoardEvent::Kind::busy, "board0 LOST", "nothing answers"});
+    EXPECT_TRUE(paused());
+    hub.board_event({BoardEvent::Kind::lost, "board0", " CONNECTED: to nothing"});
+    EXPECT_FALSE(paused());
+    EXPECT_EQ(hub.events(), (std::vector<std::string>{
+                                "board0 LOST CONNECTED",
+                                "board0 BUSY: board0 LOST: another program has it",
+                                "board0 LOST BUSY: nothing answers",
+                                "board0 LOST:  CONNECTED: to nothing",
+                            }));
 }
 
 TEST(Hub, AButtonOfABoardThatIsLostIsLetGo) {
@@ -246,12 +274,12 @@ mode = "toggle"
         hub.report({Clock::now(), "board0/d2", raw});
     }
     ASSERT_EQ(value("app.pause"), 1.0);
-    hub.board_event("board1 LOST: another");
+    hub.board_event({BoardEvent::Kind::lost, "board1", "another"});
     EXPECT_EQ(value("app.pause"), 1.0);
-    hub.board_event("board0 LOST: unplugged");
+    hub.board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
     EXPECT_EQ(value("app.pause"), 0.0);
     EXPECT_EQ(value("app.record"), 1.0);  // it was switched, and not held
-    hub.board_event("board0 CONNECTED: again");
+    hub.board_event({BoardEvent::Kind::connected, "board0", "again"});
     hub.report({Clock::now() + 1s, "board0/d1", 1.0});  // it is held
     EXPECT_EQ(value("app.pause"), 0.0);
     hub.report({Clock::now() + 2s, "board0/d1", 0.0});

@@ -21,7 +21,7 @@ class Ear {
   public:
     Source::Listener listener() {
         return {[this](const Report& report) { hear(reports_, report); },
-                [this](const std::string& event) { hear(events_, event); }};
+                [this](const BoardEvent& event) { hear(events_, event_text(event)); }};
     }
 
     /// False if it does not come to that.

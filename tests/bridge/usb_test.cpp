@@ -107,7 +107,7 @@ class Usb : public testing::Test {
 
     void start() {
         source_->start({[this](const Report& report) { seen_.report(report); },
-                        [this](const std::string& event) { seen_.event(event); }});
+                        [this](const BoardEvent& event) { seen_.event(event_text(event)); }});
         clock_ = std::thread([this] {
             while (ticking_) {
                 std::this_thread::sleep_for(1ms);  // the time between the board's reports

@@ -152,6 +152,47 @@ void set_and_get_go_through_the_table(void) {
     ocean_free(sea);
 }
 
+static int has_parts(const char* what, const char* parameter, const char* value,
+                     const char* allowed) {
+    return strcmp(ocean_last_error_field(OCEAN_ERROR_WHAT), what) == 0 &&
+           strcmp(ocean_last_error_field(OCEAN_ERROR_PARAMETER), parameter) == 0 &&
+           strcmp(ocean_last_error_field(OCEAN_ERROR_VALUE), value) == 0 &&
+           strcmp(ocean_last_error_field(OCEAN_ERROR_ALLOWED), allowed) == 0;
+}
+
+/* A host marks the field that is wrong, and takes no sentence apart. */
+void errors_have_their_parts(void) {
+    const ocean_options options = {.struct_size = sizeof(ocean_options), .threads = 2000};
+    char text[4];
+    char* name = malloc(5001);
+    ocean_sea* sea = NULL;
+    CHECK(has_parts("", "", "", "") || failures > 0);
+    sea = open_small_sea(NULL);
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "fetch", "5"));
+    CHECK(has_parts("is out of range", "waves.0.fetch", "5", "1000 .. 10000000 m"));
+    CHECK(strcmp(ocean_last_error(),
+                 "waves.0.fetch = 5: is out of range; allowed: 1000 .. 10000000 m") == 0);
+    /* A success leaves them alone, and so does whoever reads them. */
+    CHECK_RESULT(OCEAN_OK, ocean_set(sea, "fetch", "5000"));
+    CHECK(strcmp(ocean_last_error_field(OCEAN_ERROR_PARAMETER), "waves.0.fetch") == 0);
+    CHECK(strcmp(ocean_last_error_field(-1), "") == 0);
+    CHECK(strcmp(ocean_last_error_field(OCEAN_ERROR_ALLOWED + 1), "") == 0);
+
+    CHECK_RESULT(OCEAN_INVALID_ARGUMENT, ocean_clone(sea, &options, &(ocean_sea*){NULL}));
+    CHECK(has_parts("", "threads", "2000", "0 (the cores this process may use) .. 1024"));
+    /* Nothing of the failure before stays in one that has no such part. */
+    CHECK_RESULT(OCEAN_BUFFER_TOO_SMALL, ocean_get(sea, "spectrum", text, sizeof(text)));
+    CHECK(has_parts(ocean_last_error(), "", "", ""));
+    /* As long as they may be, and never half a character. */
+    name[0] = 'x';
+    for (int i = 1; i < 4999; i += 2) memcpy(name + i, "\xc3\xa4", 2);
+    name[4999] = '\0';
+    CHECK_RESULT(OCEAN_INVALID_VALUE, ocean_set(sea, "take", name));
+    CHECK(strlen(ocean_last_error_field(OCEAN_ERROR_VALUE)) < 2048);
+    free(name);
+    ocean_free(sea);
+}
+
 void set_of_a_record_reads_it(void) {
     static const char text[] =
         "libocean = 1\n"

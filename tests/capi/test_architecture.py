@@ -113,7 +113,7 @@ LIBRARIES = {
             "connection.hpp": ("asio",),
             "endpoint.cpp": (*SYSTEM, "arpa/", "ifaddrs.h", "net/", "netinet/"),
             "firmata_source.cpp": ("poll.h",),
-            "k8055_source.cpp": ("libusb.h",),
+            "k8055_usb.hpp": ("libusb.h",),
             "line_client.cpp": ("asio",),
             "line_server.cpp": ("asio",),
             "osc_message.cpp": ("lo/",),

@@ -54,6 +54,7 @@
     TEST(handles_in_two_threads_give_equal_bits)              \
     TEST(a_host_runs_the_jobs_on_its_own_threads)             \
     TEST(errors_are_kept_per_thread)                          \
+    TEST(errors_have_their_parts)                             \
     TEST(a_second_thread_in_a_sea_is_told_and_free_waits)     \
     TEST(a_progress_function_ends_a_call_and_the_sea_goes_on) \
     TEST(a_clone_gives_the_same_maps_and_changes_alone)       \

@@ -143,6 +143,12 @@ def test_errors_carry_the_library_s_sentence_and_code(sea):
     with pytest.raises(libocean.InvalidValueError, match="wind_speed = -1") as refused:
         sea.set("wind_speed", -1)
     assert refused.value.code == 2 and isinstance(refused.value, ValueError)
+    parts = refused.value.what, refused.value.parameter, refused.value.value, refused.value.allowed
+    assert parts == ("is out of range", "waves.0.wind_speed", "-1", "0 .. 75 m/s")
+    with pytest.raises(libocean.Error) as crossed:
+        sea.set_all({"take": "/waves.0.fetch = 5", "fetch": 5000})
+    assert crossed.value.parameter == "time.take" and crossed.value.code == 3
+    assert crossed.value.value == '"/waves.0.fetch = 5"'
     with pytest.raises(libocean.Error, match="no such file") as missing:
         libocean.open("nowhere.toml")
     assert missing.value.code == 3

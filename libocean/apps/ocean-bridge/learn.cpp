@@ -19,7 +19,7 @@
 namespace ocean::app {
 namespace {
 
-using News = std::variant<bridge::Report, std::string>;
+using News = std::variant<bridge::Report, bridge::BoardEvent>;
 
 /// What the boards' threads say, for the main thread.
 class NewsQueue {
@@ -59,18 +59,17 @@ std::vector<bridge::DeviceRule> devices_of(const ServeWords& words,
 }
 
 /// "[[device]]" of a controller that the map does not have yet, once it is connected.
-std::string device_lines(std::string_view event, const std::vector<bridge::DeviceRule>& devices) {
-    const auto rule = std::ranges::find_if(devices, [&](const bridge::DeviceRule& device) {
-        return event.starts_with(device.id + std::string(bridge::kConnected));
-    });
+std::string device_lines(const bridge::BoardEvent& event,
+                         const std::vector<bridge::DeviceRule>& devices) {
+    if (event.kind != bridge::BoardEvent::Kind::connected) return "";
+    const auto rule = std::ranges::find(devices, event.board, &bridge::DeviceRule::id);
     if (rule == devices.end()) return "";
     if (const auto* board = std::get_if<bridge::K8055Device>(&rule->device)) {
         return "[[device]]\nid = \"" + rule->id +
                "\"\ndriver = \"k8055\"\naddress = " + std::to_string(board->address) + "\n";
     }
     // "nanoKONTROL2:nanoKONTROL2 MIDI 1 20:0": what stands before the colon stays at another plug.
-    std::string port(event.substr(std::min(event.find(": "), event.size() - 2) + 2));
-    port = port.substr(0, port.find_first_of(":\"\\"));
+    const std::string port = event.text.substr(0, event.text.find_first_of(":\"\\"));
     return "[[device]]\nid = \"" + rule->id + "\"\ndriver = \"midi\"\nport = \"" + port + "\"\n";
 }
 
@@ -98,7 +97,7 @@ void learn(const ServeWords& words, const Context& context) {
                            {});
     for (const auto& source : sources) {
         source->start({[&news](bridge::Report report) { news.add(std::move(report)); },
-                       [&news](std::string event) { news.add(std::move(event)); }});
+                       [&news](bridge::BoardEvent event) { news.add(std::move(event)); }});
     }
     const auto channel_of = [&](const std::string& name) -> std::optional<bridge::Channel> {
         for (const auto& source : sources) {
@@ -114,8 +113,9 @@ void learn(const ServeWords& words, const Context& context) {
                 learner.report(*report, channel ? &*channel : nullptr);
                 continue;
             }
-            const auto& event = std::get<std::string>(one);
-            context.console.report("board", event, {{"text", event}});
+            const auto& event = std::get<bridge::BoardEvent>(one);
+            const std::string text = event_text(event);
+            context.console.report("board", text, {{"text", text}});
             if (!words.map.empty()) continue;
             const std::string lines = device_lines(event, devices);
             if (!lines.empty()) context.console.data(lines);

@@ -11,9 +11,10 @@ namespace ocean {
 
 void require_resolution(int resolution) {
     if (is_resolution(resolution)) return;
-    throw Error(ErrorKind::invalid_value,
-                format_text("resolution = %d; allowed: a power of two, %d .. %d", resolution,
-                            kMinResolution, kMaxResolution));
+    throw Error(ErrorKind::invalid_value, {.parameter = "resolution",
+                                           .value = std::to_string(resolution),
+                                           .allowed = format_text("a power of two, %d .. %d",
+                                                                  kMinResolution, kMaxResolution)});
 }
 
 }  // namespace ocean

@@ -88,9 +88,10 @@ double parse_number(std::string_view text, const std::string& what, double lowes
     const auto [stop, code] = std::from_chars(text.data(), end, value);
     // The comparison is written so that NaN fails it.
     if (code != std::errc() || stop != end || !(value >= lowest && value <= highest)) {
+        const std::string allowed = format_text("a number, %g .. %g", lowest, highest);
         throw Error(ErrorKind::invalid_value,
-                    what + " = " + std::string(text) +
-                        format_text(": allowed is a number, %g .. %g", lowest, highest));
+                    what + " = " + std::string(text) + ": allowed is " + allowed,
+                    {.parameter = what, .value = std::string(text), .allowed = allowed});
     }
     return value;
 }
@@ -100,7 +101,8 @@ int parse_whole_number(std::string_view text, const std::string& what, int lowes
     const int whole = static_cast<int>(value);
     if (whole == value) return whole;
     throw Error(ErrorKind::invalid_value,
-                what + " = " + std::string(text) + ": allowed is a whole number");
+                what + " = " + std::string(text) + ": allowed is a whole number",
+                {.parameter = what, .value = std::string(text), .allowed = "a whole number"});
 }
 
 }  // namespace ocean

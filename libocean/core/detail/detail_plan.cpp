@@ -52,8 +52,10 @@ void require_settings(const DetailSettings& settings) {
         settings.samples <= kMostDetailSamples) {
         return;
     }
-    throw Error(ErrorKind::invalid_value, "detail: samples = " + std::to_string(settings.samples) +
-                                              "; allowed: a power of two, 256 .. 1024");
+    const std::string given = std::to_string(settings.samples);
+    const std::string allowed = "a power of two, 256 .. 1024";
+    throw Error(ErrorKind::invalid_value, "detail: samples = " + given + "; allowed: " + allowed,
+                {.parameter = "samples", .value = given, .allowed = allowed});
 }
 
 }  // namespace

@@ -236,7 +236,10 @@ FoamTextureKind find_foam_texture(std::string_view name) {
     throw Error(ErrorKind::invalid_value,
                 "there is no foam texture '" + std::string(name.substr(0, 80)) +
                     (nearest.empty() ? "'; allowed are lace, bubbles, streaks"
-                                     : "'; did you mean " + std::string(nearest) + "?"));
+                                     : "'; did you mean " + std::string(nearest) + "?"),
+                {.parameter = "kind",
+                 .value = std::string(name.substr(0, 80)),
+                 .allowed = "lace, bubbles, streaks"});
 }
 
 std::uint64_t foam_texture_bytes(int size) {
@@ -247,10 +250,12 @@ std::uint64_t foam_texture_bytes(int size) {
 
 void require_foam_texture_size(int size) {
     if (is_power_of_two(size) && size >= kLeastFoamTexture && size <= kMostFoamTexture) return;
-    throw Error(ErrorKind::invalid_value, "the size of a foam texture is " + std::to_string(size) +
-                                              "; allowed is a power of two, " +
-                                              std::to_string(kLeastFoamTexture) + " .. " +
-                                              std::to_string(kMostFoamTexture));
+    const std::string given = std::to_string(size);
+    const std::string allowed = "a power of two, " + std::to_string(kLeastFoamTexture) + " .. " +
+                                std::to_string(kMostFoamTexture);
+    throw Error(ErrorKind::invalid_value,
+                "the size of a foam texture is " + given + "; allowed is " + allowed,
+                {.parameter = "size", .value = given, .allowed = allowed});
 }
 
 std::vector<float> make_foam_texture(const FoamTextureSettings& settings, ThreadPool& pool) {

@@ -263,9 +263,11 @@ void send(Plane& plane, const Ray& a, const Ray& b, const Ray& c, int i, int j) 
 
 void require(double value, const char* what, double least, double most) {
     if (value >= least && value <= most) return;
-    throw Error(ErrorKind::invalid_value, std::string(what) + " = " + shortest_text(value) +
-                                              ": allowed is " + shortest_text(least) + " .. " +
-                                              shortest_text(most));
+    const std::string given = shortest_text(value);
+    const std::string allowed = shortest_text(least) + " .. " + shortest_text(most);
+    throw Error(ErrorKind::invalid_value,
+                std::string(what) + " = " + given + ": allowed is " + allowed,
+                {.parameter = what, .value = given, .allowed = allowed});
 }
 
 }  // namespace

@@ -15,10 +15,12 @@
 #include "ocean/thread_pool.hpp"
 #include "ocean/wave_sum.hpp"
 #include "query/inversion.hpp"
+#include "query/query_bounds.hpp"
 #include "query/query_folds.hpp"
 #include "query/query_points.hpp"
 #include "query/spline_map.hpp"
 #include "query/spline_strips.hpp"
+#include "query/top_sheet.hpp"
 #include "wave/wave.hpp"
 
 namespace ocean {
@@ -28,20 +30,6 @@ namespace {
 constexpr std::array<Quantity, 4> kPosition = {Channel::dx, Channel::dy, Channel::height,
                                                Channel::height};
 constexpr std::array<Quantity, 4> kVelocity = {Channel::vx, Channel::vy, Channel::vz, Channel::vz};
-
-/// A label and the map there.
-struct Solution {
-    ShownLabel label;
-    SplineJet jet;
-
-    double height() const { return static_cast<double>(jet.value[2]); }
-};
-
-DisplacementSample displacement_of(const SplineJet& jet) {
-    return {-static_cast<double>(jet.value[0]), -static_cast<double>(jet.value[1]),
-            -static_cast<double>(jet.by_x[0]), -static_cast<double>(jet.by_y[1]),
-            -0.5 * (static_cast<double>(jet.by_y[0]) + static_cast<double>(jet.by_x[1]))};
-}
 
 /// The normal of the side seen from above: on a fold's upper sheet the label's own points down.
 void set_normal(QuerySample& sample, double choppiness, const DisplacementSample& displacement,
@@ -53,85 +41,6 @@ void set_normal(QuerySample& sample, double choppiness, const DisplacementSample
     const double normal[3] = {up * n.x, up * n.y, up * n.z};
     const bool cusp = !std::isfinite(normal[0] + normal[1] + normal[2]);
     for (int i = 0; i < 3; ++i) sample.normal[i] = cusp ? (i == 2 ? 1.0 : 0.0) : normal[i];
-}
-
-/// Of the lattice of labels on which folds are looked for: two samples to each of the shown map.
-int fold_resolution(int grid_resolution, const QueryOptions& options) {
-    return std::min(2 * shown_resolution(grid_resolution, options),
-                    spline_resolution(grid_resolution, options));
-}
-
-/// What sums over the modes say of all places and times.
-struct QueryBounds {
-    /// No label is displaced farther than this at choppiness 1, m: eight times the rms of the
-    /// displacement, which of Gaussian waves one place in 10^13 is, or the sum of all amplitudes,
-    /// if that is less.
-    double farthest;
-    /// rms of the height that answers lack, m: of the waves that a map of `band` samples does not
-    /// hold, and unless the answers are exact of the aliases of the others on the spline.
-    double error;
-};
-
-/// Sums over a row of modes; rows are added in order.
-struct BoundSums {
-    double displacement = 0.0;          // sum of |h0| k coth(kd)/k
-    double displacement_squares = 0.0;  // of their squares
-    double lacking = 0.0;               // |h0|^2 of the modes, or aliases, that are not shown
-
-    void add(const BoundSums& other) {
-        displacement += other.displacement;
-        displacement_squares += other.displacement_squares;
-        lacking += other.lacking;
-    }
-};
-
-/// (n / (R - n))^8: of a mode's energy, that of its alias along one axis of a spline of R samples.
-double alias_energy(int n, int spline) {
-    const double ratio = static_cast<double>(n) / (spline - n);
-    return std::pow(ratio * ratio, 4);
-}
-
-QueryBounds query_bounds(const Modes& modes, int band, int spline, bool exact, ThreadPool& pool) {
-    BoundSums total;
-    for (const CascadeModes& cascade : modes.cascades) {
-        const int size = cascade.lattice.resolution;
-        const double step = cascade.lattice.wavenumber_step();
-        const int half = size / 2;
-        std::vector<double> alias(static_cast<std::size_t>(half), 1.0);
-        std::vector<char> held(static_cast<std::size_t>(half), 0);
-        for (int n = 0; n < half && n * cascade.divisor < band / 2; ++n) {
-            alias[static_cast<std::size_t>(n)] = alias_energy(n * cascade.divisor, spline);
-            held[static_cast<std::size_t>(n)] = 1;
-        }
-        std::vector<BoundSums> rows(static_cast<std::size_t>(2 * half - 1));
-        pool.for_each_range(2 * half - 1, [&](int first, int last) {
-            for (int row = first; row < last; ++row) {
-                BoundSums& sums = rows[static_cast<std::size_t>(row)];
-                const int m = row - half + 1;
-                const auto y = static_cast<std::size_t>(std::abs(m));
-                for (int n = -half + 1; n < half; ++n) {
-                    const auto x = static_cast<std::size_t>(std::abs(n));
-                    const std::size_t at = mode_index(n, m, size);
-                    const auto energy = static_cast<double>(std::norm(cascade.h0[at]));
-                    if (held[x] == 0 || held[y] == 0) {
-                        sums.lacking += energy;
-                        continue;
-                    }
-                    if (!exact) sums.lacking += energy * (alias[x] + alias[y]);
-                    const double k = step * std::sqrt(static_cast<double>(n * n + m * m));
-                    const double part = k * static_cast<double>(cascade.displacement[at]);
-                    const double square = energy * part * part;
-                    sums.displacement_squares += square;
-                    sums.displacement += std::sqrt(square);
-                }
-            }
-        });
-        for (const BoundSums& row : rows) total.add(row);
-    }
-    // h(k, t) has both h0(k) and conj(h0(-k)).
-    return {1.0001 * std::min(8.0 * std::sqrt(2.0 * total.displacement_squares),
-                              2.0 * total.displacement),
-            std::sqrt(2.0 * total.lacking)};
 }
 
 }  // namespace
@@ -277,25 +186,6 @@ Solution SurfaceQuery::State::solve(const InversionTarget& target, WorldPoint st
     const ShownLabel label = find_label(look, target, start.x, start.y);
     return {label, jet};  // find_label returns the label that it looked at last
 }
-
-/// Of the solutions that the starts lead to, the highest.
-class TopSheet {
-  public:
-    void add(const Solution& solution) {
-        folded_ = folded_ || (solution.label.converged && solution.label.jacobian <= 0.0);
-        if (!top_ || rank(solution) > rank(*top_)) top_ = solution;
-    }
-    bool converged() const { return top_ && top_->label.converged; }
-    bool folded() const { return folded_; }
-    const Solution& top() const { return *top_; }
-
-  private:
-    static std::pair<bool, double> rank(const Solution& solution) {
-        return {solution.label.converged, solution.height()};
-    }
-    std::optional<Solution> top_;
-    bool folded_ = false;
-};
 
 /// Sets what the sample says of the search.
 Solution SurfaceQuery::State::top_solution(WorldPoint place, WorldPoint guess, Starts& starts,

@@ -31,12 +31,21 @@ inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
     require_resolution(shown);
     const int finest = std::max(kMaxResolution / (2 * shown), 1);
     if (!is_power_of_two(options.refine) || options.refine > finest) {
+        const std::string given = std::to_string(options.refine);
+        const std::string side = std::to_string(shown);
+        const std::string allowed = "a power of two, 1 .. " + std::to_string(finest);
         throw Error(ErrorKind::invalid_value,
-                    "refine = " + std::to_string(options.refine) + "; allowed for a map of " +
-                        std::to_string(shown) + " x " + std::to_string(shown) +
-                        " samples: a power of two, 1 .. " + std::to_string(finest));
+                    "refine = " + given + "; allowed for a map of " + side + " x " + side +
+                        " samples: " + allowed,
+                    {.parameter = "refine", .value = given, .allowed = allowed});
     }
     return std::min(2 * shown * options.refine, kMaxResolution);
+}
+
+/// Of the lattice of labels on which folds are looked for: two samples to each of the shown map.
+inline int fold_resolution(int grid_resolution, const QueryOptions& options) {
+    return std::min(2 * shown_resolution(grid_resolution, options),
+                    spline_resolution(grid_resolution, options));
 }
 
 /// Of so many splines, and of the kernels that write so many fields of them.

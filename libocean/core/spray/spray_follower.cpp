@@ -28,9 +28,11 @@ std::int64_t living_ticks(const FoamClock& clock, double lifetime) {
 
 void require_range(const char* name, double value, double least, double most) {
     if (value >= least && value <= most) return;
-    throw Error(ErrorKind::invalid_value, std::string("spray: ") + name + " = " + to_text(value) +
-                                              ": allowed is " + to_text(least) + " .. " +
-                                              to_text(most));
+    const std::string given = to_text(value);
+    const std::string allowed = to_text(least) + " .. " + to_text(most);
+    throw Error(ErrorKind::invalid_value,
+                std::string("spray: ") + name + " = " + given + ": allowed is " + allowed,
+                {.parameter = name, .value = given, .allowed = allowed});
 }
 
 /// The strongest wind that a sea has at any time, m/s.

@@ -31,6 +31,9 @@ OUT_OF_MEMORY = 7
 BUFFER_TOO_SMALL = 8
 CANCELLED = 10
 
+# Parts of a failure, in the order of the C enum.
+ERROR_FIELDS = ("what", "parameter", "value", "allowed")
+
 # In the order of the C enums.
 BACKENDS = ("cpu", "gl", "radix2", "dft")
 AXES = ("zup", "yup", "tnb")
@@ -171,11 +174,26 @@ class FoamTextureRequest(ctypes.Structure):
 
 
 class Error(Exception):
-    """A call that failed. `code` is that of libocean.h, the text is the library's sentence."""
+    """A call that failed. `code` is that of libocean.h, the text is the library's sentence. Its
+    parts are `what`, `parameter`, `value` and `allowed`, each "" where it has no such part:
+    "is out of range", "waves.0.fetch", "5", "1000 .. 10000000 m"."""
 
-    def __init__(self, message: str, code: int) -> None:
+    def __init__(
+        self,
+        message: str,
+        code: int,
+        *,
+        what: str | None = None,
+        parameter: str = "",
+        value: str = "",
+        allowed: str = "",
+    ) -> None:
         super().__init__(message)
         self.code = code
+        self.what = message if what is None else what
+        self.parameter = parameter
+        self.value = value
+        self.allowed = allowed
 
 
 class InvalidValueError(Error, ValueError):
@@ -203,8 +221,21 @@ _ERRORS = {
 }
 
 
-def error(message: str, code: int) -> Error:
-    return _ERRORS.get(code, Error)(message, code)
+def error(message: str, code: int, **fields: str) -> Error:
+    return _ERRORS.get(code, Error)(message, code, **fields)
+
+
+def last_error(code: int) -> Error:
+    """The last failure of this thread, whose code is given."""
+
+    def text(given: bytes) -> str:
+        return given.decode(errors="replace")
+
+    fields = {
+        name: text(library.ocean_last_error_field(number))
+        for number, name in enumerate(ERROR_FIELDS)
+    }
+    return error(text(library.ocean_last_error()), code, **fields)
 
 
 def _candidates() -> list[str]:
@@ -274,6 +305,8 @@ def _load() -> ctypes.CDLL:
             )
         loaded.ocean_version.restype = c_char_p
         loaded.ocean_last_error.restype = c_char_p
+        loaded.ocean_last_error_field.argtypes = [c_int32]
+        loaded.ocean_last_error_field.restype = c_char_p
         loaded.ocean_free.argtypes = [c_void_p]
         loaded.ocean_free.restype = None
         for name, arguments in _SIGNATURES.items():
@@ -293,7 +326,7 @@ def call(name: str, *arguments: Any) -> None:
     """Calls a function that returns a code; raises the library's sentence."""
     code = getattr(library, name)(*arguments)
     if code != OK:
-        raise error(library.ocean_last_error().decode(errors="replace"), code)
+        raise last_error(code)
 
 
 def text_of(name: str, *arguments: Any) -> str:

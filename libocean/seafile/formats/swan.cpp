@@ -13,40 +13,19 @@
 // or, over frequency only, LOCATION k and a line of all quantities for each frequency; or NODATA.
 // A line that begins with $ is a comment, and so is what follows the values of the header.
 // A reader of spectra: turns such a file into records in libocean's conventions.
-#include <array>
-
 #include "free_form.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
 #include "ocean/spreading.hpp"
+#include "swan_header.hpp"
 
 namespace ocean {
 namespace {
 
-/// What SWAN multiplies variance by to make energy, J/m^2: its default density and gravity.
-constexpr double kEnergyOfVariance = 1025.0 * 9.81;
 /// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
 constexpr double kMaxBinDensity = 2500.0;
 /// Two digits of a year: SWAN is of 1993, what is computed with it rarely from before 1950.
 constexpr int kFirstYear = 1950;
-
-enum class Meaning { density, direction, spread };
-
-/// A column of a spectrum over frequency, or all of one over directions.
-struct Quantity {
-    Meaning meaning = Meaning::density;
-    double scale = 1.0;   // makes a density m^2/Hz
-    bool action = false;  // variance over 2 pi f
-    DirectionConvention convention = DirectionConvention::to_cartesian;
-    bool spread_is_power = false;
-    double exception = 0.0;
-};
-
-struct Place {
-    std::string station;
-    double latitude = kMissing;
-    double longitude = kMissing;
-};
 
 /// The circular standard deviation, in degrees, of cos^m about the mean, over a half circle: with
 /// r1 = G(m/2 + 1)^2 / (G(m/2 + 1/2) G(m/2 + 3/2)), G the gamma function, it is sqrt(2 (1 - r1));
@@ -59,11 +38,13 @@ double spread_of_power(double m) {
 
 class SwanReader {
   public:
-    explicit SwanReader(const SpectrumSource& source) : in_(source.content, source.name, '$') {}
+    explicit SwanReader(const SpectrumSource& source)
+        : in_(source.content, source.name, '$'), header_(read_swan_header(in_)) {
+        values_.resize(header_.directions * header_.frequency.size());
+    }
 
     std::vector<SpectrumRecord> read() {
-        read_header();
-        if (stationary()) {
+        if (header_.stationary()) {
             read_places("");
             if (in_.next_line()) {
                 add_fault("", in_.fail("'" + FreeForm::shown(in_.rest()) +
@@ -75,7 +56,7 @@ class SwanReader {
             const std::size_t first = in_.line_number();
             std::string time;
             std::string fault;
-            catch_fault(fault, [&] { time = iterations_ ? read_iteration() : read_time(); });
+            catch_fault(fault, [&] { time = header_.iterations ? read_iteration() : read_time(); });
             if (fault.empty()) {
                 read_places(time);
             } else {
@@ -87,193 +68,16 @@ class SwanReader {
     }
 
   private:
-    bool directional() const { return axis_.has_value(); }
-    bool stationary() const { return time_pattern_.empty() && !iterations_; }
-
-    // --- header
-
-    void read_header() {
-        keyword({"SWAN"});
-        if (in_.number_here("a version") != 1.0) {
-            throw in_.fail("version " + in_.last_number() + " of SWAN's files; known: 1");
-        }
-        std::string_view word = keyword({"TIME", "ITER", "LONLAT", "LOCATIONS"});
-        if (word == "TIME" || word == "ITER") {
-            iterations_ = word == "ITER";
-            if (iterations_) {
-                in_.header_number("a number");
-            } else {
-                read_time_coding();
-            }
-            word = keyword({"LONLAT", "LOCATIONS"});
-        }
-        read_locations(word == "LONLAT");
-        keyword({"AFREQ", "RFREQ"});  // absolute and relative to the current: alike without one
-        frequency_ = read_frequencies(in_, in_.count("frequencies", 2, kMaxFrequencies));
-        word = keyword({"NDIR", "CDIR", "QUANT"});
-        if (word != "QUANT") {
-            read_directions(word == "NDIR" ? DirectionConvention::from_nautical
-                                           : DirectionConvention::to_cartesian);
-            keyword({"QUANT"});
-        }
-        read_quantities();
-    }
-
-    /// Of the next line, one of those allowed.
-    std::string_view keyword(std::initializer_list<std::string_view> allowed) {
-        std::string names;
-        for (const std::string_view name : allowed) {
-            names += (names.empty() ? "" : " or ") + std::string(name);
-        }
-        in_.need_line(names);
-        const std::string_view word = in_.word();
-        if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) {
-            throw in_.fail("'" + FreeForm::shown(word) + "' where " + names + " should be");
-        }
-        return word;
-    }
-
-    void read_time_coding() {
-        constexpr std::array<std::string_view, 6> kPatterns = {"YYYYMMDD.hhmmss",
-                                                               "DD-bbb-YY hh:mm:ss",
-                                                               "MM/DD/YY.hh:mm:ss",
-                                                               "",  // the time of day only
-                                                               "YY/MM/DD hh:mm:ss",
-                                                               "YYMMDDhhmm"};
-        const std::size_t option = in_.count("as time coding option", 1, kPatterns.size());
-        time_pattern_ = kPatterns[option - 1];
-        if (time_pattern_.empty()) throw in_.fail("time coding option 4 tells no dates");
-    }
-
-    void read_locations(bool geographic) {
-        const std::size_t count = in_.count("locations", 1, kMaxRecords);
-        while (places_.size() < count) {
-            in_.need_line("location " + std::to_string(places_.size() + 1));
-            Place place;
-            place.longitude = in_.number_here("a coordinate");
-            if (geographic) {
-                in_.require_within(place.longitude, -180.0, 360.0, "a longitude", "-180 .. 360");
-            }
-            const std::string x = in_.last_number();
-            place.latitude = in_.number_here("a coordinate");
-            if (geographic) {
-                in_.require_within(place.latitude, -90.0, 90.0, "a latitude", "-90 .. 90");
-            } else {
-                place = {x + " " + in_.last_number(), kMissing, kMissing};
-            }
-            if (const std::string name = name_of(in_.rest()); !name.empty()) place.station = name;
-            places_.push_back(std::move(place));
-        }
-    }
-    /// The manual allows a name after the coordinates.
-    static std::string name_of(std::string_view text) {
-        constexpr std::string_view kAround = " \t'\"";
-        text.remove_prefix(std::min(text.find_first_not_of(kAround), text.size()));
-        return text::printable(text.substr(0, text.find_last_not_of(kAround) + 1));
-    }
-
-    void read_directions(DirectionConvention convention) {
-        const std::size_t count = in_.count("directions", 3, kMaxDirections);
-        if (count * frequency_.size() > kMaxDirectionalValues) {
-            throw in_.fail("a spectrum has at most 131072 values over frequency and direction");
-        }
-        std::vector<double> degrees;
-        while (degrees.size() < count) {
-            degrees.push_back(in_.header_number("a direction"));
-            in_.require_within(degrees.back(), -360.0, 720.0, "a direction", "-360 .. 720");
-        }
-        const std::string fault = DirectionAxis::fault(degrees);
-        if (!fault.empty()) throw in_.fail(fault);
-        axis_.emplace(degrees, convention);
-        values_.resize(count * frequency_.size());
-    }
-
-    void read_quantities() {
-        const std::size_t count = in_.count("quantities", 1, directional() ? 1 : 3);
-        while (quantities_.size() < count) quantities_.push_back(read_quantity());
-        if (!has(Meaning::density)) {
-            throw in_.fail("no VaDens, EnDens or AcDens among the quantities");
-        }
-    }
-    bool has(Meaning meaning) const {
-        return std::any_of(quantities_.begin(), quantities_.end(),
-                           [&](const Quantity& q) { return q.meaning == meaning; });
-    }
-
-    Quantity read_quantity() {
-        in_.need_line("the name of a quantity");
-        const std::string name(in_.word());
-        Quantity quantity;
-        quantity.meaning = meaning_of(name);
-        if (has(quantity.meaning)) throw in_.fail("a second " + name);
-        in_.need_line("the unit of " + name);
-        switch (quantity.meaning) {
-            case Meaning::density:
-                read_density_unit(name, quantity);
-                break;
-            case Meaning::direction:
-                read_unit(name, {"degr", "deg"});
-                quantity.convention = name == "NDIR" ? DirectionConvention::from_nautical
-                                                     : DirectionConvention::to_cartesian;
-                break;
-            case Meaning::spread:
-                quantity.spread_is_power = read_unit(name, {"degr", "deg", "-"}) == "-";
-                break;
-        }
-        in_.need_line("the exception value of " + name);
-        quantity.exception = in_.number_here("an exception value");
-        return quantity;
-    }
-
-    /// SWAN writes "m2/Hz/degr", and "J" before it for energy, "s" behind m2 for action.
-    void read_density_unit(const std::string& name, Quantity& quantity) {
-        const bool energy = name == "EnDens";
-        quantity.action = name == "AcDens";
-        std::string unit = quantity.action ? "m2s/Hz" : energy ? "J/m2/Hz" : "m2/Hz";
-        const std::string joules = quantity.action ? "Js/m2/Hz" : unit;
-        std::vector<std::string> allowed;
-        for (const std::string& one : {unit, joules}) {
-            if (!directional()) allowed.push_back(one);
-            if (!directional()) continue;
-            for (const char* angle : {"/degr", "/deg", "/rad"}) allowed.push_back(one + angle);
-        }
-        const std::string read = read_unit(name, allowed);
-        if (read.starts_with('J')) quantity.scale = 1.0 / kEnergyOfVariance;
-        if (read.ends_with("/rad")) quantity.scale *= kPi / 180.0;
-    }
-
-    Meaning meaning_of(const std::string& name) const {
-        if (name == "VaDens" || name == "EnDens" || name == "AcDens") return Meaning::density;
-        if (!directional() && (name == "NDIR" || name == "CDIR")) return Meaning::direction;
-        if (!directional() && (name == "DSPRDEGR" || name == "DSPR")) return Meaning::spread;
-        throw in_.fail("'" + FreeForm::shown(name) +
-                       "' is not a quantity; known: VaDens, EnDens, AcDens" +
-                       (directional() ? "" : ", NDIR, CDIR, DSPRDEGR, DSPR"));
-    }
-
-    std::string read_unit(const std::string& quantity, const std::vector<std::string>& allowed) {
-        std::string unit(in_.word());
-        std::erase(unit, '*');
-        if (unit == "m2" && in_.rest().starts_with("s/")) unit += in_.word();
-        if (std::find(allowed.begin(), allowed.end(), unit) == allowed.end()) {
-            throw in_.fail("'" + FreeForm::shown(unit) + "' is not a unit of " + quantity +
-                           "; known: " + allowed[0] + (allowed.back() == "-" ? " or -" : ""));
-        }
-        return unit;
-    }
-
-    // --- spectra
-
     std::string read_time() {
         std::string_view text = in_.rest();
         if (text.starts_with('\'')) text.remove_prefix(1);
-        std::optional<UtcTime> time = match_time(text, time_pattern_);
+        std::optional<UtcTime> time = match_time(text, header_.time_pattern);
         if (time && time->year < 100) time->year += time->year < kFirstYear % 100 ? 2000 : 1900;
-        const std::string_view after = time ? text.substr(time_pattern_.size()) : "";
+        const std::string_view after = time ? text.substr(header_.time_pattern.size()) : "";
         const bool ends = after.empty() || after.find_first_of(" \t'") == 0;
         if (!time || !time->valid() || !ends) {
             throw in_.fail("'" + FreeForm::shown(text) + "' where a time like " +
-                           std::string(time_pattern_) + " should be");
+                           std::string(header_.time_pattern) + " should be");
         }
         return time->text();
     }
@@ -292,11 +96,11 @@ class SwanReader {
 
     /// Without a look at the year: what begins a spectrum's values looks otherwise.
     bool begins_time(std::string_view line) const {
-        if (iterations_) return false;
+        if (header_.iterations) return false;
         if (line.starts_with('\'')) line.remove_prefix(1);
-        const std::optional<UtcTime> time = match_time(line, time_pattern_);
+        const std::optional<UtcTime> time = match_time(line, header_.time_pattern);
         if (!time) return false;
-        const std::string_view after = line.substr(time_pattern_.size());
+        const std::string_view after = line.substr(header_.time_pattern.size());
         return after.empty() || after.find_first_of(" \t'") == 0;
     }
     bool begins_place(std::string_view line) const {
@@ -318,14 +122,14 @@ class SwanReader {
     /// others are known to be at their places only if there are as many as there should be.
     void read_places(const std::string& time) {
         std::vector<SpectrumRecord> before;
-        if (iterations_) before.swap(records_);  // the last one is the result
+        if (header_.iterations) before.swap(records_);  // the last one is the result
         std::size_t found = 0;
         std::optional<std::size_t> first_fault;  // of records_
-        for (std::size_t k = 0; k < places_.size(); ++k) {
+        for (std::size_t k = 0; k < header_.places.size(); ++k) {
             SpectrumRecord record;
-            record.station = places_[k].station;
-            record.latitude = places_[k].latitude;
-            record.longitude = places_[k].longitude;
+            record.station = header_.places[k].station;
+            record.latitude = header_.places[k].latitude;
+            record.longitude = header_.places[k].longitude;
             record.time = time;
             bool ends = false;
             bool known = true;
@@ -333,11 +137,11 @@ class SwanReader {
             catch_fault(record.fault, [&] {
                 ends = true;
                 in_.need_line("location " + std::to_string(k + 1) + " of " +
-                              std::to_string(places_.size()));
-                if (!stationary() && begins_time(in_.rest())) {
+                              std::to_string(header_.places.size()));
+                if (!header_.stationary() && begins_time(in_.rest())) {
                     in_.hold_line();
                     throw in_.fail("a time where location " + std::to_string(k + 1) + " of " +
-                                   std::to_string(places_.size()) + " should be");
+                                   std::to_string(header_.places.size()) + " should be");
                 }
                 ends = false;
                 first = in_.line_number();
@@ -347,17 +151,17 @@ class SwanReader {
             found += ends ? 0 : 1;
             if (bad && !first_fault) first_fault = records_.size();
             if (bad || known) {
-                require_room(in_, records_.size(), frequency_.size() + values_.size());
+                require_room(in_, records_.size(), header_.frequency.size() + values_.size());
                 records_.push_back(std::move(record));
             }
             if (ends) break;
             if (!bad) continue;
             in_.resume_after(first, [&](std::string_view line) {
-                return begins_place(line) || (!stationary() && begins_time(line));
+                return begins_place(line) || (!header_.stationary() && begins_time(line));
             });
         }
-        if (first_fault && found != places_.size()) distrust(*first_fault);
-        if (iterations_) tell_iteration(first_fault.has_value(), std::move(before));
+        if (first_fault && found != header_.places.size()) distrust(*first_fault);
+        if (header_.iterations) tell_iteration(first_fault.has_value(), std::move(before));
     }
 
     void distrust(std::size_t first) {
@@ -388,8 +192,8 @@ class SwanReader {
     bool read_place(std::size_t k, SpectrumRecord& record) {
         const std::string_view word = in_.word();
         if (word == "NODATA") return false;
-        record.frequency = frequency_;
-        if (!directional()) return read_rows(word, k + 1, record);
+        record.frequency = header_.frequency;
+        if (!header_.directional()) return read_rows(word, k + 1, record);
         read_directional(word, record);
         return true;
     }
@@ -406,19 +210,19 @@ class SwanReader {
             throw in_.fail("'" + FreeForm::shown(word) +
                            "' where FACTOR, ZERO or NODATA should be");
         }
-        axis_->fill(record, values_, 1.0);
+        header_.axis->fill(record, values_, 1.0);
     }
 
     /// Action density is variance density over the angular frequency [SWAN, scientific manual,
     /// eq. 2.6]: N = E / (2 pi f).
-    double scale_at(const Quantity& quantity, std::size_t i) const {
-        return quantity.action ? quantity.scale * 2.0 * kPi * frequency_[i] : quantity.scale;
+    double scale_at(const SwanQuantity& quantity, std::size_t i) const {
+        return quantity.action ? quantity.scale * 2.0 * kPi * header_.frequency[i] : quantity.scale;
     }
 
     void read_values(double factor) {
-        const Quantity& quantity = quantities_.front();
-        const std::size_t bins = values_.size() / frequency_.size();
-        for (std::size_t i = 0; i < frequency_.size(); ++i) {
+        const SwanQuantity& quantity = header_.quantities.front();
+        const std::size_t bins = values_.size() / header_.frequency.size();
+        for (std::size_t i = 0; i < header_.frequency.size(); ++i) {
             const double scale = factor * scale_at(quantity, i);
             for (std::size_t j = 0; j < bins; ++j) {
                 const double digits = in_.number("a density");
@@ -446,7 +250,7 @@ class SwanReader {
         in_.need_line("the first frequency");
         if (in_.rest().starts_with("NODATA")) return false;
         bool directions = false;
-        for (std::size_t i = 0; i < frequency_.size(); ++i) directions |= read_row(record);
+        for (std::size_t i = 0; i < header_.frequency.size(); ++i) directions |= read_row(record);
         if (!directions) record.a1 = record.b1 = record.a2 = record.b2 = {};
         return true;
     }
@@ -455,23 +259,23 @@ class SwanReader {
     bool read_row(SpectrumRecord& record) {
         double mean = kMissing;
         double spread = kMissing;
-        for (const Quantity& quantity : quantities_) {
+        for (const SwanQuantity& quantity : header_.quantities) {
             const double value = in_.number("a number");
             const bool missing = value == quantity.exception;
             switch (quantity.meaning) {
-                case Meaning::density:
+                case SwanMeaning::density:
                     record.density.push_back(
                         missing ? 0.0 : value * scale_at(quantity, record.density.size()));
                     if (missing) break;
                     in_.require_within(record.density.back(), -1e6, 1e6, "a density",
                                        "0 .. 1e6 m2/Hz");
                     break;
-                case Meaning::direction:
+                case SwanMeaning::direction:
                     if (missing) break;
                     in_.require_within(value, -360.0, 720.0, "a direction", "-360 .. 720");
                     mean = travel_direction(value, quantity.convention);
                     break;
-                case Meaning::spread:
+                case SwanMeaning::spread:
                     if (missing) break;
                     in_.require_within(value, 0.0, quantity.spread_is_power ? 1e4 : 180.0,
                                        "a spread", "0 .. 180 degrees, powers 0 .. 1e4");
@@ -485,14 +289,9 @@ class SwanReader {
     }
 
     FreeForm in_;
-    std::string_view time_pattern_;  // empty: stationary, or iterations
-    bool iterations_ = false;
+    const SwanHeader header_;
     std::size_t iterations_read_ = 0;
-    std::string iteration_;  // the number of the last
-    std::vector<Place> places_;
-    std::vector<double> frequency_;
-    std::optional<DirectionAxis> axis_;  // none: over frequency only
-    std::vector<Quantity> quantities_;
+    std::string iteration_;       // the number of the last
     std::vector<double> values_;  // [frequency][direction]
     std::vector<SpectrumRecord> records_;
 };

@@ -73,8 +73,8 @@ class Hub {
 
     // Events of the world; nothing is thrown.
     void report(const Report& report);
-    /// What a board says; it is one of the next events().
-    void board_event(const std::string& event);
+    /// Its text is one of the next events().
+    void board_event(const BoardEvent& event);
     void advance(Clock::time_point now);
     std::optional<Clock::time_point> next() const { return mapping_->next(); }
     /// Every second or so: the map's file may have changed.

@@ -28,11 +28,6 @@ struct Channel {
 /// "BOARD/LETTERSdigits", such as "board0/a1": small letters, digits and '_', 32 bytes a part.
 bool is_channel_name(std::string_view name);
 
-// What stands behind the board's name in the event of a board that is there from now on, and of one
-// that is there no more.
-inline constexpr std::string_view kConnected = " CONNECTED";
-inline constexpr std::string_view kLost = " LOST";
-
 /// What a channel was at a time, in the board's own units. Whether a channel that rests is reported
 /// again and again or only when it moves is the board's business.
 struct Report {
@@ -43,14 +38,29 @@ struct Report {
     bool moved = false;
 };
 
+/// A board came, went, or cannot be had.
+struct BoardEvent {
+    enum class Kind {
+        connected,  // from now on its channels are there; it knows nothing of its lamps
+        lost,
+        busy,  // it is there, and refused: said once
+    };
+    Kind kind;
+    std::string board;      // its id, "board0"
+    std::string text = "";  // what it is, or why; may be empty
+
+    bool operator==(const BoardEvent&) const = default;
+};
+
+/// Returns what clients are told: "board0 CONNECTED: K8055 on bus 1, device 2", "midi0 LOST".
+std::string event_text(const BoardEvent& event);
+
 class Source {
   public:
     /// Called from any thread of the source; neither function waits.
     struct Listener {
         std::function<void(Report)> report;
-        /// "board0 CONNECTED ...", "board0 LOST ...", "board0 BUSY ...": what clients are told. A
-        /// board that connects knows nothing of its lamps.
-        std::function<void(std::string)> event;
+        std::function<void(BoardEvent)> event;
     };
 
     virtual ~Source() = default;

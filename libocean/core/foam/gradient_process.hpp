@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What waves do to the water at one label over time, without a map: the gradients of the
+// displacement as a Gaussian process.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "foam/jacobian_nodes.hpp"
+#include "ocean/fft.hpp"
+#include "ocean/foam.hpp"
+#include "ocean/modes.hpp"
+
+namespace ocean {
+
+/// A stretch of a label's life that closes on itself: the loop, or many times as long as foam
+/// counts.
+struct Stretch {
+    int ticks;       // a power of two
+    double seconds;  // of them all
+    int reach;       // ticks after which what a power leaves of foam is nothing
+
+    double step() const { return seconds / ticks; }
+};
+
+/// lifetime: of foam [s].
+Stretch stretch_of(const FoamClock& clock, double lifetime);
+
+/// The gradients at a label over a stretch of time, in the principal axes: a stationary Gaussian
+/// process, each wave of which moves a, b and c in step.
+class GradientProcess {
+  public:
+    /// `covariance`: of the map's modes, which may differ a little from the integral.
+    GradientProcess(const ShownSea& sea, const GradientCovariance& covariance,
+                    const Stretch& stretch);
+
+    struct Gradients {
+        double a, b, c;
+    };
+
+    const GradientCovariance& covariance() const { return covariance_; }
+
+    /// Two stretches that are as good as independent, of the number's own noise.
+    std::array<std::vector<Gradients>, 2> draw(std::uint32_t number) const;
+
+    /// The stretch from `reach` ticks before a tick to `reach` behind it as it is where it is `at`
+    /// there: x(t) + R(t - s) R(0)^-1 (at - x(s)).
+    void passing(const Gradients& at, std::size_t tick, int reach,
+                 std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
+
+  private:
+    /// The sum over the bins at each tick.
+    std::vector<std::complex<double>> transformed(std::vector<std::complex<double>> bins) const;
+
+    Radix2Fft<double> fft_;
+    GradientCovariance covariance_;
+    GradientFactors still_{{}};             // of it
+    std::vector<GradientFactors> factors_;  // of each bin
+    std::vector<GradientCovariance> lags_;  // [tick]: of the gradients now and then
+};
+
+}  // namespace ocean

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a query knows of a sea before it looks at any place: how far labels are displaced, and what
+// its answers lack.
+#pragma once
+
+#include "ocean/modes.hpp"
+#include "ocean/thread_pool.hpp"
+
+namespace ocean {
+
+/// What sums over the modes say of all places and times.
+struct QueryBounds {
+    /// No label is displaced farther than this at choppiness 1, m: eight times the rms of the
+    /// displacement, which of Gaussian waves one place in 10^13 is, or the sum of all amplitudes,
+    /// if that is less.
+    double farthest;
+    /// rms of the height that answers lack, m: of the waves that a map of `band` samples does not
+    /// hold, and unless the answers are exact of the aliases of the others on the spline.
+    double error;
+};
+
+/// Sums over the modes. band: samples of the map whose waves are shown. spline: samples of the map
+/// between which the answers interpolate, unless they are exact.
+QueryBounds query_bounds(const Modes& modes, int band, int spline, bool exact, ThreadPool& pool);
+
+}  // namespace ocean
