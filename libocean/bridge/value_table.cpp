@@ -39,15 +39,15 @@ ValueTable::ValueTable(Parameters parameters) : parameters_(std::move(parameters
         const std::string text = to_text(value_of(parameters_, ref));
         const bool unset = text.empty() && !names_a_file(*ref.info);
         entries_.push_back(
-            {ref.info->path(ref.wave), unset ? std::string(kUnset) : text, "", 0, 0});
+            {ref.info->path(ref.item), unset ? std::string(kUnset) : text, "", 0, 0});
         refs_.push_back(ref);
     };
     for (const ParameterInfo& info : parameter_table()) {
-        if (!info.per_wave_system()) add({&info, 0});
+        if (!info.in_list()) add({&info, 0});
     }
     for (std::size_t wave = 0; wave < parameters_.waves.size(); ++wave) {
         for (const ParameterInfo& info : parameter_table()) {
-            if (info.per_wave_system()) add({&info, wave});
+            if (info.in_list()) add({&info, wave});
         }
     }
     for (const AppValue& value : kAppValues) {

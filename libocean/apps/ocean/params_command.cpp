@@ -21,7 +21,7 @@ std::string parameters_text() {
     for (const ParameterInfo& info : parameter_table()) {
         if (info.section != section) {
             section = info.section;
-            const bool many = info.per_wave_system();
+            const bool many = info.in_list();
             text += (text.empty() ? "" : "\n") + std::string(many ? "[[" : "[") +
                     std::string(section) + (many ? "]]  (one table per wave system)" : "]") + "\n";
         }
