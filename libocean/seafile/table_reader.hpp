@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ocean/internal/checked_text.hpp"
 #include "table_file.hpp"
 
 namespace ocean {
