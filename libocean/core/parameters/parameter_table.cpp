@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The table itself: one entry per parameter, in the order of the sea file. To add a parameter, add
-// a member to parameters.hpp and its entry here; every host follows.
+// a member to parameters.hpp and its entry here; every host follows. The entry names its default as
+// the neutral value, {.neutral = "0"}, so that the texts of older seas stay.
 #include "ocean/parameter_table.hpp"
 
 #include <algorithm>
