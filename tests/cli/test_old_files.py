@@ -35,10 +35,12 @@ def sea_of(content: bytes) -> bytes:
     return content[at + 4 : at + 4 + length]
 
 
-@pytest.mark.parametrize("listed", [True, False], ids=["listed", "unlisted"])
 @pytest.mark.parametrize("extension", BAKES)
-def test_old_bakes_are_kept(old, extension, listed):
-    if not listed:
+@pytest.mark.parametrize("is_listed", [True, False], ids=["listed", "unlisted"])
+def test_old_bakes_are_kept(old, extension, is_listed):
+    if not is_listed:
+        if extension == "ply":
+            pytest.skip("a mesh without its manifest is baked again, whatever wrote it")
         (old.folder / "bake/s.manifest.json").unlink()
     before = frames_in(old, "bake")
     bake = ["bake", "sea.toml", "-o", f"bake/s.####.{extension}", *BAKES[extension]]
