@@ -96,6 +96,8 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
     if kind == "enum":
         items = [(choice, _label(choice), "") for choice in entry["choices"]]
         return {key: bpy.props.EnumProperty(**common, items=items, default=entry["default"])}
+    if kind == "bool":
+        return {key: bpy.props.BoolProperty(**common, default=entry["default"])}
     if kind == "list":
         return {key: bpy.props.IntVectorProperty(**common, size=DIVISORS, min=0)}
     common.update(_number_limits(entry))

@@ -44,6 +44,8 @@ def _text_of(group, entry: dict[str, Any]) -> str:
     if sea_text.is_optional(entry) and not getattr(group, f"use_{key}"):
         return sea_text.off_value(entry)
     value = getattr(group, key)
+    if kind == "bool":
+        return "true" if value else "false"
     if kind == "list":
         return "[" + ", ".join(str(item) for item in value if item > 0) + "]"
     if kind == "float":
@@ -69,6 +71,8 @@ def _set_text(group, entry: dict[str, Any], text: str) -> None:
     if kind == "list":
         numbers = json.loads(text)
         setattr(group, key, [*numbers, *[0] * (DIVISORS - len(numbers))])
+    elif kind == "bool":
+        setattr(group, key, text == "true")
     elif kind == "float":
         setattr(group, key, float(text))
     elif kind == "int":

@@ -61,11 +61,17 @@ def _line(entry: dict[str, Any], text: str) -> str:
     return f"{entry['key']} = {quoted}\n"
 
 
+def _is_written(entry: dict[str, Any], text: str) -> bool:
+    """Whether a file has a line for the value. A key that came later has none at its neutral value:
+    the texts of older seas stay, and so do the recipes of their bakes."""
+    return (text != "" or entry["type"] == "text") and text != entry.get("neutral")
+
+
 def _section(table: list[dict[str, Any]], section: str, values: dict[str, str]) -> str:
     return "".join(
         _line(entry, values[entry["key"]])
         for entry in table
-        if entry["section"] == section and (values.get(entry["key"], "") or entry["type"] == "text")
+        if entry["section"] == section and _is_written(entry, values.get(entry["key"], ""))
     )
 
 
@@ -74,8 +80,8 @@ def write(table: list[dict[str, Any]], sea: SeaValues) -> str:
     parts = ["libocean = 1\n"]
     sections = dict.fromkeys(entry["section"] for entry in table)
     for section in sections:
-        if section != "waves":
-            parts.append(f"\n[{section}]\n{_section(table, section, sea.values)}")
+        if section != "waves" and (lines := _section(table, section, sea.values)):
+            parts.append(f"\n[{section}]\n{lines}")
     for system in sea.waves:
         parts.append(f"\n[[waves]]\n{_section(table, 'waves', system.values)}")
         parts.extend(["\n", system.record] if system.record else [])

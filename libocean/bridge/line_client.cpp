@@ -39,7 +39,7 @@ std::string full_name(const std::string& name) {
     if (name.starts_with("app.")) return name;
     try {
         const ParameterRef ref = find_parameter(name);
-        return ref.info->path(ref.wave);
+        return ref.info->path(ref.item);
     } catch (const Error&) {
         return name;  // of a bridge that knows more
     }

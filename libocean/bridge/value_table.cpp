@@ -24,8 +24,8 @@ constexpr std::array kAppValues = {
 };
 
 /// Names of files are for those who own the machine.
-bool names_a_file(const ParameterInfo& info) {
-    return info.type() == "text";
+bool names_a_file(const ParameterSpec& spec) {
+    return spec.type() == "text";
 }
 
 }  // namespace
@@ -34,20 +34,22 @@ std::span<const AppValue> app_values() {
     return kAppValues;
 }
 
+std::string wire_text(const ParameterSpec& spec, const ParameterValue& value) {
+    return spec.is_unset(value) ? std::string(kUnset) : to_text(value);
+}
+
 ValueTable::ValueTable(Parameters parameters) : parameters_(std::move(parameters)) {
     const auto add = [this](const ParameterRef& ref) {
-        const std::string text = to_text(value_of(parameters_, ref));
-        const bool unset = text.empty() && !names_a_file(*ref.info);
-        entries_.push_back(
-            {ref.info->path(ref.wave), unset ? std::string(kUnset) : text, "", 0, 0});
+        const std::string text = wire_text(*ref.info, value_of(parameters_, ref));
+        entries_.push_back({ref.info->path(ref.item), text, "", 0, 0});
         refs_.push_back(ref);
     };
     for (const ParameterInfo& info : parameter_table()) {
-        if (!info.per_wave_system()) add({&info, 0});
+        if (!info.in_list()) add({&info, 0});
     }
     for (std::size_t wave = 0; wave < parameters_.waves.size(); ++wave) {
         for (const ParameterInfo& info : parameter_table()) {
-            if (info.per_wave_system()) add({&info, wave});
+            if (info.in_list()) add({&info, wave});
         }
     }
     for (const AppValue& value : kAppValues) {
@@ -136,8 +138,7 @@ bool ValueTable::set(std::size_t entry, std::string_view value, std::string_view
         Parameters changed = parameters_;
         set_parameter(changed, target.name, value == kUnset ? "" : value);
         validate(changed);
-        text = to_text(value_of(changed, ref));
-        if (text.empty()) text = kUnset;
+        text = wire_text(*ref.info, value_of(changed, ref));
         parameters_ = std::move(changed);
     }
     const bool another_writer = target.writer != writer;

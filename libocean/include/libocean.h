@@ -28,8 +28,12 @@
 //   while OCEAN_ABI_VERSION stays. *Not* promised from one version of the library to the next:
 //   the bits of a map or an answer, their errors within what is said here, sentences of
 //   ocean_last_error, the order and the set of keys in JSON, how often progress is called, memory
-//   and time that a call takes, defaults of parameters that a text does not name (ocean_text names
-//   all), and everything of the C++ headers.
+//   and time that a call takes, defaults of parameters that a text does not name, and everything of
+//   the C++ headers.
+// - ocean_text names all parameters that are set, but for those that a later version adds: each of
+//   these has a neutral value, at which it changes no sea. That value is its default for ever, and
+//   ocean_text leaves it out. So the text of a sea stays the same to the byte until it uses such a
+//   parameter, and so does every file that is known by that text.
 #ifndef LIBOCEAN_H
 #define LIBOCEAN_H
 

@@ -83,9 +83,15 @@ std::string printable(std::string_view bytes, std::size_t limit) {
 }
 
 Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::string_view message) {
+    return error_at(Error(kind, std::string(message)), name, line);
+}
+
+Error error_at(const Error& error, std::string_view name, std::size_t line,
+               std::string_view prefix) {
     std::string where(name);
     if (line > 0) where += ":" + std::to_string(line);
-    return Error(kind, where + ": " + printable(message, 1000));
+    const std::string sentence = std::string(prefix) + error.what();
+    return Error(error.kind(), where + ": " + printable(sentence, 1000), error.fields());
 }
 
 std::optional<double> parse_number(std::string_view digits) {

@@ -9,8 +9,9 @@
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/nearest_name.hpp"
+#include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
-#include "sea_writer.hpp"
+#include "table_writer.hpp"
 
 namespace ocean {
 namespace {
@@ -76,8 +77,7 @@ std::string plain(double value) {
 std::string preset_line(const Parameters& parameters, const ParameterRef& ref) {
     static const Parameters kDefaults;
     const std::string line = parameter_line(parameters, ref);
-    const bool names_spectrum =
-        std::holds_alternative<SpectrumKind WaveSystem::*>(ref.info->member);
+    const bool names_spectrum = ref.info->holds<&WaveSystem::spectrum>();
     if (!names_spectrum && line == parameter_line(kDefaults, {ref.info, 0})) return "";
     const std::string unit = ref.info->unit.empty() ? "" : std::string(ref.info->unit) + ": ";
     return line.substr(0, line.size() - 1) + "  # " + unit + std::string(ref.info->label) + "\n";
@@ -94,7 +94,7 @@ Preset make_preset(const std::string& name, const std::string& description, std:
                    const Parameters& parameters) {
     std::string toml = commented(name + ": " + description) + commented(notes);
     const auto line = [&](const ParameterRef& ref) { return preset_line(parameters, ref); };
-    toml += sea_file_text(parameters, line, [](const WaveSystem&) { return ""; });
+    toml += table_text<Parameters>(sea_table(), parameters, line);
     return {name, description, toml};
 }
 

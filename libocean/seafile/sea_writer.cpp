@@ -6,12 +6,10 @@
 // stands inside, as [waves.measured_record]. `file` and `record` are kept beside it to say where it
 // came from: a reader that finds the table opens no file, and refuses the sea if `record` was
 // edited to ask for another time. To choose anew, delete the table. So does a take, as [take].
-#include "sea_writer.hpp"
-
-#include <array>
-
 #include "measured_record.hpp"
+#include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
+#include "table_writer.hpp"
 #include "take.hpp"
 #include "toml_text.hpp"
 
@@ -66,47 +64,16 @@ std::string take_text(const Sea& sea) {
     return out + "]\n";
 }
 
-/// The lines of one section of the table, or of one wave system.
-std::string section_lines(std::string_view section, std::size_t wave, const LineOfParameter& line) {
-    std::string out;
-    for (const ParameterInfo& info : parameter_table()) {
-        if (info.section == section) out += line({&info, wave});
-    }
-    return out;
-}
-
 }  // namespace
-
-std::string parameter_line(const Parameters& parameters, const ParameterRef& ref) {
-    const ParameterValue value = value_of(parameters, ref);
-    const bool unset = ref.info->type() == "float" && std::holds_alternative<std::string>(value);
-    return unset ? "" : std::string(ref.info->key) + " = " + toml_value(value) + "\n";
-}
-
-std::string sea_file_text(const Parameters& parameters, const LineOfParameter& line,
-                          const std::function<std::string(const WaveSystem&)>& after_wave) {
-    std::string out = "libocean = " + std::to_string(kSeaFileVersion) + "\n";
-    std::string_view section;
-    for (const ParameterInfo& info : parameter_table()) {
-        if (info.section == section) continue;
-        section = info.section;
-        if (!info.per_wave_system()) {
-            const std::string lines = section_lines(section, 0, line);
-            if (!lines.empty()) out += "\n[" + std::string(section) + "]\n" + lines;
-            continue;
-        }
-        for (std::size_t wave = 0; wave < parameters.waves.size(); ++wave) {
-            out += "\n[[" + std::string(section) + "]]\n" + section_lines(section, wave, line);
-            out += after_wave(parameters.waves[wave]);
-        }
-    }
-    return out;
-}
 
 std::string write_sea(const Sea& sea) {
     validate(sea);
-    const auto line = [&](const ParameterRef& ref) { return parameter_line(sea.parameters, ref); };
-    return std::string(kOpening) + sea_file_text(sea.parameters, line, measured_record_text) +
+    const Parameters& parameters = sea.parameters;
+    const auto line = [&](const ParameterRef& ref) { return parameter_line(parameters, ref); };
+    const auto record = [&](std::string_view section, std::size_t item) {
+        return section == "waves" ? measured_record_text(parameters.waves[item]) : "";
+    };
+    return std::string(kOpening) + table_text<Parameters>(sea_table(), parameters, line, record) +
            take_text(sea);
 }
 

@@ -46,7 +46,7 @@ void TakeReader::add(std::string_view line, std::size_t number) {
         }
         events_.push_back(event_of(line));
     } catch (const Error& error) {
-        throw text::error_at(error.kind(), name_, number, error.what());
+        throw text::error_at(error, name_, number);
     }
 }
 
@@ -59,7 +59,7 @@ TakeEvent TakeReader::event_of(std::string_view line) {
     if (value.empty()) throw refused(text::printable(line) + ": is no event" + std::string(kForm));
     event.parameter = find_parameter(name);
     const ParameterInfo& info = *event.parameter.info;
-    const std::string given = info.path(event.parameter.wave) + " = " + value + ": ";
+    const std::string given = info.path(event.parameter.item) + " = " + value + ": ";
     if (info.change != ParameterClass::live) {
         throw refused(given +
                       "is not live, a take cannot change it; allowed: " + live_parameter_names());

@@ -36,6 +36,7 @@ std::string toml_value(const ParameterValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return toml_number(*number);
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
     if (const auto* word = std::get_if<std::string>(&value)) return toml_string(*word);
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
     std::string list;
     for (std::int64_t item : std::get<std::vector<std::int64_t>>(value)) {
         list += (list.empty() ? "" : ", ") + std::to_string(item);

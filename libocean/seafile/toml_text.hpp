@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "ocean/parameter_table.hpp"
+#include "ocean/table.hpp"
 
 namespace ocean {
 

@@ -18,6 +18,7 @@ from libocean_addon import (
     manual,
     operators,
     panels,
+    parameter_properties,
     parameter_values,
     sea_text,
 )
@@ -49,6 +50,53 @@ def test_every_parameter_is_a_property(ocean):
             assert [item.identifier for item in prop.enum_items] == entry["choices"]
         if sea_text.is_optional(entry):
             assert owner.bl_rna.properties[f"use_{entry['key']}"].type == "BOOLEAN"
+
+
+def test_true_and_false_are_a_property_and_words_of_the_file():
+    """No parameter of a sea is one yet; a row of a table, as the library's JSON has it, is."""
+    entry = {
+        "section": "water",
+        "key": "frozen",
+        "type": "bool",
+        "unit": "",
+        "label": "Frozen",
+        "help": "Whether the water is ice.",
+        "neutral": "false",
+        "default": False,
+    }
+
+    class Toy(bpy.types.PropertyGroup):
+        __annotations__ = parameter_properties._properties_of(entry)
+
+    bpy.utils.register_class(Toy)
+    bpy.types.Scene.toy = bpy.props.PointerProperty(type=Toy)
+    try:
+        toy = bpy.context.scene.toy
+        prop = toy.bl_rna.properties["frozen"]
+        assert prop.type == "BOOLEAN"
+        assert prop.name == "Frozen"
+        with changes.quiet():
+            for text in ("true", "false", "true"):
+                parameter_values._set_text(toy, entry, text)
+                assert parameter_values._text_of(toy, entry) == text
+        assert toy.frozen is True
+    finally:
+        del bpy.types.Scene.toy
+        bpy.utils.unregister_class(Toy)
+
+
+def test_a_key_that_comes_later_changes_no_text_of_a_sea_without_it(ocean):
+    later = {"section": "water", "key": "frozen", "type": "bool", "neutral": "false"}
+    shore = {"section": "shore", "key": "slope", "type": "float", "neutral": "0"}
+    table = [*parameter_values.TABLE, later, shore]
+    values = parameter_values.values_of(ocean.libocean)
+    before = sea_text.write(parameter_values.TABLE, values)
+    values.values.update(frozen="false", slope="0")
+    assert sea_text.write(table, values) == before
+    values.values.update(frozen="true", slope="0.1")
+    text = sea_text.write(table, values)
+    assert "frozen = true\n" in text
+    assert "[shore]\nslope = 0.1\n" in text
 
 
 def test_what_the_spectrum_does_not_use_is_not_there(ocean):

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ocean/error.hpp"
+#include "toy_model.hpp"
 
 namespace ocean::bridge {
 namespace {
@@ -82,6 +83,24 @@ TEST(ValueTable, WhatIsRefusedChangesNothing) {
     EXPECT_EQ(refusal_of(table, "spectrum", "measured"), ErrorKind::invalid_value);  // of no record
     EXPECT_EQ(refusal_of(table, "file", "/etc/passwd"), ErrorKind::unsupported);
     EXPECT_EQ(refusal_of(table, "time.take", "x.take"), ErrorKind::unsupported);
+}
+
+/// Each type of a table, a boolean too, comes back from the line as it went.
+TEST(ValueTable, WhatVALSpellsSETReads) {
+    test::Kiln kiln;
+    kiln.vented = true;
+    kiln.trays.resize(1);
+    for (const auto& row : test::kKilnRows) {
+        const ParameterValue value = value_of(kiln, {&row, 0});
+        const std::string text = wire_text(row, value);
+        test::Kiln other;
+        other.trays.resize(1);
+        assign(other, {&row, 0}, parse_value(row, 0, text));
+        EXPECT_EQ(value_of(other, {&row, 0}), value) << row.path() << " = " << text;
+    }
+    EXPECT_EQ(wire_text(*find_parameter(test::kKilnTable, "vented").info, true), "true");
+    EXPECT_EQ(wire_text(*find_parameter("peak_period").info, std::string()), kUnset);
+    EXPECT_EQ(wire_text(*find_parameter("file").info, std::string()), "");
 }
 
 }  // namespace

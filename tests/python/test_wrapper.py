@@ -244,6 +244,13 @@ def test_presets_and_parameters_are_listed():
             sea.get(f"{section}.{parameter['key']}")
 
 
+def test_true_and_false_pass_as_the_library_spells_them():
+    with libocean.preset("beaufort_6") as sea:
+        for value in (True, np.True_):
+            with pytest.raises(libocean.Error, match='surface.choppiness = "true"'):
+                sea.set("choppiness", value)
+
+
 def test_water_types_are_listed():
     types = {entry["name"]: entry for entry in libocean.water_types()}
     assert list(types)[0] == "jerlov_i" and list(types)[-1] == "jerlov_9c" and len(types) == 10

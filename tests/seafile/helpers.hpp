@@ -85,7 +85,7 @@ inline bool same_value(const ParameterValue& a, const ParameterValue& b) {
 inline std::string difference(const Sea& a, const Sea& b) {
     if (a.parameters.waves.size() != b.parameters.waves.size()) return "waves";
     for (const ParameterInfo& info : parameter_table()) {
-        const std::size_t systems = info.per_wave_system() ? a.parameters.waves.size() : 1;
+        const std::size_t systems = info.in_list() ? a.parameters.waves.size() : 1;
         for (std::size_t wave = 0; wave < systems; ++wave) {
             const ParameterRef ref{&info, wave};
             if (!same_value(value_of(a.parameters, ref), value_of(b.parameters, ref))) {
@@ -105,7 +105,7 @@ inline std::string difference(const Sea& a, const Sea& b) {
         const TakeEvent& x = a.take.events[i];
         const TakeEvent& y = b.take.events[i];
         if (!same_bits(x.seconds, y.seconds) || x.parameter.info != y.parameter.info ||
-            x.parameter.wave != y.parameter.wave || !same_value(x.value, y.value)) {
+            x.parameter.item != y.parameter.item || !same_value(x.value, y.value)) {
             return "take.events." + std::to_string(i);
         }
     }

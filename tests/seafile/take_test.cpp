@@ -53,9 +53,9 @@ TEST(TakeFile, HoldsLinesOfTimeNameAndValue) {
     ASSERT_EQ(take.events.size(), 4u);
     EXPECT_EQ(take.events[0].seconds, 0.0);
     EXPECT_EQ(take.events[0].parameter.info->key, "wind_speed");
-    EXPECT_EQ(take.events[0].parameter.wave, 0u);
+    EXPECT_EQ(take.events[0].parameter.item, 0u);
     EXPECT_EQ(std::get<double>(take.events[0].value), 14.0);
-    EXPECT_EQ(take.events[1].parameter.wave, 1u);
+    EXPECT_EQ(take.events[1].parameter.item, 1u);
     EXPECT_EQ(std::get<std::string>(take.events[1].value), "mitsuyasu");
     EXPECT_EQ(take.events[2].seconds, 1.5);
     EXPECT_EQ(std::get<double>(take.events[2].value), 0.25);
@@ -185,7 +185,7 @@ TEST(SeaWithTake, MayHoldItFromTheBeginning) {
     const Sea sea =
         parse("[take]\nlines = [\"# a storm\", \"2 waves.1.swell 1\"]\n[[waves]]\n[[waves]]\n");
     ASSERT_EQ(sea.take.events.size(), 1u);
-    EXPECT_EQ(sea.take.events.front().parameter.wave, 1u);
+    EXPECT_EQ(sea.take.events.front().parameter.item, 1u);
     EXPECT_EQ(difference(sea, parse(write_sea(sea).substr(write_sea(sea).find("[water]")))), "");
 }
 

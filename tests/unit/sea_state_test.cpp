@@ -318,7 +318,7 @@ TEST(SeaState, ParametersCountForTheSpectraThatTheTableSaysUseThem) {
     };
     std::size_t tried = 0;
     for (const ParameterInfo& info : parameter_table()) {
-        if (!info.per_wave_system() || info.used_by.empty() || info.type() == "text") continue;
+        if (!info.in_list() || info.used_by.empty() || info.type() == "text") continue;
         if (info.key == "estimator") continue;  // of measured directions
         for (const std::string_view kind : kEnumWords<SpectrumKind>) {
             if (kind == word_of(SpectrumKind::measured)) continue;

@@ -151,7 +151,7 @@ void BridgeLink::tell_values(const LiveSea& sea, bool moved_too) {
     for (const auto& [name, value] : values_) {
         if (!is_of_the_sea(name) || (movers_.contains(name) && !moved_too)) continue;
         ParameterRef parameter = find_parameter(name);
-        if (parameter.wave >= parameters.waves.size() || !is_shared(*parameter.info)) continue;
+        if (parameter.item >= parameters.waves.size() || !is_shared(*parameter.info)) continue;
         const std::string ours = to_text(value_of(parameters, parameter));
         if (!ours.empty() && ours != value) tell(name, ours);
     }

@@ -18,24 +18,11 @@
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
 #include "ocean/water_types.hpp"
+#include "parameter_row.hpp"
 #include "stage_picture.hpp"
 
 namespace ocean::app {
 namespace {
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
-bool found_by(const std::string& search, const ParameterInfo& info, const std::string& path) {
-    if (search.empty()) return true;
-    const std::string wanted = lower(search);
-    return lower(info.label).find(wanted) != std::string::npos ||
-           path.find(wanted) != std::string::npos;
-}
 
 /// Whether the word that the parameter counts for is the sea's: "jonswap, tma".
 bool is_used(const ParameterInfo& info, const Parameters& parameters, std::size_t wave) {
@@ -69,8 +56,7 @@ class Rows {
     void section(const char* name, std::string_view section, std::size_t wave) {
         bool any = false;
         for (const ParameterInfo& info : parameter_table()) {
-            any =
-                any || (info.section == section && found_by(state_.search, info, info.path(wave)));
+            any = any || (info.section == section && is_found(info, wave, state_.search));
         }
         if (!any) return;
         const ImGuiTreeNodeFlags open =
@@ -78,7 +64,7 @@ class Rows {
         if (!ImGui::CollapsingHeader(name, open)) return;
         ImGui::PushID(name);
         for (const ParameterInfo& info : parameter_table()) {
-            if (info.section == section && found_by(state_.search, info, info.path(wave))) {
+            if (info.section == section && is_found(info, wave, state_.search)) {
                 row(info, wave);
             }
         }
@@ -87,129 +73,19 @@ class Rows {
 
   private:
     void row(const ParameterInfo& info, std::size_t wave) {
-        const std::string path = info.path(wave);
+        static const Parameters defaults;
         const Parameters& now = sea_.now();
-        const ParameterValue value = value_of(now, {&info, wave});
-        const bool used = is_used(info, now, wave);
-        ImGui::PushID(path.c_str());
-        if (!used) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45f);
+        const ShownParameter shown{info, wave, value_of(now, {&info, wave}),
+                                   value_of(defaults, {&info, 0}), is_used(info, now, wave)};
         ImGui::SetNextItemWidth(panel_length(150.0f));
-        const std::string label(info.label);
-        if (!info.choices().empty()) {
-            words(info, path, label, to_text(value));
-        } else if (std::holds_alternative<double>(value)) {
-            number(info, path, label, std::get<double>(value));
-        } else if (std::holds_alternative<std::int64_t>(value)) {
-            whole_number(info, path, label, std::get<std::int64_t>(value));
-        } else {
-            text(path, label, to_text(value));
-        }
-        if (!used) ImGui::PopStyleVar();
-        ImGui::PopID();
+        draw_parameter(shown, [this](const ParameterChange& change) { set(change); });
     }
 
-    void tooltip(const ParameterInfo& info, const std::string& path) {
-        if (!ImGui::IsItemHovered()) return;
-        std::string words = path + "\n" + std::string(info.help) + "\n" + allowed_values(info);
-        if (!info.used_by.empty()) words += "\nCounts with: " + std::string(info.used_by);
-        words += info.change == ParameterClass::live ? "\nGlides"
-                                                     : "\nMakes another sea; is no part of a take";
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(panel_length(380.0f));
-        ImGui::TextUnformatted(words.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
-    }
-
-    void menu(const ParameterInfo& info, const std::string& path) {
-        tooltip(info, path);
-        if (!ImGui::BeginPopupContextItem("menu")) return;
-        if (ImGui::MenuItem("Reset to default")) {
-            static const Parameters defaults;
-            set(path, to_text(value_of(defaults, {&info, 0})));
-        }
-        if (ImGui::MenuItem("Copy name")) ImGui::SetClipboardText(path.c_str());
-        ImGui::EndPopup();
-    }
-
-    void number(const ParameterInfo& info, const std::string& path, const std::string& label,
-                double value) {
-        // What a person drags follows the mouse; else the sea's value, which may glide.
-        float shown = static_cast<float>(dragged_ == path ? drag_value_ : value);
-        const auto lowest = static_cast<float>(std::max(info.min, info.soft_min));
-        const auto highest = static_cast<float>(std::min(info.max, info.soft_max));
-        const bool wide = lowest > 0.0f && highest / lowest > 100.0f;
-        const std::string format =
-            "%.3g" + (info.unit.empty() ? std::string() : " " + std::string(info.unit));
-        const bool changed =
-            ImGui::SliderFloat(label.c_str(), &shown, lowest, highest, format.c_str(),
-                               wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-        const bool active = ImGui::IsItemActive();
-        const bool done = ImGui::IsItemDeactivatedAfterEdit();
-        menu(info, path);
-        if (changed) {
-            if (dragged_ != path) before_drag_ = shortest_text(value);
-            dragged_ = path;
-            drag_value_ = static_cast<double>(shown);
-        }
-        const bool live = info.change == ParameterClass::live;
-        if (dragged_ == path && (done || (live && changed))) {
-            set(path, shortest_text(static_cast<float>(drag_value_)));
-        }
-        if (dragged_ == path && !active) dragged_.clear();
-    }
-
-    void whole_number(const ParameterInfo& info, const std::string& path, const std::string& label,
-                      std::int64_t value) {
-        const bool power = allowed_values(info).find("power of two") != std::string::npos;
-        if (power) {
-            if (ImGui::BeginCombo(label.c_str(), std::to_string(value).c_str())) {
-                for (std::int64_t n = 32; n <= 4096; n *= 2) {
-                    if (ImGui::Selectable(std::to_string(n).c_str(), n == value)) {
-                        set(path, std::to_string(n));
-                    }
-                }
-                ImGui::EndCombo();
-            }
-        } else {
-            auto shown = static_cast<int>(std::min<std::int64_t>(value, 2147483647));
-            if (ImGui::InputInt(label.c_str(), &shown, 1, 10,
-                                ImGuiInputTextFlags_EnterReturnsTrue)) {
-                set(path, std::to_string(shown));
-            }
-        }
-        menu(info, path);
-    }
-
-    void words(const ParameterInfo& info, const std::string& path, const std::string& label,
-               const std::string& value) {
-        if (ImGui::BeginCombo(label.c_str(), value.c_str())) {
-            for (const std::string_view word : info.choices()) {
-                if (ImGui::Selectable(std::string(word).c_str(), word == value)) {
-                    set(path, std::string(word));
-                }
-            }
-            ImGui::EndCombo();
-        }
-        menu(info, path);
-    }
-
-    void text(const std::string& path, const std::string& label, const std::string& value) {
-        char shown[256] = {};
-        std::strncpy(shown, value.c_str(), sizeof shown - 1);
-        if (ImGui::InputText(label.c_str(), shown, sizeof shown,
-                             ImGuiInputTextFlags_EnterReturnsTrue)) {
-            set(path, shown);
-        }
-    }
-
-    void set(const std::string& path, const std::string& value) {
-        const bool drags = dragged_ == path;
-        const std::string before =
-            drags ? before_drag_ : to_text(value_of(sea_.now(), find_parameter(path)));
+    void set(const ParameterChange& change) {
+        const auto& [path, value, before, is_drag] = change;
         if (!try_to_set(sea_, state_, path, value)) return;
         // A drag is one change, however often it was heard.
-        const bool goes_on = drags && !state_.changes.empty() &&
+        const bool goes_on = is_drag && !state_.changes.empty() &&
                              state_.changes.back().path == path &&
                              state_.changes.back().before == before;
         if (!goes_on) state_.changes.push_back({path, before});
@@ -217,9 +93,6 @@ class Rows {
 
     LiveSea& sea_;
     PanelState& state_;
-    static inline std::string dragged_;  // there is one mouse
-    static inline double drag_value_ = 0.0;
-    static inline std::string before_drag_;
 };
 
 void slider(PanelState& state, const char* label, double& value, float lowest, float highest,
@@ -556,10 +429,6 @@ void undo(LiveSea& sea, PanelState& state) {
     }
     state.changes.pop_back();
     state.message = change.path + " back to " + change.before;
-}
-
-float panel_length(float at_scale_one) {
-    return at_scale_one * ImGui::GetFontSize() / kLetterSize;
 }
 
 void draw_panel(LiveSea& sea, const preview::ShownSea& shown, CameraControl& camera,

@@ -25,7 +25,7 @@ TakeEvent checked_event(const Sea& sea, double time, std::string_view name,
                         std::string_view value) {
     TakeEvent event{time, find_parameter(name), {}};
     const ParameterInfo& info = *event.parameter.info;
-    const std::string path = info.path(event.parameter.wave);
+    const std::string path = info.path(event.parameter.item);
     if (info.change != ParameterClass::live) {
         throw refused(path + " is not live, it makes another sea: set it; allowed: " +
                       live_parameter_names());

@@ -35,10 +35,9 @@ enum class Path { value, root, logarithm, direction };
 /// which is the height that it makes [Hasselmann 1973], so that the height glides along a line. The
 /// period stretches the sea at one height: it glides by factors.
 Path path_of(const ParameterInfo& info) {
-    const ParameterMember& member = info.member;
-    if (member == ParameterMember(&WaveSystem::wind_direction)) return Path::direction;
-    if (member == ParameterMember(&WaveSystem::fetch)) return Path::root;
-    if (member == ParameterMember(&WaveSystem::peak_period)) return Path::logarithm;
+    if (info.holds<&WaveSystem::wind_direction>()) return Path::direction;
+    if (info.holds<&WaveSystem::fetch>()) return Path::root;
+    if (info.holds<&WaveSystem::peak_period>()) return Path::logarithm;
     return Path::value;
 }
 
@@ -119,8 +118,8 @@ std::vector<Track> tracks_of(const Sea& sea, double time, const Wanted& wanted) 
     }
     // In an order of their own, whatever the events': copies for spreadings are made in it.
     std::sort(tracks.begin(), tracks.end(), [](const Track& a, const Track& b) {
-        return std::pair(a.parameter.info, a.parameter.wave) <
-               std::pair(b.parameter.info, b.parameter.wave);
+        return std::pair(a.parameter.info, a.parameter.item) <
+               std::pair(b.parameter.info, b.parameter.item);
     });
     return tracks;
 }
@@ -146,11 +145,8 @@ double number_at(const Track& track, const std::function<double()>& initial) {
     return std::clamp(y, track.parameter.info->min, track.parameter.info->max);
 }
 
-bool is_optional(const ParameterInfo& info) {
-    return std::holds_alternative<std::optional<double> WaveSystem::*>(info.member);
-}
 bool is_wind_speed(const ParameterInfo& info) {
-    return info.member == ParameterMember(&WaveSystem::wind_speed);
+    return info.holds<&WaveSystem::wind_speed>();
 }
 bool is_number(const ParameterInfo& info) {
     return info.type() == "float";
@@ -161,22 +157,22 @@ double number_at(const Sea& sea, const Track& track);
 /// What an unset height, period, direction or wind stands for when its first event comes.
 double natural_value(const Sea& sea, const Track& track) {
     if (is_wind_speed(*track.parameter.info)) {
-        return sea.parameters.waves[track.parameter.wave].wind();
+        return sea.parameters.waves[track.parameter.item].wind();
     }
     // Of the other parameters at that moment only those count that ask for no other's value.
     Parameters then = sea.parameters;
     for (const Track& other : tracks_of(sea, track.events.front()->seconds)) {
         const ParameterInfo& info = *other.parameter.info;
-        if (!info.per_wave_system() || !is_number(info)) continue;
-        if (is_optional(info) && !is_wind_speed(info)) continue;
+        if (!info.in_list() || !is_number(info)) continue;
+        if (info.member_type.optional && !is_wind_speed(info)) continue;
         assign(then, other.parameter, number_at(sea, other));
     }
     const NaturalScale natural =
-        natural_scale(then.waves[track.parameter.wave], then.water, highest_frequency(then));
-    const ParameterMember& member = track.parameter.info->member;
+        natural_scale(then.waves[track.parameter.item], then.water, highest_frequency(then));
+    const ParameterInfo& info = *track.parameter.info;
     double value = natural.direction;
-    if (member == ParameterMember(&WaveSystem::significant_wave_height)) value = natural.height;
-    if (member == ParameterMember(&WaveSystem::peak_period)) value = natural.period;
+    if (info.holds<&WaveSystem::significant_wave_height>()) value = natural.height;
+    if (info.holds<&WaveSystem::peak_period>()) value = natural.period;
     // A flat sea has no period to glide from.
     return std::isfinite(value) ? value : number_of(track.events.front()->value);
 }
@@ -214,7 +210,7 @@ void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const
     }
     double energy = 0.0;
     for (const double a : amplitude) energy += a * a;
-    const std::size_t wave = track.parameter.wave;
+    const std::size_t wave = track.parameter.item;
     for (std::size_t i = 0; i < amplitude.size(); ++i) {
         if (i == target || amplitude[i] == 0.0) continue;
         WaveSystem copy = parameters.waves[wave];
@@ -234,7 +230,7 @@ Parameters with_winds(const Sea& sea) {
         WaveSystem& system = parameters.waves[wave];
         if (system.wind_speed) continue;
         const auto brings_wind = [&](const TakeEvent& event) {
-            return event.parameter.wave == wave && is_wind_speed(*event.parameter.info);
+            return event.parameter.item == wave && is_wind_speed(*event.parameter.info);
         };
         const auto& events = sea.take.events;
         const bool blows = system.is_wind_sea();
@@ -251,7 +247,7 @@ Parameters Sea::at(double time) const {
     Parameters now = with_winds(*this);
     const std::vector<Track> tracks = tracks_of(*this, time);
     for (const Track& track : tracks) {
-        double& onset = now.waves[track.parameter.wave].wind_onset;
+        double& onset = now.waves[track.parameter.item].wind_onset;
         if (is_wind_speed(*track.parameter.info) && onset < 1.0) {
             const double left = left_of_step(time - track.events.front()->seconds, track.glide);
             onset = left < kSettled ? 1.0 : 1.0 - left;
@@ -262,7 +258,7 @@ Parameters Sea::at(double time) const {
     }
     // After the numbers, which the copies share.
     for (const Track& track : tracks) {
-        if (track.parameter.info->member == ParameterMember(&WaveSystem::spreading)) {
+        if (track.parameter.info->holds<&WaveSystem::spreading>()) {
             mix_spreadings(now, value_of(parameters, track.parameter), track);
         }
     }
@@ -271,7 +267,7 @@ Parameters Sea::at(double time) const {
 
 double Sea::foam_lifetime(double time) const {
     const std::vector<Track> tracks = tracks_of(*this, time, [](const ParameterInfo& info) {
-        return info.member == ParameterMember(&SurfaceSettings::foam_lifetime);
+        return info.holds<&SurfaceSettings::foam_lifetime>();
     });
     return tracks.empty() ? parameters.surface.foam_lifetime : number_at(*this, tracks.front());
 }
@@ -282,7 +278,7 @@ double Sea::time_of(double frame) const {
 }
 
 std::string take_line(const TakeEvent& event) {
-    return to_text(event.seconds) + " " + event.parameter.info->path(event.parameter.wave) + " " +
+    return to_text(event.seconds) + " " + event.parameter.info->path(event.parameter.item) + " " +
            to_text(event.value);
 }
 
@@ -310,11 +306,11 @@ void validate(const Sea& sea) {
             refuse("stands behind " + to_text(last) + " s; allowed: in order");
         last = event.seconds;
         if (event.parameter.info->change != ParameterClass::live) {
-            refuse(event.parameter.info->path(event.parameter.wave) + ": is not live");
+            refuse(event.parameter.info->path(event.parameter.item) + ": is not live");
         }
         assign(any, event.parameter, event.value);
         if (is_number(*event.parameter.info) && std::holds_alternative<std::string>(event.value)) {
-            refuse(event.parameter.info->path(event.parameter.wave) + ": has no value");
+            refuse(event.parameter.info->path(event.parameter.item) + ": has no value");
         }
     }
 }

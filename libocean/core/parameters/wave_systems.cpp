@@ -28,14 +28,14 @@ std::size_t system_number(std::string_view name, std::size_t last) {
 }
 
 bool is_of(const TakeEvent& event, std::size_t system) {
-    return event.parameter.info->per_wave_system() && event.parameter.wave == system;
+    return event.parameter.info->in_list() && event.parameter.item == system;
 }
 
 /// Systems from `first` on have other numbers now.
 void renumber(Take& take, std::size_t first, std::ptrdiff_t by) {
     for (TakeEvent& event : take.events) {
-        std::size_t& wave = event.parameter.wave;
-        if (!event.parameter.info->per_wave_system() || wave < first) continue;
+        std::size_t& wave = event.parameter.item;
+        if (!event.parameter.info->in_list() || wave < first) continue;
         wave = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(wave) + by);
     }
 }

@@ -42,7 +42,7 @@ double strongest_wind_ever(const Sea& sea) {
         strongest = std::max(strongest, system.wind_above().value_or(0.0));
     }
     for (const TakeEvent& event : sea.take.events) {
-        if (event.parameter.info->member != ParameterMember(&WaveSystem::wind_speed)) continue;
+        if (!event.parameter.info->holds<&WaveSystem::wind_speed>()) continue;
         if (const auto* wind = std::get_if<double>(&event.value)) {
             strongest = std::max(strongest, *wind);
         }
@@ -72,7 +72,7 @@ std::uint64_t most_spray(const Sea& sea, const SpraySettings& settings) {
     if (density <= 0.0) return 0;
     double most = settings.most;
     const auto plays_coverage = [](const TakeEvent& event) {
-        return event.parameter.info->member == ParameterMember(&SurfaceSettings::foam_coverage);
+        return event.parameter.info->holds<&SurfaceSettings::foam_coverage>();
     };
     const bool by_wind = parameters.surface.foam_coverage == FoamCoverage::monahan &&
                          std::ranges::none_of(sea.take.events, plays_coverage);

@@ -105,31 +105,24 @@ std::string vector(const Rgb& colour) {
 struct ValueText {
     std::string operator()(double value) const { return number(value); }
     std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(bool value) const { return value ? "true" : "false"; }
     std::string operator()(const std::string& value) const { return string_literal(value); }
     std::string operator()(const std::vector<std::int64_t>& values) const {
         return array_of(values, [](std::int64_t value) { return std::to_string(value); });
     }
 };
 
-bool is_set(const ParameterValue& value, const ParameterInfo& info) {
+bool is_set(const ParameterValue& value, const ParameterSpec& spec) {
     if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) return !list->empty();
-    const auto* text = std::get_if<std::string>(&value);
-    return text == nullptr || !text->empty() || info.type() != "float";
+    return !spec.is_unset(value);
 }
 
 void declare_parameters(std::string& text, const Parameters& parameters) {
     text += "\n// ---- Parameters, those that are set ----\n";
     declare(text, "Ocean_Waves", std::to_string(parameters.waves.size()), "wave systems");
     for (const ParameterInfo& info : parameter_table()) {
-        const std::size_t systems = info.per_wave_system() ? parameters.waves.size() : 1;
-        for (std::size_t wave = 0; wave < systems; ++wave) {
-            const ParameterValue value = value_of(parameters, {&info, wave});
-            const std::string name = identifier(info.path(wave));
-            if (is_set(value, info)) {
-                declare(text, name, std::visit(ValueText(), value), std::string(info.unit));
-            } else {
-                forget(text, name);
-            }
+        for (std::size_t item = 0; item < info.member.items(parameters); ++item) {
+            text += povray_parameter_declaration(info, item, value_of(parameters, {&info, item}));
         }
     }
 }
@@ -163,6 +156,18 @@ void declare_water(std::string& text) {
 }
 
 }  // namespace
+
+std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
+                                         const ParameterValue& value) {
+    std::string text;
+    const std::string name = identifier(spec.path(item));
+    if (is_set(value, spec)) {
+        declare(text, name, std::visit(ValueText(), value), std::string(spec.unit));
+    } else {
+        forget(text, name);
+    }
+    return text;
+}
 
 std::string povray_declarations(const PovrayFolder& folder) {
     const Parameters& parameters = folder.sea.parameters;

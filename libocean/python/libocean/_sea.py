@@ -85,6 +85,8 @@ def _value_text(value: Any) -> str:
     """A Python value as the library reads it; the shortest form that keeps every bit."""
     if value is None:
         return ""
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
     if isinstance(value, numbers.Integral):
         return str(int(value))
     if isinstance(value, numbers.Real):

@@ -38,6 +38,9 @@ struct ValueEntry {
 
 /// What an unset value is called on the wire.
 inline constexpr std::string_view kUnset = "unset";
+/// Returns a value of any table as VAL and UPD spell it and SET reads it: a number, a word, true or
+/// false, [1, 7], or "unset".
+std::string wire_text(const ParameterSpec& spec, const ParameterValue& value);
 
 class ValueTable {
   public:

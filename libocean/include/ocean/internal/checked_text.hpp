@@ -31,6 +31,10 @@ std::string to_utf8(const std::filesystem::path& path);
 std::string printable(std::string_view bytes, std::size_t limit = 60);
 /// "NAME:LINE: message", or "NAME: message" for line 0.
 Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::string_view message);
+/// Returns the error with "NAME:LINE: " and `prefix` in front of its sentence. It keeps its kind
+/// and its fields, which programs read.
+Error error_at(const Error& error, std::string_view name, std::size_t line,
+               std::string_view prefix = "");
 
 /// The number that all of `digits` spells, finite or not; nothing if it spells none.
 std::optional<double> parse_number(std::string_view digits);

@@ -36,6 +36,8 @@ class Json {
     requires(sizeof(Whole) > 1)  // neither a truth nor a character
         Json(Whole value)
         : text_(std::to_string(value)) {}
+    template <std::same_as<bool> Truth>  // no pointer becomes one
+    Json(Truth value) : text_(value ? "true" : "false") {}
     /// Spelled as `spelling` does it. Throws Error invalid_value for what is not finite.
     Json(double value, std::string (*spelling)(double) = shortest_text);
 

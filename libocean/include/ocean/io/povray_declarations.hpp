@@ -14,6 +14,7 @@
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
 #include "ocean/surface.hpp"
+#include "ocean/table.hpp"
 
 namespace ocean::io {
 
@@ -34,6 +35,11 @@ struct PovrayFolder {
 /// The include file that tells a scene all of that, each parameter by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
+/// Returns the line for one parameter of any table: "#declare Ocean_Water_Depth = 20;  // m".
+/// Numbers, words and texts as POV-Ray spells them, true and false as they are; what is not set is
+/// forgotten, because another folder may have declared it.
+std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
+                                         const ParameterValue& value);
 /// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);
 /// Whether a text has the declarations of a frame of that sea.

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Names of a table's rows, and its rows as Markdown and JSON. Nothing here knows a model.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "ocean/error.hpp"
+#include "ocean/internal/json.hpp"
+#include "ocean/internal/nearest_name.hpp"
+#include "ocean/table.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// The number of an item, which is all of `digits`.
+std::optional<std::size_t> item_number(std::string_view digits) {
+    std::size_t number = 0;
+    const char* end = digits.data() + digits.size();
+    const auto parsed = std::from_chars(digits.data(), end, number);
+    if (parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+    return number;
+}
+
+/// A float that is not set is null; an infinite one a word, as the sea file writes it.
+Json json_value(const ParameterSpec& spec, const ParameterValue& value) {
+    if (spec.is_unset(value)) return nullptr;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth;
+    if (const auto* number = std::get_if<double>(&value)) {
+        return std::isfinite(*number) ? Json(*number, plain_text) : Json(plain_text(*number));
+    }
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
+    return json_array(std::get<std::vector<std::int64_t>>(value));
+}
+
+bool has_range(const ParameterSpec& spec) {
+    return spec.type() == "float" || spec.type() == "int" || spec.type() == "list";
+}
+
+}  // namespace
+
+std::string ParameterSpec::path(std::size_t number) const {
+    std::string result(section);
+    if (in_list()) result += "." + std::to_string(number);
+    return result + "." + std::string(key);
+}
+
+std::optional<std::size_t> item_named(const ParameterSpec& spec, std::string_view name) {
+    if (name == spec.key) return 0;
+    if (!name.ends_with(spec.key)) return std::nullopt;
+    name.remove_suffix(spec.key.size());
+    if (!name.ends_with('.')) return std::nullopt;
+    name.remove_suffix(1);
+    if (!spec.in_list()) return name == spec.section ? std::optional<std::size_t>(0) : std::nullopt;
+    if (!name.starts_with(spec.section)) return std::nullopt;
+    name.remove_prefix(spec.section.size());
+    if (!name.starts_with('.')) return std::nullopt;
+    return item_number(name.substr(1));
+}
+
+void refuse_name(std::string_view name, std::span<const ParameterSpec* const> specs) {
+    const std::string_view key = name.substr(name.rfind('.') + 1);
+    std::vector<std::string_view> keys;
+    for (const ParameterSpec* spec : specs) keys.push_back(spec->key);
+    const auto nearest = std::find(keys.begin(), keys.end(), nearest_name(key, keys));
+    std::string message = "unknown parameter '" + std::string(name.substr(0, 80)) + "'";
+    if (nearest == keys.end()) {
+        message += "; `ocean params` lists them";
+    } else {
+        const auto at = static_cast<std::size_t>(nearest - keys.begin());
+        message += "; did you mean " + specs[at]->path() + "?";
+    }
+    throw Error(ErrorKind::invalid_value, message,
+                {.what = "unknown parameter", .parameter = std::string(name.substr(0, 80))});
+}
+
+std::string parameters_markdown(std::span<const ListedParameter> parameters) {
+    std::string result =
+        "| Parameter | Default | Allowed | Class | What it is |\n"
+        "| --- | --- | --- | --- | --- |\n";
+    for (const auto& [spec, default_value] : parameters) {
+        const std::string value = to_text(default_value);
+        const std::string list = spec->in_list() ? ".N" : "";
+        result += "| `" + std::string(spec->section) + list + "." + std::string(spec->key) +
+                  "` | " + (value.empty() ? "" : "`" + value + "`") + " | " +
+                  allowed_values(*spec) + " | " + std::string(word_of(spec->change)) + " | " +
+                  std::string(spec->help) + " |\n";
+    }
+    return result;
+}
+
+std::string parameters_json(std::span<const ListedParameter> parameters) {
+    JsonArray table(JsonLines{2});
+    for (const auto& [spec, default_value] : parameters) {
+        JsonObject row;
+        row.add("section", spec->section).add("key", spec->key).add("type", spec->type());
+        row.add("unit", spec->unit).add("label", spec->label).add("help", spec->help);
+        row.add("class", word_of(spec->change)).add("allowed", allowed_values(*spec));
+        if (has_range(*spec)) {
+            // JSON has no infinity: such a bound is null.
+            row.add("min", json_number_or_null(spec->min, plain_text));
+            row.add("max", json_number_or_null(spec->max, plain_text));
+            if (spec->least > 0.0) row.add("least", json_number_or_null(spec->least, plain_text));
+            row.add("soft_min", json_number_or_null(spec->soft_min, plain_text));
+            row.add("soft_max", json_number_or_null(spec->soft_max, plain_text));
+        }
+        if (!spec->choices().empty()) row.add("choices", json_array(spec->choices()));
+        if (!spec->used_by.empty()) row.add("used_by", json_array(split(spec->used_by, ", ")));
+        if (spec->neutral) row.add("neutral", *spec->neutral);
+        table.add(row.add("default", json_value(*spec, default_value)));
+    }
+    return table.text() + "\n";
+}
+
+}  // namespace ocean

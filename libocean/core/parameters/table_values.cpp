@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Values of a table's rows: the one place where types, ranges and rules are checked, and values as
+// text, without regard to the locale. Nothing here knows a model.
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "ocean/error.hpp"
+#include "ocean/table.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+
+namespace {
+
+/// A row, and the item that a message is about.
+struct Place {
+    const ParameterSpec& spec;
+    std::size_t item;
+};
+
+[[noreturn]] void refuse(const Place& place, const std::string& value, const std::string& reason) {
+    throw Error(ErrorKind::invalid_value, {.what = reason,
+                                           .parameter = place.spec.path(place.item),
+                                           .value = value,
+                                           .allowed = allowed_values(place.spec)});
+}
+
+double checked_number(const Place& place, const ParameterValue& value) {
+    double number = 0.0;
+    if (const auto* real = std::get_if<double>(&value)) {
+        number = *real;
+    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+        number = static_cast<double>(*integer);
+    } else {
+        refuse(place, quoted_text(value), "is not a number");
+    }
+    if (std::isnan(number)) refuse(place, "nan", "is not a number");
+    const bool below = number > 0.0 && number < place.spec.least;
+    if (number < place.spec.min || number > place.spec.max || below) {
+        refuse(place, to_text(value), "is out of range");
+    }
+    return number;
+}
+
+std::int64_t checked_integer(const Place& place, const ParameterValue& value) {
+    const double number = checked_number(place, value);
+    if (number != std::floor(number)) refuse(place, to_text(value), "is not a whole number");
+    const auto whole = static_cast<std::int64_t>(number);
+    const bool power = whole > 0 && std::has_single_bit(static_cast<std::uint64_t>(whole));
+    if (place.spec.rule == NumberRule::power_of_two && !power) {
+        refuse(place, to_text(value), "is not a power of two");
+    }
+    if (place.spec.rule == NumberRule::even && whole % 2 != 0) {
+        refuse(place, to_text(value), "is not even");
+    }
+    return whole;
+}
+
+std::string checked_text(const Place& place, const ParameterValue& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) refuse(place, to_text(value), "is not a text");
+    constexpr std::size_t kMaxBytes = 4096;
+    const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+    if (text->size() > kMaxBytes || std::any_of(text->begin(), text->end(), control)) {
+        std::string shown = quoted_text(value);
+        std::replace_if(shown.begin(), shown.end(), control, '?');
+        refuse(place, shown, "is longer than 4096 bytes or holds a control character");
+    }
+    return *text;
+}
+
+std::vector<std::int64_t> checked_list(const Place& place, const ParameterValue& value) {
+    const auto* list = std::get_if<std::vector<std::int64_t>>(&value);
+    if (list == nullptr) refuse(place, quoted_text(value), "is not a list of whole numbers");
+    if (list->size() > place.spec.max_length) {
+        refuse(place, to_text(value),
+               "has more than " + std::to_string(place.spec.max_length) + " numbers");
+    }
+    std::vector<std::int64_t> numbers;
+    for (const std::int64_t number : *list) numbers.push_back(checked_integer(place, number));
+    return numbers;
+}
+
+std::string checked_word(const Place& place, const ParameterValue& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) refuse(place, to_text(value), "is not one of the words");
+    const auto words = place.spec.choices();
+    if (std::find(words.begin(), words.end(), *text) == words.end()) {
+        refuse(place, quoted_text(value), "is not one of the words");
+    }
+    return *text;
+}
+
+bool checked_truth(const Place& place, const ParameterValue& value) {
+    const auto* truth = std::get_if<bool>(&value);
+    if (truth == nullptr) refuse(place, quoted_text(value), "is neither true nor false");
+    return *truth;
+}
+
+std::vector<std::int64_t> parse_list(const Place& place, std::string_view text) {
+    std::vector<std::int64_t> numbers;
+    std::size_t at = 0;
+    while ((at = text.find_first_not_of("[], ", at)) != std::string_view::npos) {
+        std::int64_t number = 0;
+        const auto parsed = std::from_chars(text.data() + at, text.data() + text.size(), number);
+        if (parsed.ec != std::errc()) {
+            refuse(place, quoted_text(std::string(text)), "is not a list of whole numbers");
+        }
+        numbers.push_back(number);
+        at = static_cast<std::size_t>(parsed.ptr - text.data());
+    }
+    return numbers;
+}
+
+}  // namespace
+
+bool ParameterSpec::is_unset(const ParameterValue& value) const {
+    return type() == "float" && std::holds_alternative<std::string>(value);
+}
+
+bool ParameterSpec::is_left_out(const ParameterValue& value) const {
+    return is_unset(value) || (neutral && to_text(value) == *neutral);
+}
+
+ParameterValue checked_value(const ParameterSpec& spec, std::size_t item,
+                             const ParameterValue& value) {
+    const Place place{spec, item};
+    const std::string_view type = spec.type();
+    if (type == "int") return checked_integer(place, value);
+    if (type == "bool") return checked_truth(place, value);
+    if (type == "enum") return checked_word(place, value);
+    if (type == "text") return checked_text(place, value);
+    if (type == "list") return checked_list(place, value);
+    const auto* text = std::get_if<std::string>(&value);
+    if (spec.member_type.optional && text != nullptr && text->empty()) return value;
+    return checked_number(place, value);
+}
+
+ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::string_view text) {
+    const Place place{spec, item};
+    const std::string_view type = spec.type();
+    const bool unset = spec.member_type.optional && text.empty();
+    if (type == "enum" || type == "text" || unset) return std::string(text);
+    if (type == "list") return parse_list(place, text);
+    if (type == "bool") {
+        if (text == "true" || text == "false") return text == "true";
+        refuse(place, quoted_text(std::string(text)), "is neither true nor false");
+    }
+    const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+    double number = 0.0;
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (parsed.ec != std::errc() || parsed.ptr != digits.data() + digits.size()) {
+        refuse(place, quoted_text(std::string(text)), "is not a number");
+    }
+    return number;
+}
+
+std::string to_text(const ParameterValue& value) {
+    if (const auto* real = std::get_if<double>(&value)) return plain_text(*real);
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
+    std::string result = "[";
+    for (const std::int64_t number : std::get<std::vector<std::int64_t>>(value)) {
+        if (result.size() > 1) result += ", ";
+        result += std::to_string(number);
+    }
+    return result + "]";
+}
+
+std::string quoted_text(const ParameterValue& value) {
+    const bool text = std::holds_alternative<std::string>(value);
+    return text ? "\"" + to_text(value).substr(0, 80) + "\"" : to_text(value);
+}
+
+std::string allowed_values(const ParameterSpec& spec) {
+    const std::string_view type = spec.type();
+    if (type == "text") return "any text";
+    if (type == "bool") return "true or false";
+    if (type == "enum") {
+        std::string words;
+        for (const std::string_view word : spec.choices()) {
+            words += (words.empty() ? "one of " : ", ") + std::string(word);
+        }
+        return words;
+    }
+    std::string range = plain_text(spec.min);
+    if (spec.least > 0.0) range += " or " + plain_text(spec.least);
+    range += " .. " + plain_text(spec.max);
+    if (!spec.unit.empty() && spec.unit != "samples") range += " " + std::string(spec.unit);
+    if (spec.rule == NumberRule::power_of_two) return "a power of two, " + range;
+    if (spec.rule == NumberRule::even) return "an even number, " + range;
+    if (type == "int") return "a whole number, " + range;
+    if (type == "list") {
+        return "at most " + std::to_string(spec.max_length) + " whole numbers, " + range;
+    }
+    return range;
+}
+
+void refuse_item(const ParameterSpec& spec, std::size_t item, std::size_t items) {
+    throw Error(ErrorKind::invalid_value, {.what = "there are " + std::to_string(items) + " " +
+                                                   std::string(spec.item) + "s, numbered from 0",
+                                           .parameter = spec.path(item)});
+}
+
+}  // namespace ocean
