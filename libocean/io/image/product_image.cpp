@@ -140,9 +140,11 @@ Image make_image(std::span<const Product* const> products, const ProductLayout& 
     if (products.empty()) {
         throw Error(ErrorKind::invalid_value, "an image needs at least one product");
     }
+    Domain domain = provenance.domain.value_or(Domain{});
+    domain.samples = {resolution, resolution};
     return {.width = resolution,
             .height = resolution,
-            .periodic = !provenance.domain || provenance.domain->wraps,
+            .domain = domain,
             .planes = ProductPlanes(layout, surface, made).of(products),
             .provenance = provenance,
             .strings = product_strings(products, layout.axes)};

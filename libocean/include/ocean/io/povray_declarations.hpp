@@ -34,7 +34,8 @@ struct PovrayFolder {
 /// The include file that tells a scene all of that, each parameter by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
-/// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
+/// Returns what a frame says of itself, whatever its format, in names of its subject's prefix:
+/// Ocean_Load refuses those of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);
 /// Whether a text has the declarations of a frame of that sea.
 bool declares_sea(std::string_view text, std::string_view sea_id);
