@@ -190,7 +190,7 @@ Surface Ocean::evaluate(double time, ChannelSet channels, int resolution) {
     resolution = map_resolution(resolution);
     go_to(time);
     require_map_memory(resolution, channels.size(), channels);
-    Surface surface({resolution, now().grid.patch_size}, time, channels);
+    Surface surface(Lattice{resolution, now().grid.patch_size}, time, channels);
     evaluate_into(time, outputs_of(surface), resolution);
     return surface;
 }

@@ -296,7 +296,7 @@ TEST(Spray, IdsTellEverythingApart) {
 
 /// A lattice at rest that has turned white all over.
 Surface white_map(int resolution, double period) {
-    Surface map({resolution, period}, 0.0, kSprayChannels);
+    Surface map(Lattice{resolution, period}, 0.0, kSprayChannels);
     for (int c = 0; c < kChannelCount; ++c) std::ranges::fill(map.channel(Channel(c)), 0.0f);
     std::ranges::fill(map.channel(Channel::whitecap), 1.0f);
     return map;

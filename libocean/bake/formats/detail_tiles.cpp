@@ -91,7 +91,7 @@ std::vector<io::HeaderString> band_strings(const DetailBudget& budget, std::size
 }
 
 Surface band_surface(const Detail& detail, std::size_t band) {
-    Surface surface({detail.samples(), detail.bands()[band].tile}, detail.time(),
+    Surface surface(Lattice{detail.samples(), detail.bands()[band].tile}, detail.time(),
                     {Channel::slope_x, Channel::slope_y});
     const std::span<const float> slopes = detail.slopes(band);
     const std::span<float> x = surface.channel(Channel::slope_x);

@@ -13,10 +13,10 @@
 
 namespace ocean {
 
-Surface::Surface(Lattice lattice, double time, ChannelSet channels)
-    : lattice_(lattice), time_(time), channels_(channels) {
+Surface::Surface(const Domain& domain, double time, ChannelSet channels)
+    : domain_(domain), time_(time), channels_(channels) {
     for (std::size_t c = 0; c < maps_.size(); ++c) {
-        if (has(static_cast<Channel>(c))) maps_[c].resize(lattice.size());
+        if (has(static_cast<Channel>(c))) maps_[c].resize(domain.count());
     }
 }
 
@@ -61,7 +61,7 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
         throw Error(ErrorKind::invalid_value,
                     "foam has a past: it is made by Ocean or a FoamState, not from one moment");
     }
-    Surface surface({resolution, modes.lattice.period}, time, channels);
+    Surface surface(Lattice{resolution, modes.lattice.period}, time, channels);
     const std::vector<MapOutput> outputs = outputs_of(surface);
     MapWriter(backend).write(
         {map_modes(modes, time, resolution),

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace ocean {
 
@@ -30,6 +31,14 @@ struct Domain {
     /// Returns the distance from sample to sample along an axis [m].
     constexpr double step(std::size_t axis) const {
         return size[axis] / (wraps ? samples[axis] : samples[axis] - 1);
+    }
+    /// Returns how many samples there are.
+    constexpr std::size_t count() const {
+        return static_cast<std::size_t>(samples[0]) * static_cast<std::size_t>(samples[1]);
+    }
+    /// Returns where sample (i, j) lies [m].
+    constexpr std::array<double, 2> place(int i, int j) const {
+        return {origin[0] + i * step(0), origin[1] + j * step(1)};
     }
     constexpr bool operator==(const Domain&) const = default;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The surface of one time: planar maps of N x N samples over one period, made from the modes by a
-// backend.
+// The surface of one time: planar maps over a domain, which for a sea is one period of N x N
+// samples, made from the modes by a backend.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "ocean/backend.hpp"
 #include "ocean/channel.hpp"
+#include "ocean/domain.hpp"
 #include "ocean/modes.hpp"
 #include "ocean/page_vector.hpp"
 
@@ -28,24 +29,30 @@ struct LinearPlanes {
     PageVector<Real>& operator[](Linear field) { return plane[static_cast<std::size_t>(field)]; }
 };
 
-/// Planar maps, row-major [j][i], sample (i, j) at (i, j) * period / resolution.
+/// Planar maps, row-major [j][i], sample (i, j) at domain().place(i, j).
 class Surface {
   public:
     Surface() = default;
     /// The maps are not filled: not with zeros either.
-    Surface(Lattice lattice, double time, ChannelSet channels);
+    Surface(const Domain& domain, double time, ChannelSet channels);
+    /// Over one period of a lattice.
+    Surface(const Lattice& lattice, double time, ChannelSet channels)
+        : Surface(Domain::tile(lattice.period, lattice.resolution), time, channels) {}
 
-    int resolution() const { return lattice_.resolution; }
-    double period() const { return lattice_.period; }
+    const Domain& domain() const { return domain_; }
+    /// Returns the samples along x; a tile has as many along y.
+    int resolution() const { return domain_.samples[0]; }
+    /// Returns the size along x [m]: of a tile its period.
+    double period() const { return domain_.size[0]; }
     double time() const { return time_; }
     bool has(Channel channel) const { return channels_.contains(channel); }
     ChannelSet channels() const { return channels_; }
-    /// resolution^2 values; empty for a channel that was not asked for.
+    /// A value for each sample of the domain; empty for a channel that was not asked for.
     std::span<const float> channel(Channel channel) const;
     std::span<float> channel(Channel channel);
 
   private:
-    Lattice lattice_;
+    Domain domain_;
     double time_ = 0.0;
     ChannelSet channels_;
     std::array<PageVector<float>, kMostChannels> maps_;
