@@ -86,10 +86,11 @@ TEST(PatchMesh, TrianglesFaceUpAndCoverThePeriod) {
     EXPECT_NEAR(area, test::kSamplePeriod * test::kSamplePeriod, 1e-6 * area);
 }
 
-TEST(PatchMesh, RefusesMissingHeightsAndOtherSamples) {
+TEST(PatchMesh, RefusesMissingHeightsAndASingleRow) {
     EXPECT_THROW(io::make_patch_mesh(Surface(Lattice{32, 10.0}, 0.0, {Channel::dx, Channel::dy})),
                  Error);
-    EXPECT_THROW(io::make_patch_mesh(gentle_surface(32), Domain::tile(10.0, 64)), Error);
+    const Domain row{{0.0, 0.0}, {10.0, 1.0}, {32, 1}, false};
+    EXPECT_THROW(io::make_patch_mesh(Surface(row, 0.0, {Channel::height})), Error);
 }
 
 /// The value of an attribute at the vertex (i, j) of so many columns.
@@ -128,41 +129,48 @@ TEST(PatchMesh, HasUvFrom0To1AndEveryProductOfTheSurface) {
 
 // A terrain or a coast: heights of a place, nothing that repeats.
 TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesAlone) {
-    const int n = 32;
-    const Domain domain{{500100.0, -20.0}, {62.0, 31.0}, {n, n}, false};
-    Surface plane(Lattice{n, 1.0}, 0.0, {Channel::height});
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            plane.channel(Channel::height)[static_cast<std::size_t>(j * n + i)] =
+    const int columns = 32, rows = 11;
+    const Domain domain{{500100.0, -20.0}, {62.0, 5.0}, {columns, rows}, false};
+    Surface plane(domain, 0.0, {Channel::height});
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            plane.channel(Channel::height)[static_cast<std::size_t>(j * columns + i)] =
                 0.1f * static_cast<float>(i) - 3.0f * static_cast<float>(j);
         }
     }
-    const io::Mesh mesh = io::make_patch_mesh(plane, domain);
-    ASSERT_EQ(mesh.vertices(), 32u * 32u);
-    EXPECT_EQ(mesh.triangles.size(), 6u * 31 * 31);
-    EXPECT_EQ(*std::ranges::max_element(mesh.triangles), 32 * 32 - 1);
+    const io::Mesh mesh = io::make_patch_mesh(plane);
+    ASSERT_EQ(mesh.vertices(), 32u * 11u);
+    EXPECT_EQ(mesh.domain, domain);
+    EXPECT_EQ(mesh.triangles.size(), 6u * 31 * 10);
+    EXPECT_EQ(*std::ranges::max_element(mesh.triangles), 32 * 11 - 1);
     EXPECT_TRUE(mesh.normals.empty());
     ASSERT_EQ(mesh.attributes.size(), 1u);
     const io::Attribute& uv = mesh.attributes[0];
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            const auto v = static_cast<std::size_t>(j * n + i);
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const auto v = static_cast<std::size_t>(j * columns + i);
             EXPECT_EQ(mesh.positions[3 * v], static_cast<float>(500100.0 + 2.0 * i));
-            EXPECT_EQ(mesh.positions[3 * v + 1], static_cast<float>(-20.0 + j));
+            EXPECT_EQ(mesh.positions[3 * v + 1], static_cast<float>(-20.0 + 0.5 * j));
             EXPECT_EQ(mesh.positions[3 * v + 2], plane.channel(Channel::height)[v]) << "as it was";
-            EXPECT_EQ(value_at(uv, n, i, j, 0), static_cast<float>(i / 31.0));
-            EXPECT_EQ(value_at(uv, n, i, j, 1), static_cast<float>(j / 31.0));
+            EXPECT_EQ(value_at(uv, columns, i, j, 0), static_cast<float>(i / 31.0));
+            EXPECT_EQ(value_at(uv, columns, i, j, 1), static_cast<float>(j / 10.0));
         }
     }
-    EXPECT_EQ(mesh.positions[3 * 1023], 500162.0f) << "the far corner is that of the domain";
-    EXPECT_EQ(mesh.positions[3 * 1023 + 1], 11.0f);
+    const std::size_t last = mesh.vertices() - 1;
+    EXPECT_EQ(mesh.positions[3 * last], 500162.0f) << "the far corner is that of the domain";
+    EXPECT_EQ(mesh.positions[3 * last + 1], -15.0f);
 }
 
 TEST(PatchMesh, OfATileAwayFromTheOriginClosesItsSeamThere) {
     const int n = 32;
-    const Domain domain{{-300.0, 40.0}, {100.0, 100.0}, {n, n}, true};
-    const io::Mesh here = io::make_patch_mesh(gentle_surface(n));
-    const io::Mesh there = io::make_patch_mesh(gentle_surface(n), domain);
+    const Surface at_origin = gentle_surface(n);
+    Surface moved(Domain{{-300.0, 40.0}, {100.0, 100.0}, {n, n}, true}, 0.0,
+                  {Channel::dx, Channel::dy, Channel::height});
+    for (const Channel channel : {Channel::dx, Channel::dy, Channel::height}) {
+        std::ranges::copy(at_origin.channel(channel), moved.channel(channel).begin());
+    }
+    const io::Mesh here = io::make_patch_mesh(at_origin);
+    const io::Mesh there = io::make_patch_mesh(moved);
     ASSERT_EQ(there.positions.size(), here.positions.size());
     for (std::size_t v = 0; v < here.vertices(); ++v) {
         EXPECT_NEAR(there.positions[3 * v], here.positions[3 * v] - 300.0f, 1e-4);

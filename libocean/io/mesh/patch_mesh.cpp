@@ -26,7 +26,8 @@ double grid_step(double extent) {
 }
 
 /// Returns a bound of all coordinates [m].
-double reach_of(const Surface& surface, const Domain& domain) {
+double reach_of(const Surface& surface) {
+    const Domain& domain = surface.domain();
     double largest = 0.0;
     for (const Channel channel : kPlace) {
         for (const float value : surface.channel(channel)) {
@@ -55,8 +56,8 @@ std::size_t vertex_count(const Domain& domain) {
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
 }
 
-std::vector<float> values_at_vertices(const Surface& surface, const Domain& domain,
-                                      const Product& product) {
+std::vector<float> values_at_vertices(const Surface& surface, const Product& product) {
+    const Domain& domain = surface.domain();
     const auto components = static_cast<std::size_t>(product.count);
     std::array<std::span<const float>, 3> maps;
     for (std::size_t c = 0; c < components; ++c) maps[c] = surface.channel(product.channels[c]);
@@ -68,8 +69,9 @@ std::vector<float> values_at_vertices(const Surface& surface, const Domain& doma
     return values;
 }
 
-std::vector<float> place_vertices(const Surface& surface, const Domain& domain) {
-    const double step = grid_step(reach_of(surface, domain));
+std::vector<float> place_vertices(const Surface& surface) {
+    const Domain& domain = surface.domain();
+    const double step = grid_step(reach_of(surface));
     // What does not repeat has no seam to close: its floats are the nearest to its samples.
     const auto snap = [&](double value) {
         return domain.wraps ? std::nearbyint(value / step) * step : value;
@@ -94,12 +96,13 @@ std::vector<float> place_vertices(const Surface& surface, const Domain& domain) 
     return positions;
 }
 
-void check(const Surface& surface, const Domain& domain) {
+void check(const Surface& surface) {
     require_channels(surface, {Channel::height});
-    const int n = surface.resolution();
-    if (domain.samples == std::array{n, n} && n > 1) return;
-    throw Error(ErrorKind::invalid_value,
-                "a mesh needs a domain of the surface's " + std::to_string(n) + " samples a side");
+    const auto [columns, rows] = surface.domain().samples;
+    if (columns > 1 && rows > 1) return;
+    throw Error(ErrorKind::invalid_value, "a mesh needs two samples a side; there are " +
+                                              std::to_string(columns) + " x " +
+                                              std::to_string(rows));
 }
 
 bool holds(ChannelSet channels, const Product& product) {
@@ -150,10 +153,10 @@ std::vector<float> patch_uv(const Domain& domain) {
     return uv;
 }
 
-Mesh make_patch_mesh(const Surface& surface, const Domain& domain, Faces faces,
-                     std::span<const Product> products) {
-    check(surface, domain);
-    Mesh mesh{.positions = place_vertices(surface, domain), .domain = domain};
+Mesh make_patch_mesh(const Surface& surface, Faces faces, std::span<const Product> products) {
+    check(surface);
+    const Domain& domain = surface.domain();
+    Mesh mesh{.positions = place_vertices(surface), .domain = domain};
     if (faces == Faces::triangles) {
         mesh.triangles = patch_triangles(domain);
         mesh.attributes.push_back({std::string(kUv), 2, patch_uv(domain)});
@@ -162,7 +165,7 @@ Mesh make_patch_mesh(const Surface& surface, const Domain& domain, Faces faces,
     for (const Product& product : products) {
         const bool is_position = holds(place, product);
         if (product.count == 0 || is_position || !holds(surface.channels(), product)) continue;
-        std::vector<float> values = values_at_vertices(surface, domain, product);
+        std::vector<float> values = values_at_vertices(surface, product);
         if (product.name == kNormal) {
             mesh.normals = std::move(values);
         } else {
@@ -171,10 +174,6 @@ Mesh make_patch_mesh(const Surface& surface, const Domain& domain, Faces faces,
         }
     }
     return mesh;
-}
-
-Mesh make_patch_mesh(const Surface& surface, Faces faces) {
-    return make_patch_mesh(surface, Domain::tile(surface.period(), surface.resolution()), faces);
 }
 
 void turn_y_up(Mesh& mesh) {

@@ -59,10 +59,11 @@ constexpr double kLargestProjection = 7.99;
 class Offsets {
   public:
     explicit Offsets(const Surface& surface) {
-        double reach = surface.period();
+        const double size = std::max(surface.domain().size[0], surface.domain().size[1]);
+        double reach = size;
         for (const Channel channel : {Channel::dx, Channel::dy}) {
             for (const float offset : surface.channel(channel)) {
-                reach = std::max(reach, surface.period() + std::abs(double{offset}));
+                reach = std::max(reach, size + std::abs(double{offset}));
             }
         }
         // Refused below if it is not finite.
@@ -112,10 +113,10 @@ void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
     }
 }
 
-/// How a file of n by n by so many voxels begins.
-std::string df3_head(std::size_t n, std::size_t slices) {
+/// Returns how a file of so many voxels begins.
+std::string df3_head(std::size_t columns, std::size_t rows, std::size_t slices) {
     std::string head;
-    for (const std::size_t size : {n, n, slices}) {
+    for (const std::size_t size : {columns, rows, slices}) {
         append_big_endian(head, static_cast<std::uint32_t>(size), 2);
     }
     return head;
@@ -158,17 +159,18 @@ void write_df3(const Surface& surface, const std::string& path, Df3Slices slices
                     "a DF3 file needs the channels of its slices: a sea's are displacement, "
                     "height, normal, foam and cover");
     }
-    const auto n = static_cast<std::size_t>(surface.resolution());
+    const auto columns = static_cast<std::size_t>(surface.domain().samples[0]);
+    const auto rows = static_cast<std::size_t>(surface.domain().samples[1]);
     const Offsets offsets(surface);
     OutputFile file(path);
     std::string bytes;
-    bytes.reserve(n * sizeof(std::uint32_t));
-    file.write(df3_head(n, slices.size()));
+    bytes.reserve(columns * sizeof(std::uint32_t));
+    file.write(df3_head(columns, rows, slices.size()));
     for (const Df3Slice& slice : slices) {
-        for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t j = 0; j < rows; ++j) {
             bytes.clear();
-            for (std::size_t i = 0; i < n; ++i) {
-                append_big_endian(bytes, voxel(surface, offsets, slice, j * n + i), 4);
+            for (std::size_t i = 0; i < columns; ++i) {
+                append_big_endian(bytes, voxel(surface, offsets, slice, j * columns + i), 4);
             }
             file.write(bytes);
         }
@@ -184,7 +186,7 @@ std::uint64_t slopes_df3_bytes(int samples, int bands) {
 void write_slopes_df3(const Detail& detail, const std::string& path) {
     const auto n = static_cast<std::size_t>(detail.samples());
     OutputFile file(path);
-    file.write(df3_head(n, 2 * detail.bands().size()));
+    file.write(df3_head(n, n, 2 * detail.bands().size()));
     std::string bytes;
     for (std::size_t band = 0; band < detail.bands().size(); ++band) {
         const std::span<const float> slopes = detail.slopes(band);

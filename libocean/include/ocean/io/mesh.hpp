@@ -45,16 +45,15 @@ enum class Faces { none, triangles };
 
 /// Returns the displaced surface over its domain, with the normal, uv, and each of `products` that
 /// it was evaluated with, in their order. Needs height; a surface without dx and dy rises straight
-/// above its samples. Throws Error invalid_value for a domain that has not the surface's samples.
+/// above its samples. Throws Error invalid_value for one without height or with fewer than two
+/// samples a side.
 ///
 /// A domain that wraps has (N + 1)^2 vertices with the seam closed. They lie on a grid of a power
 /// of two (2^-16 m, coarser for large patches), which keeps the seam of copies that lie a period
 /// apart free of cracks when the period lies on it too, as every whole number does. Of one that
 /// does not wrap the vertices are its samples.
-Mesh make_patch_mesh(const Surface& surface, const Domain& domain, Faces faces = Faces::triangles,
+Mesh make_patch_mesh(const Surface& surface, Faces faces = Faces::triangles,
                      std::span<const Product> products = product_table());
-/// Returns the mesh of the square that repeats from the world's origin on.
-Mesh make_patch_mesh(const Surface& surface, Faces faces = Faces::triangles);
 
 /// y up instead of z: (x, z, -y).
 void turn_y_up(Mesh& mesh);
