@@ -35,7 +35,7 @@ class Plane final : public Subject {
     double height(double x, double y) const { return level_ + x / 10.0 - y / 20.0; }
 
     std::string_view kind() const override { return kPlaneKind; }
-    std::string text() const override { return "level = " + shortest_text(level_) + "\n"; }
+    std::string text() const override { return "level = " + shortest_text(level_); }
     std::vector<std::string> named_files() const override { return {}; }
     void set(std::string_view name, std::string_view) override {
         throw Error(ErrorKind::invalid_value,
@@ -187,7 +187,7 @@ TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
         const auto provenance = io::read_provenance(file.path);
         ASSERT_TRUE(provenance) << file.path;
         EXPECT_EQ(provenance->kind, kPlaneKind) << file.path;
-        EXPECT_EQ(provenance->text, "level = 2.5\n");
+        EXPECT_EQ(provenance->text, "level = 2.5");
         EXPECT_EQ(provenance->frame, 2);
         ASSERT_TRUE(provenance->domain) << file.path;
         EXPECT_EQ(provenance->domain->origin, (std::array{100.0, -50.0}));
@@ -195,7 +195,7 @@ TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OtherSubject, EveryFormat, testing::Values(".exr", ".vdb", ".png"),
+INSTANTIATE_TEST_SUITE_P(OtherSubject, EveryFormat, testing::Values(".exr", ".ply", ".obj", ".usda", ".vdb", ".png"),
                          [](const auto& name) { return std::string(name.param).substr(1); });
 
 TEST(OtherSubject, IsTakenFromItsOwnFile) {

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """PLY and OBJ of a sea, read by meshio, beside the EXR of the same frame, read by OpenImageIO."""
 
+import hashlib
+import json
+import re
+
 import meshio
 import numpy
 import OpenImageIO as oiio
@@ -60,6 +64,9 @@ def test_a_ply_has_what_the_maps_have(ocean, maps):
     assert (attribute("vx", "vy", "vz") == maps("velocity")[..., :3]).all()
     assert (attribute("foam")[..., 0] == maps("foam")[..., 0]).all()
     assert maps("velocity").std() > 0.1
+    # The label over the period, in the names that Blender and MeshLab read.
+    label = numpy.arange(N + 1, dtype="f4") / N
+    assert (attribute("s", "t") == numpy.dstack(numpy.meshgrid(label, label))).all()
     # Closed: the last column is the first of the next period, to the bit.
     assert (points[:, -1] == points[:, 0] + [PERIOD, 0, 0]).all()
     assert (points[-1] == points[0] + [0, PERIOD, 0]).all()
@@ -83,6 +90,12 @@ def test_an_obj_has_the_same_vertices(ocean, maps):
     assert (vertices[:, 3] == ply.point_data["foam"]).all()
     normals = numpy.array([line.split()[1:] for line in lines if line.startswith("vn ")], "f4")
     assert (normals[:, 0] == ply.point_data["nx"]).all()
+    uv = numpy.array([line.split()[1:] for line in lines if line.startswith("vt ")], "f4")
+    assert (uv == numpy.stack([ply.point_data["s"], ply.point_data["t"]], -1)).all()
+    corners = [
+        corner.split("/") for line in lines if line[:2] == "f " for corner in line.split()[1:]
+    ]
+    assert all(len(corner) == 3 and len(set(corner)) == 1 for corner in corners)
     bake(ocean, "-o", "b.obj")
     mesh = meshio.read(ocean.folder / "b.obj")
     assert abs(mesh.points - ply.points).max() < 1e-5
@@ -104,9 +117,11 @@ def test_y_up_turns_every_vector(ocean):
 
 def test_only_what_is_asked_for(ocean):
     bake(ocean, "-o", "a.ply", "--products", "foam")
-    assert set(meshio.read(ocean.folder / "a.ply").point_data) == {"foam"}
+    assert set(meshio.read(ocean.folder / "a.ply").point_data) == {"s", "t", "foam"}
     bake(ocean, "-o", "b.ply", "--products", "position")
-    assert not meshio.read(ocean.folder / "b.ply").point_data
+    assert set(meshio.read(ocean.folder / "b.ply").point_data) == {"s", "t"}
+    bake(ocean, "-o", "b.obj", "--products", "position", "--resolution", "32")
+    assert "\nf 1/1 2/2 34/34\n" in (ocean.folder / "b.obj").read_text()
     said = ocean.bad("bake", "sea.toml", "-o", "a.obj", "--products", "velocity")
     assert "a mesh has no velocity" in said and "normal,foam" in said
     assert "tnb" in ocean.bad("bake", "sea.toml", "-o", "a.ply", "--axes", "tnb")
@@ -123,6 +138,67 @@ def test_a_mesh_remakes_itself(ocean, extension):
     # One that is cut off says so.
     ocean.write(f"cut.{extension}", first.read_bytes()[:200])
     assert f"cut.{extension}" in ocean.bad("info", f"cut.{extension}")
+
+
+def without_uv(path):
+    """The bytes that version 0.1.0 wrote before meshes had uv."""
+    data = path.read_bytes()
+    if path.suffix == ".obj":
+        lines = data.splitlines(keepends=True)
+        return re.sub(rb"(\d+)/\1/\1", rb"\1//\1", b"".join(x for x in lines if x[:3] != b"vt "))
+    end = data.index(b"end_header\n") + len(b"end_header\n")
+    head = data[:end].replace(b"property float s\nproperty float t\n", b"")
+    floats = data[:end].count(b"property float")
+    vertices = (N + 1) ** 2
+    table = numpy.frombuffer(data, "f4", vertices * floats, end).reshape(vertices, floats)
+    rest = data[end + table.nbytes :]
+    return head + numpy.delete(table, (6, 7), axis=1).tobytes() + rest
+
+
+def recipe_without_uv(data, suffix):
+    """The recipe in the manifests of that version, from the header of a mesh."""
+    mark = {".ply": b"comment ocean:", ".obj": b"# ocean:"}[suffix]
+    lines = [line[len(mark) :] for line in data.splitlines() if line.startswith(mark)]
+    sea = b"".join(line[4:] + b"\n" for line in lines if line.startswith(b"sea "))
+    words = {line.split()[0]: line.split()[1] for line in lines if line[:4] != b"sea "}
+    return hashlib.sha256(
+        b"libocean %b\nformat %b\nbackend cpu\nresolution %d\nframe 3\nmesh normal,foam zup\n"
+        % (words[b"version"], suffix.encode(), N)
+        + sea
+    ).hexdigest()
+
+
+@pytest.mark.parametrize("extension", ["ply", "obj"])
+def test_a_mesh_of_before_uv_is_known_and_made_again(ocean, extension):
+    command = ["-o", f"a.{extension}", "--resolution", str(N), "--products", "normal,foam"]
+    bake(ocean, *command)
+    path = ocean.folder / f"a.{extension}"
+    wanted = path.read_bytes()
+    old = without_uv(path)
+    assert len(old) < len(wanted)
+    path.write_bytes(old)
+    assert "9 m/s" in ocean.good("info", path.name)
+    # As that version listed it, with the recipe that it had.
+    manifest = ocean.folder / "a.manifest.json"
+    text = manifest.read_text()
+    entry = json.loads(text)["files"][0]
+    listed = text.replace(entry["sha256"], hashlib.sha256(old).hexdigest())
+    listed = listed.replace(entry["recipe"], recipe_without_uv(wanted, path.suffix))
+    manifest.write_text(listed)
+    bake(ocean, *command, "--skip-existing")
+    assert path.read_bytes() == wanted
+    (ocean.folder / "a.manifest.json").unlink()
+    path.write_bytes(old)
+    bake(ocean, *command)  # it is ours: replaced
+    assert path.read_bytes() == wanted
+    # A file of the user's that speaks of an ocean is not ours.
+    for text in (
+        "ply\nformat binary_little_endian 1.0\ncomment ocean: mine\n",
+        "# The surface of my pool\n# ocean:sea\n",
+        "# ocean:sea\n",
+    ):
+        ocean.write(f"mine.{extension}", text)
+        assert "not written by a bake" in ocean.bad("bake", "sea.toml", "-o", f"mine.{extension}")
 
 
 @pytest.mark.parametrize("extension", ["ply", "obj"])

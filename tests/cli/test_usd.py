@@ -61,6 +61,22 @@ def test_a_stage_has_the_points_of_every_frame(ocean):
             (mesh.GetVelocitiesAttr(), ("vx", "vy", "vz")),
         ):
             assert (read(attribute) == numpy.stack([data[name] for name in names], -1)).all()
+    # Bounds of each frame, of the mesh and of the model that it is.
+    model = UsdGeom.ModelAPI(mesh.GetPrim())
+    assert mesh.GetPrim().HasAPI(UsdGeom.ModelAPI) and mesh.GetPrim().IsModel()
+    for frame in range(1, 5):
+        box = mesh.GetExtentAttr().Get(frame)
+        assert box == UsdGeom.PointBased.ComputeExtent(mesh.GetPointsAttr().Get(frame))
+        assert box == model.GetExtentsHint(frame)
+        assert box == UsdGeom.Boundable.ComputeExtentFromPlugins(mesh, frame)
+    assert mesh.GetExtentAttr().Get(1) != mesh.GetExtentAttr().Get(4)
+    # The label over the period, one for all frames.
+    st = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
+    assert st.GetInterpolation() == "vertex" and st.GetTypeName() == "texCoord2f[]"
+    assert not st.ValueMightBeTimeVarying()
+    label = numpy.arange(N + 1, dtype="f4") / N
+    uv = numpy.dstack(numpy.meshgrid(label, label)).reshape(-1, 2)
+    assert (numpy.array(st.Get(3)) == uv).all()
     # The seam is closed: the last column is the first of the next period.
     points = numpy.array(mesh.GetPointsAttr().Get(2)).reshape(N + 1, N + 1, 3)
     assert (points[:, -1] == points[:, 0] + [PERIOD, 0, 0]).all()
@@ -90,6 +106,7 @@ def test_rates_steps_axes_and_what_is_asked_for(ocean):
     assert not mesh.GetNormalsAttr().HasAuthoredValue()
     bake(ocean, "-o", "z.usda", "--frames", "20", "--fps", "25", "--products", "foam")
     turned = numpy.array(mesh.GetPointsAttr().Get(20))
+    assert (numpy.array(mesh.GetExtentAttr().Get(20)) == [turned.min(0), turned.max(0)]).all()
     upright = Usd.Stage.Open(str(ocean.folder / "z.usda"))
     points = numpy.array(mesh_of(upright).GetPointsAttr().Get(20))
     assert (turned == points[:, [0, 2, 1]] * [1, 1, -1]).all()

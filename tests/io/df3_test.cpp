@@ -62,7 +62,7 @@ TEST(Df3, HoldsTheMapsInPovRaysAxes) {
     const Surface surface = tilted_surface(n);
     io::write_df3(surface, folder.file("s.df3"));
     const std::string bytes = test::read_bytes(folder.file("s.df3"));
-    ASSERT_EQ(bytes.size(), io::df3_bytes(n));
+    ASSERT_EQ(bytes.size(), io::df3_bytes(n, 7));
     EXPECT_EQ(big_endian(bytes, 0, 2), 32u);
     EXPECT_EQ(big_endian(bytes, 2, 2), 32u);
     EXPECT_EQ(big_endian(bytes, 4, 2), 7u);
@@ -93,12 +93,31 @@ TEST(Df3, ThreeSlicesAreThoseOfThePosition) {
     const TemporaryFolder folder;
     const Surface surface = tilted_surface(32);
     io::write_df3(surface, folder.file("all.df3"));
-    io::write_df3(surface, folder.file("three.df3"), io::kDf3PositionSlices);
+    io::write_df3(surface, folder.file("three.df3"), io::df3_position_slices());
     const std::string all = test::read_bytes(folder.file("all.df3"));
     const std::string three = test::read_bytes(folder.file("three.df3"));
-    ASSERT_EQ(three.size(), io::df3_bytes(32, io::kDf3PositionSlices));
+    ASSERT_EQ(three.size(), io::df3_bytes(32, 3));
     EXPECT_EQ(big_endian(three, 4, 2), 3u);
     EXPECT_EQ(three.substr(6), all.substr(6, three.size() - 6));
+}
+
+// A terrain stands still and has no foam: its file has no planes of zeros for them.
+TEST(Df3, SlicesAreAListOfTheSubject) {
+    const TemporaryFolder folder;
+    const Surface all = tilted_surface(32);
+    Surface land(Lattice{32, 100.0}, 0.0, {Channel::height, Channel::nx, Channel::ny, Channel::nz});
+    for (const Channel channel : {Channel::height, Channel::nx, Channel::ny, Channel::nz}) {
+        std::ranges::copy(all.channel(channel), land.channel(channel).begin());
+    }
+    EXPECT_THROW(io::write_df3(land, folder.file("sea.df3")), Error);
+    io::write_df3(land, folder.file("land.df3"), io::df3_slices("terrain"));
+    io::write_df3(all, folder.file("all.df3"));
+    const std::string three = test::read_bytes(folder.file("land.df3"));
+    const std::string seven = test::read_bytes(folder.file("all.df3"));
+    const std::size_t slice = 32 * 32 * 4;
+    ASSERT_EQ(three.size(), io::df3_bytes(32, 3));
+    EXPECT_EQ(three.substr(6, slice), seven.substr(6, slice));
+    EXPECT_EQ(three.substr(6 + slice), seven.substr(6 + 3 * slice, 2 * slice));
 }
 
 TEST(Df3, SlopeTilesAreTwoSlicesABand) {

@@ -131,7 +131,7 @@ TEST(Exr, DecodesEveryPixelOfItsOwnFiles) {
 TEST(Exr, WritesAnyImage) {
     const TemporaryFolder folder;
     const std::vector<float> samples = {1, 2, 3, 4, 5, 6};
-    io::Image image{3, 2, false, {{"Y", io::PixelType::full_float, samples, -2.0f}}, {}};
+    io::Image image{3, 2, {}, {{"Y", io::PixelType::full_float, samples, -2.0f}}, {}};
     image.planes.push_back({.name = "A", .constant = 0.5f});
     image.strings = {{"ocean:field", "mask"}};
     io::write_exr(image, folder.file("a.exr"), io::ExrCompression::none);

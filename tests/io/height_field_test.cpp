@@ -133,10 +133,9 @@ TEST(HeightField, OfAPlaceThatDoesNotRepeatHasItsSamplesAlone) {
     }
     io::Image image{.width = n,
                     .height = n,
+                    .domain = Domain{{100.0, -20.0}, {64.0, 64.0}, {n, n}, false},
                     .planes = {{.name = "Y", .samples = heights}},
-                    .provenance = {.kind = "plane",
-                                   .text = "x",
-                                   .domain = Domain{{100.0, -20.0}, {64.0, 64.0}, {n, n}, false}}};
+                    .provenance = {.kind = "terrain", .text = "x"}};
     io::write_height_field(image, folder.file("h.png"));
     const std::string side = io::height_field_description(image);
     int width = 0;
@@ -154,6 +153,9 @@ TEST(HeightField, OfAPlaceThatDoesNotRepeatHasItsSamplesAlone) {
     EXPECT_NE(side.find("scale <64, "), std::string::npos) << side;
     EXPECT_NE(side.find("translate <100, "), std::string::npos) << side;
     EXPECT_NE(side.find(", -20> }"), std::string::npos) << side;
+    const std::string scene = io::height_field_declarations(image);
+    EXPECT_NE(scene.find("#declare Terrain_Base = "), std::string::npos) << scene;
+    EXPECT_EQ(scene.find("Ocean"), std::string::npos) << scene;
 }
 
 // A small image fails at the flush; a large one inside libpng, whose word for it is less telling.

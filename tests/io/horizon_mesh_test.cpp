@@ -249,6 +249,15 @@ TEST(HorizonMesh, RefusesUnfitRequests) {
     EXPECT_THROW(io::make_horizon_mesh({}, small_view()), Error);
     levels.erase(levels.begin() + 1);
     EXPECT_THROW(io::make_horizon_mesh(levels, small_view()), Error);
+    Domain place = levels[0].domain();
+    place.wraps = false;
+    levels = {Surface(place, 0.0, levels[0].channels())};
+    try {
+        io::make_horizon_mesh(levels, small_view());
+        ADD_FAILURE() << "maps that do not repeat";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("maps that repeat"), std::string::npos);
+    }
 }
 
 }  // namespace

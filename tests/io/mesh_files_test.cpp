@@ -9,6 +9,7 @@
 
 #include "ocean/error.hpp"
 #include "ocean/io/points.hpp"
+#include "ocean/io/read_provenance.hpp"
 #include "ocean/io/usd.hpp"
 #include "sample_surface.hpp"
 
@@ -35,7 +36,7 @@ TEST(CommentLines, HoldTextsOfSeveralLines) {
 TEST(MeshFiles, SayWhichSeaTheyAre) {
     const test::TemporaryFolder folder;
     const io::Mesh mesh = io::make_patch_mesh(test::sample_surface(16));
-    ASSERT_EQ(mesh.velocities.size(), mesh.positions.size());
+    ASSERT_EQ(mesh.find("velocity")->values.size(), mesh.positions.size());
     const std::vector<io::HeaderString> strings = {{"ocean:sea", "libocean = 1\n[grid]"}};
     io::write_ply(mesh, strings, folder.file("a.ply"));
     io::write_obj(mesh, strings, folder.file("a.obj"));
@@ -50,11 +51,15 @@ TEST(MeshFiles, SayWhichSeaTheyAre) {
     const auto size = [&](const char* name) {
         return std::filesystem::file_size(folder.file(name));
     };
-    EXPECT_LE(size("b.ply"), io::ply_bytes(vertices, 10, triangles));
-    EXPECT_GE(size("b.ply") + 1024, io::ply_bytes(vertices, 10, triangles));
+    std::uint64_t floats = 3 + 3;
+    for (const io::Attribute& attribute : mesh.attributes) {
+        floats += static_cast<std::uint64_t>(attribute.components);
+    }
+    EXPECT_LE(size("b.ply"), io::ply_bytes(vertices, floats, triangles));
+    EXPECT_GE(size("b.ply") + 1024, io::ply_bytes(vertices, floats, triangles));
     io::write_obj(mesh, {}, folder.file("b.obj"));
     EXPECT_THROW(io::read_obj_header(folder.file("b.obj")), Error);
-    EXPECT_LE(size("b.obj"), io::most_obj_bytes(vertices, 7, triangles));
+    EXPECT_LE(size("b.obj"), io::most_obj_bytes(vertices, 9, triangles));
 }
 
 TEST(UsdFiles, SayWhatTheyAreAndSurviveNoMutationOfTheirTable) {
@@ -115,11 +120,86 @@ TEST(MeshFiles, TurnAsAWhole) {
     io::Mesh mesh;
     mesh.positions = {1, 2, 3, 4, 5, 6};
     mesh.normals = {0, 0, 1, 0, 1, 0};
-    mesh.velocities = {7, 8, 9, -1, -2, -3};
+    mesh.attributes = {{"velocity", 3, {7, 8, 9, -1, -2, -3}, true},
+                       {"colour", 3, {1, 2, 3, 4, 5, 6}},
+                       {"uv", 2, {0, 0, 1, 1}}};
     io::turn_y_up(mesh);
     EXPECT_EQ(mesh.positions, (std::vector<float>{1, 3, -2, 4, 6, -5}));
     EXPECT_EQ(mesh.normals, (std::vector<float>{0, 1, 0, 0, 0, -1}));
-    EXPECT_EQ(mesh.velocities, (std::vector<float>{7, 9, -8, -1, -3, 2}));
+    EXPECT_EQ(mesh.attributes[0].values, (std::vector<float>{7, 9, -8, -1, -3, 2}));
+    EXPECT_EQ(mesh.attributes[1].values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(mesh.attributes[2].values, (std::vector<float>{0, 0, 1, 1}));
+}
+
+io::Mesh triangle() {
+    return {.positions = {0, 0, 5, 2, 0, -1, 0, 3, 0},
+            .attributes = {{"uv", 2, {0, 0, 1, 0, 0, 1}},
+                           {"snow", 1, {0.25f, 0.5f, 0.75f}},
+                           {"current", 3, {1, 2, 3, 4, 5, 6, 7, 8, 9}, true},
+                           {"strata", 2, {1, 2, 3, 4, 5, 6}}},
+            .triangles = {0, 1, 2}};
+}
+
+const std::vector<io::HeaderString> kTerrainStrings = {{"ocean:terrain", "beta = 2"},
+                                                       {"ocean:subject", "terrain"}};
+
+// A writer knows no attribute by name: what a later subject brings is written as well.
+TEST(MeshFiles, HaveAnyAttributeUnderTheNamesOfItsSubject) {
+    const test::TemporaryFolder folder;
+    io::write_ply(triangle(), kTerrainStrings, folder.file("a.ply"));
+    const std::string ply = test::read_bytes(folder.file("a.ply"));
+    std::string header = "ply\nformat binary_little_endian 1.0\n";
+    header += "comment ocean:terrain beta = 2\ncomment ocean:subject terrain\nelement vertex 3\n";
+    for (const char* name : {"x", "y", "z", "s", "t", "snow", "current_x", "current_y", "current_z",
+                             "strata_x", "strata_y"}) {
+        header += std::string("property float ") + name + "\n";
+    }
+    ASSERT_EQ(ply.substr(0, header.size()), header);
+    const std::size_t data = ply.find("end_header\n") + 11;
+    float last[11];
+    std::memcpy(last, ply.data() + data + 2 * sizeof last, sizeof last);
+    EXPECT_EQ((std::vector<float>(last, last + 11)),
+              (std::vector<float>{0, 3, 0, 0, 1, 0.75f, 7, 8, 9, 5, 6}));
+
+    io::write_obj(triangle(), kTerrainStrings, folder.file("a.obj"));
+    EXPECT_EQ(test::read_bytes(folder.file("a.obj")),
+              "# The surface of a terrain, by libocean\n# ocean:terrain beta = 2\n"
+              "# ocean:subject terrain\no terrain\nv 0 0 5 0.25 0.25 0.25\nv 2 0 -1 0.5 0.5 0.5\n"
+              "v 0 3 0 0.75 0.75 0.75\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+    for (const char* name : {"a.ply", "a.obj"}) {
+        const auto found = io::read_provenance(folder.file(name));
+        ASSERT_TRUE(found) << name;
+        EXPECT_EQ(found->kind, "terrain");
+        EXPECT_EQ(found->text, "beta = 2");
+    }
+}
+
+TEST(UsdFiles, HaveAnyAttributeUnderTheNamesOfTheirSubject) {
+    const test::TemporaryFolder folder;
+    io::UsdSequence sequence;
+    sequence.numbers = {1};
+    sequence.attributes = triangle().attributes;
+    sequence.attributes.erase(sequence.attributes.begin());  // uv: the topology has it
+    sequence.words = io::subject_words("terrain");
+    const std::string clips = io::usd_clip_manifest(sequence);
+    const std::string stage = io::usd_stage(sequence, kTerrainStrings);
+    for (const char* words : {"float[] primvars:snow", "vector3f[] primvars:current",
+                              "float2[] primvars:strata", "float3[] extentsHint"}) {
+        EXPECT_NE(clips.find(words), std::string::npos) << words << clips;
+        EXPECT_NE(stage.find(words), std::string::npos) << words << stage;
+    }
+    EXPECT_NE(clips.find("What the frames of a terrain by libocean have"), std::string::npos);
+    EXPECT_NE(stage.find("texCoord2f[] primvars:st"), std::string::npos);
+    EXPECT_NE(stage.find("def Mesh \"Terrain\""), std::string::npos) << stage;
+    EXPECT_EQ(stage.find("Ocean"), std::string::npos) << stage;
+    io::write_usd_frame(triangle(), kTerrainStrings, 1.0, folder.file("a.usdc"));
+    const std::string frame = test::read_bytes(folder.file("a.usdc"));
+    const float box[] = {0, 0, -1, 2, 3, 5};
+    EXPECT_NE(frame.find(std::string(reinterpret_cast<const char*>(box), sizeof box)),
+              std::string::npos);
+    EXPECT_NE(frame.find("Terrain"), std::string::npos);
+    EXPECT_EQ(frame.find("Ocean"), std::string::npos);
+    EXPECT_EQ(io::read_provenance(folder.file("a.usdc"))->text, "beta = 2");
 }
 
 io::Points two_points() {

@@ -5,6 +5,7 @@
 // it faces up; mesh2 text gives the same floats again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "ocean/error.hpp"
@@ -85,21 +86,110 @@ TEST(PatchMesh, TrianglesFaceUpAndCoverThePeriod) {
     EXPECT_NEAR(area, test::kSamplePeriod * test::kSamplePeriod, 1e-6 * area);
 }
 
-TEST(PatchMesh, RefusesMissingChannels) {
-    EXPECT_THROW(io::make_patch_mesh(Surface(Lattice{32, 10.0}, 0.0, {Channel::height})), Error);
+TEST(PatchMesh, RefusesMissingHeightsAndASingleRow) {
+    EXPECT_THROW(io::make_patch_mesh(Surface(Lattice{32, 10.0}, 0.0, {Channel::dx, Channel::dy})),
+                 Error);
+    const Domain row{{0.0, 0.0}, {10.0, 1.0}, {32, 1}, false};
+    EXPECT_THROW(io::make_patch_mesh(Surface(row, 0.0, {Channel::height})), Error);
 }
 
-// Reads "<a,b,c>" after `start`, `count` times.
+/// The value of an attribute at the vertex (i, j) of so many columns.
+float value_at(const io::Attribute& attribute, int columns, int i, int j, int component = 0) {
+    return attribute
+        .values[static_cast<std::size_t>((j * columns + i) * attribute.components + component)];
+}
+
+TEST(PatchMesh, HasUvFrom0To1AndEveryProductOfTheSurface) {
+    const int n = 32;
+    const Surface surface = gentle_surface(n);
+    const io::Mesh mesh = io::make_patch_mesh(surface);
+    EXPECT_EQ(mesh.domain, Domain::tile(test::kSamplePeriod, n));
+    const io::Attribute* uv = mesh.find("uv");
+    ASSERT_TRUE(uv != nullptr);
+    ASSERT_EQ(uv->values.size(), 2u * 33 * 33);
+    for (int j = 0; j <= n; ++j) {
+        for (int i = 0; i <= n; ++i) {
+            EXPECT_EQ(value_at(*uv, n + 1, i, j, 0), static_cast<float>(i) / n);
+            EXPECT_EQ(value_at(*uv, n + 1, i, j, 1), static_cast<float>(j) / n);
+        }
+    }
+    std::vector<std::string> names;
+    for (const io::Attribute& attribute : mesh.attributes) {
+        names.push_back(attribute.name);
+        EXPECT_EQ(attribute.values.size(),
+                  33u * 33u * static_cast<std::size_t>(attribute.components));
+        EXPECT_EQ(attribute.vector, attribute.name == "velocity");
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"uv", "slope", "jacobian", "whitecap", "foam",
+                                               "velocity", "derivatives", "cover"}));
+    EXPECT_EQ(value_at(*mesh.find("velocity"), n + 1, 3, n, 1), surface.channel(Channel::vy)[3]);
+    EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
+    EXPECT_EQ(io::make_patch_mesh(surface, io::Faces::none).find("uv"), nullptr);
+}
+
+// A terrain or a coast: heights of a place, nothing that repeats.
+TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesAlone) {
+    const int columns = 32, rows = 11;
+    const Domain domain{{500100.0, -20.0}, {62.0, 5.0}, {columns, rows}, false};
+    Surface plane(domain, 0.0, {Channel::height});
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            plane.channel(Channel::height)[static_cast<std::size_t>(j * columns + i)] =
+                0.1f * static_cast<float>(i) - 3.0f * static_cast<float>(j);
+        }
+    }
+    const io::Mesh mesh = io::make_patch_mesh(plane);
+    ASSERT_EQ(mesh.vertices(), 32u * 11u);
+    EXPECT_EQ(mesh.domain, domain);
+    EXPECT_EQ(mesh.triangles.size(), 6u * 31 * 10);
+    EXPECT_EQ(*std::ranges::max_element(mesh.triangles), 32 * 11 - 1);
+    EXPECT_TRUE(mesh.normals.empty());
+    ASSERT_EQ(mesh.attributes.size(), 1u);
+    const io::Attribute& uv = mesh.attributes[0];
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const auto v = static_cast<std::size_t>(j * columns + i);
+            EXPECT_EQ(mesh.positions[3 * v], static_cast<float>(500100.0 + 2.0 * i));
+            EXPECT_EQ(mesh.positions[3 * v + 1], static_cast<float>(-20.0 + 0.5 * j));
+            EXPECT_EQ(mesh.positions[3 * v + 2], plane.channel(Channel::height)[v]) << "as it was";
+            EXPECT_EQ(value_at(uv, columns, i, j, 0), static_cast<float>(i / 31.0));
+            EXPECT_EQ(value_at(uv, columns, i, j, 1), static_cast<float>(j / 10.0));
+        }
+    }
+    const std::size_t last = mesh.vertices() - 1;
+    EXPECT_EQ(mesh.positions[3 * last], 500162.0f) << "the far corner is that of the domain";
+    EXPECT_EQ(mesh.positions[3 * last + 1], -15.0f);
+}
+
+TEST(PatchMesh, OfATileAwayFromTheOriginClosesItsSeamThere) {
+    const int n = 32;
+    const Surface at_origin = gentle_surface(n);
+    Surface moved(Domain{{-300.0, 40.0}, {100.0, 100.0}, {n, n}, true}, 0.0,
+                  {Channel::dx, Channel::dy, Channel::height});
+    for (const Channel channel : {Channel::dx, Channel::dy, Channel::height}) {
+        std::ranges::copy(at_origin.channel(channel), moved.channel(channel).begin());
+    }
+    const io::Mesh here = io::make_patch_mesh(at_origin);
+    const io::Mesh there = io::make_patch_mesh(moved);
+    ASSERT_EQ(there.positions.size(), here.positions.size());
+    for (std::size_t v = 0; v < here.vertices(); ++v) {
+        EXPECT_NEAR(there.positions[3 * v], here.positions[3 * v] - 300.0f, 1e-4);
+        EXPECT_NEAR(there.positions[3 * v + 1], here.positions[3 * v + 1] + 40.0f, 1e-4);
+    }
+    for (std::size_t row = 0; row <= 32; ++row) {
+        EXPECT_EQ(there.positions[3 * 33 * row] + 100.0f, there.positions[3 * (33 * row + 32)]);
+    }
+}
+
+// Reads the numbers of "<a,b,c>" after `start`, `count` times.
 std::vector<float> read_vectors(const std::string& text, const std::string& start,
                                 std::size_t count) {
     std::vector<float> values;
     std::size_t at = text.find(start);
     for (std::size_t v = 0; v < count && at != std::string::npos; ++v) {
         at = text.find('<', at + 1);
-        std::istringstream numbers(text.substr(at + 1, 80));
-        std::string number;
-        for (const char end : {',', ',', '>'}) {
-            std::getline(numbers, number, end);
+        std::istringstream numbers(text.substr(at + 1, text.find('>', at) - at - 1));
+        for (std::string number; std::getline(numbers, number, ',');) {
             values.push_back(std::stof(number));
         }
     }
@@ -130,12 +220,38 @@ TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     io::View view;
     view.x = 3.0;
     view.heading = 90.0;
-    io::write_mesh2(mesh, label, folder.file("v.inc"), &view);
+    io::write_mesh2(mesh, label, folder.file("v.inc"), {.view = &view});
     EXPECT_NE(test::read_bytes(folder.file("v.inc")).find("#declare Ocean_Eye = <3, 6, 0>;"),
               std::string::npos);
+    EXPECT_EQ(text.find("uv_vectors"), std::string::npos);
+    io::write_mesh2(mesh, label, folder.file("u.inc"), {.u = "cover"});
+    const auto covers =
+        read_vectors(test::read_bytes(folder.file("u.inc")), "uv_vectors", mesh.vertices());
+    for (std::size_t v = 0; v < mesh.vertices(); ++v) {
+        const float cover = std::clamp(mesh.find("cover")->values[v], -1.0f, 1.0f);
+        EXPECT_NEAR(covers[2 * v], cover, 0.51e-4);
+    }
     EXPECT_THROW(io::write_mesh2(io::Mesh{}, label, folder.file("e.inc")), Error);
     EXPECT_THROW(io::write_mesh2(mesh, label, "/dev/full"), Error);
-    EXPECT_EQ(folder.entries(), 2u);
+    EXPECT_EQ(folder.entries(), 3u);
+}
+
+TEST(Mesh2, OfAPlaceSaysWhereItIsUnderTheNamesOfItsSubject) {
+    const TemporaryFolder folder;
+    const Domain domain{{100.5, -20.0}, {64.0, 32.0}, {3, 3}, false};
+    const io::Mesh mesh{.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                        .normals = {0, 0, 1, 0, 0, 1, 0, 0, 1},
+                        .triangles = {0, 1, 2}};
+    io::write_mesh2(mesh, {.kind = "terrain", .id = "ab", .domain = domain}, folder.file("t.inc"));
+    const std::string text = test::read_bytes(folder.file("t.inc"));
+    for (const char* words :
+         {"//   Desc: The surface of a terrain, by libocean ", "#declare Terrain_Surface = mesh2 {",
+          "#declare Terrain_Origin = <100.5, -20>;", "#declare Terrain_Size = <64, 32>;",
+          "#declare Terrain_Frame_Terrain_ = \"ab\";", "#version Terrain_Mesh_Inc_Temp;"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    }
+    EXPECT_EQ(text.find("Ocean_"), std::string::npos) << text;
+    EXPECT_THROW(io::write_mesh2(mesh, {.kind = "terrain"}, folder.file("none.inc")), Error);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/png.hpp"
 #include "ocean/io/read_provenance.hpp"
+#include "ocean/io/subject_words.hpp"
 #include "temporary_folder.hpp"
 
 namespace ocean {
@@ -64,6 +65,25 @@ TEST(Provenance, OfASeaHasTheStringsThatWerePromised) {
                                                       {"ocean:period", "250"},
                                                       {"ocean:backend", "cpu"}};
     EXPECT_EQ(header, expected);
+}
+
+TEST(SubjectWords, AreOneRowAKind) {
+    const auto texts = [](const io::SubjectWords& words) {
+        return words.kind + ", " + words.prim + ", " + words.prefix() + ", " + words.phrase();
+    };
+    EXPECT_EQ(texts(io::subject_words("sea")), "sea, Ocean, Ocean_, The surface of a sea");
+    EXPECT_EQ(texts(io::subject_words("terrain")),
+              "terrain, Terrain, Terrain_, The surface of a terrain");
+    EXPECT_EQ(texts(io::subject_words("")), texts(io::subject_words("sea")));
+    EXPECT_EQ(texts(io::subject_words("ice floe")),
+              "ice floe, Ice_floe, Ice_floe_, The surface of an ice floe");
+    EXPECT_EQ(io::subject_words(io::provenance_strings(kPlane)).prim, "Plane");
+    EXPECT_EQ(io::subject_words(io::provenance_strings(kSea)).prim, "Ocean");
+    EXPECT_EQ(io::subject_words(std::vector<HeaderString>{}).prim, "Ocean");
+    Provenance terrain = kPlane;
+    terrain.kind = io::kTerrainKind;
+    EXPECT_EQ(io::provenance_strings(terrain).front().name, "ocean:terrain");
+    EXPECT_EQ(io::find_provenance(io::provenance_strings(terrain), "f")->kind, "terrain");
 }
 
 TEST(Provenance, ComesBackOfASeaAndOfWhatLiesInOnePlace) {

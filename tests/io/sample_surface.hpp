@@ -28,9 +28,10 @@ inline ChannelSet all_channels() {
     return all;
 }
 
-inline Surface sample_surface(int n, double time = 12.25) {
-    Surface surface(Lattice{n, kSamplePeriod}, time, all_channels());
+inline Surface sample_surface(int n, double time = 12.25, ChannelSet channels = all_channels()) {
+    Surface surface(Lattice{n, kSamplePeriod}, time, channels);
     for (int c = 0; c < kChannelCount; ++c) {
+        if (!channels.contains(static_cast<Channel>(c))) continue;
         const auto map = surface.channel(static_cast<Channel>(c));
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {

@@ -69,13 +69,14 @@ bool is_exr(const FoamTextureOptions& options) {
 io::Image image_of(const FoamTextureOptions& options, const FoamTextureSettings& settings,
                    const std::vector<float>& texture) {
     const FoamTextureInfo& info = foam_texture_info(settings.kind);
+    const Domain domain = Domain::tile(info.period, settings.size);
     return {.width = settings.size,
             .height = settings.size,
-            .periodic = true,
+            .domain = domain,
             .planes = {{.name = "Y", .type = pixel_type(options.type), .samples = texture}},
             .provenance = {.kind = std::string(kFoamTextureKind),
                            .text = std::string(info.name),
-                           .domain = Domain::tile(info.period, settings.size)},
+                           .domain = domain},
             .strings = {{"ocean:seed", std::to_string(settings.seed)}, {"ocean:unit", "1"}}};
 }
 

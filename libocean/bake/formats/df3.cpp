@@ -63,11 +63,11 @@ int fine_resolution(const BakePlan& begun) {
 
 FormatPlan settle(const BakePlan& begun) {
     Settings settings = settings_of(begun);
-    FrameMaps maps{io::df3_channels(), {begun.resolution}};
+    FrameMaps maps{io::df3_channels(io::df3_slices()), {begun.resolution}};
     if (settings.far_maps) maps.resolutions = halving_resolutions(begun.resolution);
     if (settings.fine_map) {
         maps.finer = fine_resolution(begun);
-        maps.finer_channels = io::df3_position_channels();
+        maps.finer_channels = io::df3_channels(io::df3_position_slices());
     }
     if (settings.detail_map) {
         // As fine as the map, so that the files grow alike.
@@ -115,8 +115,8 @@ std::string recipe(const BakePlan& plan, const BakeFile& file) {
 
 constexpr std::string_view kOpening = "// A frame for POV-Ray";
 
-/// A square of whole maps' size, seven slices or three, or two for each slope tile; or words that
-/// open as ours do.
+/// A square of whole maps' size with the slices of a map or a position, or two for each slope tile;
+/// or words that open as ours do.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
         return text::first_bytes(file.path, kOpening.size()) == kOpening;
@@ -126,17 +126,18 @@ bool is_baked(const BakeFile& file) {
     const auto size_at = [&head](std::size_t i) {
         return static_cast<unsigned char>(head[i]) << 8 | static_cast<unsigned char>(head[i + 1]);
     };
-    const int slices = size_at(4);
+    const auto slices = static_cast<std::size_t>(size_at(4));
     return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
-           (slices == io::kDf3Slices || slices == io::kDf3PositionSlices ||
-            (slices % 2 == 0 && slices <= 2 * kMostDetailBands));
+           (slices == io::df3_slices().size() || slices == io::df3_position_slices().size() ||
+            (slices % 2 == 0 && slices <= std::size_t{2 * kMostDetailBands}));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     constexpr std::uint64_t kWords = 2048;
     const std::vector<int>& maps = plan.maps.resolutions;
-    if (file.part < maps.size()) return io::df3_bytes(maps[file.part]);
-    if (is_fine(plan, file)) return io::df3_bytes(plan.maps.finer, io::kDf3PositionSlices);
+    if (file.part < maps.size()) return io::df3_bytes(maps[file.part], io::df3_slices().size());
+    if (is_fine(plan, file))
+        return io::df3_bytes(plan.maps.finer, io::df3_position_slices().size());
     if (file.path.ends_with(".inc")) return kWords;
     const Settings& settings = settings_of(plan);
     return io::slopes_df3_bytes(settings.detail.samples, settings.detail_bands);
@@ -163,7 +164,8 @@ std::string witnesses(const Surface& map) {
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
     for (const BakeFile& file : files.first(work.maps.size())) {
-        const int slices = is_fine(work.plan, file) ? io::kDf3PositionSlices : io::kDf3Slices;
+        const io::Df3Slices slices =
+            is_fine(work.plan, file) ? io::df3_position_slices() : io::df3_slices();
         work.put(file, [&] { io::write_df3(work.maps[file.part], file.path, slices); });
     }
     Detail detail;

@@ -31,19 +31,30 @@ std::string recipe(const BakePlan& plan, const BakeFile& file) {
     return bake_recipe(plan, file.frame);
 }
 
-/// A grey PNG of 16 bits with the first row and column again, and texts that open as ours do.
+constexpr std::string_view kDescriptionOpening = "# height = base + scale";
+
+bool opens_with(const std::string& path, std::string_view opening) {
+    return text::first_bytes(path, opening.size()) == opening;
+}
+
+/// A grey PNG of 16 bits with the first row and column again, or with our text beside it; and texts
+/// that open as ours do.
 bool is_baked(const BakeFile& file) {
     constexpr std::size_t kHead = 26;  // signature, length and name of IHDR, its first five values
     const std::string head = text::first_bytes(file.path, kHead);
-    if (file.part == kDescription) return head.starts_with("# height = base + scale");
-    if (file.part == kDeclarations) return head.starts_with("// height = Ocean_Base");
+    if (file.part == kDescription) return opens_with(file.path, kDescriptionOpening);
+    if (file.part == kDeclarations) {
+        const std::string line = text::first_bytes(file.path, 200);
+        return line.starts_with("// height = ") && line.find("_Base + ") < line.find('\n');
+    }
     if (head.size() < kHead || !head.starts_with("\x89PNG")) return false;
     const auto side_at = [&head](std::size_t i) {  // up to 65535
         return static_cast<unsigned char>(head[i + 2]) << 8 |
                static_cast<unsigned char>(head[i + 3]);
     };
     const bool grey_of_16_bits = head[24] == 16 && head[25] == 0;
-    return grey_of_16_bits && side_at(16) == side_at(20) && is_resolution(side_at(16) - 1);
+    if (!grey_of_16_bits || side_at(16) != side_at(20)) return false;
+    return is_resolution(side_at(16) - 1) || opens_with(file.path + ".txt", kDescriptionOpening);
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan) {

@@ -143,8 +143,8 @@ std::uint64_t vertices(const BakePlan& plan) {
 }
 
 std::uint64_t frame_bytes(const BakePlan& plan) {
-    // A vertex has six floats and two triangles of three numbers.
-    return vertices(plan) * (6 * sizeof(float) + 6 * sizeof(int));
+    // A vertex has six floats, two of uv and one of cover, and two triangles of three numbers.
+    return vertices(plan) * (9 * sizeof(float) + 6 * sizeof(int));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
@@ -158,7 +158,8 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
 
 bool is_baked(const BakeFile& file) {
     const std::string head = text::first_bytes(file.path, 1000);
-    return head.find("The surface of a sea at one time, by libocean") != std::string::npos;
+    const std::size_t subject = head.find("//   Desc: The surface of ");
+    return subject != std::string::npos && head.find(", by libocean", subject) != std::string::npos;
 }
 
 void write(const FrameWork& work, std::span<const BakeFile> files) {
@@ -166,7 +167,8 @@ void write(const FrameWork& work, std::span<const BakeFile> files) {
     const io::Mesh mesh =
         view ? io::make_horizon_mesh(work.maps, *view) : io::make_patch_mesh(work.maps.front());
     work.put(files.front(), [&] {
-        io::write_mesh2(mesh, work.provenance(), files.front().path, view ? &*view : nullptr);
+        io::write_mesh2(mesh, work.provenance(), files.front().path,
+                        {.view = view ? &*view : nullptr, .u = "cover"});
     });
 }
 

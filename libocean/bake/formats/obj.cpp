@@ -22,7 +22,8 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
-    return comments + io::most_obj_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats(),
+    return comments + io::most_obj_bytes(plain_mesh_vertices(plan),
+                                         plain_mesh_of(plan).floats_with_uv(),
                                          plain_mesh_triangles(plan));
 }
 

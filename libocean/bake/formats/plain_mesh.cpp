@@ -3,6 +3,9 @@
 #include "formats/plain_mesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
 
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
@@ -15,6 +18,11 @@ namespace {
 
 constexpr std::string_view kNormalAlone = "normal";
 constexpr std::string_view kNothing = "position";
+
+/// How our PLY and OBJ begin, and what stands before their first comment's name.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOpenings = {
+    {{"ply\nformat binary_little_endian 1.0\n", "1.0\ncomment ocean:"},
+     {"# The surface of ", ", by libocean\n# ocean:"}}};
 
 std::string names_of(const PlainMesh& mesh) {
     std::string names;
@@ -90,29 +98,46 @@ std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file) {
     const PlainMesh& mesh = plain_mesh_of(plan);
     return bake_recipe(
         plan, file.frame,
-        "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + "\n");
+        "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + " uv extent\n");
 }
 
 bool is_plain_mesh(const BakeFile& file) {
-    return text::first_bytes(file.path, 1000).find(" ocean:sea ") != std::string::npos;
+    // The first comment names the subject: "ocean:sea".
+    const std::string head = text::first_bytes(file.path, 1000);
+    for (const auto& [opening, key] : kOpenings) {
+        const std::size_t at = head.find(key);
+        if (!head.starts_with(opening) || at == std::string::npos) continue;
+        const std::size_t kind = at + key.size();
+        return kind < head.size() && std::isalpha(static_cast<unsigned char>(head[kind])) != 0;
+    }
+    return false;
 }
 
 std::uint64_t plain_mesh_vertices(const BakePlan& plan) {
-    const auto side = static_cast<std::uint64_t>(plan.resolution) + 1;
-    return side * side;
+    const Domain domain = plan.subject->domain(plan.resolution);
+    const int seam = domain.wraps ? 1 : 0;
+    return static_cast<std::uint64_t>(domain.samples[0] + seam) *
+           static_cast<std::uint64_t>(domain.samples[1] + seam);
 }
 
 std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
-    const auto side = static_cast<std::uint64_t>(plan.resolution);
-    return 2 * side * side;
+    const Domain domain = plan.subject->domain(plan.resolution);
+    const int seam = domain.wraps ? 0 : 1;
+    return 2 * static_cast<std::uint64_t>(domain.samples[0] - seam) *
+           static_cast<std::uint64_t>(domain.samples[1] - seam);
 }
 
 std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan) {
     return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
 }
 
+std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan) {
+    return plain_mesh_vertices(plan) * 2 * sizeof(float);
+}
+
 std::uint64_t plain_mesh_bytes(const BakePlan& plan) {
-    return plain_mesh_vertex_bytes(plan) + plain_mesh_triangles(plan) * 3 * sizeof(int);
+    return plain_mesh_vertex_bytes(plan) + plain_mesh_uv_bytes(plan) +
+           plain_mesh_triangles(plan) * 3 * sizeof(int);
 }
 
 io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces) {

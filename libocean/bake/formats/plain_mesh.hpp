@@ -22,8 +22,10 @@ struct PlainMesh {
     bool usual = false;  // nobody asked for products
     io::Axes axes = io::Axes::zup;
 
-    /// Numbers of a vertex.
+    /// Numbers of a vertex beside uv.
     std::uint64_t floats() const;
+    /// All of its numbers.
+    std::uint64_t floats_with_uv() const { return floats() + 2; }
 };
 
 /// `products` are those that the format can hold, its default if `all`, else normals alone.
@@ -39,8 +41,9 @@ std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file);
 bool is_plain_mesh(const BakeFile& file);
 std::uint64_t plain_mesh_vertices(const BakePlan& plan);
 std::uint64_t plain_mesh_triangles(const BakePlan& plan);
-/// Of a frame in memory: its vertices, and these with their triangles.
+/// Of a frame in memory: its vertices, their uv, and these with their triangles.
 std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan);
+std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan);
 std::uint64_t plain_mesh_bytes(const BakePlan& plan);
 io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces = io::Faces::triangles);
 void adopt_plain_mesh(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options);

@@ -49,7 +49,7 @@ std::uint64_t frame_bytes(const BakePlan& plan) {
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
     if (spray_of(plan) != nullptr) return comments + io::points_ply_bytes(most_spray_points(plan));
-    return comments + io::ply_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats(),
+    return comments + io::ply_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats_with_uv(),
                                     plain_mesh_triangles(plan));
 }
 

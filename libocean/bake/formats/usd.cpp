@@ -101,12 +101,20 @@ std::string frame_template(const BakePlan& plan) {
     return name;
 }
 
+io::Provenance provenance_of_stage(const BakePlan& plan) {
+    return provenance_of(plan, plan.all_frames.front());
+}
+
+io::SubjectWords words_of(const BakePlan& plan) {
+    return io::subject_words(provenance_of_stage(plan).kind);
+}
+
 io::UsdSequence sequence_of(const BakePlan& plan) {
     const PlainMesh& mesh = plain_mesh_of(plan);
-    const auto has = [&](std::string_view name) {
-        return std::ranges::any_of(mesh.products,
-                                   [&](const Product* product) { return product->name == name; });
-    };
+    std::vector<io::Attribute> attributes;
+    for (const Product* product : mesh.products) {
+        attributes.push_back({std::string(product->name), product->count, {}, product->vector});
+    }
     const std::vector<BakeFile> shared = list_shared(plan);
     return {.topology = file_name(shared[kTopology].path),
             .manifest = file_name(shared[kClips].path),
@@ -114,9 +122,8 @@ io::UsdSequence sequence_of(const BakePlan& plan) {
             .numbers = plan.all_frames,
             .rate = plan.subject->frame_rate(),
             .y_up = mesh.axes == io::Axes::yup,
-            .normals = has("normal"),
-            .foam = has("foam"),
-            .velocities = has("velocity")};
+            .attributes = attributes,
+            .words = words_of(plan)};
 }
 
 std::string shared_text(const BakePlan& plan, const BakeFile& file) {
@@ -126,13 +133,15 @@ std::string shared_text(const BakePlan& plan, const BakeFile& file) {
 }
 
 void write_shared(const BakePlan& plan, const BakeFile& file) {
-    if (file.part == kTopology) return io::write_usd_topology(plan.resolution, file.path);
+    if (file.part == kTopology) {
+        return io::write_usd_topology(plan.subject->domain(plan.resolution), words_of(plan), file.path);
+    }
     io::write_file_atomically(file.path, shared_text(plan, file));
 }
 
 std::string recipe(const BakePlan& plan, const BakeFile& file) {
     if (!is_shared(file)) return plain_mesh_recipe(plan, file);
-    const std::string text = file.part == kTopology ? "" : shared_text(plan, file);
+    const std::string text = file.part == kTopology ? "st\n" : shared_text(plan, file);
     return bake_recipe(plan, file.frame, file.product + "\n" + text);
 }
 
@@ -165,7 +174,7 @@ bool is_baked(const BakeFile& file) {
         }
     }
     const std::string head = text::first_bytes(file.path, 400);
-    const char* mark = file.part == kStage ? "\"ocean:sea\"" : "by libocean";
+    const char* mark = file.part == kStage ? "string \"ocean:" : "by libocean";
     return head.starts_with("#usda") && head.find(mark) != std::string::npos;
 }
 
@@ -174,7 +183,9 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
     const std::uint64_t list = plan.all_frames.size() * (2 * file.path.size() + 64);
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096 + list;
     const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
-    if (file.part == kTopology && is_shared(file)) return comments + faces * 5 * sizeof(int);
+    if (file.part == kTopology && is_shared(file)) {
+        return comments + faces * 5 * sizeof(int) + plain_mesh_uv_bytes(plan);
+    }
     if (is_shared(file)) return comments;
     return comments + plain_mesh_vertex_bytes(plan);
 }

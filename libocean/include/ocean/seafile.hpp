@@ -41,8 +41,8 @@ void resolve_files(Sea& sea, const std::string& base_dir,
 /// Returns the files that a sea names, as its own file spells them: its take and its spectra.
 std::vector<std::string> named_files(const Sea& sea);
 /// The resolved sea as text: every key of the table that is set and not neutral (OptionalColumns in
-/// table.hpp), the chosen records inlined as
-/// [waves.measured_record] and the take as [take]. A reader prefers these to `file` and `take`.
+/// table.hpp), the chosen records inlined as [waves.measured_record] and the take as [take]. A
+/// reader prefers these to `file` and `take`.
 /// parse_sea(write_sea(s)) gives the same sea in every bit. Throws Error invalid_value for
 /// a text that is not UTF-8, and for a sea that breaks a rule between parameters, which no reader
 /// would take.

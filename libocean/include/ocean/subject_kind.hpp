@@ -9,5 +9,6 @@
 namespace ocean {
 
 inline constexpr std::string_view kSeaKind = "sea";
+inline constexpr std::string_view kTerrainKind = "terrain";
 
 }  // namespace ocean

@@ -61,7 +61,7 @@ Imf::Header make_exr_header(const Image& image, ExrCompression compression) {
     for (const ImagePlane& plane : image.planes) {
         header.channels().insert(plane.name, Imf::Channel(imf_type(plane.type)));
     }
-    if (image.periodic) Imf::addWrapmodes(header, "periodic");
+    if (image.wraps()) Imf::addWrapmodes(header, "periodic");
     for (const auto& [name, text] : image.header_strings()) {
         header.insert(name, Imf::StringAttribute(text));
     }

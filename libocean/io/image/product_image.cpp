@@ -63,8 +63,7 @@ class ProductPlanes {
 
   private:
     std::span<const float> made(const Product& product) const {
-        const auto side = static_cast<std::size_t>(surface_ ? surface_->resolution() : 0);
-        if (made_.size() == side * side) return made_;
+        if (made_.size() == (surface_ ? surface_->domain().count() : 0)) return made_;
         throw Error(ErrorKind::invalid_value,
                     "there is no map of '" + std::string(product.name) + "' for the surface");
     }
@@ -135,14 +134,14 @@ std::vector<HeaderString> product_strings(std::span<const Product* const> produc
 }
 
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
-                 const Provenance& provenance, int resolution, const Surface* surface,
+                 const Provenance& provenance, const Domain& domain, const Surface* surface,
                  std::span<const float> made = {}) {
     if (products.empty()) {
         throw Error(ErrorKind::invalid_value, "an image needs at least one product");
     }
-    return {.width = resolution,
-            .height = resolution,
-            .periodic = !provenance.domain || provenance.domain->wraps,
+    return {.width = domain.samples[0],
+            .height = domain.samples[1],
+            .domain = domain,
             .planes = ProductPlanes(layout, surface, made).of(products),
             .provenance = provenance,
             .strings = product_strings(products, layout.axes)};
@@ -167,13 +166,15 @@ std::string_view axes_name(Axes axes) {
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, int resolution) {
-    return make_image(products, layout, provenance, resolution, nullptr);
+    Domain domain = provenance.domain.value_or(Domain{});
+    if (domain.samples[0] != resolution) domain.samples = {resolution, resolution};
+    return make_image(products, layout, provenance, domain, nullptr);
 }
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, const Surface& surface,
                     std::span<const float> made) {
-    return make_image(products, layout, provenance, surface.resolution(), &surface, made);
+    return make_image(products, layout, provenance, surface.domain(), &surface, made);
 }
 
 }  // namespace ocean::io

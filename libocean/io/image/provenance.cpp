@@ -114,14 +114,21 @@ std::vector<HeaderString> provenance_strings(const Provenance& provenance) {
     return strings;
 }
 
+std::string subject_kind(std::span<const HeaderString> strings) {
+    const std::string no_path;
+    const StringReader reader(strings, no_path);
+    if (const std::string* kind = reader.text("subject")) return *kind;
+    for (const std::string_view kind : kFirstKinds) {
+        if (reader.text(kind) != nullptr) return std::string(kind);
+    }
+    return "";
+}
+
 std::optional<Provenance> find_provenance(std::span<const HeaderString> strings,
                                           const std::string& path) {
     const StringReader reader(strings, path);
     Provenance found;
-    if (const std::string* kind = reader.text("subject")) found.kind = *kind;
-    for (const std::string_view kind : kFirstKinds) {
-        if (found.kind.empty() && reader.text(kind) != nullptr) found.kind = kind;
-    }
+    found.kind = subject_kind(strings);
     const std::string* text = reader.text(found.kind);
     if (found.kind.empty() || text == nullptr) return std::nullopt;
     found.text = *text;

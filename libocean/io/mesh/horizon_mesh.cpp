@@ -154,6 +154,10 @@ double horizon_distance(double height) {
 
 Mesh make_horizon_mesh(std::span<const Surface> levels, const View& view) {
     check(view);
+    if (!levels.empty() && !levels[0].domain().is_tile()) {
+        throw Error(ErrorKind::invalid_value,
+                    "a mesh to the horizon needs maps that repeat from the world's origin on");
+    }
     const MapPyramid maps(levels);
     const Fan fan = make_fan(view, levels[0]);
     const double first_angle = view.heading * kPi / 180.0 - fan.half_angle;

@@ -1,18 +1,22 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One period of the sea as triangles. The maps have N x N samples and no seam; the mesh has the
-// seam's vertices twice, a period apart, so that copies of it tile the plane.
+// Maps as triangles. The maps of a domain that wraps have N x N samples and no seam; the mesh has
+// the seam's vertices twice, a period apart, so that copies of it tile the plane.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "ocean/error.hpp"
 #include "ocean/io/mesh.hpp"
 #include "require_channels.hpp"
 #include "turn_vectors.hpp"
 
 namespace ocean::io {
 namespace {
+
+constexpr std::string_view kNormal = "normal";
+constexpr std::array kPlace = {Channel::dx, Channel::dy, Channel::height};
 
 // Step of the vertex grid: 24 bits of a float hold every multiple of it up to `extent`, so adding a
 // period to a vertex is exact, and both sides of a seam round to the same point.
@@ -21,25 +25,109 @@ double grid_step(double extent) {
     return std::ldexp(1.0, integer_bits - 24);
 }
 
-double largest_offset(const Surface& surface) {
+/// Returns a bound of all coordinates [m].
+double reach_of(const Surface& surface) {
+    const Domain& domain = surface.domain();
     double largest = 0.0;
-    for (const Channel channel : {Channel::dx, Channel::dy, Channel::height}) {
+    for (const Channel channel : kPlace) {
         for (const float value : surface.channel(channel)) {
             largest = std::max(largest, std::abs(static_cast<double>(value)));
         }
     }
-    return largest;
+    return std::max(std::abs(domain.origin[0]), std::abs(domain.origin[1])) +
+           std::max(domain.size[0], domain.size[1]) + largest;
+}
+
+/// Calls visit(sample, i, j) for each vertex, rows from the south.
+template <typename Visit>
+void for_each_vertex(const Domain& domain, const Visit& visit) {
+    const auto [columns, rows] = patch_vertices(domain);
+    const auto [width, height] = domain.samples;
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const int sample = j % height * width + i % width;
+            visit(static_cast<std::size_t>(sample), i, j);
+        }
+    }
+}
+
+std::size_t vertex_count(const Domain& domain) {
+    const auto [columns, rows] = patch_vertices(domain);
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+}
+
+std::vector<float> values_at_vertices(const Surface& surface, const Product& product) {
+    const Domain& domain = surface.domain();
+    const auto components = static_cast<std::size_t>(product.count);
+    std::array<std::span<const float>, 3> maps;
+    for (std::size_t c = 0; c < components; ++c) maps[c] = surface.channel(product.channels[c]);
+    std::vector<float> values(components * vertex_count(domain));
+    float* next = values.data();
+    for_each_vertex(domain, [&](std::size_t sample, int, int) {
+        for (std::size_t c = 0; c < components; ++c) *next++ = maps[c][sample];
+    });
+    return values;
+}
+
+std::vector<float> place_vertices(const Surface& surface) {
+    const Domain& domain = surface.domain();
+    const double step = grid_step(reach_of(surface));
+    // What does not repeat has no seam to close: its floats are the nearest to its samples.
+    const auto snap = [&](double value) {
+        return domain.wraps ? std::nearbyint(value / step) * step : value;
+    };
+    const bool moves = surface.has(Channel::dx) && surface.has(Channel::dy);
+    const auto dx = surface.channel(Channel::dx), dy = surface.channel(Channel::dy);
+    const auto heights = surface.channel(Channel::height);
+    const std::array cell = {domain.step(0), domain.step(1)};
+    std::vector<float> positions(3 * vertex_count(domain));
+    float* next = positions.data();
+    // The sample is snapped, then moved by whole periods: equal bits on both sides.
+    const auto coordinate = [&](std::size_t axis, int index, double offset) {
+        const bool again = index == domain.samples[axis];
+        const double place = domain.origin[axis] + (again ? 0 : index) * cell[axis] + offset;
+        return static_cast<float>(snap(place) + (again ? domain.size[axis] : 0.0));
+    };
+    for_each_vertex(domain, [&](std::size_t sample, int i, int j) {
+        *next++ = coordinate(0, i, moves ? double{dx[sample]} : 0.0);
+        *next++ = coordinate(1, j, moves ? double{dy[sample]} : 0.0);
+        *next++ = static_cast<float>(snap(heights[sample]));
+    });
+    return positions;
+}
+
+void check(const Surface& surface) {
+    require_channels(surface, {Channel::height});
+    const auto [columns, rows] = surface.domain().samples;
+    if (columns > 1 && rows > 1) return;
+    throw Error(ErrorKind::invalid_value, "a mesh needs two samples a side; there are " +
+                                              std::to_string(columns) + " x " +
+                                              std::to_string(rows));
+}
+
+bool holds(ChannelSet channels, const Product& product) {
+    return (channels | product.set()).size() == channels.size();
 }
 
 }  // namespace
 
+const Attribute* Mesh::find(std::string_view name) const {
+    const auto found = std::ranges::find(attributes, name, &Attribute::name);
+    return found == attributes.end() ? nullptr : &*found;
+}
+
+std::array<int, 2> patch_vertices(const Domain& domain) {
+    const int seam = domain.wraps ? 1 : 0;
+    return {domain.samples[0] + seam, domain.samples[1] + seam};
+}
+
 // The quads (i, j) as two triangles each, with the diagonal of POV-Ray's height_field.
-std::vector<int> patch_triangles(int n) {
+std::vector<int> patch_triangles(const Domain& domain) {
+    const auto [width, rows] = patch_vertices(domain);
     std::vector<int> triangles;
-    triangles.reserve(6 * static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
-    const int width = n + 1;
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
+    triangles.reserve(6 * static_cast<std::size_t>(width - 1) * static_cast<std::size_t>(rows - 1));
+    for (int j = 0; j + 1 < rows; ++j) {
+        for (int i = 0; i + 1 < width; ++i) {
             const int a = j * width + i;
             const int corners[] = {a, a + 1, a + width, a + 1, a + width + 1, a + width};
             triangles.insert(triangles.end(), std::begin(corners), std::end(corners));
@@ -48,54 +136,51 @@ std::vector<int> patch_triangles(int n) {
     return triangles;
 }
 
-Mesh make_patch_mesh(const Surface& surface, Faces faces) {
-    require_channels(surface, {Channel::dx, Channel::dy, Channel::height});
-    const auto n = static_cast<std::size_t>(surface.resolution());
-    const double cell = surface.period() / static_cast<double>(n);
-    const double step = grid_step(surface.period() + largest_offset(surface));
-    const auto snap = [step](double value) { return std::nearbyint(value / step) * step; };
+std::vector<int> patch_triangles(int resolution) {
+    return patch_triangles(Domain::tile(1.0, resolution));
+}
 
-    constexpr std::array kNormal = {Channel::nx, Channel::ny, Channel::nz};
-    constexpr std::array kVelocity = {Channel::vx, Channel::vy, Channel::vz};
-    const auto has = [&](const auto& channels) {
-        return std::ranges::all_of(channels, [&](Channel c) { return surface.has(c); });
-    };
-    const bool normal = has(kNormal), velocity = has(kVelocity);
-    const bool foam = surface.has(Channel::foam), cover = surface.has(Channel::cover);
-    Mesh mesh;
-    const std::size_t vertices = (n + 1) * (n + 1);
-    mesh.positions.reserve(3 * vertices);
-    if (normal) mesh.normals.reserve(3 * vertices);
-    if (velocity) mesh.velocities.reserve(3 * vertices);
-    if (foam) mesh.foam.reserve(vertices);
-    if (cover) mesh.cover.reserve(vertices);
-    for (std::size_t j = 0; j <= n; ++j) {
-        for (std::size_t i = 0; i <= n; ++i) {
-            const std::size_t at = (j % n) * n + i % n;
-            // The sample is snapped, then moved by whole periods: equal bits on both sides.
-            const double x =
-                snap(static_cast<double>(i % n) * cell + surface.channel(Channel::dx)[at]);
-            const double y =
-                snap(static_cast<double>(j % n) * cell + surface.channel(Channel::dy)[at]);
-            const double z = snap(surface.channel(Channel::height)[at]);
-            mesh.positions.push_back(static_cast<float>(x + (i == n ? surface.period() : 0.0)));
-            mesh.positions.push_back(static_cast<float>(y + (j == n ? surface.period() : 0.0)));
-            mesh.positions.push_back(static_cast<float>(z));
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (normal) mesh.normals.push_back(surface.channel(kNormal[c])[at]);
-                if (velocity) mesh.velocities.push_back(surface.channel(kVelocity[c])[at]);
-            }
-            if (foam) mesh.foam.push_back(surface.channel(Channel::foam)[at]);
-            if (cover) mesh.cover.push_back(surface.channel(Channel::cover)[at]);
+std::vector<float> patch_uv(const Domain& domain) {
+    const auto [columns, rows] = patch_vertices(domain);
+    std::vector<float> uv(2 * vertex_count(domain));
+    float* next = uv.data();
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            *next++ = static_cast<float>(static_cast<double>(i) / (columns - 1));
+            *next++ = static_cast<float>(static_cast<double>(j) / (rows - 1));
         }
     }
-    if (faces == Faces::triangles) mesh.triangles = patch_triangles(surface.resolution());
+    return uv;
+}
+
+Mesh make_patch_mesh(const Surface& surface, Faces faces, std::span<const Product> products) {
+    check(surface);
+    const Domain& domain = surface.domain();
+    Mesh mesh{.positions = place_vertices(surface), .domain = domain};
+    if (faces == Faces::triangles) {
+        mesh.triangles = patch_triangles(domain);
+        mesh.attributes.push_back({std::string(kUv), 2, patch_uv(domain)});
+    }
+    const ChannelSet place{Channel::dx, Channel::dy, Channel::height};
+    for (const Product& product : products) {
+        const bool is_position = holds(place, product);
+        if (product.count == 0 || is_position || !holds(surface.channels(), product)) continue;
+        std::vector<float> values = values_at_vertices(surface, product);
+        if (product.name == kNormal) {
+            mesh.normals = std::move(values);
+        } else {
+            mesh.attributes.push_back(
+                {std::string(product.name), product.count, std::move(values), product.vector});
+        }
+    }
     return mesh;
 }
 
 void turn_y_up(Mesh& mesh) {
-    for (std::vector<float>* vectors : {&mesh.positions, &mesh.normals, &mesh.velocities}) {
-        turn_vectors_y_up(*vectors);
+    turn_vectors_y_up(mesh.positions);
+    turn_vectors_y_up(mesh.normals);
+    for (Attribute& attribute : mesh.attributes) {
+        if (attribute.vector) turn_vectors_y_up(attribute.values);
     }
 }
 

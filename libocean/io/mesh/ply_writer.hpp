@@ -7,9 +7,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/provenance.hpp"
@@ -31,8 +31,8 @@ class PlyHeader {
         text_ += "element " + std::string(name) + " " + std::to_string(count) + "\n";
     }
     /// Of the last element.
-    void properties(const std::string& type, std::initializer_list<const char*> names) {
-        for (const char* name : names) text_ += "property " + type + " " + name + "\n";
+    void properties(const std::string& type, const std::vector<std::string>& names) {
+        for (const std::string& name : names) text_ += "property " + type + " " + name + "\n";
     }
     std::string text() const { return text_ + "end_header\n"; }
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/io/usd.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
+#include "attribute_names.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/text.hpp"
@@ -12,7 +15,6 @@
 namespace ocean::io {
 namespace {
 
-constexpr const char* kPrim = "Ocean";
 constexpr const char* kLabel = "userProperties:ocean";
 constexpr std::string_view kLine = "-";  // what each line of the label begins with
 
@@ -33,16 +35,49 @@ std::string asset(const std::string& name) {
     return mark + "./" + name + mark;
 }
 
-std::string attributes(const UsdSequence& sequence) {
+/// What each frame has whatever the mesh: a model's bounds are those of its one mesh.
+constexpr std::string_view kExtent = "extent", kHint = "extentsHint", kExtentType = "float3[]";
+
+/// Returns the declarations of all that frames have.
+std::string frame_attributes(const UsdSequence& sequence) {
     std::string text = "    point3f[] points\n";
-    if (sequence.normals) text += "    normal3f[] normals\n";
-    if (sequence.velocities) text += "    vector3f[] velocities\n";
-    if (sequence.foam) text += "    float[] primvars:foam\n";
+    for (const std::string_view name : {kExtent, kHint}) {
+        text += "    " + std::string(kExtentType) + " " + std::string(name) + "\n";
+    }
+    for (const Attribute& attribute : sequence.attributes) {
+        const UsdName usd = usd_name(attribute);
+        text += "    " + usd.type + " " + usd.name + "\n";
+    }
     return text;
 }
 
-std::string of_each_vertex(const std::string& attribute) {
-    return "    " + attribute + " (\n        interpolation = \"vertex\"\n    )\n";
+/// Returns the declarations of what the schema of a mesh does not know, or not how it lies.
+std::string stage_attributes(const UsdSequence& sequence) {
+    std::string text = "    " + std::string(kExtentType) + " " + std::string(kHint) + "\n";
+    std::vector<Attribute> attributes = {{.name = std::string(kUv), .components = 2}};
+    attributes.insert(attributes.end(), sequence.attributes.begin(), sequence.attributes.end());
+    for (const Attribute& attribute : attributes) {
+        const UsdName usd = usd_name(attribute);
+        if (!usd.interpolated) continue;
+        text +=
+            "    " + usd.type + " " + usd.name + " (\n        interpolation = \"vertex\"\n    )\n";
+    }
+    return text;
+}
+
+/// Returns the least and the largest x, y, z.
+std::array<float, 6> bounds(std::span<const float> positions) {
+    std::array<float, 6> box{};
+    for (std::size_t axis = 0; axis < 3 && !positions.empty(); ++axis) {
+        box[axis] = box[3 + axis] = positions[axis];
+    }
+    for (std::size_t at = 0; at < positions.size(); at += 3) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box[axis] = std::min(box[axis], positions[at + axis]);
+            box[3 + axis] = std::max(box[3 + axis], positions[at + axis]);
+        }
+    }
+    return box;
 }
 
 /// "sea.####.usdc" of one frame.
@@ -91,7 +126,8 @@ std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString>
     for (const HeaderString& string : strings) {
         text += "        string \"" + string.name + "\" = " + quoted(string.text) + "\n";
     }
-    text += "    }\n    defaultPrim = \"" + std::string(kPrim) + "\"\n";
+    const std::string& prim = sequence.words.prim;
+    text += "    }\n    defaultPrim = \"" + prim + "\"\n";
     const auto set = [&](const std::string& name, const std::string& value) {
         text += "    " + name + " = " + value + "\n";
     };
@@ -101,62 +137,70 @@ std::string usd_stage(const UsdSequence& sequence, std::span<const HeaderString>
     set("endTimeCode", std::to_string(sequence.numbers.back()));
     set("timeCodesPerSecond", shortest_text(sequence.rate));
     set("framesPerSecond", shortest_text(sequence.rate));
-    text += ")\ndef Mesh \"" + std::string(kPrim) +
-            "\" (\n    prepend references = " + asset(sequence.topology) + "</" + kPrim +
+    text += ")\ndef Mesh \"" + prim +
+            "\" (\n    prepend apiSchemas = [\"GeomModelAPI\"]\n    kind = \"component\"\n"
+            "    prepend references = " +
+            asset(sequence.topology) + "</" + prim +
             ">\n    clips = {\n        dictionary default = {\n";
     const auto clip = [&](const std::string& name, const std::string& value) {
         text += "            " + name + " = " + value + "\n";
     };
     clip("asset manifestAssetPath", asset(sequence.manifest));
-    clip("string primPath", "\"/" + std::string(kPrim) + "\"");
+    clip("string primPath", "\"/" + prim + "\"");
     for (const auto& [name, value] : clip_names(sequence)) clip(name, value);
-    text += "        }\n    }\n)\n{\n";
-    if (sequence.foam) text += of_each_vertex("float[] primvars:foam");
-    if (sequence.normals) text += of_each_vertex("normal3f[] normals");
-    return text + "}\n";
+    return text + "        }\n    }\n)\n{\n" + stage_attributes(sequence) + "}\n";
 }
 
 std::string usd_clip_manifest(const UsdSequence& sequence) {
-    return "#usda 1.0\n(\n    doc = \"What the frames of a sea by libocean have\"\n    defaultPrim "
-           "= \"" +
-           std::string(kPrim) + "\"\n)\nover \"" + kPrim + "\"\n{\n" + attributes(sequence) + "}\n";
+    const SubjectWords& words = sequence.words;
+    return "#usda 1.0\n(\n    doc = \"What the frames of " + words.noun +
+           " by libocean have\"\n    defaultPrim = \"" + words.prim + "\"\n)\nover \"" +
+           words.prim + "\"\n{\n" + frame_attributes(sequence) + "}\n";
 }
 
 void write_usd_frame(const Mesh& mesh, std::span<const HeaderString> strings, double time_code,
                      const std::string& path) {
     OutputFile file(path);
-    UsdCrate crate(file, kPrim, "Mesh");
-    const auto add = [&](const char* name, const char* type, UsdCrate::Value value) {
-        crate.add_sample(name, type, time_code, value);
+    UsdCrate crate(file, subject_words(strings).prim, "Mesh");
+    const auto add = [&](const UsdName& usd, UsdCrate::Value value) {
+        crate.add_sample(usd.name, usd.type, time_code, value);
     };
-    add("points", "point3f[]", crate.vectors(mesh.positions));
-    if (!mesh.normals.empty()) add("normals", "normal3f[]", crate.vectors(mesh.normals));
-    if (!mesh.velocities.empty()) add("velocities", "vector3f[]", crate.vectors(mesh.velocities));
-    if (!mesh.foam.empty()) add("primvars:foam", "float[]", crate.floats(mesh.foam));
+    add({"points", "point3f[]"}, crate.floats(mesh.positions, 3));
+    const UsdCrate::Value box = crate.floats(bounds(mesh.positions), 3);
+    for (const std::string_view name : {kExtent, kHint}) {
+        add({std::string(name), std::string(kExtentType)}, box);
+    }
+    if (!mesh.normals.empty()) add(usd_name(normal_attribute()), crate.floats(mesh.normals, 3));
+    for (const Attribute& attribute : mesh.attributes) {
+        add(usd_name(attribute), crate.floats(attribute.values, attribute.components));
+    }
     crate.add_default(kLabel, "string", crate.string(comment_lines(strings, kLine)));
     crate.finish();
     file.commit();
 }
 
-void write_usd_topology(int resolution, const std::string& path) {
+void write_usd_topology(const Domain& domain, const SubjectWords& words, const std::string& path) {
     constexpr int kCorners = 4;
-    const auto n = static_cast<std::size_t>(resolution);
+    const auto [width, rows] = patch_vertices(domain);
+    const auto faces = static_cast<std::size_t>(width - 1) * static_cast<std::size_t>(rows - 1);
     std::vector<int> indices;
-    indices.reserve(kCorners * n * n);
-    const int width = resolution + 1;
-    for (int j = 0; j < resolution; ++j) {
-        for (int i = 0; i < resolution; ++i) {
+    indices.reserve(kCorners * faces);
+    for (int j = 0; j + 1 < rows; ++j) {
+        for (int i = 0; i + 1 < width; ++i) {
             const int a = j * width + i;
             for (const int corner : {a, a + 1, a + width + 1, a + width}) indices.push_back(corner);
         }
     }
     OutputFile file(path);
-    UsdCrate crate(file, kPrim, "Mesh");
+    UsdCrate crate(file, words.prim, "Mesh");
     crate.add_default("faceVertexCounts", "int[]",
-                      crate.integers(std::vector<int>(n * n, kCorners)));
+                      crate.integers(std::vector<int>(faces, kCorners)));
     crate.add_default("faceVertexIndices", "int[]", crate.integers(indices));
     crate.add_uniform("subdivisionScheme", "token", crate.token("none"));
-    const HeaderString mark[] = {{"ocean:resolution", std::to_string(resolution)}};
+    const Attribute uv{.name = std::string(kUv), .components = 2};
+    crate.add_default(usd_name(uv).name, usd_name(uv).type,
+                      crate.floats(patch_uv(domain), uv.components));
+    const HeaderString mark[] = {{"ocean:resolution", std::to_string(domain.samples[0])}};
     crate.add_default(kLabel, "string", crate.string(comment_lines(mark, kLine)));
     crate.finish();
     file.commit();

@@ -27,7 +27,9 @@ enum Type : unsigned {
     kFloat = 8,
     kString = 10,
     kToken = 11,
+    kVec2f = 20,
     kVec3f = 24,
+    kVec4f = 28,
     kTokenVector = 41,
     kSpecifier = 42,
     kVariability = 44,
@@ -130,12 +132,10 @@ UsdCrate::Value UsdCrate::array(const void* values, std::size_t elements, std::s
     return value_of(type, at, kIsArray);
 }
 
-UsdCrate::Value UsdCrate::floats(std::span<const float> values) {
-    return array(values.data(), values.size(), values.size_bytes(), kFloat);
-}
-
-UsdCrate::Value UsdCrate::vectors(std::span<const float> values) {
-    return array(values.data(), values.size() / 3, values.size_bytes(), kVec3f);
+UsdCrate::Value UsdCrate::floats(std::span<const float> values, int components) {
+    constexpr std::array kTypes = {kFloat, kVec2f, kVec3f, kVec4f};
+    const auto count = static_cast<std::size_t>(components);
+    return array(values.data(), values.size() / count, values.size_bytes(), kTypes[count - 1]);
 }
 
 UsdCrate::Value UsdCrate::integers(std::span<const int> values) {

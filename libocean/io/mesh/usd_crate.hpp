@@ -27,9 +27,8 @@ class UsdCrate {
     using Value = std::uint64_t;
     Value token(const std::string& text);
     Value string(const std::string& text);
-    Value floats(std::span<const float> values);
-    /// Three floats an element.
-    Value vectors(std::span<const float> values);
+    /// So many floats an element, 1 .. 4.
+    Value floats(std::span<const float> values, int components);
     Value integers(std::span<const int> values);
 
     void add_default(const std::string& name, const std::string& type, Value value);

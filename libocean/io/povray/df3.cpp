@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One time of the sea as POV-Ray's density_file, the only binary that POV-Ray 3.7 reads: three
-// 16-bit sizes, then voxels of 32 bits, all big-endian. A slice along z is a map of one quantity:
+// Maps of one time as POV-Ray's density_file, the only binary that POV-Ray 3.7 reads: three 16-bit
+// sizes, then voxels of 32 bits, all big-endian. A slice along z is a map of one quantity; a sea's:
 //
 //     0 height [m]   1 dx [m]   2 dz [m]   3 normal p   4 normal q   5 foam   6 cover
 //
 // in POV-Ray's axes, x east, y up, z north. Read with `interpolate 1`, sample i of N lies at i/N,
-// slice k at k/7, and maps repeat. A length is (code - 2^31) / 2^21 m. The normal is its
+// slice k of n at k/n, and maps repeat. A length is (code - 2^31) / 2^21 m. The normal is its
 // stereographic projection from below, which has no edge where crests fold over:
 //     (p, q) = (x, z) / (1 + y),  (x, y, z) = (2 p, 1 - p^2 - q^2, 2 q) / (1 + p^2 + q^2),
 // each of p and q (code - 2^31) / 2^28. Foam and cover are code / (2^32 - 1).
@@ -25,6 +25,19 @@
 
 namespace ocean::io {
 namespace {
+
+constexpr std::array kSeaSlices = {
+    Df3Slice{Channel::height, Df3Code::length}, Df3Slice{Channel::dx, Df3Code::offset},
+    Df3Slice{Channel::dy, Df3Code::offset},     Df3Slice{Channel::nx, Df3Code::normal},
+    Df3Slice{Channel::ny, Df3Code::normal},     Df3Slice{Channel::foam, Df3Code::share},
+    Df3Slice{Channel::cover, Df3Code::share},
+};
+constexpr std::size_t kPositionSlices = 3;
+constexpr std::array kStillSlices = {
+    Df3Slice{Channel::height, Df3Code::length},
+    Df3Slice{Channel::nx, Df3Code::normal},
+    Df3Slice{Channel::ny, Df3Code::normal},
+};
 
 constexpr double kZero = 2147483648.0;
 constexpr double kLargestCode = 4294967295.0;
@@ -46,10 +59,11 @@ constexpr double kLargestProjection = 7.99;
 class Offsets {
   public:
     explicit Offsets(const Surface& surface) {
-        double reach = surface.period();
+        const double size = std::max(surface.domain().size[0], surface.domain().size[1]);
+        double reach = size;
         for (const Channel channel : {Channel::dx, Channel::dy}) {
             for (const float offset : surface.channel(channel)) {
-                reach = std::max(reach, surface.period() + std::abs(double{offset}));
+                reach = std::max(reach, size + std::abs(double{offset}));
             }
         }
         // Refused below if it is not finite.
@@ -77,27 +91,20 @@ std::uint32_t share_code(double share) {
     return static_cast<std::uint32_t>(std::nearbyint(std::clamp(share, 0.0, 1.0) * kLargestCode));
 }
 
-std::uint32_t voxel(const Surface& surface, const Offsets& offsets, int slice, std::size_t at) {
-    using enum Channel;
-    const auto value = [&](Channel channel) {
-        return static_cast<double>(surface.channel(channel)[at]);
-    };
-    switch (slice) {
-        case 0:
-            return length_code("the height", value(height));
-        case 1:
-            return length_code("the displacement", offsets.snapped(value(dx)));
-        case 2:
-            return length_code("the displacement", offsets.snapped(value(dy)));
-        case 3:
-            return projection_code(value(nx), value(nz));
-        case 4:
-            return projection_code(value(ny), value(nz));
-        case 5:
-            return share_code(value(foam));
-        default:
-            return share_code(value(cover));
+std::uint32_t voxel(const Surface& surface, const Offsets& offsets, const Df3Slice& slice,
+                    std::size_t at) {
+    const double value = surface.channel(slice.channel)[at];
+    switch (slice.code) {
+        case Df3Code::length:
+            return length_code("the height", value);
+        case Df3Code::offset:
+            return length_code("the displacement", offsets.snapped(value));
+        case Df3Code::normal:
+            return projection_code(value, double{surface.channel(Channel::nz)[at]});
+        case Df3Code::share:
+            break;
     }
+    return share_code(value);
 }
 
 void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
@@ -106,10 +113,10 @@ void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
     }
 }
 
-/// How a file of n by n by so many voxels begins.
-std::string df3_head(std::size_t n, int slices) {
+/// Returns how a file of so many voxels begins.
+std::string df3_head(std::size_t columns, std::size_t rows, std::size_t slices) {
     std::string head;
-    for (const std::size_t size : {n, n, static_cast<std::size_t>(slices)}) {
+    for (const std::size_t size : {columns, rows, slices}) {
         append_big_endian(head, static_cast<std::uint32_t>(size), 2);
     }
     return head;
@@ -123,39 +130,47 @@ std::uint32_t slope_code(float slope) {
 
 }  // namespace
 
-ChannelSet df3_position_channels() {
-    using enum Channel;
-    return {dx, dy, height};
+Df3Slices df3_slices(std::string_view kind) {
+    if (kind == kSeaKind) return kSeaSlices;
+    return kStillSlices;
 }
 
-ChannelSet df3_channels() {
-    using enum Channel;
-    return {dx, dy, height, nx, ny, nz, foam, cover};
+Df3Slices df3_position_slices() {
+    return Df3Slices(kSeaSlices).first(kPositionSlices);
 }
 
-std::uint64_t df3_bytes(int resolution, int slices) {
-    const auto n = static_cast<std::uint64_t>(resolution);
-    return 6 + n * n * static_cast<std::uint64_t>(slices) * sizeof(std::uint32_t);
-}
-
-void write_df3(const Surface& surface, const std::string& path, int slices) {
-    const ChannelSet needed =
-        slices == kDf3PositionSlices ? df3_position_channels() : df3_channels();
-    if ((surface.channels() | needed).size() != surface.channels().size()) {
-        throw Error(ErrorKind::invalid_value,
-                    "a DF3 file needs displacement, height, normal, foam and cover");
+ChannelSet df3_channels(Df3Slices slices) {
+    ChannelSet channels;
+    for (const Df3Slice& slice : slices) {
+        channels = channels | ChannelSet{slice.channel};
+        if (slice.code == Df3Code::normal) channels = channels | ChannelSet{Channel::nz};
     }
-    const auto n = static_cast<std::size_t>(surface.resolution());
+    return channels;
+}
+
+std::uint64_t df3_bytes(int resolution, std::size_t slices) {
+    const auto n = static_cast<std::uint64_t>(resolution);
+    return 6 + n * n * slices * sizeof(std::uint32_t);
+}
+
+void write_df3(const Surface& surface, const std::string& path, Df3Slices slices) {
+    if ((surface.channels() | df3_channels(slices)).size() != surface.channels().size()) {
+        throw Error(ErrorKind::invalid_value,
+                    "a DF3 file needs the channels of its slices: a sea's are displacement, "
+                    "height, normal, foam and cover");
+    }
+    const auto columns = static_cast<std::size_t>(surface.domain().samples[0]);
+    const auto rows = static_cast<std::size_t>(surface.domain().samples[1]);
     const Offsets offsets(surface);
     OutputFile file(path);
     std::string bytes;
-    bytes.reserve(n * sizeof(std::uint32_t));
-    file.write(df3_head(n, slices));
-    for (int slice = 0; slice < slices; ++slice) {
-        for (std::size_t j = 0; j < n; ++j) {
+    bytes.reserve(columns * sizeof(std::uint32_t));
+    file.write(df3_head(columns, rows, slices.size()));
+    for (const Df3Slice& slice : slices) {
+        for (std::size_t j = 0; j < rows; ++j) {
             bytes.clear();
-            for (std::size_t i = 0; i < n; ++i) {
-                append_big_endian(bytes, voxel(surface, offsets, slice, j * n + i), 4);
+            for (std::size_t i = 0; i < columns; ++i) {
+                append_big_endian(bytes, voxel(surface, offsets, slice, j * columns + i), 4);
             }
             file.write(bytes);
         }
@@ -171,7 +186,7 @@ std::uint64_t slopes_df3_bytes(int samples, int bands) {
 void write_slopes_df3(const Detail& detail, const std::string& path) {
     const auto n = static_cast<std::size_t>(detail.samples());
     OutputFile file(path);
-    file.write(df3_head(n, 2 * static_cast<int>(detail.bands().size())));
+    file.write(df3_head(n, n, 2 * detail.bands().size()));
     std::string bytes;
     for (std::size_t band = 0; band < detail.bands().size(); ++band) {
         const std::span<const float> slopes = detail.slopes(band);

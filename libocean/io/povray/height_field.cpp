@@ -13,6 +13,7 @@
 #include "ocean/error.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/io/png.hpp"
+#include "ocean/io/subject_words.hpp"
 #include "ocean/text.hpp"
 
 namespace ocean::io {
@@ -55,7 +56,7 @@ HeightScale fit_scale(const Image& image) {
 
 /// Samples along each side of the file: what repeats has its first row and column again.
 int side_of(const Image& image) {
-    return image.periodic ? image.width + 1 : image.width;
+    return image.wraps() ? image.width + 1 : image.width;
 }
 
 std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
@@ -73,7 +74,7 @@ std::vector<std::uint16_t> encode(const Image& image, const HeightScale& fit) {
 }
 
 const Domain& domain_of(const Image& image) {
-    if (image.provenance.domain) return *image.provenance.domain;
+    if (image.domain) return *image.domain;
     throw Error(ErrorKind::invalid_value, "a height_field needs a place and a size");
 }
 
@@ -94,7 +95,7 @@ std::string height_field_description(const Image& image) {
     text += "base = " + number(fit.base) + "\nscale = " + number(fit.scale) + "\n";
     text += "quantum = " + number(fit.scale / kCodes) + "  # a height is right to half of it\n";
     text += "samples = " + std::to_string(side_of(image)) + "  # along each side" +
-            (image.periodic ? ", the first repeated as the last\n" : "\n");
+            (image.wraps() ? ", the first repeated as the last\n" : "\n");
     if (domain.is_tile()) {
         text += "period = " + number(domain.size[0]) + "\n";
     } else {
@@ -112,10 +113,11 @@ std::string height_field_description(const Image& image) {
 
 std::string height_field_declarations(const Image& image) {
     const HeightScale fit = fit_scale(image);
-    return "// height = Ocean_Base + Ocean_Scale * code / 65536, in metres\n"
-           "#declare Ocean_Base = " +
-           shortest_text(fit.base) + ";\n#declare Ocean_Scale = " + shortest_text(fit.scale) +
-           ";\n";
+    const std::string prefix = subject_words(image.provenance.kind).prefix();
+    const std::string base = prefix + "Base", scale = prefix + "Scale";
+    return "// height = " + base + " + " + scale + " * code / 65536, in metres\n#declare " + base +
+           " = " + shortest_text(fit.base) + ";\n#declare " + scale + " = " +
+           shortest_text(fit.scale) + ";\n";
 }
 
 std::uint64_t most_height_field_bytes(int resolution) {

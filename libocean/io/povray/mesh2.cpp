@@ -7,6 +7,7 @@
 #include "ocean/io/mesh2.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "ocean/internal/platform.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
+#include "ocean/io/subject_words.hpp"
 #include "ocean/io/text_writer.hpp"
 #include "ocean/version.hpp"
 
@@ -36,36 +38,58 @@ TextWriter& write_unit(TextWriter& out, float value) {
     return out << std::string_view(text, sizeof text);
 }
 
+/// <east, north> of a pair, in POV-Ray's order.
+void write_pair(TextWriter& out, std::array<double, 2> pair) {
+    out << "<";
+    out.number(pair[0]) << ", ";
+    out.number(pair[1]) << ">";
+}
+
+void write_domain(TextWriter& out, const std::string& prefix, const Domain& domain) {
+    if (domain.is_tile()) {
+        out << "#declare " << prefix << "Period = ";
+        out.number(domain.size[0]) << ";  // m, in both directions\n";
+        return;
+    }
+    write_pair(out << "#declare " << prefix << "Origin = ", domain.origin);
+    write_pair(
+        out << ";  // m, of its first vertex, <east, north>\n#declare " << prefix << "Size = ",
+        domain.size);
+    out << ";  // m\n";
+}
+
 void write_head(TextWriter& out, const Mesh& mesh, const Provenance& provenance,
                 std::string file_name) {
+    const SubjectWords words = subject_words(provenance.kind);
+    const std::string prefix = words.prefix();
     // A line end would end the comment.
     std::replace_if(
         file_name.begin(), file_name.end(),
         [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, '?');
     out << "//   Persistence of Vision Ray Tracer Include File\n//   File: " << file_name
-        << "\n//   Vers: 3.7\n//   Desc: The surface of a sea at one time, by "
-           "libocean " OCEAN_VERSION
-        << "\n//         Ocean_Surface: mesh2 of ";
+        << "\n//   Vers: 3.7\n//   Desc: " << words.phrase()
+        << (provenance.time ? " at one time" : "") << ", by libocean " OCEAN_VERSION
+        << "\n//         " << prefix << "Surface: mesh2 of ";
     out.number(mesh.positions.size() / 3) << " vertices with normals, metres, <east, up, north>.\n";
     // No guard: a frame that is loaded again is the current one again.
-    out << "#declare Ocean_Mesh_Inc_Temp = version;\n#version 3.7;\n\n";
-    out << povray_frame_declarations(provenance) << "#declare Ocean_Period = ";
-    out.number(provenance.domain->size[0]) << ";  // m, in both directions\n";
+    out << "#declare " << prefix << "Mesh_Inc_Temp = version;\n#version 3.7;\n\n";
+    out << povray_frame_declarations(provenance);
+    write_domain(out, prefix, *provenance.domain);
 }
 
 // The camera that the mesh was made for, so that a scene cannot look past its edge.
-void write_view(TextWriter& out, const View& view) {
+void write_view(TextWriter& out, const std::string& prefix, const View& view) {
     const double heading = view.heading * kPi / 180.0;
-    out << "// The camera that this mesh was made for.\n#declare Ocean_Eye = <";
+    out << "// The camera that this mesh was made for.\n#declare " << prefix << "Eye = <";
     out.number(view.x) << ", ";
     out.number(view.height) << ", ";
-    out.number(view.y) << ">;\n#declare Ocean_Forward = <";
+    out.number(view.y) << ">;\n#declare " << prefix << "Forward = <";
     out.number(std::cos(heading)) << ", 0, ";
-    out.number(std::sin(heading)) << ">;\n#declare Ocean_View_Angle = ";
+    out.number(std::sin(heading)) << ">;\n#declare " << prefix << "View_Angle = ";
     out.number(view.field_of_view) << ";  // degrees, horizontal\n";
 }
 
-void write_vectors(TextWriter& out, const Mesh& mesh) {
+void write_vectors(TextWriter& out, const Mesh& mesh, const Attribute* u) {
     const std::size_t count = mesh.positions.size() / 3;
     out << "vertex_vectors { ";
     out.number(count);
@@ -85,11 +109,11 @@ void write_vectors(TextWriter& out, const Mesh& mesh) {
         write_unit(out, n[1]) << ">";
     }
     out << "\n}\n";
-    if (mesh.cover.empty()) return;
+    if (u == nullptr) return;
     out << "uv_vectors { ";
     out.number(count);
-    for (const float cover : mesh.cover) {
-        write_unit(out << ",\n<", cover) << ",0>";
+    for (const float share : u->values) {
+        write_unit(out << ",\n<", share) << ",0>";
     }
     out << "\n}\n";
 }
@@ -117,24 +141,25 @@ std::string povray_faces(std::span<const int> triangles) {
 }
 
 void write_mesh2(const Mesh& mesh, const Provenance& provenance, const std::string& path,
-                 const View* view) {
+                 const Mesh2Extras& extras) {
     if (mesh.positions.empty() || mesh.normals.size() != mesh.positions.size() ||
         mesh.triangles.empty()) {
         throw Error(ErrorKind::invalid_value, "a mesh2 needs vertices, as many normals, triangles");
     }
-    if (!provenance.domain || !provenance.domain->is_tile()) {
-        throw Error(ErrorKind::invalid_value, "a mesh2 of POV-Ray needs a square that repeats");
+    if (!provenance.domain) {
+        throw Error(ErrorKind::invalid_value, "a mesh2 of POV-Ray needs a place and a size");
     }
+    const std::string prefix = subject_words(provenance.kind).prefix();
     OutputFile file(path);
     TextWriter out(file);
     write_head(out, mesh, provenance, utf8_path(path).filename().string());
-    if (view != nullptr) write_view(out, *view);
-    out << "\n#declare Ocean_Surface = mesh2 {\n";
-    write_vectors(out, mesh);
+    if (extras.view != nullptr) write_view(out, prefix, *extras.view);
+    out << "\n#declare " << prefix << "Surface = mesh2 {\n";
+    write_vectors(out, mesh, mesh.find(extras.u));
     write_faces(out, mesh.triangles);
     // A sheet is not a solid, but an inside lets it cut others; off the axis, so that the test ray
     // does not run along vertices and edges.
-    out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version Ocean_Mesh_Inc_Temp;\n";
+    out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version " << prefix << "Mesh_Inc_Temp;\n";
     out.flush();
     file.commit();
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "ocean/io/subject_words.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/text.hpp"
 #include "ocean/version.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 /// POV-Ray's floats end at 1e308, but its parser knows no word for what lies beyond.
 constexpr double kInfinity = 1e30;
+constexpr std::string_view kSeaPrefix = "Ocean_";
 
 std::string number(double value) {
     if (std::isinf(value)) value = value > 0 ? kInfinity : -kInfinity;
@@ -65,7 +67,7 @@ std::string string_literal(std::string_view text) {
 
 /// "waves.0.wind_speed" -> "Ocean_Waves_0_Wind_Speed".
 std::string identifier(std::string_view path) {
-    std::string name = "Ocean_";
+    std::string name(kSeaPrefix);
     for (const char c : path) {
         const char next = c == '.' ? '_' : c;
         const bool begins = name.back() == '_';
@@ -79,6 +81,12 @@ void declare(std::string& text, const std::string& name, const std::string& valu
     text += "#declare " + name + " = " + value + ";";
     if (!comment.empty()) text += "  // " + comment;
     text += "\n";
+}
+
+/// "Ocean_Frame_Sea_": ends in '_' because scenes do not read it.
+std::string frame_id_name(const SubjectWords& words) {
+    const std::string kind = identifier(words.kind).substr(kSeaPrefix.size());
+    return words.prefix() + "Frame_" + kind + "_";
 }
 
 /// What another sea in the same scene may have declared. Not by #ifdef: POV-Ray 3.7 loses its place
@@ -209,16 +217,17 @@ std::string povray_declarations(const PovrayFolder& folder) {
 }
 
 std::string povray_frame_declarations(const Provenance& provenance) {
+    const SubjectWords words = subject_words(provenance.kind);
     std::string text;
-    declare(text, "Ocean_Frame_Number", std::to_string(provenance.frame.value_or(0)));
-    declare(text, "Ocean_Time", number(provenance.time.value_or(0.0)), "s");
-    declare(text, "Ocean_Frame_Sea_", string_literal(provenance.id));
+    declare(text, words.prefix() + "Frame_Number", std::to_string(provenance.frame.value_or(0)));
+    declare(text, words.prefix() + "Time", number(provenance.time.value_or(0.0)), "s");
+    declare(text, frame_id_name(words), string_literal(provenance.id));
     return text;
 }
 
 bool declares_sea(std::string_view text, std::string_view sea_id) {
     std::string line;
-    declare(line, "Ocean_Frame_Sea_", string_literal(sea_id));
+    declare(line, frame_id_name(subject_words(kSeaKind)), string_literal(sea_id));
     return text.find(line) != std::string_view::npos;
 }
 

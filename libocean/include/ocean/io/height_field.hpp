@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// POV-Ray's height_field: a 16-bit grey PNG of an image of one plane, (N+1)^2 pixels with the
-// wrapped seam, top row far. height = base + scale * code / 65536; the heights fill three quarters
-// of the codes, so each is right to (hi - lo) / 98304.
+// POV-Ray's height_field: a 16-bit grey PNG of an image of one plane, of one that wraps (N+1)^2
+// pixels with the seam, top row far. height = base + scale * code / 65536; the heights fill three
+// quarters of the codes, so each is right to (hi - lo) / 98304.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,7 @@ double horizon_distance(double height);
 /// `levels` are maps of one sea and time, from the finest resolution to the coarsest, each half the
 /// one before: each vertex takes what its distance can show, so that nothing aliases, and its
 /// normal is turned to the eye by what the filtered-away waves would have shown of themselves.
-/// Needs dx, dy, height, nx, ny, nz, slope_x, slope_y. Throws Error invalid_value.
+/// Needs dx, dy, height, nx, ny, nz, slope_x, slope_y of a tile. Throws Error invalid_value.
 Mesh make_horizon_mesh(std::span<const Surface> levels, const View& view);
 
 }  // namespace ocean::io

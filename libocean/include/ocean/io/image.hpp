@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,11 +32,13 @@ struct ImagePlane {
 struct Image {
     int width = 0;
     int height = 0;
-    bool periodic = false;  // its right edge continues at its left one, its top at its bottom
+    /// Where the samples lie in the world; nothing for a picture. One that wraps tiles.
+    std::optional<Domain> domain = {};
     std::vector<ImagePlane> planes;
     Provenance provenance = {};
     std::vector<HeaderString> strings = {};  // what the header says beside the provenance
 
+    bool wraps() const { return domain && domain->wraps; }
     /// Returns all strings of the header.
     std::vector<HeaderString> header_strings() const;
 };

@@ -13,14 +13,14 @@
 
 namespace ocean::io {
 
-/// Binary PLY, little-endian: vertices x, y, z with nx, ny, nz, foam and vx, vy, vz where the mesh
-/// has them, faces vertex_indices. Throws Error output.
+/// Writes binary PLY, little-endian: vertices x, y, z with nx, ny, nz and all attributes that the
+/// mesh has (s, t; foam; vx, vy, vz ...), faces vertex_indices. Throws Error output.
 void write_ply(const Mesh& mesh, std::span<const HeaderString> strings, const std::string& path);
 /// Of such a file. Throws Error bad_file.
 std::vector<HeaderString> read_ply_header(const std::string& path);
 
-/// Wavefront OBJ: v with the foam as its colour, vn, f, where the mesh has them. Throws Error
-/// output.
+/// Writes Wavefront OBJ: v, with the first attribute of one component as its grey; vt, vn, f, where
+/// the mesh has them. Throws Error output.
 void write_obj(const Mesh& mesh, std::span<const HeaderString> strings, const std::string& path);
 /// Of such a file. Throws Error bad_file.
 std::vector<HeaderString> read_obj_header(const std::string& path);

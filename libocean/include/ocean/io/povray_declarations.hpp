@@ -40,7 +40,8 @@ std::string povray_declarations(const PovrayFolder& folder);
 /// forgotten, because another folder may have declared it.
 std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
                                          const ParameterValue& value);
-/// What a frame says of itself, whatever its format: Ocean_Load refuses those of other seas.
+/// Returns what a frame says of itself, whatever its format, in names of its subject's prefix:
+/// Ocean_Load refuses those of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);
 /// Whether a text has the declarations of a frame of that sea.
 bool declares_sea(std::string_view text, std::string_view sea_id);

@@ -37,6 +37,8 @@ struct Provenance {
 /// Returns ocean:KIND, frame, time, period (of a domain that is no tile: origin, size, samples and
 /// wraps), backend and version. A kind that is newer than this list has ocean:subject = KIND too.
 std::vector<HeaderString> provenance_strings(const Provenance& provenance);
+/// Returns the kind of the subject that a header names, "" for none.
+std::string subject_kind(std::span<const HeaderString> strings);
 /// Reads it back from a header; nothing where no subject is named. Throws Error bad_file
 /// "PATH: ..." for a number that is none.
 std::optional<Provenance> find_provenance(std::span<const HeaderString> strings,
