@@ -195,7 +195,8 @@ TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OtherSubject, EveryFormat, testing::Values(".exr", ".ply", ".obj", ".usda", ".vdb", ".png"),
+INSTANTIATE_TEST_SUITE_P(OtherSubject, EveryFormat,
+                         testing::Values(".exr", ".ply", ".obj", ".usda", ".vdb", ".png"),
                          [](const auto& name) { return std::string(name.param).substr(1); });
 
 TEST(OtherSubject, IsTakenFromItsOwnFile) {

@@ -134,7 +134,8 @@ std::string shared_text(const BakePlan& plan, const BakeFile& file) {
 
 void write_shared(const BakePlan& plan, const BakeFile& file) {
     if (file.part == kTopology) {
-        return io::write_usd_topology(plan.subject->domain(plan.resolution), words_of(plan), file.path);
+        return io::write_usd_topology(plan.subject->domain(plan.resolution), words_of(plan),
+                                      file.path);
     }
     io::write_file_atomically(file.path, shared_text(plan, file));
 }
