@@ -81,7 +81,7 @@ TEST(SubjectWords, AreOneRowAKind) {
     EXPECT_EQ(io::subject_words(io::provenance_strings(kSea)).prim, "Ocean");
     EXPECT_EQ(io::subject_words(std::vector<HeaderString>{}).prim, "Ocean");
     Provenance terrain = kPlane;
-    terrain.kind = io::kTerrainKind;
+    terrain.kind = kTerrainKind;
     EXPECT_EQ(io::provenance_strings(terrain).front().name, "ocean:terrain");
     EXPECT_EQ(io::find_provenance(io::provenance_strings(terrain), "f")->kind, "terrain");
 }
