@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The grids of a volume: how much memory they need, and how a frame's columns and puffs become a
+// level set, a velocity and a fog.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "formats/spray_points.hpp"
+#include "formats/volume_settings.hpp"
+#include "formats/volumes.hpp"
+#include "ocean/internal/memory.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/text.hpp"
+
+namespace ocean {
+namespace {
+
+/// Numbers of all voxels of the box, to crests higher than any that comes.
+struct Numbers {
+    std::uint64_t surface = 0;
+    std::uint64_t velocity = 0;
+    std::uint64_t density = 0;
+    std::uint64_t columns = 0;
+    std::uint64_t puffs = 0;
+
+    std::uint64_t voxels() const { return surface + velocity + density; }
+};
+
+Numbers most_numbers(const BakePlan& plan) {
+    const VolumeSettings& settings = volume_settings_of(plan);
+    const double crest = settings.to_the_crest() ? settings.heights.top : 0.0;
+    const io::WorldBox box = settings.world_box(crest);
+    constexpr int kLeaf = 8;
+    Numbers numbers;
+    if (settings.surface) {
+        const auto voxels = io::voxels_around(box, settings.voxel, io::kLevelSetBand + kLeaf);
+        numbers.surface = voxels.voxels();
+        numbers.columns = voxels.columns();
+    }
+    if (settings.velocity) {
+        const auto voxels = io::voxels_around(box, settings.velocity_voxel, kLeaf);
+        numbers.velocity = 3 * voxels.voxels();
+        numbers.columns = std::max(numbers.columns, voxels.columns());
+    }
+    if (settings.density) {
+        constexpr double kUpwards = 5.0;  // m/s, and as much is spread
+        const double reach = 2.0 * kUpwards * settings.spray.lifetime;
+        const auto voxels =
+            io::voxels_around(settings.world_box(crest + reach), settings.velocity_voxel, kLeaf);
+        numbers.density = voxels.voxels();
+        numbers.columns = std::max(numbers.columns, voxels.columns());
+        const double period = plan.subject->domain(plan.resolution).size[0];
+        double copies = 1.0;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
+        }
+        numbers.puffs = static_cast<std::uint64_t>(
+            copies * static_cast<double>(most_spray(sea_of(*plan.subject), settings.spray)));
+    }
+    return numbers;
+}
+
+QueryOptions height_query(const BakePlan& plan) {
+    return {.foam = false, .resolution = plan.resolution};
+}
+
+/// Waves that the velocity's voxels hold: two of them, at least.
+QueryOptions velocity_query(const BakePlan& plan) {
+    const double voxel = volume_settings_of(plan).velocity_voxel;
+    const double period = plan.subject->domain(plan.resolution).size[0];
+    int resolution = kMinResolution;
+    while (2 * resolution <= plan.resolution && 2 * resolution * voxel <= period * (1.0 + 1e-9)) {
+        resolution *= 2;
+    }
+    return {.foam = false, .resolution = resolution};
+}
+
+/// Of the mist's puffs and of the spray that they are of.
+std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
+    const Grid& grid = sea_of(*plan.subject).parameters.grid;
+    const SpraySettings& spray = volume_settings_of(plan).spray;
+    const int lattice = spray_lattice(grid).resolution;
+    return spray_bytes(most_spray(sea_of(*plan.subject), spray)) +
+           puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) +
+           maps_bytes(lattice, kSprayChannels.size()) +
+           work_bytes(grid, plan.backend, kSprayChannels, lattice);
+}
+
+}  // namespace
+
+std::uint64_t volume_frame_bytes(const BakePlan& plan) {
+    const Numbers numbers = most_numbers(plan);
+    constexpr std::uint64_t kOfColumn =
+        sizeof(io::SurfaceColumn) + sizeof(float) + 8 * sizeof(io::Velocity);  // a leaf's layers
+    // Leaves have a mask too.
+    const std::uint64_t mist =
+        volume_settings_of(plan).density ? mist_bytes(plan, numbers.puffs) : std::uint64_t{0};
+    return mist + numbers.voxels() * (sizeof(float) + 1) + numbers.columns * kOfColumn +
+           plan.subject->query_bytes(height_query(plan)) +
+           2 * plan.subject->query_bytes(velocity_query(plan));
+}
+
+std::uint64_t most_volume_bytes(const BakePlan& plan) {
+    const Numbers numbers = most_numbers(plan);
+    const std::uint64_t size = volume_settings_of(plan).half_floats ? 2 : sizeof(float);
+    return 2 * plan.subject_text.size() + 8192 + numbers.voxels() * size;
+}
+
+namespace {
+
+/// Calls take(first, samples) for pieces of the columns.
+template <typename Take>
+void query_columns(const FrameWork& work, const io::VoxelRange& voxels, const QueryOptions& options,
+                   const Take& take) {
+    constexpr std::size_t kPiece = 1 << 16;
+    const auto width = static_cast<std::size_t>(voxels.count[0]);
+    std::vector<WorldPoint> points;
+    std::vector<QuerySample> samples;
+    for (std::size_t first = 0; first < voxels.columns(); first += kPiece) {
+        points.clear();
+        for (std::size_t at = first; at < std::min(first + kPiece, voxels.columns()); ++at) {
+            points.push_back({voxels.place(0, static_cast<int>(at % width)),
+                              voxels.place(1, static_cast<int>(at / width))});
+        }
+        samples.resize(points.size());
+        work.source.query(work.time(), points, samples, options);
+        take(first, samples);
+    }
+}
+
+/// Of the columns of a range; folds are counted.
+struct Columns {
+    std::vector<io::SurfaceColumn> surface;
+    double crest = -kFarthestInVolumes;
+    std::size_t folded = 0;
+
+    std::vector<float> heights() const {
+        std::vector<float> heights;
+        heights.reserve(surface.size());
+        for (const io::SurfaceColumn& column : surface) heights.push_back(column.height);
+        return heights;
+    }
+};
+
+Columns columns_of(const FrameWork& work, const io::VoxelRange& voxels) {
+    Columns columns{std::vector<io::SurfaceColumn>(voxels.columns())};
+    query_columns(work, voxels, height_query(work.plan),
+                  [&](std::size_t first, const std::vector<QuerySample>& samples) {
+                      for (std::size_t i = 0; i < samples.size(); ++i) {
+                          const QuerySample& sample = samples[i];
+                          columns.surface[first + i] = {static_cast<float>(sample.height),
+                                                        static_cast<float>(sample.normal[2])};
+                          columns.crest = std::max(columns.crest, sample.height);
+                          columns.folded += sample.folded ? 1 : 0;
+                      }
+                  });
+    return columns;
+}
+
+/// The range of a box that ends so many voxels above its crests.
+io::VoxelRange range_to(const VolumeSettings& settings, double voxel, int beyond, double crest) {
+    return io::voxels_around(settings.world_box(crest + io::kLevelSetBand * voxel), voxel, beyond);
+}
+
+io::VdbGrid make_surface(const FrameWork& work, io::VolumeAxes axes) {
+    const VolumeSettings& settings = volume_settings_of(work.plan);
+    const Columns columns =
+        columns_of(work, range_to(settings, settings.voxel, io::kLevelSetBand, 0.0));
+    if (columns.folded > 0) {
+        work.warn(format_text(
+            "at %g s %zu of %zu columns lie where the crests have folded over: they take the top "
+            "sheet",
+            work.time(), columns.folded, columns.surface.size()));
+    }
+    const io::WorldBox box = settings.world_box(columns.crest + io::kLevelSetBand * settings.voxel);
+    if (columns.crest < box.low[2]) {
+        work.warn(
+            format_text("at %g s no water reaches the box, and its surface is empty", work.time()));
+    }
+    return io::make_level_set(box, io::voxels_around(box, settings.voxel, io::kLevelSetBand),
+                              columns.surface, axes, work.source.pool());
+}
+
+io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
+    constexpr int kBeyond = 1;  // so that what is read at the box's sides has voxels around it
+    const VolumeSettings& settings = volume_settings_of(work.plan);
+    const double size = settings.velocity_voxel;
+    const Columns columns = columns_of(work, range_to(settings, size, kBeyond, 0.0));
+    const io::VoxelRange voxels = range_to(settings, size, kBeyond, columns.crest);
+    const std::vector<float> heights = columns.heights();
+
+    const QueryOptions query = velocity_query(work.plan);
+    const auto width = static_cast<std::size_t>(voxels.count[0]);
+    std::vector<WaterPoint> points(voxels.columns());
+    std::vector<WaterMotion> motions(voxels.columns());
+    double moved_at = -kFarthestInVolumes;  // the depth that the motions are of
+    const auto layer = [&](int k, std::span<io::Velocity> out) {
+        const double z = std::min(size * k, 0.0);  // above still water as at it
+        if (z != moved_at) {
+            for (std::size_t at = 0; at < points.size(); ++at) {
+                points[at] = {voxels.place(0, static_cast<int>(at % width)),
+                              voxels.place(1, static_cast<int>(at / width)), z};
+            }
+            ocean_of(work.source).water_motion(work.time(), points, motions, query);
+            moved_at = z;
+        }
+        for (std::size_t at = 0; at < out.size(); ++at) {
+            out[at] = {static_cast<float>(motions[at].velocity_x),
+                       static_cast<float>(motions[at].velocity_y),
+                       static_cast<float>(motions[at].velocity_z)};
+        }
+    };
+    return io::make_velocity(voxels, heights, layer, axes, work.source.pool());
+}
+
+/// The puffs of all copies of the period that reach into the box.
+std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSettings& settings) {
+    const double period = work.plan.subject->domain(work.plan.resolution).size[0];
+    const std::array<double, 6>& box = *settings.box;
+    const double area = settings.spray.density > 0.0 ? settings.mist / settings.spray.density : 0.0;
+    std::vector<io::DensityPuff> puffs;
+    for (const MistPuff& mist : ocean_of(work.source).mist(work.time(), settings.spray)) {
+        io::DensityPuff puff{{mist.x, mist.y, mist.z}, mist.deviation, area * mist.share};
+        const double reach = io::density_reach(puff, settings.velocity_voxel);
+        const auto first = [&](std::size_t axis) {
+            return std::ceil((box[axis] - reach - puff.place[axis]) / period);
+        };
+        const auto last = [&](std::size_t axis) {
+            return std::floor((box[axis + 3] + reach - puff.place[axis]) / period);
+        };
+        const double first_x = first(0), last_x = last(0), first_y = first(1), last_y = last(1);
+        for (double ny = first_y; ny <= last_y; ++ny) {
+            for (double nx = first_x; nx <= last_x; ++nx) {
+                puff.place = {mist.x + nx * period, mist.y + ny * period, mist.z};
+                puffs.push_back(puff);
+            }
+        }
+    }
+    return puffs;
+}
+
+io::VdbGrid make_mist(const FrameWork& work, io::VolumeAxes axes) {
+    const VolumeSettings& settings = volume_settings_of(work.plan);
+    const double voxel = settings.velocity_voxel;
+    const std::vector<io::DensityPuff> puffs = puffs_around(work, settings);
+    if (puffs.empty()) {
+        work.warn(
+            format_text("at %g s the sea makes no spray, and its mist is empty", work.time()));
+    }
+    double highest = settings.box->at(2) + voxel;
+    for (const io::DensityPuff& puff : puffs) {
+        highest = std::max(highest, puff.place[2] + io::density_reach(puff, voxel));
+    }
+    const io::VoxelRange voxels = io::voxels_around(settings.world_box(highest), voxel, 0);
+    const std::vector<float> heights = columns_of(work, voxels).heights();
+    return io::make_density(voxels, heights, puffs, axes, work.source.pool());
+}
+
+}  // namespace
+
+void write_volumes(const FrameWork& work, std::span<const BakeFile> files) {
+    const VolumeSettings& settings = volume_settings_of(work.plan);
+    const io::VolumeAxes axes{settings.axes == io::Axes::yup};
+    std::vector<io::VdbGrid> grids;
+    if (settings.surface) grids.push_back(make_surface(work, axes));
+    if (settings.velocity) grids.push_back(make_velocity(work, axes));
+    if (settings.density) grids.push_back(make_mist(work, axes));
+    work.put(files.front(), [&] {
+        io::write_vdb(grids, volume_strings(work.plan, work.frame), settings.half_floats,
+                      files.front().path);
+    });
+}
+
+}  // namespace ocean
