@@ -4,13 +4,13 @@
 
 #ifdef OCEAN_HAVE_LIBUSB
 #include <algorithm>
-#include <atomic>
 #include <condition_variable>
 #include <list>
 #include <mutex>
 #include <thread>
 #include <utility>
 
+#include "k8055_board.hpp"
 #include "k8055_report.hpp"
 #include "k8055_usb.hpp"
 #include "ocean/text.hpp"
@@ -29,35 +29,11 @@ constexpr std::uint16_t kFirstProduct = 0x5500;  // and the address
 /// system without udev tells nobody of a new one.
 constexpr auto kTryAgain = std::chrono::seconds(2);
 constexpr auto kLastWords = std::chrono::milliseconds(200);
-constexpr unsigned kOutputTimeout = 1000;  // ms
 
 timeval interval(Clock::duration duration) {
     const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(duration).count();
     return {static_cast<time_t>(whole / 1'000'000), static_cast<suseconds_t>(whole % 1'000'000)};
 }
-
-/// One configured address. What libusb holds of it belongs to the thread of the source.
-struct Board {
-    std::string id;
-    int address = 0;
-    std::vector<Channel> channels;
-    K8055Outputs told{};  // under the source's lock
-    bool there = false;   // so is this
-    std::atomic<bool> to_tell = false;
-
-    libusb_device* device = nullptr;  // a reference, while it is open
-    libusb_device_handle* handle = nullptr;
-    int interface = 0;
-    libusb_transfer* in = nullptr;
-    libusb_transfer* out = nullptr;
-    std::vector<std::uint8_t> in_bytes;
-    std::array<std::uint8_t, kK8055Bytes> out_bytes{};
-    bool in_flies = false;
-    bool out_flies = false;
-    std::optional<Fault> fault;  // why it is to be closed
-    std::optional<K8055Inputs> reported;
-    std::string complaint;  // last one, said once
-};
 
 class K8055Source : public Source {
   public:
@@ -257,19 +233,7 @@ class K8055Source : public Source {
     }
 
     void begin(Board& board, const Wiring& wiring, libusb_device* device) {
-        board.device = libusb_ref_device(device);
-        board.interface = wiring.interface;
-        board.in_bytes.assign(wiring.in_size, 0);
-        board.in = libusb_alloc_transfer(0);
-        board.out = libusb_alloc_transfer(0);
-        libusb_fill_interrupt_transfer(board.in, board.handle, wiring.in, board.in_bytes.data(),
-                                       static_cast<int>(board.in_bytes.size()), reported, this, 0);
-        libusb_fill_interrupt_transfer(board.out, board.handle, wiring.out, board.out_bytes.data(),
-                                       static_cast<int>(board.out_bytes.size()), taken, this,
-                                       kOutputTimeout);
-        board.fault.reset();
-        board.complaint.clear();
-        board.reported.reset();
+        prepare(board, wiring, device, {reported, taken, this});
         {
             const std::lock_guard lock(mutex_);
             board.there = true;
@@ -292,10 +256,7 @@ class K8055Source : public Source {
             if (board.out_flies) libusb_cancel_transfer(board.out);
             handle_events(std::chrono::milliseconds(20));
         }
-        libusb_free_transfer(std::exchange(board.in, nullptr));
-        libusb_free_transfer(std::exchange(board.out, nullptr));
-        libusb_release_interface(board.handle, board.interface);  // of a board that left: an error
-        libusb_close(std::exchange(board.handle, nullptr));
+        release(board);
         libusb_device* device = std::exchange(board.device, nullptr);
         if (!stopped()) {
             const Fault fault = board.fault.value_or(Fault{});
@@ -304,16 +265,6 @@ class K8055Source : public Source {
         }
         board.fault.reset();
         libusb_unref_device(device);
-    }
-
-    void listen(Board& board) {
-        const int error = libusb_submit_transfer(board.in);
-        board.in_flies = error == 0;
-        if (error != 0) fail(board, fault_of(error));
-    }
-
-    static void fail(Board& board, Fault fault) {
-        if (!board.fault) board.fault = std::move(fault);
     }
 
     /// The board whose transfer it is.
@@ -329,7 +280,7 @@ class K8055Source : public Source {
         board.in_flies = false;
         if (auto fault = fault_of(transfer)) return fail(board, std::move(*fault));
         source.report(board, {transfer->buffer, static_cast<std::size_t>(transfer->actual_length)});
-        if (!board.fault) source.listen(board);
+        if (!board.fault) listen(board);
     }
 
     void report(Board& board, std::span<const std::uint8_t> bytes) {
@@ -357,9 +308,7 @@ class K8055Source : public Source {
             if (!board.to_tell.exchange(false)) return;
             board.out_bytes = encode_k8055_outputs(board.told);
         }
-        const int error = libusb_submit_transfer(board.out);
-        board.out_flies = error == 0;
-        if (error != 0) fail(board, fault_of(error));
+        send(board);
     }
 
     void put_out() {
