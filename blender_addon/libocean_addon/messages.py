@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the library says, in the words of the panel: labels of fields where it names parameters by
-their paths, and no lines of a text that nobody sees.
+their paths.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ _LABELS = {(entry["section"], entry["key"]): entry["label"] for entry in paramet
 _SECTIONS = "|".join(sorted({section for section, _ in _LABELS} - {"waves"}))
 _PATH = re.compile(rf"(?<![^\s(])(?:waves\.\d+|{_SECTIONS})\.[a-z_]+\b")
 """Of a parameter in prose; in quotes or behind a slash it is of a file's name."""
-_LINE = re.compile(r"^text:\d+: ")
 
 
 def label_of(path: str, systems: int = 1) -> str:
@@ -46,7 +45,7 @@ def of_error(failure: Exception, systems: int = 1) -> str:
     parameter = getattr(failure, "parameter", "")
     text = label_of(parameter, systems)
     if text == parameter or not failure.value:
-        return in_words(_LINE.sub("", str(failure)), systems)
+        return in_words(str(failure), systems)
     text += f" = {failure.value}"
     if failure.what:
         # A text in quotes is the user's, wherever the library says it again.
@@ -59,19 +58,6 @@ def of_error(failure: Exception, systems: int = 1) -> str:
 def of_file(failure: OSError) -> str:
     """What the system says of a file, without the number of it."""
     return f"{failure.filename}: {failure.strerror}" if failure.filename else str(failure)
-
-
-_OF_SPECTRA = ("file", "record", "place")
-
-
-def name_file(failure: libocean.Error, changed: dict[str, str]) -> None:
-    """Names the parameter of a spectrum that could not be read, where the library does not: one
-    that was changed."""
-    named = [name for name, value in changed.items() if value and name.endswith(_OF_SPECTRA)]
-    if failure.parameter or not named:
-        return
-    failure.parameter = min(named, key=lambda name: _OF_SPECTRA.index(name.rpartition(".")[2]))
-    failure.value = f'"{changed[failure.parameter]}"'
 
 
 def require_files(values: sea_text.SeaValues) -> None:

@@ -64,11 +64,7 @@ class OpenSea:
         else:
             before = self.values.by_name()
             changed = dict(values.by_name().items() - before.items())
-            try:
-                self.sea.set_all(changed)
-            except libocean.Error as failure:
-                messages.name_file(failure, changed)
-                raise
+            self.sea.set_all(changed)
         self.values = values
         self.state_before = self.state or self.state_before
         self.state = self.share = None

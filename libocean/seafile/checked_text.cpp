@@ -94,6 +94,12 @@ Error error_at(const Error& error, std::string_view name, std::size_t line,
     return Error(error.kind(), where + ": " + printable(sentence, 1000), error.fields());
 }
 
+Error error_of_text(const Error& error, const std::string& parameter, std::string_view given) {
+    return Error(
+        error.kind(), error.what(),
+        {.what = error.what(), .parameter = parameter, .value = "\"" + printable(given) + "\""});
+}
+
 std::optional<double> parse_number(std::string_view digits) {
     if (digits.starts_with('+')) digits.remove_prefix(1);
     double value = 0.0;

@@ -124,9 +124,10 @@ const SpectrumRecord& at_time(const Candidates& records, const std::string& time
                               const std::string& file) {
     const std::optional<UtcTime> wanted = parse_utc_time(time);
     if (!wanted) {
-        throw Error(ErrorKind::invalid_value,
-                    "record = \"" + text::printable(time) +
-                        "\": is not a time; allowed: UTC like 2020-06-08T03:50");
+        throw Error(ErrorKind::invalid_value, {.what = "is not a time",
+                                               .parameter = "record",
+                                               .value = "\"" + text::printable(time) + "\"",
+                                               .allowed = "UTC like 2020-06-08T03:50"});
     }
     const SpectrumRecord* nearest = nullptr;
     std::int64_t least = std::numeric_limits<std::int64_t>::max();

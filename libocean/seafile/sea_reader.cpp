@@ -20,8 +20,10 @@ namespace ocean {
 namespace {
 
 RecordChoice choice_of(const WaveSystem& system);
-/// Reads `file` and keeps the record asked for.
-void load_record(WaveSystem& system, const std::string& base_dir, const SpectrumReader& reader);
+/// Reads `file` of waves.`wave` and keeps the record asked for. Throws errors of the parameter that
+/// names the file, or of the one that needs it.
+void load_record(WaveSystem& system, std::size_t wave, const std::string& base_dir,
+                 const SpectrumReader& reader);
 
 class SeaReader {
   public:
@@ -36,7 +38,8 @@ class SeaReader {
     bool read_record(Parameters& parameters, std::string_view section, std::size_t wave,
                      const TomlEntry& entry) const;
     void resolve_record(WaveSystem& system, std::size_t wave) const;
-    Error about(const Error& error, const std::string& parameter, const std::string& prefix) const;
+    void check_inlined(const WaveSystem& system, std::size_t wave) const;
+    Error in_line_of_parameter(const Error& error) const;
     void read_take(Sea& sea) const;
     void read_take_lines(Sea& sea) const;
 
@@ -82,32 +85,39 @@ bool SeaReader::read_record(Parameters& parameters, std::string_view section, st
     return true;
 }
 
-/// Returns the error of another reader, with the line that gives a parameter and `prefix` in front,
-/// as an error of that parameter.
-Error SeaReader::about(const Error& error, const std::string& parameter,
-                       const std::string& prefix) const {
-    ErrorFields fields = error.fields();
-    fields.parameter = parameter;
-    return file().in_front(Error(error.kind(), error.what(), fields),
-                           file().line_of_parameter(parameter), prefix);
+/// Returns the error of a file that a parameter names, with its line, the parameter and the value
+/// in front.
+Error SeaReader::in_line_of_parameter(const Error& error) const {
+    const ErrorFields& fields = error.fields();
+    return file().in_front(error, file().line_of_parameter(fields.parameter),
+                           fields.parameter + " = " + fields.value + ": ");
 }
 
 /// Before the record is looked for: what the sea file itself can be blamed for.
 void SeaReader::resolve_record(WaveSystem& system, std::size_t wave) const {
-    const std::string path = "waves." + std::to_string(wave);
-    const bool is_inlined = system.measured != nullptr;
-    if (!is_inlined && system.spectrum != SpectrumKind::measured) return;
-    const std::string key = is_inlined ? "record" : system.file.empty() ? "spectrum" : "file";
+    if (system.measured != nullptr) return check_inlined(system, wave);
+    if (system.spectrum != SpectrumKind::measured) return;
     try {
-        if (!is_inlined) return load_record(system, base_dir_, spectra_);
-        // Stale after an edit? The inlined record must be the one that `record` asks for.
+        load_record(system, wave, base_dir_, spectra_);
+    } catch (const Error& error) {
+        throw in_line_of_parameter(error);
+    }
+}
+
+/// Throws unless the inlined record is the one that `record` and `place` ask for: after an edit it
+/// may be stale.
+void SeaReader::check_inlined(const WaveSystem& system, std::size_t wave) const {
+    const std::string path = "waves." + std::to_string(wave) + ".";
+    try {
         choose_record({system.measured.get(), 1}, choice_of(system),
                       "[waves." + std::string(kMeasuredRecord) + "]");
     } catch (const Error& error) {
-        const std::string parameter = path + "." + key;
-        const std::string value = key == "spectrum" ? "measured" : text::printable(system.file);
-        const std::string prefix = is_inlined ? path + "." : parameter + " = \"" + value + "\": ";
-        throw about(error, parameter, prefix);
+        ErrorFields fields = error.fields();
+        const bool is_timed = !system.record.empty();
+        fields.parameter = path + (is_timed ? "record" : "place");
+        fields.value = "\"" + text::printable(is_timed ? system.record : system.place) + "\"";
+        throw file().in_front(Error(error.kind(), error.what(), fields),
+                              file().line_of_parameter(path + "record"), path);
     }
 }
 
@@ -119,9 +129,7 @@ void SeaReader::read_take(Sea& sea) const {
         resolve_take(sea, base_dir_);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::bad_file) throw;
-        const std::string parameter = "time.take";
-        const std::string value = text::printable(sea.parameters.time.take);
-        throw about(error, parameter, parameter + " = \"" + value + "\": ");
+        throw in_line_of_parameter(error);
     }
 }
 
@@ -151,11 +159,8 @@ RecordChoice choice_of(const WaveSystem& system) {
     return {system.record, system.place};
 }
 
-void load_record(WaveSystem& system, const std::string& base_dir, const SpectrumReader& reader) {
-    if (system.file.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "needs the measured spectra; allowed: file = a path, relative to the sea file");
-    }
+SpectrumRecord read_chosen(const WaveSystem& system, const std::string& base_dir,
+                           const SpectrumReader& reader) {
     const std::string file = text::to_utf8(utf8_path(base_dir) / utf8_path(system.file));
     const std::vector<SpectrumRecord> records = reader(file);
     const SpectrumRecord& chosen = choose_record(records, choice_of(system), file);
@@ -168,16 +173,35 @@ void load_record(WaveSystem& system, const std::string& base_dir, const Spectrum
         record.warnings.push_back("is of " + record.time +
                                   ": an earlier record cannot be read (`ocean records` says why)");
     }
-    system.measured = std::make_shared<const SpectrumRecord>(std::move(record));
+    return record;
+}
+
+void load_record(WaveSystem& system, std::size_t wave, const std::string& base_dir,
+                 const SpectrumReader& reader) {
+    const std::string path = "waves." + std::to_string(wave) + ".";
+    if (system.file.empty()) {
+        throw text::error_of_text(
+            Error(ErrorKind::invalid_value,
+                  "needs the measured spectra; allowed: file = a path, relative to the sea file"),
+            path + "spectrum", "measured");
+    }
+    try {
+        system.measured =
+            std::make_shared<const SpectrumRecord>(read_chosen(system, base_dir, reader));
+    } catch (const Error& error) {
+        throw text::error_of_text(error, path + "file", system.file);
+    }
 }
 
 }  // namespace
 
 void resolve_files(Sea& sea, const std::string& base_dir, const SpectrumReader& reader) {
-    for (WaveSystem& system : sea.parameters.waves) {
+    std::vector<WaveSystem>& waves = sea.parameters.waves;
+    for (std::size_t wave = 0; wave < waves.size(); ++wave) {
+        const WaveSystem& system = waves[wave];
         const bool needed = system.spectrum == SpectrumKind::measured &&
                             system.measured == nullptr && !system.file.empty();
-        if (needed) load_record(system, base_dir, reader);
+        if (needed) load_record(waves[wave], wave, base_dir, reader);
     }
     resolve_take(sea, base_dir);
 }

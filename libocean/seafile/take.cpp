@@ -99,10 +99,7 @@ void resolve_take(Sea& sea, const std::string& base_dir) {
     try {
         sea.take = parse_take(text::read_file(path, kMaxTakeBytes), path, sea.parameters);
     } catch (const Error& error) {
-        throw Error(error.kind(), error.what(),
-                    {.what = error.what(),
-                     .parameter = "time.take",
-                     .value = "\"" + text::printable(file) + "\""});
+        throw text::error_of_text(error, "time.take", file);
     }
 }
 

@@ -301,7 +301,9 @@ def test_messages_speak_of_the_panels_fields(ocean, tmp_path):
     assert settings.problem == ""
 
 
-@pytest.mark.parametrize("name", ["/grid.resolution", "/waves.0.fetch = 5", "/nowhere surface.x"])
+@pytest.mark.parametrize(
+    "name", ["/grid.resolution", "/waves.0.fetch = 5", "/nowhere surface.x", "waves.0.fetch = 5"]
+)
 def test_messages_take_no_file_for_a_field(ocean, name):
     """A file may be named as a parameter is, or as a whole message."""
     settings = ocean.libocean
@@ -310,6 +312,8 @@ def test_messages_take_no_file_for_a_field(ocean, name):
     settings.take = ""
     settings.waves[0].spectrum, settings.waves[0].file = "measured", name
     assert settings.problem == f'Spectrum file = "{name}": {name}: no such file'
+    bpy.ops.libocean.add_waves()  # the sea is opened anew, from a text
+    assert settings.problem == f'Spectrum file (1) = "{name}": {name}: no such file'
 
 
 def test_a_measured_sea_without_its_file_keeps_the_sea_that_was(ocean):

@@ -149,6 +149,11 @@ def test_errors_carry_the_library_s_sentence_and_code(sea):
         sea.set_all({"take": "/waves.0.fetch = 5", "fetch": 5000})
     assert crossed.value.parameter == "time.take" and crossed.value.code == 3
     assert crossed.value.value == '"/waves.0.fetch = 5"'
+    with pytest.raises(libocean.Error) as unread:
+        sea.set_all({"spectrum": "measured", "file": "waves.0.fetch = 5"})
+    assert unread.value.parameter == "waves.0.file"
+    assert unread.value.value == '"waves.0.fetch = 5"'
+    assert unread.value.what == "waves.0.fetch = 5: no such file" == str(unread.value)
     with pytest.raises(libocean.Error, match="no such file") as missing:
         libocean.open("nowhere.toml")
     assert missing.value.code == 3

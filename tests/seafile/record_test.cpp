@@ -197,6 +197,44 @@ TEST(RecordChoice, IsMadeAnewForASystemWhoseRecordWasReset) {
     EXPECT_EQ(parameters.waves[1].measured, nullptr) << "another place is another record";
 }
 
+template <typename Action>
+ErrorFields fields_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.fields();
+    }
+    return {};
+}
+
+TEST(RecordChoice, ErrorsOfAFileAreOfTheParameterThatNamesIt) {
+    Sea sea =
+        parse("[[waves]]\n[[waves]]\nspectrum = \"measured\"\nfile = \"ndbc_41010.data_spec\"\n");
+    WaveSystem& system = sea.parameters.waves[1];
+    system.measured.reset();
+    system.file = "waves.0.fetch = 5";
+    const ErrorFields fields = fields_of([&] { resolve_files(sea, "/nowhere"); });
+    EXPECT_EQ(fields.parameter, "waves.1.file");
+    EXPECT_EQ(fields.value, "\"waves.0.fetch = 5\"");
+    EXPECT_EQ(fields.what, "/nowhere/waves.0.fetch = 5: no such file");
+}
+
+TEST(RecordChoice, ErrorsOfAnInlinedRecordAreOfWhatAsksForAnother) {
+    const auto fields = [](const std::string& asked) {
+        return fields_of([&] {
+            parse("[[waves]]\nspectrum = \"measured\"\n" + asked +
+                  "\n[waves.measured_record]\nfrequency = [0.1, 0.2]\ndensity = [1.0, 1.0]\n");
+        });
+    };
+    const ErrorFields time = fields("record = \"tomorrow\"");
+    EXPECT_EQ(time.parameter, "waves.0.record");
+    EXPECT_EQ(time.what, "is not a time");
+    EXPECT_EQ(time.value, "\"tomorrow\"");
+    const ErrorFields place = fields("place = \"41010\"");
+    EXPECT_EQ(place.parameter, "waves.0.place");
+    EXPECT_EQ(place.value, "\"41010\"");
+}
+
 TEST(RecordList, IsJsonWithEscapesAndNullForTheUnknown) {
     SpectrumRecord record = record_at("2020-06-08T03:50");
     record.station = "a\"b\\c\n\xFF";

@@ -155,8 +155,12 @@ TEST(SeaFile, MistakesKeepTheirFields) {
     EXPECT_EQ(fields("[water]\ndepth = 0.001\n").allowed, "0.01 .. inf m");
     EXPECT_EQ(fields("[surface]\nlongest_wavelength = 1\nshortest_wavelength = 5\n").parameter,
               "surface.longest_wavelength");
-    EXPECT_EQ(fields("[[waves]]\nspectrum = \"measured\"\nfile = \"nowhere\"\n").parameter,
-              "waves.0.file");
+    const ErrorFields file =
+        fields("[[waves]]\nspectrum = \"measured\"\nfile = \"/waves.0.fetch = 5\"\n");
+    EXPECT_EQ(file.parameter, "waves.0.file");
+    EXPECT_EQ(file.value, "\"/waves.0.fetch = 5\"");
+    EXPECT_EQ(file.what, "/waves.0.fetch = 5: no such file");
+    EXPECT_EQ(fields("[[waves]]\nspectrum = \"measured\"\n").parameter, "waves.0.spectrum");
     EXPECT_EQ(fields("[time]\ntake = \"nowhere\"\n").parameter, "time.take");
     EXPECT_EQ(fields("[take]\nlines = [\"1 wind_speed 99\"]\n").parameter, "waves.0.wind_speed");
 }

@@ -35,7 +35,7 @@ Sea parse_sea(std::string_view toml, const std::string& name, const std::string&
               const SpectrumReader& reader = read_spectra);
 /// Reads what the parameters name and the sea does not have yet, after set_parameter: the record of
 /// each measured system without one, and a take other than the one it has. Throws as read_spectra,
-/// choose_record and parse_take.
+/// choose_record and parse_take, as errors of the parameter that names the file.
 void resolve_files(Sea& sea, const std::string& base_dir,
                    const SpectrumReader& reader = read_spectra);
 /// Returns the files that a sea names, as its own file spells them: its take and its spectra.

@@ -35,6 +35,9 @@ Error error_at(ErrorKind kind, std::string_view name, std::size_t line, std::str
 /// and its fields, which programs read.
 Error error_at(const Error& error, std::string_view name, std::size_t line,
                std::string_view prefix = "");
+/// Returns the error of a reader as one of the parameter whose text, such as a file's name, made it
+/// read. The sentence stays; it is what is wrong with the text.
+Error error_of_text(const Error& error, const std::string& parameter, std::string_view given);
 
 /// The number that all of `digits` spells, finite or not; nothing if it spells none.
 std::optional<double> parse_number(std::string_view digits);
