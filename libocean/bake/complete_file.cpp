@@ -58,13 +58,17 @@ void require_own_files(const BakePlan& plan, const Manifest& manifest) {
     }
 }
 
-ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
-    ManifestEntry entry;
+void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry) {
     entry.name = native(file).filename().string();
     entry.frame = file.frame;
     entry.time = plan.subject->time_of(file.frame);
     entry.product = file.product;
     entry.recipe = plan.format->recipe(plan, file);
+}
+
+ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
+    ManifestEntry entry;
+    describe(plan, file, entry);
     hash_file(file, entry);
     entry.pixels_sha256 = hash_pixels(plan, file, threads);
     return entry;

@@ -19,6 +19,10 @@ bool is_regular(const BakeFile& file);
 /// the user's: neither the manifest lists it nor does it look so.
 void require_own_files(const BakePlan& plan, const Manifest& manifest);
 
+/// Writes into the entry what a plan says of a file before it is read: name, frame, time, product
+/// and recipe.
+void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry);
+
 /// Reads all of a file, and its pixels. Throws Error bad_file if it is damaged or none of this
 /// plan.
 ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads);

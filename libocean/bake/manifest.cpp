@@ -73,6 +73,15 @@ void Manifest::add(ManifestEntry entry) {
     added_.insert_or_assign(std::move(name), std::move(entry));
 }
 
+std::optional<ManifestEntry> Manifest::added(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    for (const ManifestEntries* entries : {&added_, &saved_}) {
+        const auto entry = entries->find(name);
+        if (entry != entries->end()) return entry->second;
+    }
+    return std::nullopt;
+}
+
 void Manifest::set_missing(std::vector<int> frames) {
     const std::lock_guard lock(mutex_);
     missing_ = std::move(frames);
@@ -83,14 +92,16 @@ void Manifest::save(const std::function<void()>& before_it) {
     if (folder.empty()) folder = ".";
     const io::FolderLock lock(text::to_utf8(folder));
     if (before_it) before_it();
-    ManifestEntries merged;
+    ManifestEntries fresh, saved;
     std::vector<int> missing;
     {
         const std::lock_guard guard(mutex_);
-        merged = added_;
+        fresh = added_;
+        saved = saved_;
         missing = missing_;
     }
-    if (merged.empty()) return;
+    if (fresh.empty() && saved.empty()) return;
+    ManifestEntries merged = fresh;
     std::string before;
     try {
         before = read_text(utf8_path(path_));
@@ -98,9 +109,20 @@ void Manifest::save(const std::function<void()>& before_it) {
     } catch (const Error&) {
         // Replaced, as the run has warned at its start.
     }
+    merged.merge(saved);  // a file that was lost since has them no more
     drop_missing_files(merged, folder);
     const std::string text = manifest_text(merged, missing);
     if (text != before) io::write_file_atomically(path_, text);
+    note_saved(fresh);
+}
+
+void Manifest::note_saved(ManifestEntries& fresh) {
+    const std::lock_guard guard(mutex_);
+    for (auto& [name, entry] : fresh) {
+        const auto now = added_.find(name);
+        if (now->second == entry) added_.erase(now);  // not added again meanwhile
+        saved_.insert_or_assign(name, std::move(entry));
+    }
 }
 
 }  // namespace ocean

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct ManifestEntry {
     std::string sha256;         // of the file
     std::string pixels_sha256;  // of the decoded samples; "" for what is no image
     std::string recipe;         // SHA-256 of all that decides the file's content
+
+    bool operator==(const ManifestEntry&) const = default;
 };
 
 /// A manifest opens with this key and its version.
@@ -51,19 +54,25 @@ class Manifest {
 
     /// Any thread.
     void add(ManifestEntry entry);
+    /// Returns the entry of `name` that was added last. Any thread.
+    std::optional<ManifestEntry> added(const std::string& name);
     /// Frames that are named as not there.
     void set_missing(std::vector<int> frames);
-    /// Merges what was added into the file; entries without a file are dropped. `before_it` is
-    /// called when no other run merges into the folder, for what must agree with it. Any thread,
-    /// one at a time. Throws Error output.
+    /// Merges into the file what was added since it was saved last: what was saved before may be
+    /// older than what another run has written over it. Entries without a file are dropped.
+    /// `before_it` is called when no other run merges into the folder, for what must agree with it.
+    /// Any thread, one at a time. Throws Error output.
     void save(const std::function<void()>& before_it = {});
 
   private:
+    void note_saved(ManifestEntries& fresh);
+
     std::string path_;
     std::string distrust_;
     ManifestEntries found_;
     std::mutex mutex_;
-    ManifestEntries added_;
+    ManifestEntries added_;  // since the last save
+    ManifestEntries saved_;
     std::vector<int> missing_;
 };
 

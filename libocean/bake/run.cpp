@@ -179,13 +179,29 @@ void tell_gaps(const Bake& bake, const std::vector<int>& listed, const std::vect
         frames_text(missing));
 }
 
+/// Gives the entry of a shared file the frame that a plan names: the file is the same for all
+/// chunks, and each of them entered it with the first frame that it knew of.
+void describe_anew(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
+    ManifestEntry entry;
+    describe(plan, file, entry);
+    const std::optional<ManifestEntry> known = bake.manifest.added(entry.name);
+    if (!known) return;  // a device has no entry
+    entry.bytes = known->bytes;
+    entry.sha256 = known->sha256;
+    entry.pixels_sha256 = known->pixels_sha256;
+    bake.manifest.add(std::move(entry));
+}
+
 /// Lists the frames anew: another chunk may have made some meanwhile.
 void update_frame_lists(const Bake& bake) {
     BakePlan plan = bake.plan;
     const FramesThere there = frames_of_folder(plan);
     plan.all_frames = united(plan.all_frames, there.of_plan);
     const std::vector<BakeFile> files = plan.format->shared_files(plan);
-    for (std::size_t i = 0; i < plan.format->frame_lists; ++i) put_shared(bake, plan, files[i]);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const bool lists_frames = i < plan.format->frame_lists;
+        lists_frames ? put_shared(bake, plan, files[i]) : describe_anew(bake, plan, files[i]);
+    }
     if (plan.format->hides_gaps) tell_gaps(bake, plan.all_frames, there.of_plan);
 }
 

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Claims: chunks of a stage that are baked at the same time leave the files and the manifest of one
+// bake of all frames, in whatever order they begin and end; a chunk that fails leaves the entries
+// of the others as they are.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "manifest.hpp"
+#include "ocean/bake/run.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/seafile.hpp"
+#include "sha256.hpp"
+#include "temporary_folder.hpp"
+
+namespace ocean {
+namespace {
+
+using test::TemporaryFolder;
+
+void bake_chunk(const TemporaryFolder& folder, const std::string& frames, BakeHost& host) {
+    BakeOptions options;
+    options.source = "preset:beaufort_4";
+    options.output = folder.file("sea.usda");
+    options.frames = frames;
+    options.resolution = "32";
+    options.threads = 1;
+    options.of_format = {{"products", "position"}};
+    options.open_subject = [](const std::string&) {
+        return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
+    };
+    run_bake(make_bake_plan(options, standard_catalogue()), host);
+}
+
+/// Bakes the chunk of another machine after so many of its own writes: the first is that of the
+/// shared files.
+struct Interleaved : BakeHost {
+    const TemporaryFolder& folder;
+    std::string other;
+    int writes_before = 1;
+    bool leaves = false;  // after its first frame
+
+    Interleaved(const TemporaryFolder& in, std::string frames, int writes)
+        : folder(in), other(std::move(frames)), writes_before(writes) {}
+    void whole(const std::function<void()>& write) override {
+        write();
+        if (--writes_before != 0) return;
+        BakeHost nobody;
+        bake_chunk(folder, other, nobody);
+    }
+    void frame_baked(int, double, const std::vector<std::string>&) override {
+        if (leaves) throw std::runtime_error("nobody listens any more");
+    }
+};
+
+std::map<std::string, std::string> contents(const TemporaryFolder& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+        files[entry.path().filename().string()] = test::read_bytes(entry.path().string());
+    }
+    return files;
+}
+
+TEST(Chunks, AtTheSameTimeLeaveWhatOneBakeLeaves) {
+    const TemporaryFolder whole;
+    BakeHost nobody;
+    bake_chunk(whole, "1-4", nobody);
+    for (const auto& [begun_first, other, writes_before] :
+         {std::tuple("3-4", "1-2", 1), std::tuple("1-2", "3-4", 1), std::tuple("3-4", "1-2", 2)}) {
+        const TemporaryFolder parts;
+        Interleaved host(parts, other, writes_before);
+        bake_chunk(parts, begun_first, host);
+        const auto baked = contents(parts);
+        for (const auto& [name, content] : contents(whole)) {
+            ASSERT_TRUE(baked.contains(name)) << name;
+            EXPECT_TRUE(baked.at(name) == content) << name << " of " << begun_first << " first";
+        }
+    }
+}
+
+TEST(Chunks, OneThatFailsLeavesTheEntriesOfOthers) {
+    const TemporaryFolder folder;
+    Interleaved host(folder, "1-2", 2);
+    host.leaves = true;
+    EXPECT_THROW(bake_chunk(folder, "3-4", host), std::runtime_error);
+    const auto files = contents(folder);
+    const ManifestEntries entries = parse_manifest(files.at("sea.manifest.json"));
+    EXPECT_EQ(entries.size(), files.size() - 1);
+    for (const auto& [name, entry] : entries) {
+        EXPECT_EQ(entry.sha256, sha256_hex(files.at(name))) << name;
+    }
+    EXPECT_EQ(entries.at("sea.clips.usda").frame, 1);
+}
+
+}  // namespace
+}  // namespace ocean
