@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tables of what the library bakes; see catalogue.hpp. A new format is one line here.
+// The tables of what the library bakes; see catalogue.hpp. A new format or
+// made product is one line here.
 #include "ocean/bake/catalogue.hpp"
 
 #include "formats/formats.hpp"
-#include "ocean/caustics.hpp"
-#include "ocean/detail.hpp"
 #include "ocean/sea_subject.hpp"
+#include "products/products.hpp"
 
 namespace ocean {
-namespace {
 
-/// "a, b or c".
 std::string listing(const std::vector<std::string>& words, std::string_view conjunction) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -22,8 +20,6 @@ std::string listing(const std::vector<std::string>& words, std::string_view conj
     }
     return text;
 }
-
-}  // namespace
 
 std::string Catalogue::extensions(std::string_view conjunction) const {
     std::vector<std::string> words;
@@ -65,6 +61,15 @@ std::string Catalogue::backend_names() const {
     return listing(words, "or");
 }
 
+std::vector<Product> all_products(std::span<const Product> of_channels,
+                                  std::span<const MadeProduct* const> made) {
+    std::vector<Product> all(of_channels.begin(), of_channels.end());
+    for (const MadeProduct* family : made) {
+        all.insert(all.end(), family->products.begin(), family->products.end());
+    }
+    return all;
+}
+
 const Catalogue& standard_catalogue() {
     static constexpr const BakeFormat* kFormats[] = {
         &kExrFormat, &kDf3Format, &kHeightFieldFormat, &kMesh2Format,
@@ -73,14 +78,10 @@ const Catalogue& standard_catalogue() {
         &kVdbFormat,
 #endif
     };
-    static const std::vector<Product> products = [] {
-        std::vector<Product> all(product_table().begin(), product_table().end());
-        all.push_back(kCausticsProduct);
-        all.insert(all.end(), kDetailProducts.begin(), kDetailProducts.end());
-        return all;
-    }();
+    static constexpr const MadeProduct* kMade[] = {&kCaustics, &kSlopeTiles};
+    static const std::vector<Product> products = all_products(product_table(), kMade);
     static constexpr SubjectReader kSubjects[] = {{kSeaKind, parse_sea_subject}};
-    static const Catalogue catalogue{kFormats, products, core_backends(), kSubjects};
+    static const Catalogue catalogue{kFormats, products, core_backends(), kSubjects, {}, kMade};
     return catalogue;
 }
 

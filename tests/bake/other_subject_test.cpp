@@ -181,6 +181,11 @@ TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
     EXPECT_EQ(bake(options), "kk");  // resumed
     EXPECT_TRUE(std::filesystem::exists(folder.file("plane.manifest.json")));
 
+    // Its files are no user's: without a manifest they are baked over.
+    std::filesystem::remove(folder.file("plane.manifest.json"));
+    options.skip_existing = false;
+    EXPECT_EQ(bake(options), "bb");
+
     if (extension == ".png") return;  // it has no header
     const BakePlan plan = make_bake_plan(options, catalogue_with_planes());
     for (const BakeFile& file : plan.format->files(plan, 2)) {
@@ -217,6 +222,27 @@ TEST(OtherSubject, IsTakenFromItsOwnFile) {
     };
     EXPECT_EQ(bytes(folder.file("plane.exr")), bytes(folder.file("again.exr")));
     ASSERT_FALSE(bytes(folder.file("again.exr")).empty());
+}
+
+TEST(OtherSubject, HasNoFramesOfAnotherInItsStage) {
+    const TemporaryFolder folder;
+    struct Warnings : BakeHost {
+        int count = 0;
+        void warning(const std::string&) override { ++count; }
+    };
+    const auto warnings = [&](const std::string& frames, double level) {
+        BakeOptions options = plane_bake(folder.file("plane.usda"));
+        options.frames = frames;
+        options.open_subject = [level](const std::string&) {
+            return std::make_unique<Plane>(level);
+        };
+        Warnings host;
+        run_bake(make_bake_plan(options, catalogue_with_planes()), host);
+        return host.count;
+    };
+    EXPECT_EQ(warnings("1-2", 2.5), 0);
+    EXPECT_EQ(warnings("3-4", 2.5), 0);
+    EXPECT_GT(warnings("5-6", 9.0), 0);
 }
 
 TEST(OtherSubject, IsRefusedWhatOnlyASeaHas) {

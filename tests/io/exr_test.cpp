@@ -185,14 +185,15 @@ TEST(Exr, RefusesChannelsThatWereNotEvaluated) {
 TEST(Exr, AMapThatWasMadeIsWrittenAsItIs) {
     const Surface surface = test::sample_surface(32);
     const Products products{&kCausticsProduct, &find_product("height")};
-    std::vector<float> made(32 * 32, 0.25f);
+    std::vector<float> samples(32 * 32, 0.25f);
+    io::MadeMap made[] = {{&kCausticsProduct, samples}};
     const io::Provenance label = label_of(surface, 1);
     const io::Image alone =
         io::product_image(std::span(products).first(1), {}, label, surface, made);
     ASSERT_EQ(alone.planes.size(), 1u);
     EXPECT_EQ(alone.planes[0].name, "Y");
     EXPECT_EQ(alone.planes[0].type, io::PixelType::half_float);
-    EXPECT_EQ(alone.planes[0].samples.data(), made.data());
+    EXPECT_EQ(alone.planes[0].samples.data(), samples.data());
     EXPECT_EQ(string_of(alone, "ocean:field"), "caustics");
     EXPECT_EQ(string_of(alone, "ocean:unit"), "1");
     const io::Image layered = io::product_image(products, {.layered = true}, label, surface, made);
@@ -201,7 +202,7 @@ TEST(Exr, AMapThatWasMadeIsWrittenAsItIs) {
     EXPECT_EQ(io::exr_channels(layered),
               io::exr_channels(io::product_image(products, {.layered = true}, label, 32)));
     EXPECT_THROW(io::product_image(products, {.layered = true}, label, surface), Error);
-    made.pop_back();
+    made[0].samples = made[0].samples.first(32 * 32 - 1);
     EXPECT_THROW(io::product_image(products, {.layered = true}, label, surface, made), Error);
 }
 

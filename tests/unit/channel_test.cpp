@@ -235,6 +235,20 @@ TEST(Products, AreFoundByNameAmongThoseThatThereAre) {
     }
 }
 
+/// Of image files whose options leave it open: what moves geometry is float, the rest half.
+TEST(Products, StateHowFilesKeepThem) {
+    std::string full, always, of_halves;
+    for (const Product& product : kProducts) {
+        const std::string name = " " + std::string(product.name);
+        if (product.precision == Precision::full) full += name;
+        if (product.run_lengths == RunLengths::always) always += name;
+        if (product.run_lengths == RunLengths::of_halves) of_halves += name;
+    }
+    EXPECT_EQ(full, " displacement velocity");
+    EXPECT_EQ(always, " slope whitecap foam cover");
+    EXPECT_EQ(of_halves, " normal jacobian derivatives");
+}
+
 TEST(Backends, AreFoundByName) {
     EXPECT_EQ(find_backend("dft"), Backend::dft);
     EXPECT_THROW(find_backend("gl"), Error);

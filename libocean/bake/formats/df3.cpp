@@ -10,9 +10,9 @@
 
 #include <algorithm>
 
-#include "formats/detail_tiles.hpp"
 #include "formats/formats.hpp"
 #include "ocean/bake/plan.hpp"
+#include "ocean/detail.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/io/output_file.hpp"
@@ -71,8 +71,8 @@ FormatPlan settle(const BakePlan& begun) {
     }
     if (settings.detail_map) {
         // As fine as the map, so that the files grow alike.
-        settings.detail = {begun.resolution,
-                           std::clamp(begun.resolution, kLeastDetailSamples, kUsualDetailSamples)};
+        settings.detail = {begun.resolution, std::clamp(begun.resolution, kLeastDetailSamples,
+                                                        DetailSettings{}.samples)};
         settings.detail_bands = static_cast<int>(
             detail_bands(sea_of(*begun.subject).parameters, settings.detail).size());
     }

@@ -4,7 +4,9 @@
 // The formats of this folder, and what several of them need.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ocean/bake/catalogue.hpp"
@@ -22,8 +24,33 @@ extern const BakeFormat kObjFormat;
 extern const BakeFormat kUsdFormat;
 extern const BakeFormat kVdbFormat;
 
-/// "normal, foam". Throws Error invalid_value for a name that is unknown or there twice.
+/// Returns "a, b or c".
+std::string listing(const std::vector<std::string>& words, std::string_view conjunction);
+
+/// Returns the products of "normal, foam". Throws Error invalid_value for a name that is unknown or
+/// there twice.
 std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue);
+
+/// The products that files of a format can hold, for the one parser of --products.
+struct ProductChoice {
+    std::span<const Product> known;     // in which names are looked up
+    std::string_view usual;             // the list where none is typed
+    const Product* alone = nullptr;     // points, never beside others; not among `known`
+    std::string_view nothing = {};      // stands for no product: "position"
+    std::string_view holder = {};       // of `allowed` in messages: "a mesh"
+    std::string_view allowed = {};      // of `known`, "normal,foam"; empty: all
+    std::string_view one_refusal = {};  // of any list that does not fit; empty: one for each cause
+};
+
+struct ChosenProducts {
+    std::vector<const Product*> products;
+    bool usual = false;  // no product was asked for
+
+    bool has(const Product& product) const;
+};
+
+/// Returns what --products asks for. Throws Error invalid_value.
+ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& choice);
 
 /// Returns those products of a default list whose channels the subject has.
 std::vector<const Product*> those_of(const Subject& subject,

@@ -17,7 +17,8 @@ std::vector<FormatOption> list_options(const Catalogue&) {
 }
 
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
-    return read_plain_mesh(options, catalogue, kProducts, kAll);
+    return read_plain_mesh(
+        options, choose_products(options, plain_mesh_products(catalogue, kProducts, kAll)));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {

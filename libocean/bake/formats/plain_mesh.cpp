@@ -47,23 +47,16 @@ std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all
             {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
 }
 
-PlainMesh read_plain_mesh(const BakeOptions& options, const Catalogue& catalogue,
-                          std::string_view products, bool all) {
-    PlainMesh mesh;
-    const std::string allowed(products);
-    std::string list = options.format_option("products");
-    mesh.usual = list.empty();
-    if (mesh.usual) list = all ? allowed : std::string(kNormalAlone);
-    if (list != kNothing) mesh.products = find_products(list, catalogue);
-    const std::vector<const Product*> possible = find_products(allowed, catalogue);
-    for (const Product* product : mesh.products) {
-        if (std::ranges::find(possible, product) != possible.end()) continue;
-        throw Error(ErrorKind::invalid_value, "--products " + list + ": a mesh has no " +
-                                                  std::string(product->name) +
-                                                  "; allowed are position, " + allowed);
-    }
-    mesh.axes = read_up_axes(options, "a mesh");
-    return mesh;
+ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view products, bool all) {
+    return {.known = catalogue.products,
+            .usual = all ? products : kNormalAlone,
+            .nothing = kNothing,
+            .holder = "a mesh",
+            .allowed = products};
+}
+
+PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen) {
+    return {chosen.products, chosen.usual, read_up_axes(options, "a mesh")};
 }
 
 const PlainMesh& plain_mesh_of(const BakePlan& plan) {

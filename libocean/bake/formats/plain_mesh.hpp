@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/formats.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/io/mesh.hpp"
@@ -30,8 +31,8 @@ struct PlainMesh {
 
 /// `products` are those that the format can hold, its default if `all`, else normals alone.
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all);
-PlainMesh read_plain_mesh(const BakeOptions& options, const Catalogue& catalogue,
-                          std::string_view products, bool all);
+ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view products, bool all);
+PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen);
 const PlainMesh& plain_mesh_of(const BakePlan& plan);
 
 FormatPlan settle_plain_mesh(const BakePlan& begun);

@@ -21,9 +21,12 @@ std::vector<FormatOption> list_options(const Catalogue&) {
 }
 
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
-    if (wants_spray(options)) return read_spray(options);
+    ProductChoice choice = plain_mesh_products(catalogue, kProducts, kAll);
+    choice.alone = &kSprayProduct;
+    const ChosenProducts chosen = choose_products(options, choice);
+    if (chosen.has(kSprayProduct)) return read_spray(options);
     refuse_spray_options(options, kSprayProduct.name);
-    return read_plain_mesh(options, catalogue, kProducts, kAll);
+    return read_plain_mesh(options, chosen);
 }
 
 std::vector<const Product*> list_products(const BakePlan& begun) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
+//
+// What several formats read of their options: --products and --axes.
 #include <algorithm>
 #include <iterator>
 
@@ -11,18 +13,77 @@
 
 namespace ocean {
 
-std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue) {
+namespace {
+
+[[noreturn]] void refuse(const std::string& list, const std::string& reason) {
+    throw Error(ErrorKind::invalid_value, "--products " + list + ": " + reason);
+}
+
+std::vector<const Product*> parse_products(const std::string& list,
+                                           std::span<const Product> known) {
     std::vector<const Product*> products;
     for (const std::string& part : split(list, ',')) {
         const std::string name(csv::trimmed(part));
-        const Product* product = &find_product(name, catalogue.products);
-        if (std::find(products.begin(), products.end(), product) != products.end()) {
-            throw Error(ErrorKind::invalid_value,
-                        "--products " + list + ": " + name + " is there twice");
+        const Product* product = &find_product(name, known);
+        if (std::ranges::find(products, product) != products.end()) {
+            refuse(list, name + " is there twice");
         }
         products.push_back(product);
     }
     return products;
+}
+
+/// Whether the list is that product. Throws Error where it is one of several.
+bool is_alone(const std::string& list, const Product& product) {
+    if (list == product.name) return true;
+    for (const std::string& part : split(list, ',')) {
+        if (csv::trimmed(part) != product.name) continue;
+        const std::string name(product.name);
+        refuse(list, name + " is points of its own; allowed is --products " + name + " alone");
+    }
+    return false;
+}
+
+void require_allowed(const std::string& list, const std::vector<const Product*>& products,
+                     const ProductChoice& choice) {
+    if (choice.allowed.empty()) return;
+    const std::string allowed(choice.allowed);
+    const auto possible = parse_products(allowed, choice.known);
+    for (const Product* product : products) {
+        if (std::ranges::find(possible, product) != possible.end()) continue;
+        refuse(list, std::string(choice.holder) + " has no " + std::string(product->name) +
+                         "; allowed are " + std::string(choice.nothing) + ", " + allowed);
+    }
+}
+
+}  // namespace
+
+std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue) {
+    return parse_products(list, catalogue.products);
+}
+
+bool ChosenProducts::has(const Product& product) const {
+    return std::ranges::any_of(products,
+                               [&](const Product* one) { return one->name == product.name; });
+}
+
+ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& choice) {
+    const std::string& typed = options.format_option("products");
+    ChosenProducts chosen;
+    chosen.usual = typed.empty();
+    const std::string list = chosen.usual ? std::string(choice.usual) : typed;
+    if (choice.alone != nullptr && is_alone(list, *choice.alone)) {
+        chosen.products = {choice.alone};
+    } else if (choice.nothing.empty() || list != choice.nothing) {
+        try {
+            chosen.products = parse_products(list, choice.known);
+        } catch (const Error&) {
+            if (choice.one_refusal.empty()) throw;
+            refuse(list, std::string(choice.one_refusal));
+        }
+        require_allowed(list, chosen.products, choice);
+    }
+    return chosen;
 }
 
 std::vector<const Product*> those_of(const Subject& subject,

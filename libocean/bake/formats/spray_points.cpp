@@ -7,7 +7,6 @@
 #include "formats/formats.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/internal/csv_rows.hpp"
 #include "ocean/internal/memory.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
@@ -48,18 +47,6 @@ std::vector<FormatOption> spray_options() {
          "thinner; default " +
              std::to_string(usual.most)},
     };
-}
-
-bool wants_spray(const BakeOptions& options) {
-    const std::string& products = options.format_option("products");
-    if (products == kSprayProduct.name) return true;
-    for (const std::string& part : split(products, ',')) {
-        if (csv::trimmed(part) != kSprayProduct.name) continue;
-        throw Error(ErrorKind::invalid_value, "--products " + products +
-                                                  ": spray is points of its own; allowed is "
-                                                  "--products spray alone");
-    }
-    return false;
 }
 
 void refuse_spray_options(const BakeOptions& options, std::string_view made_of_it) {

@@ -28,8 +28,6 @@ struct SprayPoints {
 
 /// --spray-lifetime, --spray-density, --spray-most.
 std::vector<FormatOption> spray_options();
-/// Whether --products asks for spray. Throws Error invalid_value where it asks for more beside it.
-bool wants_spray(const BakeOptions& options);
 /// Throws Error invalid_value for an option of spray: what is asked for is not `made_of_it`.
 void refuse_spray_options(const BakeOptions& options, std::string_view made_of_it);
 SpraySettings read_spray_settings(const BakeOptions& options);

@@ -30,7 +30,8 @@ std::vector<FormatOption> list_options(const Catalogue&) {
 }
 
 std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
-    return read_plain_mesh(options, catalogue, kProducts, kAll);
+    return read_plain_mesh(
+        options, choose_products(options, plain_mesh_products(catalogue, kProducts, kAll)));
 }
 
 /// Throws unless they are FIRST-LASTxSTEP.
@@ -146,7 +147,7 @@ std::string recipe(const BakePlan& plan, const BakeFile& file) {
     return bake_recipe(plan, file.frame, file.product + "\n" + text);
 }
 
-/// The sea, its samples and what the mesh holds; not the time, the backend and the version.
+/// The subject, its samples and what the mesh holds; not the time, the backend and the version.
 bool is_of_plan(const BakePlan& plan, const BakeFile& file) {
     std::vector<io::HeaderString> found;
     try {
@@ -162,7 +163,9 @@ bool is_of_plan(const BakePlan& plan, const BakeFile& file) {
     const std::vector<io::HeaderString> wanted =
         io::parse_comment_lines(io::comment_lines(plain_mesh_strings(plan, file.frame), "-"), "-");
     return std::ranges::all_of(
-        std::array{"ocean:sea", "ocean:frame", "ocean:resolution", "ocean:axes", "ocean:field"},
+        std::array{"ocean:" + std::string(plan.subject->kind()), std::string("ocean:frame"),
+                   std::string("ocean:resolution"), std::string("ocean:axes"),
+                   std::string("ocean:field")},
         [&](std::string_view name) { return text_of(found, name) == text_of(wanted, name); });
 }
 

@@ -21,7 +21,10 @@ std::vector<FormatOption> list_options(const Catalogue&) {
 }
 
 std::any read_options(const BakeOptions& options, const Catalogue&) {
-    if (!wants_spray(options)) return read_volumes(options);
+    ProductChoice choice = volume_choice();
+    choice.alone = &kSprayProduct;
+    const ChosenProducts chosen = choose_products(options, choice);
+    if (!chosen.has(kSprayProduct)) return read_volumes(options, chosen);
     for (const char* const name : {"box", "voxel", "velocity-voxel", "mist", "type"}) {
         const std::string& value = options.format_option(name);
         if (value.empty()) continue;

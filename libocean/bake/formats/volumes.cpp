@@ -25,9 +25,12 @@
 namespace ocean {
 namespace {
 
-constexpr Product kSurface = {"surface", {}, 0, "m"};
-constexpr Product kVelocity = {"vel", {}, 0, "m/s", true, kSeaKind};
-constexpr Product kDensity = {"density", {}, 0, "1/m", false, kSeaKind};
+constexpr Product kVolumeProducts[] = {{"surface", {}, 0, "m"},
+                                       {"vel", {}, 0, "m/s", true, kSeaKind},
+                                       {"density", {}, 0, "1/m", false, kSeaKind}};
+constexpr const Product& kSurface = kVolumeProducts[0];
+constexpr const Product& kVelocity = kVolumeProducts[1];
+constexpr const Product& kDensity = kVolumeProducts[2];
 constexpr std::string_view kUsualProducts = "surface,vel";  // without vel where no water moves
 constexpr std::string_view kCrest = "crest";
 
@@ -100,21 +103,6 @@ std::vector<std::string_view> fields_of(const std::string& list, std::size_t lim
     return csv::split(list, ',', limit).value_or(std::vector<std::string_view>{});
 }
 
-void read_products(const std::string& list, VolumeSettings& settings) {
-    const std::string text = list.empty() ? std::string(kUsualProducts) : list;
-    for (const std::string_view name : fields_of(text, 3)) {
-        bool VolumeSettings::*const product = name == kSurface.name    ? &VolumeSettings::surface
-                                              : name == kVelocity.name ? &VolumeSettings::velocity
-                                              : name == kDensity.name  ? &VolumeSettings::density
-                                                                       : nullptr;
-        if (product == nullptr || settings.*product) {
-            refuse("--products " + list +
-                   ": of a volume allowed are surface, vel and density, each once");
-        }
-        settings.*product = true;
-    }
-}
-
 std::array<double, 6> read_box(const std::string& text) {
     const std::string what = "--box " + text;
     const std::vector<std::string_view> sides = fields_of(text, 6);
@@ -141,10 +129,18 @@ double read_voxel(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-std::any read_volumes(const BakeOptions& options) {
+ProductChoice volume_choice() {
+    return {.known = kVolumeProducts,
+            .usual = kUsualProducts,
+            .one_refusal = "of a volume allowed are surface, vel and density, each once"};
+}
+
+std::any read_volumes(const BakeOptions& options, const ChosenProducts& chosen) {
     VolumeSettings settings;
-    settings.usual = options.format_option("products").empty();
-    read_products(options.format_option("products"), settings);
+    settings.usual = chosen.usual;
+    settings.surface = chosen.has(kSurface);
+    settings.velocity = chosen.has(kVelocity);
+    settings.density = chosen.has(kDensity);
     if (const std::string& box = options.format_option("box"); !box.empty()) {
         settings.box = read_box(box);
     }

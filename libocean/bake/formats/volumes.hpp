@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/formats.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/io/vdb.hpp"
@@ -16,7 +17,8 @@
 namespace ocean {
 
 std::vector<FormatOption> volume_options();
-std::any read_volumes(const BakeOptions& options);
+ProductChoice volume_choice();
+std::any read_volumes(const BakeOptions& options, const ChosenProducts& chosen);
 std::vector<const Product*> volume_products(const BakePlan& begun);
 FormatPlan settle_volumes(const BakePlan& begun);
 std::vector<BakeFile> list_volumes(const BakePlan& plan, int frame);

@@ -31,8 +31,13 @@ inline constexpr double kLeastCausticsSun = 5.0;  // degrees
 inline constexpr ChannelSet kCausticsChannels = {Channel::dx, Channel::dy, Channel::height,
                                                  Channel::nx, Channel::ny, Channel::nz};
 /// As users ask for it.
-inline constexpr Product kCausticsProduct = {
-    .name = "caustics", .channels = {}, .count = 0, .unit = "", .subject = kSeaKind};
+inline constexpr Product kCausticsProduct = {.name = "caustics",
+                                             .channels = {},
+                                             .count = 0,
+                                             .unit = "",
+                                             .subject = kSeaKind,
+                                             .precision = Precision::half,
+                                             .run_lengths = RunLengths::never};
 
 /// Irradiance of the plane over what it is under flat water, resolution^2 values [j][i]: the mean
 /// over the cell of sample (i, j), whose middle is (i, j) period / resolution. The map's mean is 1.

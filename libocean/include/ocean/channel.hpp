@@ -278,14 +278,28 @@ LinearSet fields_of(ChannelSet channels, bool flat = false,
 /// The most that any of them reads.
 FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further = {});
 
+/// Type of a product's samples in an image file whose options leave it open.
+enum class Precision {
+    half,
+    full,  // of what moves geometry: half is 2 mm at 4 m, too coarse
+};
+
+/// Whether run lengths pay in a product's image file: where they leave less than 0.9 of the bytes,
+/// for at most 1.4 times the CPU of a frame that is computed and written as it is. They leave 0.14
+/// of whitecaps, 0.68 of slopes, whose B is empty, 0.86 of halves of normals. ZIP leaves 0.97 of
+/// float displacement for 5.5 times, 0.72 of normals for 4.4 [measured, N = 1024].
+enum class RunLengths { never, of_halves, always };
+
 /// What users ask for by name: a channel, or the components of a vector.
 struct Product {
     std::string_view name;
     std::array<Channel, 3> channels;  // the first `count` hold
-    int count;  // 0: one map that is made of a whole surface, not of the channels of a sample
+    int count;                        // 0: a map without channels, made of a whole frame
     std::string_view unit;
     bool vector = false;            // x, y and z, which a host may want in other axes
     std::string_view subject = {};  // the one kind of subject that has it; empty: any may
+    Precision precision = Precision::half;
+    RunLengths run_lengths = RunLengths::never;
 
     constexpr ChannelSet set() const {
         ChannelSet result;
@@ -298,14 +312,22 @@ struct Product {
 
 namespace detail {
 
-constexpr Product product(std::string_view name, std::initializer_list<Channel> channels) {
-    Product result{name, {}, static_cast<int>(channels.size()), {}};
+/// A row of the table states precision and run lengths: without them it does not compile.
+constexpr Product product(std::string_view name, std::initializer_list<Channel> channels,
+                          Precision precision, RunLengths run_lengths) {
+    Product result{.name = name,
+                   .channels = {},
+                   .count = static_cast<int>(channels.size()),
+                   .unit = {},
+                   .precision = precision,
+                   .run_lengths = run_lengths};
     std::copy(channels.begin(), channels.end(), result.channels.begin());
     result.unit = kChannels[static_cast<std::size_t>(result.channels[0])].unit;
     return result;
 }
-constexpr Product vector(std::string_view name, std::initializer_list<Channel> channels) {
-    Product result = product(name, channels);
+constexpr Product vector(std::string_view name, std::initializer_list<Channel> channels,
+                         Precision precision, RunLengths run_lengths) {
+    Product result = product(name, channels, precision, run_lengths);
     result.vector = true;
     return result;
 }
@@ -314,17 +336,19 @@ constexpr Product vector(std::string_view name, std::initializer_list<Channel> c
 
 inline constexpr auto kProducts = [] {
     using enum Channel;
+    using enum Precision;
+    using enum RunLengths;
     return std::to_array<Product>({
-        detail::product("height", {height}),
-        detail::vector("displacement", {dx, dy, height}),
-        detail::product("slope", {slope_x, slope_y}),
-        detail::vector("normal", {nx, ny, nz}),
-        detail::product("jacobian", {jacobian}),
-        detail::product("whitecap", {whitecap}),
-        detail::product("foam", {foam}),
-        detail::vector("velocity", {vx, vy, vz}),
-        detail::product("derivatives", {dx_x, dy_y, dx_y}),
-        detail::product("cover", {cover}),
+        detail::product("height", {height}, half, never),
+        detail::vector("displacement", {dx, dy, height}, full, never),
+        detail::product("slope", {slope_x, slope_y}, half, always),
+        detail::vector("normal", {nx, ny, nz}, half, of_halves),
+        detail::product("jacobian", {jacobian}, half, of_halves),
+        detail::product("whitecap", {whitecap}, half, always),
+        detail::product("foam", {foam}, half, always),
+        detail::vector("velocity", {vx, vy, vz}, full, never),
+        detail::product("derivatives", {dx_x, dy_y, dx_y}, half, of_halves),
+        detail::product("cover", {cover}, half, always),
     });
 }();
 

@@ -77,12 +77,18 @@ DetailBudget detail_budget(const Parameters& parameters, const DirectionalSpectr
 std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& settings,
                            const Backend& backend);
 
-/// As users ask for them: all bands, or one.
-inline constexpr std::array<Product, 1 + kMostDetailBands> kDetailProducts = {
-    {{"detail", {}, 0, "", false, kSeaKind},
-     {"detail1", {}, 0, "", false, kSeaKind},
-     {"detail2", {}, 0, "", false, kSeaKind},
-     {"detail3", {}, 0, "", false, kSeaKind}}};
+/// As users ask for them: all bands, or one. Each is the slope of its own waves.
+inline constexpr auto kDetailProducts = [] {
+    constexpr std::array<std::string_view, 1 + kMostDetailBands> kNames = {"detail", "detail1",
+                                                                           "detail2", "detail3"};
+    std::array<Product, kNames.size()> rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i] = detail::product(kNames[i], {Channel::slope_x, Channel::slope_y}, Precision::half,
+                                  RunLengths::always);
+        rows[i].subject = kSeaKind;
+    }
+    return rows;
+}();
 
 /// Slope maps of one time, by label: linear fields, as `slope` of a Surface is. Row-major [j][i],
 /// sample (i, j) at (i, j) * tile / samples, dh/dx and dh/dy interleaved. Each wave is so much

@@ -41,15 +41,14 @@ std::array<Component, 3> component_order(Axes axes) {
 
 PixelType pixel_type(const Product& product, const ProductLayout& layout) {
     if (layout.type) return *layout.type;
-    // Half is 2 mm at 4 m: too coarse for what moves geometry.
-    const bool moves = product.name == "displacement" || product.name == "velocity";
-    return moves ? PixelType::full_float : PixelType::half_float;
+    return product.precision == Precision::full ? PixelType::full_float : PixelType::half_float;
 }
 
 /// The planes of an image, with the samples of a surface or, without one, none.
 class ProductPlanes {
   public:
-    ProductPlanes(const ProductLayout& layout, const Surface* surface, std::span<const float> made)
+    ProductPlanes(const ProductLayout& layout, const Surface* surface,
+                  std::span<const MadeMap> made)
         : layout_(layout), surface_(surface), made_(made) {}
 
     std::vector<ImagePlane> of(std::span<const Product* const> products) const {
@@ -63,7 +62,11 @@ class ProductPlanes {
 
   private:
     std::span<const float> made(const Product& product) const {
-        if (made_.size() == (surface_ ? surface_->domain().count() : 0)) return made_;
+        if (surface_ == nullptr) return {};
+        const auto found = std::ranges::find(made_, &product, &MadeMap::product);
+        if (found != made_.end() && found->samples.size() == surface_->domain().count()) {
+            return found->samples;
+        }
         throw Error(ErrorKind::invalid_value,
                     "there is no map of '" + std::string(product.name) + "' for the surface");
     }
@@ -115,7 +118,7 @@ class ProductPlanes {
 
     const ProductLayout& layout_;
     const Surface* surface_;
-    std::span<const float> made_;
+    std::span<const MadeMap> made_;
 };
 
 std::vector<HeaderString> product_strings(std::span<const Product* const> products, Axes axes) {
@@ -135,7 +138,7 @@ std::vector<HeaderString> product_strings(std::span<const Product* const> produc
 
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
                  const Provenance& provenance, const Domain& domain, const Surface* surface,
-                 std::span<const float> made = {}) {
+                 std::span<const MadeMap> made = {}) {
     if (products.empty()) {
         throw Error(ErrorKind::invalid_value, "an image needs at least one product");
     }
@@ -173,7 +176,7 @@ Image product_image(std::span<const Product* const> products, const ProductLayou
 
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, const Surface& surface,
-                    std::span<const float> made) {
+                    std::span<const MadeMap> made) {
     return make_image(products, layout, provenance, surface.domain(), &surface, made);
 }
 

@@ -9,9 +9,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ocean/backend.hpp"
 #include "ocean/bake/format.hpp"
+#include "ocean/bake/made_product.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/subject.hpp"
 
@@ -29,10 +31,11 @@ struct SubjectReader {
 
 struct Catalogue {
     std::span<const BakeFormat* const> formats;
-    std::span<const Product> products;
+    std::span<const Product> products;  // with those of `made`
     std::span<const Backend> backends;
     std::span<const SubjectReader> subjects;
     std::span<const ChannelInfo> channels = {};  // beside the library's own
+    std::span<const MadeProduct* const> made = {};
 
     /// ".exr, .df3, .png (height_field) or .inc (mesh2)", with the last conjunction.
     std::string extensions(std::string_view conjunction) const;
@@ -45,6 +48,10 @@ struct Catalogue {
     /// "cpu, radix2, dft or auto".
     std::string backend_names() const;
 };
+
+/// Returns the rows of Catalogue::products: those made of channels, then those of each family.
+std::vector<Product> all_products(std::span<const Product> of_channels,
+                                  std::span<const MadeProduct* const> made);
 
 /// The library's own.
 const Catalogue& standard_catalogue();

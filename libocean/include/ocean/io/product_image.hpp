@@ -24,22 +24,28 @@ std::string_view axes_name(Axes axes);
 
 struct ProductLayout {
     Axes axes = Axes::tnb;
-    /// None: float for displacement and velocity, half for the rest.
+    /// None: as the product's row says.
     std::optional<PixelType> type = {};
     /// false: one product as R,G,B or Y. true: all products in one image for compositors, R,G,B,A =
     /// displacement and 1, then normal.X ...
     bool layered = false;
 };
 
+/// The samples of a product without channels, as many as the surface beside it has.
+struct MadeMap {
+    const Product* product;
+    std::span<const float> samples;
+};
+
 /// The image of one product, or in a layered one of several, before its surface is computed: all
 /// but the samples. Throws Error invalid_value without products.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, int resolution);
-/// The same with the samples of the surface, which must outlive it, and of a product without
-/// channels those that were `made` for it. Throws Error invalid_value if the surface was evaluated
-/// without a channel of the products, or nothing was made.
+/// Returns that image with the samples of the surface, which must outlive it, and of each product
+/// without channels those that were `made` for it. Throws Error invalid_value if the surface was
+/// evaluated without a channel of the products, or nothing was made.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, const Surface& surface,
-                    std::span<const float> made = {});
+                    std::span<const MadeMap> made = {});
 
 }  // namespace ocean::io

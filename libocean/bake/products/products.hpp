@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The made products of this folder.
+#pragma once
+
+#include "ocean/bake/made_product.hpp"
+
+namespace ocean {
+
+extern const MadeProduct kCaustics;
+extern const MadeProduct kSlopeTiles;
+
+}  // namespace ocean

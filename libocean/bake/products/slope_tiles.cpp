@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Slope tiles among the products of image files: a file for each band of the waves that the frame's
+// map is too coarse for.
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "ocean/bake/plan.hpp"
+#include "ocean/detail.hpp"
+#include "ocean/directional_spectrum.hpp"
+#include "ocean/error.hpp"
+#include "ocean/internal/memory.hpp"
+#include "ocean/sea_subject.hpp"
+#include "ocean/text.hpp"
+#include "ocean/thread_pool.hpp"
+#include "products/products.hpp"
+#include "source.hpp"
+
+namespace ocean {
+namespace {
+
+constexpr int kUsualSamples = DetailSettings{}.samples;
+
+/// What the spectrum has in the bands at each frame, for the headers of their files: found once for
+/// all frames of a sea without a take. Several threads at once.
+class DetailBudgets {
+  public:
+    DetailBudget of(const BakePlan& plan, int frame, const DetailSettings& settings) {
+        const std::lock_guard lock(mutex_);
+        const Sea& sea = sea_of(*plan.subject);
+        const int key = sea.take.empty() ? 0 : frame;
+        const auto found = found_.find(key);
+        if (found != found_.end()) return found->second;
+        ThreadPool alone(1);
+        const Parameters parameters = sea.at(sea.time_of(frame));
+        return found_[key] = detail_budget(parameters, make_directional_spectrum(parameters, alone),
+                                           settings, alone);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::map<int, DetailBudget> found_;
+};
+
+struct Settings {
+    std::optional<int> samples;              // as typed
+    DetailSettings detail = {};              // with the map that is shown
+    std::shared_ptr<DetailBudgets> budgets;  // of the bands among the products
+};
+
+std::vector<FormatOption> list_options() {
+    return {{"detail-samples", "N",
+             "A side of each slope tile of detail: 256, 512 or 1024; default " +
+                 std::to_string(kUsualSamples)}};
+}
+
+Settings read(const BakeOptions& options) {
+    Settings settings;
+    if (const std::string& samples = options.format_option("detail-samples"); !samples.empty()) {
+        settings.samples = parse_whole_number(samples, "--detail-samples", kLeastDetailSamples,
+                                              kMostDetailSamples);
+    }
+    return settings;
+}
+
+/// Returns which band it is, 0 ..; none for `detail`, all of them, and for other products.
+std::optional<std::size_t> band_of(const Product& product) {
+    for (std::size_t i = 1; i < kDetailProducts.size(); ++i) {
+        if (kDetailProducts[i].name == product.name) return i - 1;
+    }
+    return std::nullopt;
+}
+
+/// Returns the list with all bands that there are in the place of `detail`. Throws Error for one
+/// that the sea has not beside maps of that resolution, and for one that is there twice.
+std::vector<const Product*> with_bands(const std::vector<const Product*>& products,
+                                       const Parameters& parameters,
+                                       const DetailSettings& settings) {
+    std::vector<const Product*> all;
+    for (const Product* product : products) {
+        if (!kSlopeTiles.has(*product)) {
+            all.push_back(product);
+            continue;
+        }
+        const std::size_t bands = detail_bands(parameters, settings).size();
+        const auto band = band_of(*product);
+        if (bands == 0 || band.value_or(0) >= bands) {
+            throw Error(ErrorKind::invalid_value,
+                        "--products " + std::string(product->name) + ": beside a map of " +
+                            std::to_string(settings.resolution) + " samples this sea has " +
+                            (bands == 0 ? "no waves left down to 12 mm"
+                                        : std::to_string(bands) + " bands"));
+        }
+        const std::size_t first = band.value_or(0);
+        const std::size_t last = band ? first : bands - 1;
+        for (std::size_t i = first; i <= last; ++i) {
+            const Product* const one = &kDetailProducts[i + 1];
+            if (std::ranges::find(all, one) != all.end()) {
+                throw Error(ErrorKind::invalid_value,
+                            "--products: " + std::string(one->name) + " is there twice");
+            }
+            all.push_back(one);
+        }
+    }
+    return all;
+}
+
+MadePlan<Settings> settle(const BakePlan& begun, const Settings& asked,
+                          const std::vector<const Product*>& products) {
+    const DetailSettings detail = {begun.resolution, asked.samples.value_or(kUsualSamples)};
+    return {with_bands(products, sea_of(*begun.subject).parameters, detail),
+            {},
+            {asked.samples, detail, std::make_shared<DetailBudgets>()}};
+}
+
+int tile_samples(const Settings& settings) {
+    return settings.detail.samples;
+}
+
+/// A variance in eight decimals: all machines agree on them.
+std::string variance_text(double variance) {
+    return shortest_text(std::round(variance * 1e8) / 1e8);
+}
+
+std::vector<io::HeaderString> strings(const BakePlan& plan, const Settings& settings, int frame,
+                                      const Product& product) {
+    const DetailBudget budget = settings.budgets->of(plan, frame, settings.detail);
+    const DetailBand& band = budget.bands[band_of(product).value()];
+    return {{"ocean:map_resolution", std::to_string(plan.resolution)},
+            {"ocean:tile", shortest_text(band.tile)},
+            {"ocean:longest_wave", shortest_text(band.longest_wave)},
+            {"ocean:shortest_wave", shortest_text(band.shortest_wave)},
+            {"ocean:slope_variance", variance_text(band.variance.x) + "," +
+                                         variance_text(band.variance.y) + "," +
+                                         variance_text(band.variance.xy)},
+            {"ocean:slope_residual", variance_text(budget.residual)}};
+}
+
+/// Two slopes of each band, and of one again for its file.
+std::uint64_t frame_bytes(const BakePlan& plan, const Settings& settings) {
+    return detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
+           maps_bytes(settings.detail.samples, 2 * kMostDetailBands + 2);
+}
+
+/// Returns a band as a surface over its tile, with its slopes.
+Surface band_surface(const Detail& detail, std::size_t band) {
+    Surface surface(Lattice{detail.samples(), detail.bands()[band].tile}, detail.time(),
+                    {Channel::slope_x, Channel::slope_y});
+    const std::span<const float> slopes = detail.slopes(band);
+    const std::span<float> x = surface.channel(Channel::slope_x);
+    const std::span<float> y = surface.channel(Channel::slope_y);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] = slopes[2 * i];
+        y[i] = slopes[2 * i + 1];
+    }
+    return surface;
+}
+
+MadeFrame make(const FrameWork& work, const Settings& settings) {
+    return [detail = ocean_of(work.source).detail(work.time(), settings.detail)](
+               const Product& product) {
+        return MadeSamples{.tile = band_surface(detail, band_of(product).value())};
+    };
+}
+
+void adopt(const BakedHeader& header, BakeOptions& options) {
+    const int samples = header.layout().resolution;
+    if (samples != kUsualSamples) options.take("detail-samples", std::to_string(samples));
+}
+
+constexpr MadeProductOf<Settings> kOf = {
+    .products = kDetailProducts,
+    .tiles = "slope tiles",
+    .options = list_options,
+    .read = read,
+    .settle = settle,
+    .tile_samples = tile_samples,
+    .strings = strings,
+    .frame_bytes = frame_bytes,
+    .make = make,
+    .adopt = adopt,
+};
+
+}  // namespace
+
+const MadeProduct kSlopeTiles = made_product<kOf>();
+
+}  // namespace ocean
