@@ -37,7 +37,7 @@ def test_struct_fields_and_channels_are_those_of_the_header():
     channels = re.search(r"enum \{\s*(OCEAN_DX,.*?)\}", header, re.S)[1]
     assert [name.lower() for name in re.findall(r"OCEAN_(\w+)", channels)] == list(_sea.CHANNELS)
     table = (ROOT / "libocean/include/ocean/channel.hpp").read_text()
-    products = re.findall(r'detail::(?:product|vector)\("(\w+)", \{(.+?)\}\)', table)
+    products = re.findall(r'detail::(?:product|vector)\("(\w+)", \{(.+?)\}, \w+, \w+\)', table)
     assert {name: tuple(channels.split(", ")) for name, channels in products} == _sea.PRODUCTS
     for name in _sea.PRODUCTS:
         assert isinstance(getattr(libocean.Surface, name), property)
