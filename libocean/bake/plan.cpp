@@ -11,6 +11,7 @@
 #include "ocean/cascades.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/csv_rows.hpp"
+#include "ocean/io/subject_words.hpp"
 #include "ocean/parameter_table.hpp"
 #include "ocean/seafile.hpp"
 #include "ocean/text.hpp"
@@ -76,9 +77,9 @@ void refuse_foreign(const BakeOptions& options, const BakeFormat& format,
 
 [[noreturn]] void refuse_foreign_subject(const std::string& what, std::string_view owner,
                                          const Subject& subject) {
-    throw Error(ErrorKind::unsupported, what + ": only a " + std::string(owner) +
-                                            " has it, and this is a " +
-                                            std::string(subject.kind()));
+    throw Error(ErrorKind::unsupported, what + ": only " + io::subject_words(owner).noun +
+                                            " has it, and this is " +
+                                            io::subject_words(subject.kind()).noun);
 }
 
 /// Refuses options and products that only another kind of subject has.
