@@ -79,7 +79,7 @@ TEST(TableFile, EachMistakeIsRefusedWithItsLine) {
         {"[terrain]\n", "kiln.toml:2: is a terrain file, not a kiln file"},
         {"terrain = 3\n", "kiln.toml:2: terrain: no such section; allowed: kiln"}};
     for (const auto& [body, message] : mistakes) {
-        EXPECT_EQ(refusal_of([&] { read_kiln(body); }).message, message) << body;
+        EXPECT_EQ(refusal_of([&, text = body] { read_kiln(text); }).message, message) << body;
     }
 }
 
