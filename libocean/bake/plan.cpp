@@ -203,7 +203,7 @@ io::Provenance provenance_of(const BakePlan& plan, int frame) {
             .id = plan.subject_id,
             .frame = frame,
             .time = plan.subject->time_of(frame),
-            .domain = plan.subject->domain(plan.resolution),
+            .domain = plan.domain(),
             .backend = std::string(plan.backend.name)};
 }
 

@@ -48,7 +48,7 @@ class Plane final : public Subject {
     std::vector<std::string> warnings(double) const override { return {}; }
     ChannelSet channels() const override {
         using enum Channel;
-        return {height_channel(), nx, ny, nz, slope_x, slope_y};
+        return {Channel::height, nx, ny, nz, slope_x, slope_y};
     }
     int default_resolution() const override { return 64; }
     Domain domain(int resolution) const override {
@@ -63,8 +63,6 @@ class Plane final : public Subject {
     std::uint64_t query_bytes(const QueryOptions&) const override { return 0; }
 
   private:
-    static constexpr Channel height_channel() { return Channel::height; }
-
     double level_;
 };
 
@@ -246,18 +244,17 @@ TEST(OtherSubject, HasNoFramesOfAnotherInItsStage) {
 }
 
 TEST(OtherSubject, IsRefusedWhatOnlyASeaHas) {
-    BakeOptions spray = plane_bake("spray.ply");
-    spray.of_format["products"] = "spray";
-    EXPECT_EQ(refusal(spray), "--products spray: only a sea has it, and this is a plane");
-    BakeOptions water = plane_bake("water.vdb");
-    water.of_format["products"] = "surface,vel";
-    EXPECT_EQ(refusal(water), "--products vel: only a sea has it, and this is a plane");
-    BakeOptions light = plane_bake("light.exr");
-    light.of_format["products"] = "caustics";
-    EXPECT_EQ(refusal(light), "--products caustics: only a sea has it, and this is a plane");
-    BakeOptions foam = plane_bake("foam.exr");
-    foam.of_format["products"] = "height,foam";
-    EXPECT_EQ(refusal(foam), "a plane has no foam");
+    const std::array<std::string, 3> asked[] = {
+        {"x.ply", "spray", "--products spray: only a sea has it, and this is a plane"},
+        {"x.vdb", "surface,vel", "--products vel: only a sea has it, and this is a plane"},
+        {"x.exr", "caustics", "--products caustics: only a sea has it, and this is a plane"},
+        {"x.exr", "height,foam", "a plane has no foam"}};
+    for (const auto& [output, products, message] : asked) {
+        if (standard_catalogue().find_format(output.substr(1)) == nullptr) continue;  // not built
+        BakeOptions options = plane_bake(output);
+        options.of_format["products"] = products;
+        EXPECT_EQ(refusal(options), message);
+    }
     BakeOptions rate = plane_bake("rate.exr");
     rate.fps = "25";
     EXPECT_EQ(refusal(rate), "time.fps: a plane has no such parameter");

@@ -17,7 +17,7 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
         return context_.console.begin(
             0, "--shard " + plan.shard + " is empty: there are fewer frames", {});
     }
-    const double period = plan.subject->domain(plan.resolution).size[0];
+    const double period = plan.domain().size[0];
     const double shortest = plan.shortest_wave();
     const std::uint64_t memory = bake_memory_bytes(plan, share.frames_at_a_time);
     context_.console.begin(

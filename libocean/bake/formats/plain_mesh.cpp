@@ -107,14 +107,14 @@ bool is_plain_mesh(const BakeFile& file) {
 }
 
 std::uint64_t plain_mesh_vertices(const BakePlan& plan) {
-    const Domain domain = plan.subject->domain(plan.resolution);
+    const Domain domain = plan.domain();
     const int seam = domain.wraps ? 1 : 0;
     return static_cast<std::uint64_t>(domain.samples[0] + seam) *
            static_cast<std::uint64_t>(domain.samples[1] + seam);
 }
 
 std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
-    const Domain domain = plan.subject->domain(plan.resolution);
+    const Domain domain = plan.domain();
     const int seam = domain.wraps ? 0 : 1;
     return 2 * static_cast<std::uint64_t>(domain.samples[0] - seam) *
            static_cast<std::uint64_t>(domain.samples[1] - seam);

@@ -42,7 +42,7 @@ std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file);
 bool is_plain_mesh(const BakeFile& file);
 std::uint64_t plain_mesh_vertices(const BakePlan& plan);
 std::uint64_t plain_mesh_triangles(const BakePlan& plan);
-/// Of a frame in memory: its vertices, their uv, and these with their triangles.
+/// Return the bytes of a frame in memory: its vertices; their uv; both and the triangles.
 std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan);
 std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan);
 std::uint64_t plain_mesh_bytes(const BakePlan& plan);

@@ -33,7 +33,7 @@ std::vector<const Product*> parse_products(const std::string& list,
     return products;
 }
 
-/// Whether the list is that product. Throws Error where it is one of several.
+/// Returns true if the list is that product. Throws Error where it is one of several.
 bool is_alone(const std::string& list, const Product& product) {
     if (list == product.name) return true;
     for (const std::string& part : split(list, ',')) {

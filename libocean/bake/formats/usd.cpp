@@ -102,12 +102,8 @@ std::string frame_template(const BakePlan& plan) {
     return name;
 }
 
-io::Provenance provenance_of_stage(const BakePlan& plan) {
-    return provenance_of(plan, plan.all_frames.front());
-}
-
 io::SubjectWords words_of(const BakePlan& plan) {
-    return io::subject_words(provenance_of_stage(plan).kind);
+    return io::subject_words(plan.subject->kind());
 }
 
 io::UsdSequence sequence_of(const BakePlan& plan) {
@@ -135,8 +131,7 @@ std::string shared_text(const BakePlan& plan, const BakeFile& file) {
 
 void write_shared(const BakePlan& plan, const BakeFile& file) {
     if (file.part == kTopology) {
-        return io::write_usd_topology(plan.subject->domain(plan.resolution), words_of(plan),
-                                      file.path);
+        return io::write_usd_topology(plan.domain(), words_of(plan), file.path);
     }
     io::write_file_atomically(file.path, shared_text(plan, file));
 }

@@ -75,8 +75,8 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
     // The period and what the wind carries out of it, in four layers.
     constexpr double kFastest = 60.0;  // m/s
     const double leaf = 8.0 * cell_of(plan);
-    const double side = plan.subject->domain(plan.resolution).size[0] / leaf + 2.0 +
-                        2.0 * kFastest * spray->settings.lifetime / leaf;
+    const double side =
+        plan.domain().size[0] / leaf + 2.0 + 2.0 * kFastest * spray->settings.lifetime / leaf;
     return 2 * plan.subject_text.size() + 8192 +
            io::points_vdb_bytes(most_spray_points(plan),
                                 static_cast<std::uint64_t>(4.0 * side * side));

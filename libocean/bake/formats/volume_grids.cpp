@@ -51,7 +51,7 @@ Numbers most_numbers(const BakePlan& plan) {
             io::voxels_around(settings.world_box(crest + reach), settings.velocity_voxel, kLeaf);
         numbers.density = voxels.voxels();
         numbers.columns = std::max(numbers.columns, voxels.columns());
-        const double period = plan.subject->domain(plan.resolution).size[0];
+        const double period = plan.domain().size[0];
         double copies = 1.0;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
@@ -69,7 +69,7 @@ QueryOptions height_query(const BakePlan& plan) {
 /// Waves that the velocity's voxels hold: two of them, at least.
 QueryOptions velocity_query(const BakePlan& plan) {
     const double voxel = volume_settings_of(plan).velocity_voxel;
-    const double period = plan.subject->domain(plan.resolution).size[0];
+    const double period = plan.domain().size[0];
     int resolution = kMinResolution;
     while (2 * resolution <= plan.resolution && 2 * resolution * voxel <= period * (1.0 + 1e-9)) {
         resolution *= 2;
@@ -77,7 +77,7 @@ QueryOptions velocity_query(const BakePlan& plan) {
     return {.foam = false, .resolution = resolution};
 }
 
-/// Of the mist's puffs and of the spray that they are of.
+/// Returns the bytes of the mist's puffs and of the spray that they come from.
 std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
     const Grid& grid = sea_of(*plan.subject).parameters.grid;
     const SpraySettings& spray = volume_settings_of(plan).spray;
@@ -130,7 +130,7 @@ void query_columns(const FrameWork& work, const io::VoxelRange& voxels, const Qu
     }
 }
 
-/// Of the columns of a range; folds are counted.
+/// Holds the surface at the columns of a range, and counts the folds.
 struct Columns {
     std::vector<io::SurfaceColumn> surface;
     double crest = -kFarthestInVolumes;
@@ -217,7 +217,7 @@ io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
 
 /// The puffs of all copies of the period that reach into the box.
 std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSettings& settings) {
-    const double period = work.plan.subject->domain(work.plan.resolution).size[0];
+    const double period = work.plan.domain().size[0];
     const std::array<double, 6>& box = *settings.box;
     const double area = settings.spray.density > 0.0 ? settings.mist / settings.spray.density : 0.0;
     std::vector<io::DensityPuff> puffs;

@@ -65,6 +65,8 @@ struct BakePlan {
     bool has_past() const { return follows_foam() || maps.has_past; }
     /// Of the finest map, samples along a side.
     int finest() const { return maps.has_past ? maps.resolutions.front() : resolution; }
+    /// Returns where the map of the plan's resolution lies.
+    Domain domain() const { return subject->domain(resolution); }
     /// Returns the shortest wave of the finest map [m].
     double shortest_wave() const { return subject->shortest_wave(finest()); }
 };
