@@ -98,7 +98,7 @@ double Chain::shown_cover_power(int resolution, ThreadPool& pool, StageRuns& run
         shown.surface = shown_settings(resolution, pool, runs);
         ++runs.cover_power;
         power.value = cover_power({spectrum(pool, runs), shown, resolution},
-                                  modes(pool, runs).gradient_covariance(resolution), pool);
+                                  foam_waves(modes(pool, runs), parameters_, resolution), pool);
         power.revision = revision(Stage::foam);
     }
     return power.value;

@@ -136,30 +136,44 @@ SeaState Ocean::state() {
 FrameCost Ocean::measure_frame_cost() {
     constexpr int kLargest = 512;
     const double start = sea_.parameters.time.start;
-    const int map = default_map_resolution(sea_.parameters.grid);
-    const int measured = std::min(map, kLargest);
-    const auto seconds = [&](ChannelSet channels) {
+    const auto seconds_of = [](const auto& work) {
         const auto begin = std::chrono::steady_clock::now();
-        evaluate(start, channels, measured);
+        work();
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     };
-    const ChannelSet tick_channels = {Channel::whitecap};
-    const ChannelSet frame_channels = {Channel::dx, Channel::dy, Channel::height,  Channel::nx,
-                                       Channel::ny, Channel::nz, Channel::whitecap};
-    seconds(tick_channels);  // builds what is not there yet
-    // An inverse transform of N x N samples is N^2 log N work.
-    const double scale = std::pow(static_cast<double>(map) / measured, 2.0) *
-                         std::log(static_cast<double>(map)) /
-                         std::log(static_cast<double>(measured));
-    const double tick = scale * seconds(tick_channels);
-    const double frame = scale * seconds(frame_channels);
+    const auto seconds = [&](ChannelSet channels, int resolution) {
+        const int measured = std::min(resolution, kLargest);
+        evaluate(start, channels, measured);  // builds what is not there yet
+        // An inverse transform of N x N samples is N^2 log N work.
+        const double scale = std::pow(static_cast<double>(resolution) / measured, 2.0) *
+                             std::log(static_cast<double>(resolution)) /
+                             std::log(static_cast<double>(measured));
+        return scale * seconds_of([&] { evaluate(start, channels, measured); });
+    };
+    const int map = default_map_resolution(sea_.parameters.grid);
+    const int lattice = foam_lattice(sea_.parameters, map).resolution;
+    const double tick = seconds({Channel::whitecap}, lattice);
+    double frame = seconds({Channel::dx, Channel::dy, Channel::height, Channel::nx, Channel::ny,
+                            Channel::nz, Channel::whitecap},
+                           map);
     const FoamClock clock = foam_clock(now().surface, now().time.loop_period);
     const double lifetime = now().surface.foam_lifetime;
     const auto preroll =
         static_cast<double>(preroll_ticks(clock, 0, [lifetime](double) { return lifetime; }));
-    // Without a lifetime there are no ticks to follow.
-    const double ticks = preroll > 0.0 ? 1.0 / (now().time.fps * clock.step) : 0.0;
-    return {frame + preroll * tick, frame + std::min(ticks, preroll) * tick};
+    if (preroll == 0.0) return {frame, frame};  // there are no ticks to follow
+
+    double calibration = 0.0;
+    if (lattice < map) {
+        calibration = seconds_of([&] { chain_->shown_cover_power(map, pool_, runs_); });
+        const int small = std::max(1, lattice * kLargest / std::max(map, kLargest));
+        const int large = small * (map / lattice);
+        const std::vector<float> foam(Lattice{small, 1.0}.size(), 0.5f);
+        std::vector<float> spread(Lattice{large, 1.0}.size());
+        frame += std::pow(static_cast<double>(map) / large, 2.0) *
+                 seconds_of([&] { spread_foam(foam, 3.0, spread, pool_); });
+    }
+    const double ticks = 1.0 / (now().time.fps * clock.step);
+    return {frame + calibration + preroll * tick, frame + std::min(ticks, preroll) * tick};
 }
 
 void Ocean::write_maps(double time, std::span<const MapOutput> outputs, int resolution,
@@ -203,8 +217,12 @@ void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int r
     ++runs_.surface;
     FoamLayer foam;
     if (has_foam(channels)) {
-        foam = foam_layer(time, resolution);
+        const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
+        foam = foam_layer(time, lattice);
         go_to(time);  // foam has been in the past
+        if (lattice.resolution < resolution) {
+            foam = spread_layer(foam, lattice.resolution, resolution);
+        }
     }
     write_maps(time, outputs, resolution, foam);
 }
@@ -294,7 +312,9 @@ int Ocean::map_resolution(int asked) const {
 }
 
 void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {
-    const int foam = has_foam(channels) && !foam_.contains(resolution) ? kFoamMaps : 0;
+    const FoamLattice lattice = foam_lattice(sea_.parameters, resolution);
+    const bool follows = has_foam(channels) && !foam_.contains(lattice);
+    const bool spreads = has_foam(channels) && lattice.resolution < resolution;
     const auto made = made_.find(resolution);
     const bool has_work_space = made != made_.end() && channels.without(made->second).empty();
     const std::uint64_t work = has_work_space ? 0
@@ -302,7 +322,8 @@ void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) co
                                                            resolution, options_.channels);
     require_memory(
         (chain_->has_modes() ? 0 : modes_bytes(now().grid)) + work +
-            maps_bytes(resolution, maps + foam),
+            maps_bytes(resolution, maps + (spreads ? 1 : 0)) +
+            maps_bytes(lattice.resolution, follows ? kFoamMaps : 0),
         "a map of " + std::to_string(resolution) + " x " + std::to_string(resolution) + " samples");
 }
 
@@ -316,20 +337,43 @@ std::int64_t Ocean::foam_settling_ticks() const {
     return ticks;
 }
 
-FoamLayer Ocean::foam_layer(double time, int resolution) {
+FoamLayer Ocean::foam_layer(double time, const FoamLattice& lattice) {
     const auto [place, is_new] = foam_.try_emplace(
-        resolution, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
-        Lattice{resolution, 1.0}.size(), options_.foam_start);
-    const FoamSource source{
-        [this](double t) { return sea_.foam_lifetime(t); },
-        [this, resolution](double t, const FoamLayer& before, std::span<float> foam) {
-            go_to(t);
-            ++runs_.foam_ticks;
-            const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
-            write_maps(t, {&output, 1}, resolution, before);
-        },
-        options_.foam_progress};
+        lattice, foam_clock(sea_.parameters.surface, sea_.parameters.time.loop_period),
+        Lattice{lattice.resolution, 1.0}.size(), options_.foam_start);
+    const FoamSource source{[this](double t) { return sea_.foam_lifetime(t); },
+                            [&](double t, const FoamLayer& before, std::span<float> foam) {
+                                make_foam_tick(t, lattice, before, foam);
+                            },
+                            options_.foam_progress};
     return place->second.layer(time, source);
+}
+
+void Ocean::make_foam_tick(double time, const FoamLattice& lattice, const FoamLayer& before,
+                           std::span<float> foam) {
+    go_to(time);
+    ++runs_.foam_ticks;
+    const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
+    if (lattice.held_by == lattice.resolution) {
+        write_maps(time, {&output, 1}, lattice.resolution, before);
+        return;
+    }
+    // Maps of all waves and maps of fewer keep other things of the modes.
+    if (!foam_maps_) foam_maps_ = std::make_unique<MapWriter>(options_.backend, options_.channels);
+    const SurfaceSettings& settings = chain_->shown_settings(lattice.held_by, pool_, runs_);
+    MapModes modes = map_modes(current_modes(), time, lattice.resolution);
+    modes.held_by = lattice.held_by;
+    if (foam_maps_->write({modes, settings, {&output, 1}, before}, pool_)) ++runs_.packing;
+}
+
+FoamLayer Ocean::spread_layer(const FoamLayer& layer, int lattice, int resolution) {
+    if (layer.map == nullptr || layer.fade == 0.0f) return {};
+    const double power = chain_->shown_cover_power(resolution, pool_, runs_);
+    spread_foam_.resize(Lattice{resolution, 1.0}.size());
+    ocean::spread_foam({layer.map, Lattice{lattice, 1.0}.size()}, power, spread_foam_, pool_);
+    FoamLayer spread = layer;
+    spread.map = spread_foam_.data();
+    return spread;
 }
 
 SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {

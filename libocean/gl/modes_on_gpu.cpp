@@ -100,7 +100,8 @@ void ModesOnGpu::load_lattice(const MapModes& modes, ThreadPool& pool) {
 void ModesOnGpu::load_amplitudes(const MapModes& modes, ThreadPool& pool) {
     using Amplitude = std::complex<float>;
     const bool as_it_is = modes.cascades.size() == 1 && modes.stride(modes.cascades[0]) == 1 &&
-                          modes.cascades[0].lattice.resolution == modes.resolution;
+                          modes.cascades[0].lattice.resolution == modes.resolution &&
+                          2 * modes.half(modes.cascades[0]) == modes.resolution;
     if (as_it_is) {
         const auto& h0 = modes.cascades[0].h0;
         resize_storage(amplitudes_, h0.size() * sizeof(Amplitude), h0.data());

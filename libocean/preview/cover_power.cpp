@@ -18,16 +18,15 @@ struct Stopped {};
 
 /// Has all that it reads: the sea goes on meanwhile.
 struct CoverPower::Job {
-    Job(DirectionalSpectrum of, Parameters shown, const GradientCovariance& covariance,
-        int resolution)
+    Job(DirectionalSpectrum of, Parameters shown, const FoamWaves& waves, int resolution)
         : spectrum(std::move(of)),
           parameters(std::move(shown)),
-          power(std::async(std::launch::async, [this, covariance, resolution] {
+          power(std::async(std::launch::async, [this, waves, resolution] {
               ThreadPool pool(1);
               pool.set_interrupt([this] {
                   if (stopped) throw Stopped();
               });
-              return cover_power({spectrum, parameters, resolution}, covariance, pool);
+              return cover_power({spectrum, parameters, resolution}, waves, pool);
           })) {}
     ~Job() { stopped = true; }  // and the future waits
 
@@ -55,9 +54,9 @@ double CoverPower::of(Ocean& sea, double time, int resolution) {
     revision_ = modes.revision;
     settings_ = parameters.surface;
     resolution_ = resolution;
+    const FoamWaves waves = foam_waves(modes, parameters, resolution);
     parameters.surface = with_threshold(settings_, modes, resolution);
-    const GradientCovariance covariance = modes.gradient_covariance(resolution);
-    job_ = std::make_unique<Job>(sea.spectrum(time), std::move(parameters), covariance, resolution);
+    job_ = std::make_unique<Job>(sea.spectrum(time), std::move(parameters), waves, resolution);
     return power_;
 }
 

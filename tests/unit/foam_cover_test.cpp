@@ -29,7 +29,7 @@ double power_of(const Parameters& parameters, int threads) {
     Parameters shown = parameters;
     shown.surface = with_threshold(parameters.surface, sea.modes(0.0), resolution);
     return cover_power({sea.spectrum(), shown, resolution},
-                       sea.modes(0.0).gradient_covariance(resolution), pool);
+                       foam_waves(sea.modes(0.0), parameters, resolution), pool);
 }
 
 double mean_of(const Surface& surface, Channel channel) {

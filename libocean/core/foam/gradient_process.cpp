@@ -19,16 +19,21 @@ double divergence(const GradientCovariance& v) {
     return v.aa + v.bb + 2.0 * v.ab;
 }
 
-/// The variance of each whole number of turns in a stretch, 0 .. ticks/2, of the waves that the
-/// map holds; what is faster than the clock tells apart is where the clock sees it.
-std::vector<GradientCovariance> spectrum(const ShownSea& sea, double angle,
+/// Returns the wavenumber along x and y below which a map of that resolution holds waves [rad/m].
+double held_below(const ShownSea& sea, int resolution) {
+    return kTwoPi / shortest_wave(sea.parameters.grid, resolution) * (1.0 - 1.0 / resolution);
+}
+
+/// Returns the variance of each whole number of turns in a stretch, 0 .. ticks/2, of the waves of
+/// the band. Waves that are faster than the clock tells apart are where the clock sees them.
+std::vector<GradientCovariance> spectrum(const ShownSea& sea, const WaveBand& band, double angle,
                                          const Stretch& stretch) {
     constexpr int kDirections = 72;
     constexpr int kFrequencies = 2048;
     const Dispersion dispersion(sea.parameters.water);
     const SurfaceSettings& limits = sea.parameters.surface;
-    const double nyquist =
-        kTwoPi / shortest_wave(sea.parameters.grid, sea.resolution) * (1.0 - 1.0 / sea.resolution);
+    const double nyquist = held_below(sea, band.held_by);
+    const double left_out = band.not_by > 0 ? held_below(sea, band.not_by) : 0.0;
     const double turn = kTwoPi / stretch.seconds;
     const double fastest = dispersion.angular_frequency(std::sqrt(2.0) * nyquist);
     const int parts = std::clamp(static_cast<int>(kFrequencies * turn / fastest), 1, 64);
@@ -47,9 +52,8 @@ std::vector<GradientCovariance> spectrum(const ShownSea& sea, double angle,
         GradientCovariance& bin = bins[static_cast<std::size_t>(std::max<std::int64_t>(folded, 1))];
         for (int j = 0; j < kDirections; ++j) {
             const double theta = kTwoPi * j / kDirections;
-            if (k * std::max(std::abs(std::cos(theta)), std::abs(std::sin(theta))) >= nyquist) {
-                continue;
-            }
+            const double along = k * std::max(std::abs(std::cos(theta)), std::abs(std::sin(theta)));
+            if (along >= nyquist || along < left_out) continue;
             const double variance =
                 sea.spectrum.density(omega, theta) * width * kTwoPi / kDirections;
             const double x = std::cos(theta - angle), y = std::sin(theta - angle);
@@ -81,10 +85,11 @@ Stretch stretch_of(const FoamClock& clock, double lifetime) {
     return {ticks, seconds, static_cast<int>(std::clamp(reached, 1.0, ticks - 1.0))};
 }
 
-GradientProcess::GradientProcess(const ShownSea& sea, const GradientCovariance& covariance,
+GradientProcess::GradientProcess(const ShownSea& sea, const WaveBand& band,
+                                 const GradientCovariance& covariance, double angle,
                                  const Stretch& stretch)
     : fft_(stretch.ticks) {
-    std::vector<GradientCovariance> bins = spectrum(sea, principal_angle(covariance), stretch);
+    std::vector<GradientCovariance> bins = spectrum(sea, band, angle, stretch);
     GradientCovariance sum;
     for (const GradientCovariance& bin : bins) sum += bin;
     const double whole = divergence(sum);
@@ -108,12 +113,11 @@ GradientProcess::GradientProcess(const ShownSea& sea, const GradientCovariance& 
     }
 }
 
-std::array<std::vector<GradientProcess::Gradients>, 2> GradientProcess::draw(
-    std::uint32_t number) const {
+std::array<std::vector<Gradients>, 2> GradientProcess::draw(std::uint32_t number, int part) const {
     std::array<std::vector<std::complex<float>>, 3> noise;
     for (int i = 0; i < 3; ++i) {
         noise[static_cast<std::size_t>(i)].resize(factors_.size());
-        noise_row(number, noise_stream(NoiseStream::foam_cover), 0, i,
+        noise_row(number, noise_stream(NoiseStream::foam_cover), 0, 3 * part + i,
                   noise[static_cast<std::size_t>(i)]);
     }
     std::array<std::vector<std::complex<double>>, 3> series;
@@ -134,20 +138,31 @@ std::array<std::vector<GradientProcess::Gradients>, 2> GradientProcess::draw(
     return drawn;
 }
 
-void GradientProcess::passing(const Gradients& at, std::size_t tick, int reach,
-                              std::span<const Gradients> stretch,
-                              std::vector<Gradients>& window) const {
-    const std::size_t ticks = stretch.size();
-    const Gradients& there = stretch[tick];
+Gradients weights_of(const GradientFactors& f, const Gradients& difference) {
     // R(0) = F F^T: two triangles.
     const auto over = [](double x, double divisor) { return divisor > 0.0 ? x / divisor : 0.0; };
-    const GradientFactors& f = still_;
-    const double x = over(at.b - there.b, f.b1);
-    const double y = over(at.c - there.c - f.c1 * x, f.c2);
-    const double z = over(at.a - there.a - f.a1 * x - f.a2 * y, f.a3);
+    const double x = over(difference.b, f.b1);
+    const double y = over(difference.c - f.c1 * x, f.c2);
+    const double z = over(difference.a - f.a1 * x - f.a2 * y, f.a3);
     const double a = over(z, f.a3);
     const double c = over(y - f.a2 * a, f.c2);
     const double b = over(x - f.a1 * a - f.c1 * c, f.b1);
+    return {a, b, c};
+}
+
+void GradientProcess::passing(const Gradients& at, std::size_t tick, int reach,
+                              std::span<const Gradients> stretch,
+                              std::vector<Gradients>& window) const {
+    const Gradients& drawn = stretch[tick];
+    shifted(weights_of(still_, {at.a - drawn.a, at.b - drawn.b, at.c - drawn.c}), tick, reach,
+            stretch, window);
+}
+
+void GradientProcess::shifted(const Gradients& weights, std::size_t tick, int reach,
+                              std::span<const Gradients> stretch,
+                              std::vector<Gradients>& window) const {
+    const std::size_t ticks = stretch.size();
+    const auto& [a, b, c] = weights;
     window.clear();
     for (int i = -reach; i <= reach; ++i) {
         const auto behind = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(ticks) + i);

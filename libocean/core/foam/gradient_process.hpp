@@ -32,26 +32,41 @@ struct Stretch {
 /// lifetime: of foam [s].
 Stretch stretch_of(const FoamClock& clock, double lifetime);
 
-/// The gradients at a label over a stretch of time, in the principal axes: a stationary Gaussian
-/// process, each wave of which moves a, b and c in step.
+/// The gradients of the displacement at a label, along two axes: a and b along them, c across.
+struct Gradients {
+    double a, b, c;
+};
+
+/// The waves that a map of one resolution holds, without those of a coarser map.
+struct WaveBand {
+    int held_by;
+    int not_by = 0;  // 0: no wave is left out
+};
+
+/// The gradients at a label over a stretch of time: a stationary Gaussian process, each wave of
+/// which moves a, b and c in step.
 class GradientProcess {
   public:
-    /// `covariance`: of the map's modes, which may differ a little from the integral.
-    GradientProcess(const ShownSea& sea, const GradientCovariance& covariance,
-                    const Stretch& stretch);
+    /// Makes the process of the waves of `band` along axes turned by `angle` [radians] from +x.
+    /// `covariance`: of those waves' modes, which may differ a little from the integral.
+    GradientProcess(const ShownSea& sea, const WaveBand& band, const GradientCovariance& covariance,
+                    double angle, const Stretch& stretch);
 
-    struct Gradients {
-        double a, b, c;
-    };
-
+    /// Returns the covariance of the gradients at one time.
     const GradientCovariance& covariance() const { return covariance_; }
 
-    /// Two stretches that are as good as independent, of the number's own noise.
-    std::array<std::vector<Gradients>, 2> draw(std::uint32_t number) const;
+    /// Returns two stretches that are as good as independent, of the number's own noise. Processes
+    /// of different `part`s (0, 1) are independent of each other.
+    std::array<std::vector<Gradients>, 2> draw(std::uint32_t number, int part = 0) const;
 
-    /// The stretch from `reach` ticks before a tick to `reach` behind it as it is where it is `at`
-    /// there: x(t) + R(t - s) R(0)^-1 (at - x(s)).
+    /// Writes the stretch from `reach` ticks before a tick to `reach` behind it, as it is where the
+    /// gradients there are `at`: x(t) + R(t - s) R(0)^-1 (at - x(s)).
     void passing(const Gradients& at, std::size_t tick, int reach,
+                 std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
+
+    /// Writes the same window where something else is known: x(t) + R(t - s) w, with w of
+    /// weights_of.
+    void shifted(const Gradients& weights, std::size_t tick, int reach,
                  std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
 
   private:
@@ -64,5 +79,8 @@ class GradientProcess {
     std::vector<GradientFactors> factors_;  // of each bin
     std::vector<GradientCovariance> lags_;  // [tick]: of the gradients now and then
 };
+
+/// Returns R(0)^-1 difference, R(0) the covariance whose factors these are.
+Gradients weights_of(const GradientFactors& still, const Gradients& difference);
 
 }  // namespace ocean

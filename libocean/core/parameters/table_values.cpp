@@ -50,7 +50,9 @@ std::int64_t checked_integer(const Place& place, const ParameterValue& value) {
     const double number = checked_number(place, value);
     if (number != std::floor(number)) refuse(place, to_text(value), "is not a whole number");
     const auto whole = static_cast<std::int64_t>(number);
-    const bool power = whole > 0 && std::has_single_bit(static_cast<std::uint64_t>(whole));
+    const bool unset = whole == 0 && place.spec.least > 0.0;
+    const bool power =
+        unset || (whole > 0 && std::has_single_bit(static_cast<std::uint64_t>(whole)));
     if (place.spec.rule == NumberRule::power_of_two && !power) {
         refuse(place, to_text(value), "is not a power of two");
     }

@@ -44,11 +44,14 @@ double peak_of_rings(std::span<const ModeSums> cascades, std::span<const Cascade
 }
 
 /// Displacement, normals and foam, with what makes them.
-std::uint64_t frame_bytes(const Grid& grid, int resolution) {
+std::uint64_t frame_bytes(const Parameters& parameters, int resolution) {
     using enum Channel;
+    const int lattice = foam_lattice(parameters, resolution).resolution;
+    const std::uint64_t past =
+        maps_bytes(lattice, kFoamMaps) + (lattice < resolution ? maps_bytes(resolution, 1) : 0);
     constexpr ChannelSet kChannels = {dx, dy, height, nx, ny, nz, foam};
-    return work_bytes(grid, Backend::cpu, kChannels, resolution) +
-           maps_bytes(resolution, kChannels.size() + kFoamMaps);
+    return work_bytes(parameters.grid, Backend::cpu, kChannels, resolution) +
+           maps_bytes(resolution, kChannels.size()) + past;
 }
 
 /// The waves of a cascade repeat at its own period, and at that of another whose divisor divides
@@ -150,8 +153,8 @@ SeaState sea_state(const DirectionalSpectrum& spectrum, const Parameters& parame
     state.loop_errors = loop_errors(parameters, state.longest_wave, state.shortest_wave);
     state.loop_error = sums.m0 > 0.0 ? std::sqrt(sums.loop_error / sums.m0) : 0.0;
     state.period = grid.patch_size;
-    state.memory_bytes =
-        modes_bytes(grid) + frame_bytes(grid, state.map_resolution) + spectrum.table().size_bytes();
+    state.memory_bytes = modes_bytes(grid) + frame_bytes(parameters, state.map_resolution) +
+                         spectrum.table().size_bytes();
     const FoamClock clock = foam_clock(surface, parameters.time.loop_period);
     state.foam_preroll_seconds = static_cast<double>(preroll_ticks(
                                      clock, 0, [&](double) { return surface.foam_lifetime; })) *

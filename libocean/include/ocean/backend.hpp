@@ -38,13 +38,15 @@ struct MapModes {
     int resolution = 0;      // of the map; may be more or less than that of the modes
     Revision revision;       // of Modes
     Revision lattice_revision;
+    int held_by = 0;  // only modes that a map of this resolution holds; 0: of `resolution`
 
     double wavenumber_step() const { return kTwoPi / period; }
     /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
     int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
     /// The map holds the modes -half + 1 .. half - 1 of a cascade along each axis.
     int half(const CascadeModes& cascade) const {
-        return half_of(cascade.lattice.resolution, stride(cascade), resolution);
+        return half_of(cascade.lattice.resolution, stride(cascade),
+                       held_by > 0 ? std::min(held_by, resolution) : resolution);
     }
     /// Of the map itself: its modes beyond -half_band + 1 .. half_band - 1 are zero.
     int half_band() const {

@@ -45,11 +45,42 @@ struct ShownSea {
     int resolution;  // of the map
 };
 
-/// The power of foam that says how much of the water is covered: the ensemble mean of foam^power is
-/// that of the whitecaps. 1 where foam leaves nothing behind. From labels that are followed through
-/// some hundred times the foam's life, within about 1 %; the same for any number of threads, and
-/// without a jump where the sea changes. `covariance`: of the modes that the map holds.
-double cover_power(const ShownSea& sea, const GradientCovariance& covariance, ThreadPool& pool);
+/// The lattice on which the foam of a map has its past. That of a finer map has four samples to its
+/// shortest wave, since readers interpolate between them.
+struct FoamLattice {
+    int resolution;  // samples along a side, at most the map's
+    int held_by;     // the past is of the waves that a map of this resolution holds
+
+    auto operator<=>(const FoamLattice&) const = default;
+};
+
+/// Returns the foam lattice of a map: as fine as surface.foam_resolution says, or the grid, and
+/// never finer than the map.
+FoamLattice foam_lattice(const Parameters& parameters, int map_resolution);
+
+/// Writes a lattice of foam onto a map of a power of two times as many samples along each side.
+/// Between the lattice's samples foam^power is linear, so that the mean of foam^power, the cover,
+/// is the lattice's.
+void spread_foam(std::span<const float> lattice, double power, std::span<float> map,
+                 ThreadPool& pool);
+
+/// The waves that make a map's foam: those of the map make its whitecaps, those of the foam lattice
+/// its past.
+struct FoamWaves {
+    GradientCovariance map;
+    FoamLattice lattice;
+    GradientCovariance past;
+    double past_threshold;  // the Jacobian below which the past's whitecaps begin
+};
+
+/// Returns the waves of a map's foam. `parameters`: as the sea has them, without a threshold found.
+FoamWaves foam_waves(const Modes& modes, const Parameters& parameters, int map_resolution);
+
+/// Returns the power of foam that says how much of the water is covered: the ensemble mean of
+/// foam^power is that of the whitecaps. 1 where foam leaves nothing behind. From labels that are
+/// followed through some hundred times the foam's life, within about 1 %; the same for any number
+/// of threads, and without a jump where the sea changes.
+double cover_power(const ShownSea& sea, const FoamWaves& waves, ThreadPool& pool);
 
 /// What foam in memory is made of.
 struct FoamSource {

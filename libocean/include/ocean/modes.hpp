@@ -32,6 +32,7 @@ struct GradientCovariance {
 
     GradientCovariance& operator+=(const GradientCovariance& other);
     GradientCovariance& operator*=(double factor);
+    bool operator==(const GradientCovariance&) const = default;
 };
 
 /// All modes of one wavenumber band. Arrays are row-major [index of ky][index of kx], FFT order,

@@ -20,6 +20,7 @@
 #include "ocean/float_pose.hpp"
 #include "ocean/foam.hpp"
 #include "ocean/map_output.hpp"
+#include "ocean/page_vector.hpp"
 #include "ocean/query.hpp"
 #include "ocean/sea.hpp"
 #include "ocean/sea_state.hpp"
@@ -162,7 +163,12 @@ class Ocean {
     /// Writes the current sea's maps, foam over what the layer says.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
-    FoamLayer foam_layer(double time, int resolution);
+    FoamLayer foam_layer(double time, const FoamLattice& lattice);
+    void make_foam_tick(double time, const FoamLattice& lattice, const FoamLayer& before,
+                        std::span<float> foam);
+    /// Returns the layer of a foam lattice on a finer map of the current sea. Valid until the next
+    /// call.
+    FoamLayer spread_layer(const FoamLayer& layer, int lattice, int resolution);
     bool has_foam(ChannelSet channels) const;
     int map_resolution(int asked) const;
     /// For so many maps beside what the channels need.
@@ -183,8 +189,10 @@ class Ocean {
     std::unique_ptr<Chain> chain_;
     std::unique_ptr<MapWriter> maps_;
     std::vector<std::unique_ptr<MapWriter>> cascade_maps_;
+    std::unique_ptr<MapWriter> foam_maps_;  // of lattices that hold fewer waves than they could
     std::map<int, ChannelSet> made_;  // of each resolution so far: what the backend keeps is there
-    std::map<int, FoamState> foam_;   // of each resolution that was asked for
+    std::map<FoamLattice, FoamState> foam_;  // of each foam lattice that maps have needed
+    PageVector<float> spread_foam_;          // of the last map that is finer than its foam lattice
     std::map<DetailSettings, std::unique_ptr<DetailMaps>> detail_;
     std::unique_ptr<SprayFollower> spray_;  // of the settings that were asked for last
     std::unique_ptr<Performer> performer_;
