@@ -91,7 +91,7 @@ void Ocean::perform(double time, std::string_view name, std::string_view value) 
     const double from = performer_->perform(sea_, time, name, value);
     if (from > kLatestTime) return;
     ++revision_;
-    // What the performer lets in breaks no rule, so a long take is not gone through every time.
+    // The performer has checked the event, so a long take need not be checked as a whole each time.
     if (checked) checked_ = revision_;
     for (auto& [resolution, foam] : foam_) foam.forget_from(from);
     if (spray_) spray_->forget_from(from);
@@ -146,7 +146,7 @@ FrameCost Ocean::measure_frame_cost() {
     const ChannelSet tick_channels = {Channel::whitecap};
     const ChannelSet frame_channels = {Channel::dx, Channel::dy, Channel::height,  Channel::nx,
                                        Channel::ny, Channel::nz, Channel::whitecap};
-    seconds(tick_channels);  // builds what is not there yet
+    seconds(tick_channels);  // builds all that is missing, so that it is not measured
     // An inverse transform of N x N samples is N^2 log N work.
     const double scale = std::pow(static_cast<double>(map) / measured, 2.0) *
                          std::log(static_cast<double>(map)) /
@@ -157,7 +157,7 @@ FrameCost Ocean::measure_frame_cost() {
     const double lifetime = now().surface.foam_lifetime;
     const auto preroll =
         static_cast<double>(preroll_ticks(clock, 0, [lifetime](double) { return lifetime; }));
-    // Without a lifetime there are no ticks to follow.
+    // Without a lifetime no ticks are followed.
     const double ticks = preroll > 0.0 ? 1.0 / (now().time.fps * clock.step) : 0.0;
     return {frame + preroll * tick, frame + std::min(ticks, preroll) * tick};
 }

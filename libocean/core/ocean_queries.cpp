@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the facade answers about places: the surface, the water below it, bodies that float. The
-// last query of each kind is kept for the next one of the same time.
+// The facade's queries at points: the surface, the water below it, floating bodies. The last query
+// of each kind is kept for the next one of the same time.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A compute shader with what is defined outside of it.
+// A compute shader with the definitions made by C++.
 #pragma once
 
 #include <string>

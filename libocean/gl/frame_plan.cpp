@@ -16,7 +16,7 @@ namespace ocean::gl {
 
 namespace {
 
-/// As the shaders call them, in the order of Linear.
+/// The names of the fields in the shaders, in the order of Linear.
 constexpr std::array<std::string_view, kLinearCount> kFieldNames = {
     "height",      "displacement_x",      "displacement_y",     "slope_x",
     "slope_y",     "gradient_xx",         "gradient_yy",        "gradient_xy",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What runs on a GPU: in the context that is current at its first call, else in a headless one of
-// its own.
+// Work that runs on a GPU: in the context that is current at its first call, else in a headless one
+// of its own.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@
 
 namespace ocean::gl {
 
-/// Objects that live in a context: the host's, or one that they have for themselves. Parts is made
-/// of a ContextInfo. A copy has all of its own: contexts are not shared.
+/// Objects that live in a context: the host's, or a headless one of their own. Parts is made from a
+/// ContextInfo. A copy makes its own objects: contexts are not shared.
 template <typename Parts>
 class GpuParts {
   public:
@@ -26,8 +26,8 @@ class GpuParts {
     GpuParts(const GpuParts&) {}
     ~GpuParts() { forget(); }
 
-    /// What work(Parts&) returns; meanwhile the context is current. After Error no_gpu nothing is
-    /// left, and the next call begins anew.
+    /// Makes the context current, calls work(Parts&) and returns its result. After Error no_gpu all
+    /// objects are gone, and the next call begins anew.
     template <typename Work>
     std::invoke_result_t<Work, Parts&> use(const Work& work) {
         try {
@@ -61,7 +61,7 @@ class GpuParts {
             if (own_) current.emplace(*own_);
             parts_.reset();
         } catch (const Error&) {
-            // Lost, and its objects with it: there is nothing to delete them in.
+            // The context is lost and its objects with it: no context is left to delete them in.
             static_cast<void>(parts_.release());
         }
         own_.reset();

@@ -102,7 +102,7 @@ void use_egl_device(int device) {
 struct HeadlessContext::Parts {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
-    EGLSurface surface = EGL_NO_SURFACE;  // of a pbuffer, where there is no context without
+    EGLSurface surface = EGL_NO_SURFACE;  // a pbuffer, where a context without surface is refused
     ContextInfo info;
     std::vector<std::string> messages;
 
@@ -112,7 +112,7 @@ struct HeadlessContext::Parts {
         if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
     }
 
-    /// What went wrong, or nothing.
+    /// Opens a context. Returns the failure, or nothing.
     std::string open(EGLDisplay on, const HeadlessOptions& options) {
         if (on == EGL_NO_DISPLAY || eglInitialize(on, nullptr, nullptr) == 0) {
             return egl_error_name();
@@ -124,7 +124,7 @@ struct HeadlessContext::Parts {
         EGLConfig config = nullptr;
         EGLint configs = 0;
         eglChooseConfig(display, wanted, &config, 1, &configs);
-        // A driver need not tell that it was reset unless it was asked to; some cannot.
+        // A driver reports a reset only if that was requested; some cannot.
         for (const EGLint reset : {EGL_LOSE_CONTEXT_ON_RESET, EGL_NO_RESET_NOTIFICATION}) {
             const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                                  4,

@@ -32,11 +32,10 @@ class MapFrame {
     /// Gives a map another texture, of that format, and takes the one that it had, or none.
     void exchange_map(std::size_t number, GLenum format, Texture& texture);
 
-    /// Called before each dispatch and after the last one; for who wants to know how long they
-    /// take.
+    /// Sets a function called before each dispatch and after the last one, to measure their times.
     void watch(std::function<void()> mark) { mark_ = std::move(mark); }
 
-    /// Of the last make.
+    /// Returns the plan of the last make().
     const FramePlan& plan() const { return program_->plan; }
     const Texture& map(std::size_t number) const { return maps_[number]; }
 
@@ -60,7 +59,7 @@ class MapFrame {
     std::vector<Buffer> packs_;
     std::vector<Texture> maps_;
     std::vector<GLenum> formats_;  // of maps_
-    Texture no_past_;              // of foam that begins
+    Texture no_past_;              // for foam that begins
     std::function<void()> mark_;
     /// By the quantities' ids and whether the choppiness is 0.
     std::map<std::pair<std::vector<int>, bool>, Programs> programs_;

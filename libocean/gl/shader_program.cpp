@@ -16,7 +16,7 @@ namespace ocean::gl {
 
 namespace {
 
-/// The words that shaders/wave/ leaves to those who include it.
+/// The macros that shaders/wave/ expects from the including code.
 constexpr std::string_view kHead =
     "#define real float\n"
     "#define formula\n"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shaders and their includes; see shader_text.hpp. An include stands alone on its line, between
-// quotes, from the root of shaders/; each file is taken once.
+// Shaders and their includes; see shader_text.hpp. An include is alone on its line, between quotes,
+// with a path from the root of shaders/; each file is included once.
 #include "shader_text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rows of a CSV that nobody has checked; see csv_rows.hpp.
+// Rows of untrusted CSV text; see csv_rows.hpp.
 #include "ocean/internal/csv_rows.hpp"
 
 #include <algorithm>
@@ -64,7 +64,8 @@ bool split_into(std::vector<std::string_view>& fields, std::string_view line, ch
     return true;
 }
 
-/// The bracket that closes the one at `open`, which may hold others; npos if there is none.
+/// Returns the position of the bracket that closes the one at `open`, which may enclose others;
+/// npos without one.
 std::size_t closing_bracket(std::string_view line, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < line.size(); ++i) {
@@ -128,7 +129,7 @@ Separators separators_of(std::string_view header, std::string_view row) {
     for (const char c : {'\t', ';', ','}) {
         if (header.find(c) == std::string_view::npos) continue;
         const auto titles = split_header(header, c);
-        if (titles && titles->size() == 1) continue;  // it stands within brackets or quotes alone
+        if (titles && titles->size() == 1) continue;  // it appears only within brackets or quotes
         present.push_back(c);
         if (titles && suits(c, titles->size())) suitable.push_back(c);
     }
@@ -142,7 +143,7 @@ Separators separators_of(std::string_view header, std::string_view row) {
     return {present.empty() ? ',' : present[0]};
 }
 
-/// "sep=;", by which Excel tells its separator.
+/// Returns the separator of a line "sep=;", as Excel writes it.
 std::optional<char> told_separator(std::string_view line) {
     line = trimmed(line);
     if (line.size() == 5 && lower_case(line[0]) == 's' && lower_case(line[1]) == 'e' &&
@@ -366,7 +367,7 @@ void TableReader::check_marks(std::string_view word) const {
                       (comma ? "point" : "comma"));
 }
 
-/// A list whose numbers stand between semicolons is of a program that writes decimal commas.
+/// A list with numbers between semicolons comes from a program that writes decimal commas.
 void TableReader::check_commas() const {
     if (separator_ == ';' || comma_line_ == 0 || !only_thousands_) return;
     throw text::error_at(ErrorKind::bad_file, name_, comma_line_,

@@ -241,7 +241,7 @@ class UnitParser {
         return value;
     }
 
-    /// 1 where there is none.
+    /// Returns the exponent that follows; 1 without one.
     int exponent() {
         if (take("^") || take("**")) return integer();
         const std::string_view before = left_;
@@ -276,7 +276,7 @@ class UnitParser {
     bool divide_all_;
 };
 
-/// As "m^2 s rad^-1".
+/// Returns a unit spelled as "m^2 s rad^-1".
 std::string text_of(const Unit& unit) {
     std::string text;
     const auto add = [&](std::string_view name, int n) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What spectrum formats say of directions: see directional_record.hpp.
+// Directions of spectrum formats: see directional_record.hpp.
 #include "ocean/internal/directional_record.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 /// Bins closer than this are one: 0 and 360, or radians printed with three digits.
 constexpr double kSameDirection = 0.01;
-/// A gap is the outside of a sector if it is wider than this and than so many of the widest bins:
-/// uneven bins of a full circle are neither.
+/// A gap counts as the outside of a sector if it is wider than this and than a multiple of the
+/// widest bin: uneven bins of a full circle are narrower.
 constexpr double kSectorGap = 60.0;
 constexpr double kSectorBins = 3.0;
 

@@ -70,7 +70,7 @@ void inflate_all(std::string_view packed, const std::string& name, const Take& t
 }  // namespace
 
 std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit) {
-    // Measured before it is kept: what is refused has cost no memory.
+    // The size is measured before anything is stored, so a refused file costs no memory.
     std::size_t size = 0;
     inflate_all(packed, name, [&](std::string_view block) {
         size += block.size();

@@ -18,8 +18,8 @@ namespace {
 
 /// WMO Manual on Codes, table 1100. The wind is the mean of the force; with this fetch JONSWAP
 /// gives the probable wave height of the open sea. Forces 1 to 3 raise less, even fully developed
-/// [Pierson and Moskowitz 1964]: height and period of their open sea are given, and the fetch is
-/// that of full development or the least there is. The patch is about 8 peak wavelengths.
+/// [Pierson and Moskowitz 1964]: the height and period of their open sea are given, and the fetch
+/// is that of full development or the min of its range. The patch is about 8 peak wavelengths.
 struct Beaufort {
     std::string_view name;
     double wind_speed;         // m/s

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What estimators of spectra leave in their files and no sea has: see clean_record in
+// Removal of artefacts that estimators leave in spectra and that no sea has: see clean_record in
 // record_rules.hpp.
 #include <algorithm>
 #include <span>
@@ -28,7 +28,7 @@ void scale(std::span<double> values, double factor) {
     for (double& value : values) value *= factor;
 }
 
-/// Sets what is below 0 to 0.
+/// Sets negative values to 0.
 void clip(std::span<double> values) {
     for (double& value : values) value = std::max(value, 0.0);
 }

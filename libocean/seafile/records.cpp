@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What to do with the records of a spectrum file: choose one by time, sum one up, list all.
+// Operations on the records of a spectrum file: choose one by time and place, sum one up, list all.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -26,7 +26,7 @@ namespace {
 constexpr std::int64_t kTimeTolerance = 30;  // minutes
 constexpr double kPlaceTolerance = 50.0;     // km
 constexpr double kDegree = kPi / 180.0;
-constexpr std::size_t kMostWarnings = 50;  // of one file
+constexpr std::size_t kMostWarnings = 50;  // for one file
 
 struct Position {
     double latitude;

@@ -32,7 +32,7 @@ constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;
-/// Moments are printed with two digits or more: what rounding may add to 1.
+/// Moments are printed with two digits or more: 1 plus the max that rounding may add.
 constexpr double kMaxMoment = 1.005;
 
 std::string bin(std::size_t i) {
@@ -120,7 +120,7 @@ std::string place_fault(const SpectrumRecord& record) {
     return "";
 }
 
-/// Of a record with a fault.
+/// Clears a record with a fault except for its time and place.
 void keep_time_and_place(SpectrumRecord& record) {
     SpectrumRecord kept;
     kept.station = std::move(record.station);

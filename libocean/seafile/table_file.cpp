@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a reader of parameters refuses, and with which words; see table_file.hpp.
+// The errors of a reader of parameters; see table_file.hpp.
 #include "table_file.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values as TOML spells them: what the sea-file writer and the presets put behind "key =".
+// Values in TOML's spelling: the right-hand sides of "key =" in sea files and presets.
 #pragma once
 
 #include <string>

@@ -22,7 +22,7 @@ void append_padded(std::string& out, int value, std::size_t width) {
     out += digits;
 }
 
-/// Takes `width` digits off the front; -1 if they are not there.
+/// Removes `width` digits from the front and returns them; -1 if they are missing.
 int take_digits(std::string_view& text, std::size_t width) {
     if (text.size() < width) return -1;
     int value = 0;
@@ -47,8 +47,8 @@ bool take_fraction(std::string_view& text) {
     return count > 0;
 }
 
-/// Takes "Z", " UTC", " GMT", or an offset from UTC: "+01:00", "-0530", "+01". Minutes, 0 where
-/// there is none of these; nothing for an offset beyond a day.
+/// Removes "Z", " UTC", " GMT", or an offset from UTC: "+01:00", "-0530", "+01". Returns the offset
+/// in minutes, 0 without any of these; nothing for an offset beyond a day.
 std::optional<int> take_zone(std::string_view& text) {
     for (const std::string_view name : {"Z", " UTC", "UTC", " GMT", "GMT"}) {
         if (text != name) continue;

@@ -8,7 +8,7 @@ layout(location = 0) uniform float choppiness;
 layout(location = 1) uniform vec2 whitecap_threshold_and_width;
 layout(location = 2) uniform vec2 foam_fade_and_least;
 
-// The linear fields, by their names in the library; those that nobody asked for are 0.
+// The linear fields, by their names in the library; those that were not requested are 0.
 struct Fields {
     float height;
     float displacement_x;
@@ -26,8 +26,8 @@ struct Fields {
 vec3 normal_of(Fields p) {
     SurfaceNormal n = surface_normal(choppiness, p.gradient_xx, p.gradient_yy, p.gradient_xy,
                                      p.slope_x, p.slope_y);
-    // Its z, near 1, has most of its digits in common with all others: not by inversesqrt, of which
-    // drivers promise little, but from what is small.
+    // z is near 1, so most of its digits are common to all samples: it is computed from the small
+    // difference, not by inversesqrt, of which drivers promise little.
     float up = 1.0 - (n.x * n.x + n.y * n.y) / (1.0 + abs(n.z));
     return vec3(n.x, n.y, n.z < 0.0 ? -up : up);
 }

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     write("permutation", "compute/thesis/permutation.comp", "");
     write("self_check", "compute/self_check.comp", "");
     for (int resolution = 32; resolution <= 8192; resolution *= 2) {
-        // Of little shared memory and of much.
+        // With little shared memory and with much.
         for (const int shared : {32768, 49152}) {
             const PassShape shape = pass_shape(resolution, shared, 1024);
             for (const auto& [name, quantities] : kAsked) {

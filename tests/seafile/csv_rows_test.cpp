@@ -12,7 +12,7 @@
 namespace ocean::csv {
 namespace {
 
-/// The columns of numbers, by their titles; what is no number is -1.
+/// Returns the columns of numbers by their titles; -1 for a cell without a number.
 std::string numbers_of(const std::string& content) {
     TableReader table(content, "t.csv");
     std::string text;

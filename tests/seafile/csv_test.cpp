@@ -105,7 +105,7 @@ TEST(Csv, EnergyIsTheSameInEveryUnitOverBoth) {
 }
 
 TEST(Csv, TheThreeDirectionColumnsMeanWhatTheySay) {
-    // The value 2 stands at 90.
+    // The value 2 is at 90.
     for (const auto& [title, travel] :
          {std::pair{"direction", 180.0}, {"direction_to", 0.0}, {"direction_cartesian", 90.0}}) {
         const SpectrumRecord record = first(grid(title));

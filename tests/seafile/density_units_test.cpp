@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Units of spectral densities: what each spelling is in m^2/Hz or m^2/Hz/degree, by hand.
+// Units of spectral densities: the factor of each spelling to m^2/Hz or m^2/Hz/degree, by hand.
 #include "ocean/internal/density_units.hpp"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ std::vector<double> even_bins(std::size_t count, double first = 0.0) {
 
 TEST(TravelDirection, IsRightInEveryQuadrant) {
     struct Case {
-        double file, from, to;  // the angle of the file, what it means by either nautical reading
+        double file, from, to;  // the angle of the file, and its meaning in either nautical sense
     };
     for (const Case& c : {Case{0, 270, 90},
                           {45, 225, 45},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The readers of Nortek AWAC, Obscape and Octopus: their sample files against wavespectra 4.9.0,
-// which reads all three, and what may be wrong in such files.
+// which reads all three, and the faults of broken files.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -80,7 +80,7 @@ TEST(Awac, AgreesWithWavespectra) {
                              {"2020-05-01T02:21", 2.060, 156.697, 20.870, 9.538},
                              {"2020-05-01T02:41", 2.326, 154.030, 19.244, 9.656},
                              {"2020-05-01T03:01", 2.425, 154.573, 18.273, 10.049}};
-    // wavespectra leaves out what lies beyond the 48 frequencies of the moments, and scales to Hm0.
+    // wavespectra drops the frequencies beyond the 48 of the moments, and scales to Hm0.
     for (SpectrumRecord& record : records) {
         EXPECT_EQ(record.frequency.size(), 98u);
         for (auto* values :

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What estimators leave in spectra and no sea has: bins of 0 Hz, densities below 0. And what of a
-// file can be used when one of its records cannot.
+// Artefacts that estimators leave in spectra and that no sea has: bins of 0 Hz, densities below 0.
+// And the usable records of a file with a broken one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

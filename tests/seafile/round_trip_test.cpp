@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What write_sea writes, parse_sea reads back in every bit: no baked sea is another sea.
+// parse_sea reads back every bit that write_sea writes: no baked sea is another sea.
 #include <gtest/gtest.h>
 
 #include <clocale>

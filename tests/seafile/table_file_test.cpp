@@ -141,7 +141,7 @@ TEST(SeaFile, OfATerrainSaysSo) {
         refusal_of_sea("[water]\ndepth = 5\n[terrain]\n").says("test.toml:4: is a terrain"));
 }
 
-/// What programs read beside the sentence passes the file's readers.
+/// The fields that programs read beside the sentence pass through the file's readers.
 TEST(SeaFile, MistakesKeepTheirFields) {
     const auto fields = [](const std::string& body) {
         try {

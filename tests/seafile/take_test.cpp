@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Takes as text: what is read, what is refused and how, and that a saved sea holds its take.
+// Takes as text: accepted lines, refused lines and their messages, and the take inside a saved sea.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -14,7 +14,7 @@ namespace {
 
 const std::string kBuoyFile = kData + "/spectra/triaxys.DIRSPEC";
 
-/// Three frequencies, waves from the north, east, south and west; north is there twice.
+/// Three frequencies, waves from the north, east, south and west; north is listed twice.
 const std::string kFile =
     "TRIAXYS BUOY DATA REPORT - TAS01970 - TAB01401 - 4857.6668S16631.6837W\r\n"  // 1
     "VERSION = WV (NDS)\r\n"
@@ -73,7 +73,7 @@ TEST(Triaxys, ReadsWhatTheFileSays) {
 }
 
 TEST(Triaxys, TheTableIsPerDegree) {
-    // What the same buoy says at the same time in its file over frequency alone, .NONDIRSPEC.
+    // The same buoy at the same time, in its file over frequency alone, .NONDIRSPEC.
     const SpectrumRecord record = read_spectra(kBuoyFile).front();
     EXPECT_NEAR(record.density[5] / 2.7462840, 1.0, 0.003) << "0.06 Hz";
     EXPECT_NEAR(record.density[12] / 6.9292030, 1.0, 0.003) << "0.13 Hz";

@@ -235,7 +235,8 @@ TEST(Products, AreFoundByNameAmongThoseThatThereAre) {
     }
 }
 
-/// Of image files whose options leave it open: what moves geometry is float, the rest half.
+/// Image files whose options leave the type open store float for products that move geometry, else
+/// half.
 TEST(Products, StateHowFilesKeepThem) {
     std::string full, always, of_halves;
     for (const Product& product : kProducts) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea that is played live: what is shown is what its take makes again, and the past stays.
+// A sea that is played live: its take reproduces what was displayed, and the past stays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,7 +116,7 @@ TEST(Perform, CostsTheNewTicksOfFoamAlone) {
     EXPECT_EQ(ticks() - first, 1);  // that of 10.0 s itself, from which on the sea is another
     shown(live, 10.21);
     EXPECT_EQ(ticks() - first, 5);
-    // Of each map its own.
+    // Each map has its own.
     shown(live, 10.21, 32);
     const auto both = ticks();
     for (int i = 1; i <= 4; ++i) {

@@ -40,8 +40,8 @@ std::vector<std::filesystem::path> control_groups(const std::filesystem::path& l
     std::ifstream file(list);
     std::vector<std::filesystem::path> groups = {root};
     for (std::string line; std::getline(file, line);) {
-        if (!line.starts_with("0::/")) continue;  // of version 2
-        // In a container the list may name a place outside of it: what is not there says nothing.
+        if (!line.starts_with("0::/")) continue;  // version 2 only
+        // In a container the list may name a path outside of it: missing files set no limit.
         for (const auto& part : std::filesystem::path(line.substr(4))) {
             groups.push_back(groups.back() / part);
         }
@@ -66,8 +66,8 @@ std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups
     std::uint64_t least = kUnknown;
     for (const std::filesystem::path& group : groups) {
         const std::filesystem::path stat = group / "memory.stat";
-        // What files are kept for the case that they are read again is given up on demand; what
-        // lives in memory alone (shmem) is counted among them and is not.
+        // The kernel gives up the cache of files on demand. Memory without a file (shmem) is
+        // counted in it but stays.
         const std::uint64_t files = value_in(stat, "file");
         const std::uint64_t cache = files == kUnknown ? 0 : left_of(files, value_in(stat, "shmem"));
         const std::uint64_t current = number_in(group / "memory.current");

@@ -36,7 +36,7 @@ namespace ocean {
 
 std::uint64_t process_number() {
 #if defined(_WIN32)
-    return 0;  // there is no fork
+    return 0;  // this system has no fork
 #else
     return static_cast<std::uint64_t>(getpid());
 #endif

@@ -22,7 +22,7 @@ namespace ocean {
 
 namespace {
 
-/// The items first .. last - 1 that nobody has taken yet.
+/// The items first .. last - 1 that no thread has begun.
 class ItemRange {
   public:
     void set(int first, int last) { range_.store(pack(first, last), std::memory_order_relaxed); }
@@ -49,7 +49,8 @@ class ItemRange {
     alignas(64) std::atomic<std::uint64_t> range_{};
 };
 
-/// Of a range, where a call may be stopped: each is a few hundredths of a second at most.
+/// Shares of a range between which a call can be stopped: each takes at most a few hundredths of a
+/// second.
 constexpr int kSharesToStopBetween = 128;
 
 /// Where share i of `shares` begins.
@@ -67,7 +68,7 @@ struct ThreadPool::State {
     RunJobs run_jobs;
     std::uint64_t process = process_number();  // whose threads these are
     std::vector<std::thread> workers;
-    std::vector<ItemRange> ranges;  // of each thread
+    std::vector<ItemRange> ranges;  // one for each thread
     // The caller's:
     CrewSize crew_size{1};
     std::function<void()> interrupt;
@@ -77,10 +78,10 @@ struct ThreadPool::State {
     std::condition_variable start;
     std::condition_variable done;
     // Guarded by mutex:
-    const std::function<void(int, int)>* body = nullptr;  // of the call that goes on, if any
+    const std::function<void(int, int)>* body = nullptr;  // of the current call, if any
     std::uint64_t call = 0;                               // its number
     int crew = 1;                                         // threads that may take part
-    bool measured = false;                                // what they use
+    bool measured = false;                                // the threads' usage is measured
     ThreadUsage used;                                     // by all in this call
     int taking_part = 0;                                  // workers
     bool stopping = false;
@@ -94,8 +95,8 @@ struct ThreadPool::State {
             try {
                 workers.emplace_back([this, thread] { work(thread); });
             } catch (const std::exception&) {
-                // The system gives no more threads: those there are do the same work to the same
-                // bits.
+                // The system refuses another thread: the present ones do the same work with the
+                // same bits.
                 size = thread;
                 break;
             }
@@ -113,8 +114,8 @@ struct ThreadPool::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    /// A thread walks through its own range, whose items are neighbours; after that it helps the
-    /// others from the far end of theirs. Returns what the thread used.
+    /// Runs the items of the thread's own range, which are neighbours, then those of the other
+    /// threads from the far end of their ranges. Returns the usage of the thread.
     ThreadUsage take_items(const std::function<void(int, int)>& run, int thread) {
         const ThreadUsage before = measured ? usage_of_this_thread() : ThreadUsage{};
         for (int other = 0; other < crew; ++other) {
@@ -184,7 +185,7 @@ struct ThreadPool::State {
         next_look = std::chrono::steady_clock::now() + kBetweenLooks;
     }
 
-    /// Until nobody takes part any more.
+    /// Blocks until no thread takes part in the call.
     void wait_for_workers(std::unique_lock<std::mutex>& lock) {
         const auto alone = [this] { return taking_part == 0; };
         while (interrupt && !done.wait_for(lock, kBetweenLooks, alone)) {
@@ -196,7 +197,7 @@ struct ThreadPool::State {
     }
 
     void work(int thread) {
-        const PlainFloats plain;  // not what the host's thread has that made this one
+        const PlainFloats plain;  // instead of the modes inherited from the host's thread
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {
@@ -224,7 +225,8 @@ ThreadPool::~ThreadPool() {
     leave_to_the_parent();
 }
 
-/// After fork() the threads that the state stands for are in another process: it cannot be ended.
+/// Abandons the state in a child after fork(): its threads exist only in the parent, so it cannot
+/// be destroyed.
 void ThreadPool::leave_to_the_parent() {
     if (state_->process != process_number()) static_cast<void>(state_.release());
 }
@@ -266,7 +268,7 @@ void ThreadPool::for_each_item(int count, const std::function<void(int item, int
     if (crew > 1) state.start.notify_all();
     const ThreadUsage usage = state.take_items(body, 0);
     std::unique_lock lock(state.mutex);
-    // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
+    // No item is left: threads that wake up now find no call, and those that take part are awaited.
     state.body = nullptr;
     state.wait_for_workers(lock);
     state.add(usage);

@@ -104,8 +104,8 @@ std::vector<DetailBand> detail_bands(const Parameters& parameters, const DetailS
 
 namespace {
 
-/// The integral of k^2 f over the frequencies of wavenumbers low .. high [rad/m], f(omega, k) of
-/// what is linear between the rows of the table: three points of Gauss in each gap.
+/// Returns the integral of k^2 f(omega, k) over the frequencies of the wavenumbers low .. high
+/// [rad/m], for an f that is linear between the rows of the table: three Gauss points in each gap.
 template <typename Density>
 double integral_of_slope(const DirectionalSpectrum& spectrum, const Dispersion& dispersion,
                          double low, double high, const Density& density) {
@@ -129,8 +129,9 @@ double integral_of_slope(const DirectionalSpectrum& spectrum, const Dispersion& 
     return sum;
 }
 
-/// Integral over the directions in which a wavenumber lies outside the square: within acos(edge/k)
-/// of an axis. A point for each direction of the table, which is linear between them.
+/// Returns the integral over the directions in which a wavenumber lies outside the square, within
+/// acos(edge/k) of an axis. One point for each direction of the table, which is linear between
+/// them.
 double density_outside(const DirectionalSpectrum& spectrum, double omega, double edge_over_k) {
     const double reach = std::acos(std::min(edge_over_k, 1.0));
     const int points = std::max(8, static_cast<int>(reach / kPi * spectrum.directions()));

@@ -3,9 +3,9 @@
 //
 // Counts are whole numbers, so that they depend neither on the order nor on the threads.
 //
-// Bilinear reads: let F be the share of reads below a value. Were F(T) of each texel T read instead
-// of T, the reads would be uniform but for the curvature of F within a texel; a few turns of it end
-// where F is the identity.
+// Bilinear reads: let F be the share of reads below a value. If each texel T were replaced by F(T),
+// the reads would be uniform except for the curvature of F within a texel; a few iterations
+// converge, where F is the identity.
 #include "foam/equaliser.hpp"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ constexpr int kPlaces = 1024;
 
 /// Places where the distribution of reads is known: a cover of 0.003 is fifty of them.
 constexpr int kBins = 1 << 14;
-/// Reads are on a lattice of so many a side of a texel; of small textures more, because each of
-/// their texels counts more.
+/// Reads per side of a texel, on a lattice. Small textures need more, because each of their texels
+/// counts more.
 constexpr int kLeastReads = 4, kMostReads = 32;
 constexpr int kReadsAlong = 4096;
 /// The largest departure from F(c) = c that is left, and the most turns that this may take.

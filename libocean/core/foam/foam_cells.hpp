@@ -32,7 +32,7 @@ class FoamCells {
     Point point(std::uint32_t seed, std::uint32_t field, int i, int j) const;
 
     int count_;
-    int width_;  // of the points with those of the neighbouring periods, in a row
+    int width_;  // points in a row, with those of the neighbouring periods
     float spread_;
     std::vector<Point> points_;
 };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of the water foam covers: the power of it whose mean is that of the whitecaps. Foam is
-// the maximum of a past, and no formula has the mean of a power of that; it is found by following
-// the gradients of the displacement at single labels, as the foam's clock would.
+// The exponent p of cover = foam^p, at which the mean of foam^p equals that of the whitecaps. Foam
+// is the maximum over a past, so the mean of its powers has no closed form; it is measured by
+// following the gradients of the displacement at single labels, tick by tick of the foam's clock.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ double beyond(double from, double share) {
     return 0.5 * (low + high);
 }
 
-/// Gradients where there is a whitecap, as they are found at a label that has one.
+/// Draws the gradients at a label that has a whitecap.
 class WhitecapGradients {
   public:
     WhitecapGradients(const GradientCovariance& covariance, double choppiness, double threshold)
@@ -55,7 +55,7 @@ class WhitecapGradients {
 
     bool any() const { return up_to_.back() > 0.0; }
 
-    /// Of two shares in (0, 1).
+    /// Returns the gradients for two uniform numbers in (0, 1).
     GradientProcess::Gradients at(double of_nodes, double of_depth) const {
         const auto found = std::ranges::upper_bound(up_to_, of_nodes * up_to_.back());
         const auto i =
@@ -101,10 +101,10 @@ class FoamAges {
 
   private:
     static constexpr double kPerRoot = 500.0;
-    std::array<double, 1252> weights_{};  // to ln 512, beyond which there is no foam
+    std::array<double, 1252> weights_{};  // to ln 512, beyond which foam is 0
 };
 
-/// What labels say that have a whitecap.
+/// Sums over the followed labels that have a whitecap.
 struct Followed {
     FoamAges foam;
     double whitecap = 0.0;
@@ -122,8 +122,8 @@ class Follower {
     Follower(const SurfaceSettings& shown, int reach, double aging)
         : shown_(shown), reach_(static_cast<std::size_t>(reach)), aging_(aging) {}
 
-    /// E[F^n] is the sum, over the ticks s of its last `reach`, of E[F^n / N; W(s) > 0], N how many
-    /// of them have W > 0: each whitecap counts for its share in all that follows it.
+    /// Adds E[F^n] as the sum, over the ticks s of its last `reach`, of E[F^n / N; W(s) > 0], where
+    /// N of them have W > 0: each whitecap counts for its share in the foam that follows.
     void follow(std::span<const GradientProcess::Gradients> window, Followed& followed) {
         const double c = shown_.choppiness;
         fresh_.clear();

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much whitecap there is: the Jacobian threshold at which the ensemble mean of W is what the
-// wind makes. From the modes' gradient covariance alone; the surface then applies the threshold.
+// The amount of whitecaps: the Jacobian threshold at which the ensemble mean of W equals the
+// coverage that the wind makes. Computed from the modes' gradient covariance alone; the surface
+// then applies the threshold.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,7 +16,7 @@
 namespace ocean {
 
 namespace {
-
+/// Below every float Jacobian, so that W is exactly 0.
 /// Every float Jacobian lies above: W is exactly 0.
 constexpr double kNoWhitecap = std::numeric_limits<float>::lowest();
 

@@ -19,8 +19,9 @@ double divergence(const GradientCovariance& v) {
     return v.aa + v.bb + 2.0 * v.ab;
 }
 
-/// The variance of each whole number of turns in a stretch, 0 .. ticks/2, of the waves that the
-/// map holds; what is faster than the clock tells apart is where the clock sees it.
+/// Returns the variance at each whole number of turns in a stretch, 0 .. ticks/2, of the waves that
+/// the map holds. Waves too fast for the clock appear at the frequency at which the clock samples
+/// them.
 std::vector<GradientCovariance> spectrum(const ShownSea& sea, double angle,
                                          const Stretch& stretch) {
     constexpr int kDirections = 72;
@@ -65,7 +66,7 @@ std::vector<GradientCovariance> spectrum(const ShownSea& sea, double angle,
 
 Stretch stretch_of(const FoamClock& clock, double lifetime) {
     constexpr double kReach = 2.5;  // lifetimes
-    constexpr double kLeast = 200;  // s: waves that differ by less are not told apart
+    constexpr double kLeast = 200;  // [s]: waves that differ by less are not separated
     constexpr int kMost = 1 << 17;
     const auto ticks_for = [](double wanted) {
         int ticks = 64;

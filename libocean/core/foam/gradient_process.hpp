@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What waves do to the water at one label over time, without a map: the gradients of the
-// displacement as a Gaussian process.
+// The water at one label over time, without a map: the gradients of the displacement as a Gaussian
+// process.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ namespace ocean {
 /// counts.
 struct Stretch {
     int ticks;       // a power of two
-    double seconds;  // of them all
-    int reach;       // ticks after which what a power leaves of foam is nothing
+    double seconds;  // of all ticks together
+    int reach;       // ticks after which a power of faded foam is negligible
 
     double step() const { return seconds / ticks; }
 };
@@ -60,7 +60,7 @@ class GradientProcess {
 
     Radix2Fft<double> fft_;
     GradientCovariance covariance_;
-    GradientFactors still_{{}};             // of it
+    GradientFactors still_{{}};             // of covariance_
     std::vector<GradientFactors> factors_;  // of each bin
     std::vector<GradientCovariance> lags_;  // [tick]: of the gradients now and then
 };

@@ -26,7 +26,7 @@ struct GradientFactors {
 struct JacobianNode {
     double x, y;
     double mean, slope;
-    double weight;  // of x and y; they sum to 1
+    double weight;  // of (x, y); the weights sum to 1
 };
 
 /// The trapezoid rule over x and y, which converges faster than any power of its spacing, as long

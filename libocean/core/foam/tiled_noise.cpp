@@ -35,7 +35,7 @@ struct CubicPlace {
     std::array<float, 4> weight;
 };
 
-/// Of x samples from sample 0 of a periodic row. [Catmull and Rom 1974]
+/// Returns the cubic weights at x samples from sample 0 of a periodic row. [Catmull and Rom 1974]
 CubicPlace cubic_place(double x, int samples) {
     const double whole = std::floor(x);
     const auto t = static_cast<float>(x - whole);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gaussian noise of a band of wavenumbers on a periodic square: patches of foam, streaks, and what
-// bends the walls of cells.
+// Gaussian noise of a band of wavenumbers on a periodic square: patches of foam, streaks, and the
+// bending of the walls of cells.
 #pragma once
 
 #include <complex>
@@ -12,8 +12,8 @@
 
 namespace ocean {
 
-/// Wavenumbers in cycles a period. Amplitudes fall as k^(-falloff / 4), with k = |(stretch n, m)|
-/// of the mode (n, m): patches are `stretch` times as long along x as along y.
+/// The band, with wavenumbers in cycles per period. Amplitudes fall as k^(-falloff / 4), with k =
+/// |(stretch n, m)| of the mode (n, m): patches are `stretch` times as long along x as along y.
 struct NoiseBand {
     double lowest, highest;
     int falloff;
@@ -30,7 +30,7 @@ class TiledNoise {
     void row(double v, std::span<std::complex<float>> values) const;
 
   private:
-    int side_;  // of the grid between whose samples rows are interpolated
+    int side_;  // of the grid whose samples are interpolated
     std::vector<std::complex<float>> grid_;
 };
 

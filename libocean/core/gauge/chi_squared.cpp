@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Quantiles of the chi-squared distribution; see chi_squared.hpp. Exact, because the usual formula
+// Quantiles of the chi-squared distribution; see chi_squared.hpp. Exact, because the common formula
 // of Wilson and Hilferty is 0.2 % off at 20 degrees of freedom and 50 % at 2.
 #include "gauge/chi_squared.hpp"
 

@@ -120,7 +120,7 @@ std::uint64_t gauge_series_bytes(const Modes& modes, const Parameters& parameter
 
 namespace {
 
-/// What a thread reads with.
+/// The wave sums with which one thread reads gauges.
 class Reader {
   public:
     explicit Reader(WaveSum start) : sea(std::move(start)) {}
@@ -161,7 +161,7 @@ void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Sample
 
     const WaveStep step = start.wave_step(1.0 / times.rate);
     const bool folds = may_fold(modes, parameters.surface.choppiness);
-    // Of each thread.
+    // One for each thread.
     std::vector<std::unique_ptr<Reader>> readers(static_cast<std::size_t>(pool.size()));
     const std::size_t batch = 2 * kBlock * static_cast<std::size_t>(pool.size());
     for (std::size_t done = 0; done < series.times; done += batch) {

@@ -17,9 +17,10 @@ namespace ocean {
 namespace {
 
 constexpr std::size_t kShortestSegment = 32;
-constexpr std::size_t kLongestSegment = 1 << 20;  // of the transform
+constexpr std::size_t kLongestSegment = 1 << 20;  // limited by the transform
 
-/// That fit into the series, each half a segment after the one before.
+/// Returns the number of segments that fit into the series, each half a segment after the one
+/// before.
 std::size_t segments_of(std::size_t samples, std::size_t segment) {
     return samples < segment ? 0 : (samples - segment) / (segment / 2) + 1;
 }

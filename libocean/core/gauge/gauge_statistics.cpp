@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a series of elevations says about its waves and about the sea; see gauge.hpp.
+// Statistics of the waves in a series of elevations, and estimates of the sea; see gauge.hpp.
 #include <algorithm>
 #include <cmath>
 #include <functional>

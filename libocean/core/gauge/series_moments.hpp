@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Mean and variance of a gauge's time series: what its waves, its spectrum and its sea state begin
-// with.
+// Mean and variance of a gauge's time series, which its waves, its spectrum and its sea state all
+// need.
 #pragma once
 
 #include <numeric>

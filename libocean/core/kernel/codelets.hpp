@@ -56,8 +56,8 @@ OCEAN_INLINE void butterfly(Complex (&x)[8]) {
     x[7] = {fma(turned_3.re, kHalfRoot, e3.re), fnma(turned_3.im, kHalfRoot, e3.im)};
 }
 
-/// codelet<R>(load, store): load(j) gives x_j, store(k, X_k) takes the results, in any order. All
-/// of x is read before the first store.
+/// codelet<R>(load, store): load(j) returns x_j, store(k, X_k) receives the results in any order.
+/// All of x is read before the first store.
 template <int R>
 struct Codelet {
     static constexpr int P = R < 32 ? 4 : 8;

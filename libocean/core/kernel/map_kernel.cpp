@@ -43,7 +43,7 @@ struct Multiple {
     float factor;
 };
 
-/// Fills in what a frame asks for: fields, slots, sources and outputs.
+/// Fills in the fields, slots, sources and outputs that a frame requests.
 class Plan {
   public:
     Plan(FrameTask& task, const KernelFrame& frame, std::span<const MapOutput> outputs)
@@ -170,7 +170,7 @@ std::size_t intermediate_floats(FrameTask& task, int lanes) {
     return task.pair_stride * (static_cast<std::size_t>(task.size) / (2 * width));
 }
 
-/// At least so many; what was there is lost. True if they are new.
+/// Resizes to at least `count` floats, whose contents are lost. Returns true if they are new.
 bool make_room(PageVector<float>& floats, std::size_t count) {
     if (floats.size() >= count) return false;
     floats = {};
@@ -186,7 +186,7 @@ struct MapKernel::State {
     PageVector<float> wavenumber;
     std::vector<float> twiddle;
     PageVector<float> intermediate;
-    std::vector<PageVector<float>> scratch;  // of each thread
+    std::vector<PageVector<float>> scratch;  // one for each thread
     FrameTask task{};
 
     explicit State(std::shared_ptr<const PackedModes> packed)
@@ -310,7 +310,7 @@ std::uint64_t kernel_bytes(const Grid& grid, LinearSet fields, int resolution) {
     int half_band = 0;
     for (const int divisor : cascade_divisors(grid)) {
         const int half = half_of(grid.resolution, divisor, resolution);
-        // All lanes of a block are there where one of its rows has modes.
+        // If one row of a block has modes, all lanes of the block are present.
         const int rows = std::min(divisor, kernel_code(simd_level()).lanes);
         packed += packed_bytes(2 * half) * static_cast<std::uint64_t>(rows);
         half_band = std::max(half_band, (half - 1) * divisor + 1);

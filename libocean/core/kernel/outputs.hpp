@@ -40,7 +40,7 @@ OCEAN_INLINE RowSamples row_samples(const FrameTask& task, float* derived) {
     return row;
 }
 
-/// Normal, Jacobian, whitecap, foam and cover of a row, where asked for.
+/// Writes normal, Jacobian, whitecap, foam and cover of a row, if requested.
 template <bool kFlat>
 OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, std::size_t place) {
     const auto slot_of = [&](Linear field) { return task.slot_of[static_cast<int>(field)]; };
@@ -86,7 +86,7 @@ OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, 
     }
 }
 
-inline constexpr int kLineFloats = 16;  // of a line of the cache
+inline constexpr int kLineFloats = 16;  // floats of a cache line
 
 /// How far behind the beginning of a line, in floats.
 OCEAN_INLINE int place_in_line(const float* p) {

@@ -33,8 +33,8 @@ class PackedModes::Packing {
           first_(first_factor(size_)),
           second_(size_ / first_) {}
 
-    /// Where there are packets, from the lattices of the cascades alone: a change of the spectrum
-    /// does not move any. Returns the floats of all packets.
+    /// Places the packets by the lattices of the cascades alone, so that a change of the spectrum
+    /// moves none. Returns the floats of all packets.
     std::uint64_t lay_out(int blocks, std::vector<ModeGroup>& groups) const {
         std::uint64_t floats = 0;
         std::vector<char> occupied(static_cast<std::size_t>(size_));
@@ -82,7 +82,7 @@ class PackedModes::Packing {
                 const auto kx = kx_of(j, i);
                 append(kPRe, kQIm, kx.first);
                 append(kPRe, kQIm, kx.second);
-                // Of a pair either may be missing on a lattice, but then it has no energy.
+                // Either of a pair may be missing on a lattice, but then it has no energy.
                 append(kRateHigh, kDisplacement, kx.first);
                 if (j == 0) append(kRateHigh, kDisplacement, kx.second);
             }

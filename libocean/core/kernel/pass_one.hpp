@@ -170,7 +170,7 @@ OCEAN_INLINE NextPackets next_packets(const FrameTask& task, int block, const fl
     if ((block + 1) * kLanes >= task.columns) return {nowhere, 0, nowhere};
     const std::uint64_t here = task.groups[block * (B / 2)].first_packet;
     const std::uint64_t first = task.groups[(block + 1) * (B / 2)].first_packet;
-    // As many again: neighbouring blocks differ little.
+    // The next item's size is taken to be this one's: neighbouring blocks differ little.
     return {task.packets + first, first - here, nowhere};
 }
 
@@ -179,7 +179,7 @@ OCEAN_INLINE NextPackets next_packets(const FrameTask& task, int block, const fl
 template <int A, int B, bool kStream>
 void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
                          float* tile, const NextPackets& next) {
-    std::size_t place[kLanes];  // of each ky
+    std::size_t place[kLanes];  // offset of each ky
     for (int l = 0; l < kLanes; ++l) {
         place[l] = Intermediate<A, B>::place(task, source, block * kLanes + l);
     }

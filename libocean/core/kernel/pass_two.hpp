@@ -16,13 +16,13 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// A line of ky = j + B i, i < A, stands in the intermediate as its half with ky > 0; the other
-/// half mirrors a line's. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A - 1 - i)
-/// mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B (A - 1 -
-/// i).
+/// A line of ky = j + B i, i < A, is stored in the intermediate as its half with ky > 0; the other
+/// half is the mirror of a line. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A -
+/// 1 - i) mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B
+/// (A - 1 - i).
 enum class Line { paired, zero, half };
 
-/// Z, or i ky Z, along one line. kCut: not every row that is asked for is there.
+/// Loads Z, or i ky Z, along one line. kCut: some of the rows do not exist and count as 0.
 template <int A, int B, Line kLine, bool kDerived, bool kCut>
 struct LineReader {
     const float* entries;  // of one j and source
@@ -105,8 +105,8 @@ void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     }
 }
 
-/// The intermediate of the next item. A codelet of slot s goes with a share of source s, there
-/// being no fewer fields than sources.
+/// Prefetches the intermediate of the next item. A codelet of slot s prefetches a share of source
+/// s; there are at least as many fields as sources.
 template <int A, int B>
 class NextEntries {
   public:
@@ -117,7 +117,7 @@ class NextEntries {
                  (item + 1) * kItemWidth < task.size ? kPairs * task.pair_stride : 0, nowhere),
           sources_(task.source_count) {}
 
-    /// Of the sweep for the samples k of the field in `slot` of a pair.
+    /// Returns the share for the sweep over the samples k of the field in `slot` of a pair.
     OCEAN_INLINE const float* share(int k, int slot, int pair) const {
         const int none = sources_ * kPairs * A;
         return lines_.share(slot < sources_ ? (k * sources_ + slot) * kPairs + pair : none, B);
@@ -178,8 +178,8 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
     }
 }
 
-/// All other outputs for y = k + A l: the samples of the fields they use, in the order of the rows
-/// of an item, then row by row what is made of them.
+/// Writes all other outputs for y = k + A l: first the samples of the fields that they use, in the
+/// order of the rows of an item, then row by row the channels computed from them.
 template <int A, int B>
 void write_combined(const FrameTask& task, int k, int x0, const float* scratch,
                     std::size_t pair_floats, float* samples, const NextEntries<A, B>& next) {

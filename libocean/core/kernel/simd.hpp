@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The vector that the kernel is written in: kLanes floats, with the arithmetic of a float. What an
-// instruction set does in its own way is in simd_avx512.hpp, simd_avx2.hpp and simd_4.hpp, one of
-// which is chosen by the flags of the file that includes this one.
+// The vector type that the kernel is written in: kLanes floats, with the arithmetic of a float. The
+// parts that depend on the instruction set are in simd_avx512.hpp, simd_avx2.hpp and simd_4.hpp;
+// the compiler flags of the including file select one of them.
 //
-// Everything stands in a namespace named after the instruction set, and everything is inlined: no
-// function compiled for one machine may be shared, by the linker, with code for another. Products
-// are fused with sums only where fma says so, so that eight and sixteen lanes give the same bits.
+// Everything is in a namespace named after the instruction set, and everything is inlined: the
+// linker must not share a function compiled for one machine with code for another. Products are
+// fused with sums only by fma, so that eight and sixteen lanes give the same bits.
 #pragma once
 
 #include <cstddef>

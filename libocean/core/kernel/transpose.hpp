@@ -30,9 +30,9 @@ OCEAN_INLINE void transpose_quads(const Vec (&a)[4], Vec (&out)[4]) {
     out[3] = pick<2, 3, 2, 3>(high01, high23);
 }
 
-/// kLanes complex vectors, [re | im] next to each other, become one complex vector per lane: lane l
-/// goes to out + place[l]. Row 4 q + r is loaded into quad q, so that the 4 x 4 transposes in the
-/// quads are all that is left to do.
+/// Transposes kLanes complex vectors, stored as [re | im], into one complex vector per lane: lane l
+/// goes to out + place[l]. Row 4 q + r is loaded into quad q, so that only the 4 x 4 transposes
+/// within the quads remain.
 template <bool kStream>
 OCEAN_INLINE void transpose(const float* in, float* out, const std::size_t* place) {
     constexpr std::size_t kRow = 2 * kLanes;

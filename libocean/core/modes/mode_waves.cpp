@@ -14,8 +14,8 @@ namespace ocean {
 
 namespace {
 
-// The rows are shared out in so many parts whatever the number of threads, so that sums over the
-// parts have the same bits. Those near the origin, which take longest, are shared out by a stride.
+// The number of parts does not depend on the number of threads, so that sums over the parts have
+// the same bits. Rows near the origin, which take longest, are distributed by a stride.
 constexpr int kShares = 64;
 constexpr int kShareStride = 37;
 
@@ -92,7 +92,7 @@ void write_row(std::span<const double> east, std::span<const double> west,
     amplitude[half] = 0.0;
     for (std::size_t n = 1; n < half; ++n) amplitude[size - n] = amplitude_of(west[n]);
     for (std::size_t i = 0; i < size; ++i) {
-        // Zero, and not minus zero, where there are no waves.
+        // Adding 0 turns minus zero into zero where there are no waves.
         h0[i] = {static_cast<float>(amplitude[i] * static_cast<double>(noise[i].real())) + 0.0f,
                  static_cast<float>(amplitude[i] * static_cast<double>(noise[i].imag())) + 0.0f};
     }
@@ -160,7 +160,7 @@ class ModeLattice::ShellSums {
         for (std::size_t n = 0; n <= row && n < last; ++n) add_modes(n, own);
         shells_[row] += own;
         for (std::size_t n = row + 1; n < last; ++n) add_modes(n, shells_[n]);
-        // As measures_band: inside the circle of the Nyquist line.
+        // The same condition as measures_band: inside the circle of the Nyquist line.
         const std::size_t half = v[0].size();
         for (std::size_t n = 0; n < last && n * n + row * row < half * half; ++n) {
             measured_ += variances.sum(n);

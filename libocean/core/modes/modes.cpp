@@ -188,7 +188,7 @@ double band_gain(const DirectionalSpectrum& spectrum, const Parameters& paramete
 
 std::optional<double> strongest_wind(const Parameters& parameters) {
     std::optional<double> strongest;
-    // Less than any value is what is unset.
+    // An unset wind compares less than any value.
     for (const WaveSystem& system : parameters.waves) {
         strongest = std::max(strongest, system.wind_above());
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spectrum table as modes ask it: at one frequency in the four directions that are mirror
-// images of each other in the axes. Between the table and the modes; made anew for each table.
+// Sampling of the spectrum table for modes: one frequency in the four directions that are mirror
+// images of each other in the axes. Stands between the table and the modes; rebuilt for each table.
 #pragma once
 
 #include <algorithm>

@@ -59,7 +59,7 @@ double signed_area(const Triangle& t) {
     return 0.5 * ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x));
 }
 
-/// A triangle and what is left of it between lines: each of four cuts adds one corner at most.
+/// A triangle clipped by lines: each of four cuts adds one corner at most.
 struct Polygon {
     std::array<Point, 8> corner{};
     int count = 0;
@@ -106,7 +106,7 @@ Span cells_of(const Polygon& p, double Point::*axis) {
         low = std::min(low, p[i].*axis);
         high = std::max(high, p[i].*axis);
     }
-    // What ends on a line does not reach into the cell behind it.
+    // A part that ends on a line does not reach into the cell behind it.
     const auto first = static_cast<std::int64_t>(std::floor(low));
     return {first, std::max(first, static_cast<std::int64_t>(std::ceil(high)) - 1)};
 }
@@ -140,7 +140,7 @@ class Plane {
                     last_column ? strip
                                 : cut_off(strip, &Point::x, static_cast<double>(column + 1));
                 lit += area(part);
-                // The last cell takes what rounding has left: no light is lost.
+                // The last cell receives the remainder of the rounding: no light is lost.
                 const std::int64_t until =
                     last_row && last_column
                         ? light
@@ -195,8 +195,8 @@ class Plane {
     std::unique_ptr<std::atomic<std::int64_t>[]> light_;
 };
 
-/// One ray: where it passes the mean level, and where it meets the plane, in cells from the middle
-/// of its sample's own.
+/// One ray: the points where it crosses the mean level and where it meets the plane, in cells from
+/// the centre of its sample's own cell.
 struct Ray {
     Point level, plane;
 };
@@ -220,7 +220,7 @@ class Rays {
         light_ = {-level * std::cos(bearing), -level * std::sin(bearing), -std::sin(altitude)};
     }
 
-    /// Of sample (i, j), both modulo the resolution.
+    /// Returns the ray of sample (i, j), both modulo the resolution.
     Ray of(int i, int j) const {
         const int mask = side_ - 1;
         const auto at = static_cast<std::size_t>((j & mask)) * static_cast<std::size_t>(side_) +
@@ -251,8 +251,8 @@ Ray shifted(const Ray& ray, double x, double y) {
     return {{ray.level.x + x, ray.level.y + y}, {ray.plane.x + x, ray.plane.y + y}};
 }
 
-/// What passes through one triangle of the surface. Parts that are seen from below lie behind
-/// others: these have their light.
+/// Adds the light that passes one triangle of the surface. Parts seen from below lie behind others,
+/// which have their light already.
 void send(Plane& plane, const Ray& a, const Ray& b, const Ray& c, int i, int j) {
     const double seen = signed_area({a.level, b.level, c.level});
     if (!(seen > 0.0)) return;

@@ -207,7 +207,7 @@ struct Anything {
     }
 };
 
-/// Members of a plain struct: as many as there are values that it can be made from.
+/// Counts the members of a plain struct: the max of values that can initialise it.
 template <typename Struct, typename... Values>
 constexpr std::size_t member_count() {
     if constexpr (requires { Struct{Values{}..., Anything{}}; }) {
@@ -222,7 +222,7 @@ constexpr std::size_t rows_of(std::string_view section) {
         std::ranges::count(kTable, section, [](const ParameterInfo& row) { return row.section; }));
 }
 
-// A member without a row is one that nobody can set.
+    // A member without a row could not be set.
 static_assert(rows_of("water") == member_count<Water>());
 static_assert(rows_of("grid") == member_count<Grid>());
 static_assert(rows_of("surface") == member_count<SurfaceSettings>());

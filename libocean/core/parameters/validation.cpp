@@ -32,7 +32,7 @@ bool good_directions(const SpectrumRecord& record) {
                        [](double s) { return s >= 0.0 && std::isfinite(s); });
 }
 
-/// What the stages rely on; readers of files give finer messages.
+/// Checks the rules on which the stages rely; readers of files give finer messages.
 void validate_record(const SpectrumRecord& record, const std::string& name) {
     const std::size_t n = record.frequency.size();
     const auto fits = [&](const std::vector<double>& moment) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "waves.";
 
-/// Of "waves.1". Throws Error invalid_value.
+/// Returns the number of "waves.1". Throws Error invalid_value.
 std::size_t system_number(std::string_view name, std::size_t last) {
     if (!name.starts_with(kPrefix)) {
         throw Error(ErrorKind::invalid_value, "unknown wave system '" + std::string(name) +

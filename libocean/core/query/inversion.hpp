@@ -25,13 +25,13 @@ struct InversionTarget {
     static InversionTarget at(double x, double y, double choppiness, double reach) {
         return {x, y, choppiness, reach, kTolerance * reach};
     }
-    /// Of the reach: what single precision holds of a displacement, with some room.
+    /// Relative to the reach: the accuracy of a displacement in single precision, with a margin.
     static constexpr double kTolerance = 2e-6;
 };
 
 struct ShownLabel {
     double x, y;      // m
-    double jacobian;  // of the shown surface
+    double jacobian;  // of the displayed surface
     bool converged;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the motion of a wave fades with depth: what queries and gauges have in common.
+// The decay of a wave's motion with depth, shared by queries and gauges.
 #pragma once
 
 #include <cmath>

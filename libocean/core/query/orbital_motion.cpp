@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What moves in the water at a depth: maps of the surface, each mode faded to that depth.
+// The motion of the water at a depth: maps as of the surface, each mode decayed to that depth.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -52,7 +52,8 @@ auto along(const Modes& modes, const Water& water, double z) {
     };
 }
 
-/// Of modes multiplied by sinh k(z+d) / sinh kd the velocity of the height is that of the water up.
+/// Returns the factor sinh k(z+d) / sinh kd of each mode, which turns the height's rate into the
+/// water's upward velocity.
 auto upright(const Water& water, double z) {
     return [&water, z](const CascadeModes&, std::size_t, double k) {
         return ModeScale{static_cast<float>(orbital_decay(k, z, water.depth).upright), 1.0f};
@@ -101,7 +102,7 @@ class MotionStrips {
   private:
     SplineMap map_;
     SplineStrips along_;
-    SplineStrips up_;  // after along_, which writes over it: where it is there, both are
+    SplineStrips up_;  // made after along_, which overwrites its field: where up_ is ready, both are
 };
 
 }  // namespace
@@ -112,7 +113,7 @@ struct OrbitalMotion::State {
     Water water;
     bool below_bottom = false;
     Revision revision;  // of the modes
-    double z = 0.0;     // of the map
+    double z = 0.0;     // of the map [m]
     std::unique_ptr<MotionStrips> map;
     std::optional<WaveSum> exact;
     WaterLevel level;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Samples of the shown surface; see query.hpp. A place that shows one label is solved by Newton's
-// method on the spline map; one near a fold starts from every label that the index of folds lists.
-// Of both, only the strips near the places that are asked for are made.
+// Samples of the displayed surface; see query.hpp. A point that displays one label is solved by
+// Newton's method on the spline map; one near a fold starts from every label that the index of
+// folds lists. Both make only the strips near the requested points.
 #include "ocean/query.hpp"
 
 #include <algorithm>
@@ -57,7 +57,8 @@ struct SurfaceQuery::State {
           bounds(query_bounds(modes, shown, fine, asked.exact, pool)),
           revision(modes.revision) {}
 
-    /// Other modes of the same lattice. False if it is another, and then this is of no use.
+    /// Switches to other modes of the same lattice. Returns false if their lattice differs; the
+    /// object is then useless.
     bool use(const Modes& modes, ThreadPool& pool);
     void begin(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                double new_time, ThreadPool& pool, FoamMap new_foam);
@@ -71,7 +72,7 @@ struct SurfaceQuery::State {
     InversionTarget target(WorldPoint place) const {
         return InversionTarget::at(place.x, place.y, choppiness, reach());
     }
-    /// Makes what samples of these points read.
+    /// Makes the strips that samples of these points read.
     void prepare(std::span<const WorldPoint> points, ThreadPool* pool) const;
     struct Numbered {
         WorldPoint point;
@@ -85,7 +86,7 @@ struct SurfaceQuery::State {
     WorldPoint wrapped_place(WorldPoint point) const {
         return {wrapped(point.x, period()), wrapped(point.y, period())};
     }
-    /// As well for what a search that has gone astray reads.
+    /// Makes the strip of one position, for a search that leaves the prepared strips.
     void need(double x) const {
         for (const int column : position.columns(x)) strips.need(strips.strip_of(column));
     }
@@ -100,8 +101,8 @@ struct SurfaceQuery::State {
     double foam_at(double x, double y) const;
 
     QueryOptions options;
-    int shown;  // samples of the map whose waves are there
-    int fine;   // of the splines
+    int shown;  // samples of the map whose waves count
+    int fine;   // samples of the splines
     SplineStrips strips;
     SplineMap position;  // dx, dy, height at choppiness 1
     SplineMap velocity;
@@ -160,8 +161,8 @@ void SurfaceQuery::State::prepare(std::span<const WorldPoint> points, ThreadPool
     folds.make(position, places.list(), pool);
 }
 
-/// The points in an order in which neighbours follow each other: of points at random, most of the
-/// time goes into waiting for the maps.
+/// Returns the points ordered so that neighbours follow each other: random points would spend their
+/// time waiting for the memory of the maps.
 std::vector<SurfaceQuery::State::Numbered> SurfaceQuery::State::in_order(
     std::span<const WorldPoint> points) const {
     std::vector<int> blocks(points.size());
@@ -187,7 +188,7 @@ Solution SurfaceQuery::State::solve(const InversionTarget& target, WorldPoint st
     return {label, jet};  // find_label returns the label that it looked at last
 }
 
-/// Sets what the sample says of the search.
+/// Returns the top solution and sets the flags of the sample.
 Solution SurfaceQuery::State::top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
                                            QuerySample& sample) const {
     TopSheet sheet;
@@ -225,8 +226,8 @@ QuerySample SurfaceQuery::State::sample(WorldPoint point, WorldPoint place, Worl
     return sample;
 }
 
-/// In stages, some points apart: the maps are larger than the caches, and what a stage reads is on
-/// its way since the one before.
+/// Samples in stages, some points apart: the maps exceed the caches, and each stage reads what the
+/// stage before it has prefetched.
 void SurfaceQuery::State::sample_in_order(std::span<const Numbered> points,
                                           std::span<QuerySample> samples) const {
     static_assert(FoldIndex::kLooks == 2);
@@ -278,7 +279,7 @@ void SurfaceQuery::State::fill(QuerySample& sample, const Solution& solution) co
 /// From the label that the map shows: the sum over all modes is too dear to search with.
 void SurfaceQuery::State::fill_exactly(QuerySample& sample, WorldPoint place,
                                        ShownLabel label) const {
-    constexpr double kDoubleTolerance = 1e-12;  // of the reach
+    constexpr double kDoubleTolerance = 1e-12;  // relative to the reach
     InversionTarget exactly = target(place);
     exactly.tolerance = kDoubleTolerance * exactly.reach;
     const auto look = [this](double x, double y) { return exact->displacement_at(x, y); };
@@ -316,7 +317,7 @@ double SurfaceQuery::State::foam_at(double x, double y) const {
 }
 
 bool may_fold(const Modes& modes, double choppiness) {
-    // Of all modes: the finest map there is.
+    // All modes count: they fit on the finest map.
     const GradientCovariance c = modes.gradient_covariance(kMaxResolution);
     return 6.0 * choppiness * std::sqrt(c.aa + c.bb + 2.0 * c.cc) >= 1.0;
 }

@@ -17,8 +17,8 @@ namespace {
 
 /// A cell is squeezed if a corner's Jacobian is below this: it may be less within the cell.
 constexpr float kSqueezed = 0.25f;
-/// Cells are shown in one to four tiles; where they are in sixteen on average, neighbouring labels
-/// lie tens of cells apart and there is no surface left to search.
+/// A cell is displayed in one to four tiles; where the average is sixteen, neighbouring labels lie
+/// tens of cells apart and no surface is left to search.
 constexpr std::size_t kMaxTilesPerCell = 16;
 
 }  // namespace
@@ -131,7 +131,7 @@ void FoldIndex::measure_cells(int block) {
 /// Where the first corner of a cell of a block of labels is if any of it is shown in those tiles.
 FoldIndex::Box FoldIndex::corners_for(int place, const TileBounds& tiles, int labels) const {
     const double spacing = lattice_.period / lattice_.resolution;
-    // A box is what the corners span, each at most so far from the first, and a margin.
+    // A box is the span of the corners, each at most that far from the first, plus a margin.
     const double span =
         spacing + static_cast<double>(cells_of_[static_cast<std::size_t>(labels)].widest);
     const double around = (1.0 + 2.0 * kMargin) * span + kMargin * spacing;
@@ -229,7 +229,7 @@ FoldIndex::TileRange FoldIndex::tiles_of(int i, int j) const {
     return {first_x, first_y, count(first_x, tile(box.x.high)), count(first_y, tile(box.y.high))};
 }
 
-/// Those in a block of places, numbered within it row by row.
+/// Visits the tiles of a box in a block of points, numbered within it row by row.
 template <typename Visit>
 void FoldIndex::each_tile(const TileRange& range, int block, const Visit& visit) const {
     const long long mask = tiles_ - 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What queries of all kinds do with their points and their options before they look at a map.
+// Checks and conversions of points and options that all kinds of queries share.
 #pragma once
 
 #include <algorithm>
@@ -42,13 +42,14 @@ inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
     return std::min(2 * shown * options.refine, kMaxResolution);
 }
 
-/// Of the lattice of labels on which folds are looked for: two samples to each of the shown map.
+/// Returns the resolution of the lattice of labels on which folds are searched: two samples for
+/// each of the displayed map.
 inline int fold_resolution(int grid_resolution, const QueryOptions& options) {
     return std::min(2 * shown_resolution(grid_resolution, options),
                     spline_resolution(grid_resolution, options));
 }
 
-/// Of so many splines, and of the kernels that write so many fields of them.
+/// Returns the bytes of `splines` splines and of the kernels that write `fields` fields of them.
 inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines,
                                   int fields) {
     const auto shown = static_cast<std::uint64_t>(shown_resolution(grid_resolution, options));

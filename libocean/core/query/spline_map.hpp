@@ -30,7 +30,7 @@ namespace ocean {
 
 class ThreadPool;
 
-/// What the fields are at one point, in their order, and the first three with their slopes.
+/// The values of the fields at one point, in their order, and the slopes of the first three.
 struct SplineValue {
     std::array<float, 4> value;
 };
@@ -46,12 +46,12 @@ inline long long floor_index(double x) {
     return x < static_cast<double>(whole) ? whole - 1 : whole;
 }
 
-/// What a mode is multiplied by to become a coefficient of a spline of `resolution` samples:
-/// 1 / (B^(kx) B^(ky)), and 0 where a map of `band` samples does not hold the mode.
+/// Returns the factor that turns a mode into a coefficient of a spline of `resolution` samples: 1 /
+/// (B^(kx) B^(ky)), and 0 for a mode that a map of `band` samples does not hold.
 ModeFactor spline_factor(const Modes& modes, int band, int resolution);
 
-/// Four fields of one time; periodic. Their coefficients are written by others, and only where
-/// they are there may it be read.
+/// Four fields of one time; periodic. Others write the coefficients, and reading is allowed only
+/// where they have been written.
 class SplineMap {
   public:
     static constexpr int kFields = 4;
@@ -80,7 +80,8 @@ class SplineMap {
             __builtin_prefetch(row + at.column[3]);
         }
     }
-    /// That of a sample, of nine coefficients instead of sixteen. Indices of the lattice.
+    /// Returns the jet at a sample of the lattice (i, j), from nine coefficients instead of
+    /// sixteen.
     SplineJet jet_of_sample(int i, int j) const;
 
   private:
@@ -181,7 +182,7 @@ inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
                            static_cast<std::size_t>(lattice_.resolution) +
                        static_cast<std::size_t>(column & mask)];
     };
-    // Of the kernel at -1, 0, 1: 1/6, 4/6, 1/6, and of its derivative -1/2, 0, 1/2.
+    // The kernel at -1, 0, 1 is 1/6, 4/6, 1/6; its derivative -1/2, 0, 1/2.
     constexpr float kSide = 1.0f / 6.0f;
     constexpr float kMiddle = 4.0f / 6.0f;
     Fields along[3];

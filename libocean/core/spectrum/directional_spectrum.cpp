@@ -22,7 +22,7 @@ namespace ocean {
 namespace {
 
 constexpr double kShortestTabulated = 0.01;  // m: capillary waves; grids may go below and extend it
-constexpr double kJustOutside = 1e-9;        // of a frequency
+constexpr double kJustOutside = 1e-9;        // relative to a frequency
 
 /// All rows of all systems, ascending, with a zero row just outside the support of each so that a
 /// system that ends with energy ends there and does not fade into a neighbour's next row.
@@ -134,7 +134,7 @@ struct Frequencies {
     double high;
 };
 
-/// Of wavelengths shortest .. longest metres; 0 = no limit.
+/// Returns the frequencies of wavelengths shortest .. longest [m]; 0 = no limit.
 Frequencies frequencies_of(const Dispersion& dispersion, double shortest, double longest) {
     return {longest > 0.0 ? dispersion.angular_frequency(kTwoPi / longest) : 0.0,
             shortest > 0.0 ? dispersion.angular_frequency(kTwoPi / shortest)

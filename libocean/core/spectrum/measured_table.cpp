@@ -120,7 +120,7 @@ struct MeasuredDensity {
     std::vector<double> density;  // m^2 s/rad
     double m0 = 0.0;
     double peak = 0.0;     // as measured
-    double stretch = 1.0;  // of all frequencies
+    double stretch = 1.0;  // factor of all frequencies
 };
 
 MeasuredDensity rescaled_density(const WaveSystem& system) {
@@ -185,7 +185,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
 
     Moments moments = fill_gaps(*system.measured);
     if (moments.first.empty() && !system.measured->is_directional()) {
-        // Calm air has no wave age; a metre per second stands for it.
+        // Calm air has no wave age: 1 m/s is the min here.
         const double wave_age_inverse = std::max(system.wind(), 1.0) * sea.peak / water.gravity;
         const double mean = system.direction_degrees() * kPi / 180.0;
         table.directions = directions_needed(system, wave_age_inverse);

@@ -151,8 +151,8 @@ double phillips_wavenumber_density(double k, double wind_speed, double amplitude
 
 namespace {
 
-/// m/s: what is less makes waves of less than two micrometres. The scales of a spectrum go with
-/// powers of the wind, beyond all numbers where a take glides it from 0.
+/// Wind below which a sea is flat [m/s]: its waves would be lower than two micrometres. The scales
+/// of a spectrum are powers of the wind and exceed all numbers when a take lets it glide from 0.
 constexpr double kCalm = 1e-6;
 
 }  // namespace

@@ -63,7 +63,7 @@ double base_exponent(const WaveSystem& system, double x, double wave_age_inverse
     return 0.0;
 }
 
-/// The base distribution without what depends on the frequency.
+/// Returns the part of the distribution that does not depend on the frequency.
 double base_shape(const WaveSystem& system, double theta) {
     const double cosine = std::cos(theta);
     if (system.spectrum == SpectrumKind::phillips) {
@@ -130,7 +130,7 @@ SpreadingRows::SpreadingRows(const WaveSystem& system, double wave_age_inverse,
         const double theta = std::remainder(step * static_cast<double>(j) - mean_direction, kTwoPi);
         const double cosine = std::cos(0.5 * theta);
         const double kept = std::abs(theta) > 0.5 * kPi ? system.opposing : 1.0;
-        // With a uniform part that is held back too, once it is there.
+        // A uniform part is reduced too, once it is added.
         shape_.push_back(base_shape(system, theta) * (mixes_with_uniform() ? 1.0 : kept));
         kept_.push_back(kept);
         log_cosine_.push_back(std::log(std::max(cosine * cosine, 1e-300)));

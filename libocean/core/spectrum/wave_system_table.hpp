@@ -31,7 +31,7 @@ struct WaveSystemTable {
 WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& water,
                                        double highest);
 
-/// What a wave system's optional parameters stand for while they are unset.
+/// The values of a wave system's optional parameters while they are unset.
 struct NaturalScale {
     double height = 0.0;     // m, significant
     double period = 0.0;     // s, of the peak; NaN for a flat system

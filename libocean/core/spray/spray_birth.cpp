@@ -19,7 +19,7 @@ class Draws {
   public:
     explicit Draws(std::uint64_t id) : state_(id) {}
 
-    /// Of [0, 1).
+    /// Returns a number of [0, 1).
     double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
     /// Two standard normal numbers, of [Box and Muller 1958] eq. 1.
     struct Normals {
@@ -44,7 +44,7 @@ class Draws {
 /// Maps between their samples, by the four around a place.
 class Place {
   public:
-    /// Of a cell and an offset from its middle of -1/2 .. 1/2 cells.
+    /// Interpolates in a cell, at an offset from its centre of -1/2 .. 1/2 cells.
     Place(const Surface& map, std::size_t cell, double x, double y) : map_(map) {
         const auto n = static_cast<std::size_t>(map.resolution());
         const std::size_t i = cell % n;
@@ -103,7 +103,7 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
     birth.radius = spume_radius(draws.uniform());
     birth.response = response_time(birth.radius, tick.air.gravity);
 
-    // The surface goes on as at the tick for the part of a step.
+    // The surface continues as at the tick for a part of a step.
     const Place place(map, cell, x, y);
     const auto n = static_cast<std::size_t>(map.resolution());
     const double size = map.period() / static_cast<double>(n);

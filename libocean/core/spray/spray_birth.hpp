@@ -19,11 +19,11 @@ inline constexpr float kWhite = 0.5f;
 /// SplitMix64's finaliser [Steele 2014]: every bit of the result depends on every bit, and no two
 /// numbers have the same.
 std::uint64_t scramble(std::uint64_t value);
-/// Of particle `number` of an event. For one seed and tick no two are equal.
+/// Returns the id of particle `number` of an event. For one seed and tick no two are equal.
 std::uint64_t spray_id(std::uint32_t seed, std::int64_t tick, std::uint32_t cell,
                        std::uint32_t number);
 
-/// What the births of a tick follow from.
+/// The input of the births of one tick.
 struct SprayTick {
     std::uint32_t seed;
     std::int64_t number;  // in a loop that within it

@@ -15,7 +15,8 @@
 namespace ocean {
 namespace {
 
-/// In a loop a birth comes again: what is there a second time has been away for as long.
+/// Returns the longest life [s]. In a loop a birth repeats, and a particle must be gone before its
+/// copy appears, for at least as long as it lived.
 double longest_life(const SpraySettings& settings, double loop_period) {
     return loop_period > 0.0 ? std::min(settings.lifetime, 0.5 * loop_period) : settings.lifetime;
 }

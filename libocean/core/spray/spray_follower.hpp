@@ -16,7 +16,7 @@
 
 namespace ocean {
 
-/// What spray is made of.
+/// Callbacks that make the maps of spray.
 struct SpraySource {
     /// Fills the map, kSprayChannels on the spray's lattice, at the time of a tick.
     std::function<SprayAir(double time, Surface& map)> tick;
@@ -28,12 +28,13 @@ class SprayFollower {
                   std::uint32_t seed);
 
     const SpraySettings& settings() const { return settings_; }
-    /// To a time, of which the rest tells. What the source throws leaves a state that can go on.
+    /// Follows births up to a time [s], which the other functions then use. An exception of the
+    /// source passes through and leaves a state that can be used further.
     void go_to(double time, const SpraySource& source);
     /// All that are alive, the oldest ticks first.
     std::vector<SprayParticle> particles() const;
     std::vector<MistPuff> mist() const;
-    /// Of ticks from that time on nothing is known any more: the sea has changed there.
+    /// Drops the ticks from that time [s] on, because the sea has changed there.
     void forget_from(double time);
 
   private:
@@ -51,7 +52,7 @@ class SprayFollower {
     std::map<std::int64_t, std::vector<SprayBirth>> born_;
     FoamClock::Moment now_{};
     Surface map_;
-    std::vector<std::uint8_t> white_;         // of the tick that was looked at last
+    std::vector<std::uint8_t> white_;         // cells white at the last tick
     std::optional<std::int64_t> white_tick_;  // its number
 };
 

@@ -29,8 +29,8 @@ bool grows_with_fetch(const WaveSystem& system) {
 }
 
 /// Returns the fetch [m] at which JONSWAP of this wind and peak enhancement has the variance of
-/// Pierson and Moskowitz in deep water. m0 goes with alpha omega_p^-4, which is chi^(4 0.33 - 0.22)
-/// at one wind. A peak enhancement of 3.3 gives chi = 1.20e4, 1 gives 1.76e4.
+/// Pierson and Moskowitz in deep water. m0 is proportional to alpha omega_p^-4, which is chi^(4
+/// 0.33 - 0.22) at one wind. A peak enhancement of 3.3 gives chi = 1.20e4, 1 gives 1.76e4.
 double fetch_of_developed_height(const WaveSystem& system, double gravity) {
     WaveSystem deep = system;
     deep.spectrum = SpectrumKind::jonswap;

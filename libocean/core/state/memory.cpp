@@ -33,7 +33,7 @@ std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet ch
 }
 
 void require_memory(std::uint64_t bytes, const std::string& what, const std::string& advice) {
-    if (bytes == 0) return;  // what is left is asked of the system
+    if (bytes == 0) return;  // available_memory() is a system call
     const std::uint64_t there = available_memory();
     if (bytes <= there) return;
     const auto mebibytes = [](std::uint64_t value) { return std::to_string(value >> 20) + " MiB"; };

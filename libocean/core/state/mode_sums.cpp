@@ -15,7 +15,8 @@ namespace ocean {
 
 namespace {
 
-/// Of the mode with that larger wavenumber, in steps of the map's own lattice: the smallest p.
+/// Returns the exponent p of the smallest map that holds a mode whose larger wavenumber, in steps
+/// of the map's own lattice, is `wavenumber`.
 std::size_t smallest_map(int wavenumber) {
     return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(wavenumber))) + 1;
 }

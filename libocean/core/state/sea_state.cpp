@@ -43,7 +43,7 @@ double peak_of_rings(std::span<const ModeSums> cascades, std::span<const Cascade
     return peak;
 }
 
-/// Displacement, normals and foam, with what makes them.
+/// Returns the bytes of displacement, normals and foam, and of the arrays that make them.
 std::uint64_t frame_bytes(const Grid& grid, int resolution) {
     using enum Channel;
     constexpr ChannelSet kChannels = {dx, dy, height, nx, ny, nz, foam};

@@ -57,9 +57,9 @@ Json loop_errors_json(const std::vector<LoopError>& errors) {
 /// Hs over depth of a surf zone that breaks all the way: Hrms = 0.42 d [Thornton and Guza 1982],
 /// Hs = sqrt(2) Hrms.
 constexpr double kSaturated = 0.6;
-/// As much as whitecaps cover in a wind of 10 m/s. Presets up to Beaufort 12 fold 3e-11 of their
-/// surface with a choppiness of 1.5, the end of its soft range, 2e-5 with 2 and three cascades, and
-/// 1.4 % with 4, the end of the hard one.
+/// Folded share above which a warning is due: as much as whitecaps cover in a wind of 10 m/s.
+/// Presets up to Beaufort 12 fold 3e-11 of their surface with a choppiness of 1.5, the end of its
+/// soft range, 2e-5 with 2 and three cascades, and 1.4 % with 4, the end of the hard range.
 constexpr double kMuchFolded = 0.01;
 
 /// Degrees of spread that are worth a warning.
@@ -90,7 +90,7 @@ AskedResolved spread_of_moments(const SpectrumRecord& record) {
             circular_spread(std::abs(held) / energy) * kDegrees};
 }
 
-/// What the readers of its measured records had to assume, and what no record says.
+/// Adds the assumptions of the readers of its measured records, and the data that no record has.
 void add_record_warnings(const Parameters& parameters, SeaState& state) {
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];

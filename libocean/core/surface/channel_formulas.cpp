@@ -66,7 +66,7 @@ Real whitecap_of(const SurfacePoint<Real>& p) {
     }
 }
 
-/// Over what is left of a map, which is in floats.
+/// Lays a whitecap over the faded earlier foam, which is in floats.
 template <typename Real>
 Real foam_of(const SurfacePoint<Real>& p) {
     const float foam = std::max(static_cast<float>(whitecap_of(p)), p.foam_left);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is asked of the tables of channels and products.
+// Look-ups in the tables of channels and products.
 #include <string>
 
 #include "ocean/channel.hpp"

@@ -49,7 +49,7 @@ class ComponentWriter {
     }
 
   private:
-    /// What all samples have in common.
+    /// Returns the members that all samples share.
     SurfacePoint<Real> still_point(const ChannelInfo& info) const {
         const SurfaceSettings& settings = request_.settings;
         constexpr float kNone = std::numeric_limits<float>::quiet_NaN();

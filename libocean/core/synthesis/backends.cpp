@@ -39,7 +39,7 @@ MapFunction start_reference() {
     };
 }
 
-/// Of each field a complex grid in `Real` and a plane in float.
+/// Counts, for each field, a complex grid in `Real` and a plane in float.
 template <typename Real>
 std::uint64_t reference_bytes(const Grid&, LinearSet fields, int resolution) {
     return Lattice{resolution, 1.0}.size() * static_cast<std::uint64_t>(fields.size()) *

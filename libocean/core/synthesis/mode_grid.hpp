@@ -42,7 +42,8 @@ inline std::complex<double> linear_coefficient(Linear field,
                      : std::complex<double>(factor * re, factor * im);
 }
 
-/// Row-major [ky][kx] in FFT order of a map of `resolution`, zero where there are no modes.
+/// Returns a grid, row-major [ky][kx] in FFT order, of a map of `resolution`; zero where there are
+/// no modes.
 template <typename Real>
 std::vector<std::complex<Real>> coefficient_grid(const MapModes& modes, Linear field) {
     const int size = modes.resolution;

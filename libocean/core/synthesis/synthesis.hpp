@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every backend does: from the modes at one time to planes of real, linear fields, here as the
-// references do it. Channels are made of these planes in surface/plane_channels.cpp.
+// The common task of all backends, done as the references do it: from the modes at one time to
+// planes of real, linear fields. surface/plane_channels.cpp computes channels from these planes.
 #pragma once
 
 #include "ocean/backend.hpp"

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra as CSV, for data that has no format of its own, in the dialects that csv_rows.hpp names:
+// Spectra as CSV, for data without a format of its own, in the dialects that csv_rows.hpp lists:
 // commas, semicolons, tabs or blanks, decimal points or commas, UTF-8 or UTF-16. Lines that begin
-// with '#' and blank lines are skipped. The first line left names the columns, in any order and any
-// case; each line after it is one value of the spectrum. A text may stand in "double quotes".
+// with '#' and blank lines are skipped. The first remaining line names the columns, in any order
+// and any case; each line after it is one value of the spectrum. A text may be in "double quotes".
 //
-//   frequency              (Hz) or (rad/s)                                        needed
-//   density                what the rows hold; empty or nan = missing             needed
+//   frequency              (Hz) or (rad/s)                                        required
+//   density                the value of a row; empty or nan = missing             required
 //     without a direction: (m2/Hz), (m2 s), (m2/(rad/s)) and their kind: see density_units.hpp
-//     with a direction:    (m2/Hz/deg), (m2/Hz/rad), or (m2 s/rad), per Hz and rad as ERA5 has it
+//     with a direction:    (m2/Hz/deg), (m2/Hz/rad), or (m2 s/rad), per Hz and rad as in ERA5
 //   direction              (deg) or (rad), coming from, clockwise from north
 //   direction_to           travelling to, clockwise from north
 //   direction_cartesian    travelling to, counter-clockwise from east             one of the three
@@ -21,11 +21,11 @@
 //   latitude longitude     (deg), both or none
 //   depth                  (m), one for each record
 //
-// A unit stands in () or [] after the name; without one it is the first in the list, but a density
-// over rad/s must name its own. Columns without a name, of row numbers, are passed over. Rows alike
-// in time, station, latitude and longitude are one record. Its rows are in any order: one a
+// A unit is in () or [] after the name; without one it is the first in the list, but a density over
+// rad/s must name its own. Columns without a name, such as row numbers, are skipped. Rows with
+// equal time, station, latitude and longitude form one record. Its rows are in any order: one per
 // frequency, or with a direction one for each of its frequencies and directions. Tables of another
-// shape, a record a column or a row, are csv_wide.cpp's.
+// shape, a record per column or row, belong to csv_wide.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -134,7 +134,7 @@ class CsvReader {
             try {
                 return table_.next();
             } catch (const Error& error) {
-                if (table_.lines().number() == before) throw;  // of the table as a whole
+                if (table_.lines().number() == before) throw;  // a fault of the table as a whole
                 lost_ = error.what();
                 if (!groups_.empty()) blame(lost_);
             }
@@ -191,7 +191,7 @@ class CsvReader {
         throw bad_row(named() + " is not within " + shortest_text(std::max(low, least_of(column))) +
                       " .. " + shortest_text(high));
     }
-    /// What the message says: noise below 0 is let through, see clean_record.
+    /// Returns the min that a message states: noise below 0 is accepted, see clean_record.
     static double least_of(Column column) {
         return column == density ? 0.0 : -std::numeric_limits<double>::infinity();
     }
@@ -333,7 +333,7 @@ class CsvReader {
     std::string lost_;  // the fault of a line that may belong to the next row's record
     std::vector<Group> groups_;
     std::map<std::string, std::size_t> group_by_key_;
-    std::string key_;  // of the row before
+    std::string key_;  // of the previous row
     std::size_t current_ = 0;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra in tables that have a record in each column or in each row, as pandas writes a DataFrame
-// of densities. Beside csv.cpp, which reads a value in each row.
+// Spectra in tables with a record in each column or in each row, as pandas writes a DataFrame of
+// densities. csv.cpp reads tables with one value in each row.
 #pragma once
 
 #include <span>

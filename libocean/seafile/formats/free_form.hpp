@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text of wave models as Fortran reads it: numbers in free form, over as many lines as they take.
-// What the readers of WAVEWATCH III and SWAN share, between lines and records.
+// Text of wave models in Fortran's free form: numbers over as many lines as they need. Shared by
+// the readers of WAVEWATCH III and SWAN, between lines and records.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 
 namespace ocean {
 
-/// Of all records of a file: a word as short as SWAN's ZERO may stand for a whole spectrum.
+/// The max of values in all records of a file: a word as short as SWAN's ZERO may stand for a whole
+/// spectrum.
 inline constexpr std::size_t kMaxFileValues = std::size_t{1} << 26;
 
 /// A format that marks whole lines as comments also has comments after the values of its header.
@@ -51,8 +52,8 @@ class FreeForm {
     /// The next call of next_line() gives this line again.
     void hold_line() { held_ = true; }
     std::size_t line_number() const { return lines_.number(); }
-    /// After a fault of what begins in line `first`: looks behind that line for one that `begins`
-    /// something new, which next_line() gives next.
+    /// Recovers from a fault in the item that begins in line `first`: searches the lines after it
+    /// for one that `begins` a new item, which next_line() then returns.
     template <typename Begins>
     void resume_after(std::size_t first, const Begins& begins) {
         const std::string_view line = lines_.line();
@@ -65,7 +66,7 @@ class FreeForm {
     void need_line(std::string_view what) {
         if (!next_line()) throw fail("the file ends where " + std::string(what) + " should be");
     }
-    /// What of the line is not taken yet, without blanks before it.
+    /// Returns the rest of the line that has not been read, without blanks before it.
     std::string_view rest() {
         skip_blanks();
         return rest_;
@@ -84,7 +85,7 @@ class FreeForm {
         }
     }
 
-    /// The next number, of this line or one that follows. `what`: "a density".
+    /// Reads the next number, of this line or a later one. `what` names it: "a density".
     double number(std::string_view what) {
         if (repeats_ > 0) {
             --repeats_;
@@ -99,18 +100,18 @@ class FreeForm {
         begun_ = true;
         return *value;
     }
-    /// The same, of this line.
+    /// Reads the next number of this line.
     double number_here(std::string_view what) {
         if (rest().empty()) throw fail("the line ends where " + std::string(what) + " should be");
         return number(what);
     }
-    /// The same as number(), in a header.
+    /// Reads the next number of a header, of this line or a later one.
     double header_number(std::string_view what) {
         const bool comment = comment_mark_ != '\0' && begun_ && !begins_number(rest());
         if (comment) leave_line();
         return number(what);
     }
-    /// How many there are of `what`: "frequencies".
+    /// Reads a count of `what`: "frequencies".
     std::size_t count(std::string_view what, std::size_t least, std::size_t most) {
         const double value = header_number("the number of " + std::string(what));
         const bool within =
@@ -171,7 +172,7 @@ class FreeForm {
     bool begun_ = false;  // something of the line is taken
     bool held_ = false;   // the line is to be given again
     std::size_t repeats_ = 0;
-    double repeated_ = 0.0;  // what the next `repeats_` numbers are
+    double repeated_ = 0.0;  // the value of the next `repeats_` numbers
 };
 
 /// Hz, ascending.
@@ -197,8 +198,8 @@ inline void require_room(const FreeForm& in, std::size_t records, std::size_t va
     }
 }
 
-/// The time that `text` begins with, by a pattern of Y M D h m s for digits and b for the three
-/// letters of a month; other characters stand for themselves. Not checked for validity; a year of
+/// Returns the time that `text` begins with, by a pattern with Y M D h m s for digits and b for the
+/// three letters of a month; other characters match themselves. Not checked for validity; a year of
 /// two digits stays one.
 inline std::optional<UtcTime> match_time(std::string_view text, std::string_view pattern) {
     constexpr std::string_view kMonths = "janfebmaraprmayjunjulaugsepoctnovdec";

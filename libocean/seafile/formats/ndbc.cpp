@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tables of the National Data Buoy Center have in common: see ndbc.hpp.
+// Common parts of the tables of the National Data Buoy Center: see ndbc.hpp.
 #include "ndbc.hpp"
 
 #include <algorithm>

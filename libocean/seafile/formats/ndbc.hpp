@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tables of the National Data Buoy Center have in common, real-time or historical: dates,
-// missing values, and how five tables of one station become records. Buoy's degrees become
+// Common parts of the tables of the National Data Buoy Center, real-time and historical: dates,
+// missing values, and the way from five tables of one station to records. The buoy's degrees become
 // libocean's directions here, and only here.
 #pragma once
 
@@ -26,7 +26,7 @@ inline constexpr double kMaxSpread = 1.05;
 /// Before the header line of a table.
 inline constexpr std::size_t kMaxMetadataLines = 1000;
 
-/// What the five tables hold: density, alpha1, alpha2, r1, r2.
+/// The contents of the five tables: density, alpha1, alpha2, r1, r2.
 enum class Quantity { density, direction1, direction2, spread1, spread2 };
 inline constexpr std::size_t kCompanions = enum_count<Quantity>() - 1;  // all but the density
 
@@ -38,7 +38,7 @@ struct Bin {
 struct Row {
     std::string time;
     std::vector<Bin> bins;  // ascending in frequency
-    std::string station;    // of a table of several stations
+    std::string station;    // in a table of several stations
     std::string fault;      // why the line cannot be used, "NAME:LINE: ..."
     std::string warning;
 };
@@ -47,7 +47,7 @@ struct Row {
 using Companion = std::map<std::pair<std::string, std::string>, Row>;
 using Companions = std::array<Companion, kCompanions>;
 
-/// A finite number, or a failure that says what the word is not.
+/// Returns a finite number. Throws Error bad_file stating that the word is not `what`.
 double number(const LineReader& lines, std::string_view word, std::string_view what);
 /// Takes year, month, day, hour and perhaps minute off the front of a line: "2020-06-08T03:50".
 std::string take_time(const LineReader& lines, std::string_view& line, bool minutes);

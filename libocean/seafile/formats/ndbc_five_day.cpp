@@ -66,7 +66,7 @@ class FiveDayReader {
     }
 
   private:
-    /// Skips header lines, which say what the columns are, and comments.
+    /// Skips comments and header lines, which name the columns.
     bool next_data_line() {
         while (lines_.next_filled()) {
             if (names_times(lines_.line())) continue;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// NDBC historical spectra: a table a year (or month) of densities, 41010w2019.txt, and beside it
-// four of directional quantities: d (alpha1), i (alpha2), j (r1), k (r2) in the place of the w.
-// The header has the frequencies, one line is one time:
+// NDBC historical spectra: a table of densities for a year (or month), 41010w2019.txt, and beside
+// it four of directional quantities: d (alpha1), i (alpha2), j (r1), k (r2) in place of the w. The
+// header contains the frequencies, one line is one time:
 //   #YY  MM DD hh mm   .0200   .0325   .0375 ...
 //   2019 01 01 00 00    0.00    0.00    0.12 ...
 // Old files have no minutes, no '#' or YYYY; some have a second line of units. Lines of metadata,
-// with a '#', may stand before the header.
+// with a '#', may precede the header.
 #include <algorithm>
 #include <set>
 
@@ -24,7 +24,7 @@ using ndbc::Row;
 /// By quantity, as the names of the files have them.
 constexpr std::string_view kLetters = "wdijk";
 
-/// What follows the names of the columns of time, and whether minutes are among them.
+/// The text after the names of the columns of time, and whether minutes are among these columns.
 struct Header {
     bool minutes = false;
     std::string_view frequencies;
@@ -108,7 +108,7 @@ class TableReader {
 };
 
 /// Historical r1 and r2 are in hundredths, but some tables have them as fractions of one, where 99
-/// means missing. No sea has an r1 below a hundredth everywhere: a value above one tells.
+/// means missing. No sea has an r1 below a hundredth everywhere, so a value above one decides.
 void make_fractions(std::vector<Row>& rows) {
     const auto is_hundredths = [](const Bin& bin) {
         return bin.value > ndbc::kMaxSpread && bin.value != 99.0;

@@ -6,7 +6,7 @@
 //   #YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >
 //   2020 06 08 03 50 0.225 0.000 (0.033) 0.000 (0.038) ...
 // The hourly tables of all stations (hour_12.data_spec) begin with the station: #STN YYYY MM ...
-// Lines of metadata, with a '#', may stand before the header.
+// Lines of metadata, with a '#', may precede the header.
 #include <algorithm>
 
 #include "ndbc.hpp"
@@ -25,7 +25,7 @@ constexpr std::string_view kSuffixes[] = {".data_spec", ".swdir", ".swdir2", ".s
 static_assert(std::size(kColumnNames) == enum_count<Quantity>());
 static_assert(std::size(kSuffixes) == enum_count<Quantity>());
 
-/// Which columns stand before the first value. Old files have no minutes, companions no separation
+/// The columns before the first value. Old files have no minutes, companion tables no separation
 /// frequency.
 struct Header {
     bool station = false;

@@ -29,7 +29,7 @@ namespace {
 constexpr std::string_view kColumns = "Columns [deg]";
 constexpr std::string_view kRows = "Rows [Hz]";
 constexpr std::string_view kDensity = "Variance-density";
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxBinDensity = 2500.0;
 constexpr std::size_t kMaxMetadataLines = 200;
 
@@ -76,7 +76,7 @@ class ObscapeReader {
     }
 
   private:
-    /// False if there are no rows after it.
+    /// Reads the metadata. Returns false if no rows follow.
     bool read_metadata(SpectrumRecord& record) {
         while (lines_.next_filled()) {
             const std::optional<Entry> entry = parse_entry(lines_.line());
@@ -126,7 +126,7 @@ class ObscapeReader {
         }
     }
 
-    /// "0,3,6,... 357" leaves out what goes on as it begins.
+    /// Expands "0,3,6,... 357", which omits values that continue the pattern of the first.
     void read_directions(std::string_view list) {
         std::string blanks(list);
         std::replace(blanks.begin(), blanks.end(), ',', ' ');

@@ -20,7 +20,7 @@
 namespace ocean {
 namespace {
 
-/// So that no sum over the circle is beyond what a record may hold.
+/// Max energy of a bin, so that no sum over the circle exceeds the limit of a record.
 constexpr double kMaxEnergy = 1e4;
 
 bool begins_record(std::string_view line) {
@@ -111,7 +111,7 @@ class OctopusReader {
         throw lines_.fail("'" + text::printable(word, 20) + "' is not " + std::string(what) +
                           " within " + shortest_text(low) + " .. " + shortest_text(high));
     }
-    /// Without what may stand behind a final comma.
+    /// Reads the fields of the next line, without those after a final comma.
     void next_fields(const std::string& what, std::size_t least) {
         need_line(what);
         fields_ = csv::fields_of(lines_, ',', 2 * kMaxFrequencies);
@@ -177,7 +177,7 @@ class OctopusReader {
     LineReader lines_;
     std::size_t frequencies_ = 0;
     std::size_t directions_ = 0;
-    SpectrumRecord place_;  // of all records
+    SpectrumRecord place_;  // the data of all records
     std::vector<std::string_view> fields_;
 };
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The CSV that the dashboard of Spotter buoys offers for download. A header line names the columns,
-// padded with blanks; a line after it is one spectrum. Of its columns these are read:
+// padded with blanks; each line after it is one spectrum. These of its columns are read:
 //   Epoch Time                          seconds since 1970, UTC
 //   Latitude (deg), Longitude (deg)
 //   f_0 f_1 ...                         centres of the bins, Hz
 //   varianceDensity_0 ...               m^2/Hz
 //   a1_0 ... b1_0 ... a2_0 ... b2_0 ... moments of the travel direction, from east
-//   direction_0 ... directionalSpread_0 ...   degrees, coming from; where there are no moments
+//   direction_0 ... directionalSpread_0 ...   degrees, coming from; if moments are missing
 // A minus sign alone is a missing value: the buoy reports spectra in one of its modes only.
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 namespace ocean {
 namespace {
 
-/// What SWAN multiplies variance by to make energy, J/m^2: its default density and gravity.
+/// The factor from variance to energy in SWAN [J/m^2 per m^2]: its default density and gravity.
 constexpr double kEnergyOfVariance = 1025.0 * 9.81;
 
 class SwanHeaderReader {
@@ -49,7 +49,7 @@ class SwanHeaderReader {
     }
 
   private:
-    /// Of the next line, one of those allowed.
+    /// Reads the keyword of the next line, which must be one of those allowed.
     std::string_view keyword(std::initializer_list<std::string_view> allowed) {
         std::string names;
         for (const std::string_view name : allowed) {

@@ -7,10 +7,10 @@
 //   DATE = 2018-01-31 21:00(UTC), or 2018 Jan 31 21:00(UTC)
 //   NUMBER OF FREQUENCIES, INITIAL FREQUENCY (Hz), FREQUENCY SPACING (Hz) = a number each
 //   NUMBER OF DIRECTIONS, DIRECTION SPACING (DEG) = a number each
-// and other keys, which are passed over. After the key ROWS there is a line for each frequency with
-// the densities [m^2/Hz/deg] of all directions from 0 on: coming from, clockwise from north; 0 and
-// 360 are both there. After the key COLUMN 2 a line for each frequency has it and its density
-// [m^2/Hz].
+// and other keys, which are skipped. After the key ROWS follows a line for each frequency with the
+// densities [m^2/Hz/deg] of all directions from 0 on: coming from, clockwise from north, with both
+// 0 and 360. After the key COLUMN 2 follows a line for each frequency with the frequency and its
+// density [m^2/Hz].
 #include <cmath>
 #include <optional>
 
@@ -22,7 +22,7 @@
 namespace ocean {
 namespace {
 
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxBinDensity = 2500.0;
 
 /// The value of "KEY = value", and the key without the blanks before the sign.

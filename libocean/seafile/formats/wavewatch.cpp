@@ -25,9 +25,9 @@ constexpr std::string_view kQuotes = "'\"";
 constexpr std::string_view kTime = "YYYYMMDD hhmmss";
 /// After the name of a point: its place, depth, wind and current.
 constexpr std::size_t kPointNumbers = 7;
-/// Half a unit of the third digit of 6.28, and what the smallest direction may be off.
+/// Half a unit of the third digit of 6.28, the max error of the smallest direction.
 constexpr double kRounding = 0.0055;
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxDensity = 1e5;
 
 /// The model's directions are even, but 85 degrees is printed as 1.48. Taken as printed, the
@@ -70,7 +70,7 @@ bool begins_time(std::string_view line) {
            line.find_first_not_of(" \t", kTime.size()) == std::string_view::npos;
 }
 
-/// The bytes of a point's name, quotes included: what stands before the seven numbers.
+/// Returns the bytes of a point's name, quotes included: the text before the seven numbers.
 std::size_t name_bytes(std::string_view line) {
     for (const char quote : kQuotes) {
         if (!line.starts_with(quote)) continue;
