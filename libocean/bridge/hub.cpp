@@ -42,7 +42,7 @@ bool TakeRecorder::add(const ParameterRef& parameter, const ParameterValue& valu
             before->value = value;
             return true;
         }
-        event.seconds = std::max(event.seconds, before->seconds + kLeastEventDistance);
+        event.seconds = std::max(event.seconds, before->seconds + kMinEventSpacing);
     }
     const std::size_t bytes = bytes_ + take_line(event).size() + 1;
     if (events.size() >= kMaxTakeEvents || bytes > kMaxTakeBytes) return false;

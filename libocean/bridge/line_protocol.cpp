@@ -81,7 +81,7 @@ std::span<const CommandForm> command_forms() {
 }
 
 std::optional<std::variant<Request, Refusal>> parse_request(std::string_view line) {
-    const std::string_view word = take_word(line);
+    const std::string_view word = next_word(line);
     if (word.empty()) return std::nullopt;
     const auto form = std::ranges::find_if(
         kCommands, [&](const CommandForm& known) { return same_word(word, known.word); });
@@ -90,11 +90,11 @@ std::optional<std::variant<Request, Refusal>> parse_request(std::string_view lin
     }
     Request request{form->verb, {}};
     if (form->verb == Verb::set) {
-        request.arguments.emplace_back(take_word(line));
+        request.arguments.emplace_back(next_word(line));
         request.arguments.emplace_back(trimmed(line));
         if (request.arguments.back().empty()) request.arguments.clear();
     } else {
-        for (std::string_view next = take_word(line); !next.empty(); next = take_word(line)) {
+        for (std::string_view next = next_word(line); !next.empty(); next = next_word(line)) {
             request.arguments.emplace_back(next);
         }
     }
@@ -282,8 +282,8 @@ bool is_take_name(std::string_view name) {
 
 ServerLine parse_server_line(std::string_view line) {
     ServerLine parts;
-    parts.word = take_word(line);
-    parts.name = take_word(line);
+    parts.word = next_word(line);
+    parts.name = next_word(line);
     parts.rest = trimmed(line);
     return parts;
 }

@@ -25,11 +25,11 @@ ScriptLine script_line(std::string_view text, const std::vector<ScriptLine>& bef
         return Error(ErrorKind::bad_file,
                      message + "; allowed: SECONDS CHANNEL VALUE, such as 0.5 board0/a1 128");
     };
-    const std::string_view seconds = take_word(text);
-    const std::string_view channel = take_word(text);
-    const std::string_view value = take_word(text);
+    const std::string_view seconds = next_word(text);
+    const std::string_view channel = next_word(text);
+    const std::string_view value = next_word(text);
     if (value.empty()) throw refused("a line of a script has three words");
-    if (const std::string_view more = take_word(text); !more.empty()) {
+    if (const std::string_view more = next_word(text); !more.empty()) {
         throw refused("'" + text::printable(more) + "' is one word too many");
     }
     const auto number = [&](std::string_view word, double lowest, double highest) {

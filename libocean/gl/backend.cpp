@@ -104,7 +104,7 @@ BackendFitness gpu_fitness(int resolution) {
         const HeadlessContext::Current current(context);
         const MapFrame frame(resolution, context.info());
         const std::string machine = context.info().text();
-        if (context.info().software) return {true, false, machine + ", is no GPU"};
+        if (context.info().software) return {true, false, machine + ", is not a GPU"};
         return {true, true, machine};
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::no_gpu) throw;

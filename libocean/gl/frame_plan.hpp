@@ -63,10 +63,11 @@ struct FramePlan {
     std::string columns_defines() const;
 };
 
-/// "times_i(h) * (-1.0 * kx * u)": a field's coefficient for the shaders, by the table of fields.
+/// Returns a field's coefficient for the shaders, by the table of fields: "times_i(h) * (-1.0 * kx
+/// * u)".
 std::string coefficient(Linear field);
 
-/// For these quantities, without repetition. flat: choppiness 0.
+/// Returns the plan for these quantities, without repetition. flat: choppiness 0.
 FramePlan make_frame_plan(const PassShape& shape, std::vector<Quantity> quantities, bool flat);
 
 }  // namespace ocean::gl

@@ -25,7 +25,7 @@ class MapFrame {
     MapFrame(int resolution, const ContextInfo& limits, Mipmaps mipmaps = Mipmaps::no);
 
     /// Makes the textures of these quantities; of mipmaps the first level alone. The foam's past is
-    /// a texture of one float, or null; its fade and least are the request's. Returns whether it
+    /// a texture of one float, or null; its fade and cutoff are the request's. Returns whether it
     /// had to upload modes.
     bool make(const MapRequest& request, std::vector<Quantity> quantities, const Texture* past,
               ThreadPool& pool);
@@ -70,9 +70,9 @@ inline constexpr GLuint kRootsBinding = 3;
 
 /// Throws Error no_gpu for a resolution that is beyond the limits, which it names.
 void require_limits(int resolution, const ContextInfo& limits);
-/// e^(2 pi i k / N) for k = 0 .. N - 1.
+/// Returns a buffer of e^(2 pi i k / N) for k = 0 .. N - 1.
 Buffer make_roots(int resolution);
-/// The uniforms of shaders/compute/modes.glsl for the current program.
+/// Sets the uniforms of shaders/compute/modes.glsl for the current program.
 void set_time(ComputeProgram& program, const MapModes& modes);
 
 }  // namespace ocean::gl

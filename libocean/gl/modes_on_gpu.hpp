@@ -23,7 +23,7 @@ class ModesOnGpu {
     bool load(const MapModes& modes, ThreadPool& pool);
     /// Binds storage buffers 0 (amplitudes), 1 (rates) and 2 (displacements).
     void bind() const;
-    /// The power of two by which gradient_xy is about as large as the height, in metres.
+    /// Returns the power of two that makes gradient_xy about as large as the height [m].
     float gradient_scale() const { return gradient_scale_; }
 
   private:

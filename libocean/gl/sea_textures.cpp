@@ -60,7 +60,7 @@ class CascadeFrame {
 
 }  // namespace
 
-struct SeaTextures::Parts {
+struct SeaTextures::Impl {
     using Follower = FoamFollower<Texture>;
 
     SeaTextureOptions options;
@@ -95,7 +95,8 @@ struct SeaTextures::Parts {
         }
     }
 
-    /// With the whitecaps' threshold, which is looked for when something has changed.
+    /// Returns the settings with the whitecaps' threshold, which is computed again when something
+    /// has changed.
     SurfaceSettings shown_settings(const Ocean& sea, const Modes& modes, double time) {
         const SurfaceSettings settings = sea.sea().at(time).surface;
         if (modes.revision != shown_revision || settings != given || foam_resolution != shown_for) {
@@ -107,13 +108,13 @@ struct SeaTextures::Parts {
         return shown;
     }
 
-    /// The foam of a tick, out of that of the tick before.
+    /// Makes the foam of a tick from that of the tick before.
     void make_tick(Ocean& sea, double time, const Follower::Layer& before, Texture& tick) {
         const Modes& modes = sea.modes(time);
         if (!tick) tick = make_texture(GL_R32F, foam_resolution, Mipmaps::no, Filter::linear);
         MapRequest request{
             map_modes(modes, time, foam_resolution), shown_settings(sea, modes, time), {}, {}};
-        request.foam = {nullptr, before.fade, before.least};
+        request.foam = {nullptr, before.fade, before.cutoff};
         foam_frame->exchange_map(0, GL_R32F, tick);
         foam_frame->make(request, {Channel::foam}, before.map, pool);
         foam_frame->exchange_map(0, GL_R32F, tick);
@@ -148,8 +149,8 @@ struct SeaTextures::Parts {
     }
 };
 
-SeaTextures::SeaTextures(SeaTextureOptions options) : parts_(std::make_unique<Parts>()) {
-    parts_->options = std::move(options);
+SeaTextures::SeaTextures(SeaTextureOptions options) : impl_(std::make_unique<Impl>()) {
+    impl_->options = std::move(options);
 }
 
 SeaTextures::~SeaTextures() = default;
@@ -157,33 +158,33 @@ SeaTextures::~SeaTextures() = default;
 void SeaTextures::show(Ocean& sea, double time) {
     require_time(time);
     const auto done = [&](std::string_view stage) {
-        if (parts_->options.after_stage) parts_->options.after_stage(stage);
+        if (impl_->options.after_stage) impl_->options.after_stage(stage);
     };
-    parts_->make_foam(sea, time);
+    impl_->make_foam(sea, time);
     done("foam");
-    parts_->make_cascades(sea, time);
+    impl_->make_cascades(sea, time);
     done("cascades");
-    require_not_reset(parts_->limits, "making the sea's textures");
+    require_not_reset(impl_->limits, "making the sea's textures");
 }
 
 void SeaTextures::foam_changed(double from) {
-    if (parts_->follower) parts_->follower->forget_from(from);
+    if (impl_->follower) impl_->follower->forget_from(from);
 }
 
 void SeaTextures::foam_changed() {
-    parts_->follower.reset();
+    impl_->follower.reset();
 }
 
 std::span<const CascadeTextures> SeaTextures::cascades() const {
-    return parts_->cascades;
+    return impl_->cascades;
 }
 
 const FoamTexture& SeaTextures::foam() const {
-    return parts_->foam;
+    return impl_->foam;
 }
 
 std::int64_t SeaTextures::foam_settling_ticks() const {
-    return parts_->follower ? parts_->follower->settling_ticks() : 0;
+    return impl_->follower ? impl_->follower->settling_ticks() : 0;
 }
 
 }  // namespace ocean::gl

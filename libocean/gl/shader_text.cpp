@@ -60,7 +60,7 @@ class Loader {
         for (int i = 0; i < kEmbeddedShaderCount; ++i) {
             if (kEmbeddedShaders[i].path == path) return std::string(kEmbeddedShaders[i].text);
         }
-        throw Error(ErrorKind::bad_file, "shader '" + std::string(path) + "': there is none");
+        throw Error(ErrorKind::bad_file, "shader '" + std::string(path) + "' does not exist");
     }
 
     std::string read_from_disk(const std::filesystem::path& folder, std::string_view path) {

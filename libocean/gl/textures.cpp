@@ -7,7 +7,7 @@
 namespace ocean::gl {
 namespace {
 
-/// All levels of it, which glTexStorage2D of OpenGL 4.2 makes at once.
+/// Allocates all levels of a texture, as glTexStorage2D of OpenGL 4.2 does at once.
 void make_levels(GLenum format, int resolution, int levels) {
     if (epoxy_gl_version() >= 42)
         return glTexStorage2D(GL_TEXTURE_2D, levels, format, resolution, resolution);

@@ -244,7 +244,7 @@ class RecordMaker {
             least = std::min(least, value);  // which a NaN is not
             most = std::max(most, value);
         }
-        if (least >= -kMostNoise * most) return;
+        if (least >= -kMaxNoise * most) return;
         throw fail(label(record) + "a density of " + shown(least) +
                    "; allowed: 0 .. 1e6 m^2/Hz/degree");
     }

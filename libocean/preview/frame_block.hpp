@@ -12,7 +12,7 @@
 namespace ocean::preview {
 
 /// Of two seas.
-inline constexpr std::size_t kMostTiles = 2 * kMostDetailBands;
+inline constexpr std::size_t kMostTiles = 2 * kMaxDetailBands;
 
 struct FrameBlock {
     glm::mat4 clip_from_world{1.0f};

@@ -10,7 +10,7 @@
 
 namespace ocean {
 
-/// By its first bytes.
+/// Recognises gzip by its first bytes.
 bool is_gzip(std::string_view content);
 /// Returns the unpacked content of all members. `name` is for messages. Throws Error bad_file if it
 /// is damaged, cut off, or larger than `limit` bytes when unpacked; unsupported in a build without

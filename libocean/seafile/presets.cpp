@@ -68,12 +68,13 @@ constexpr std::array<Douglas, 10> kDouglas = {{
     {"phenomenal", 16.0, 16.9, 29.5, 730e3, 3600.0},
 }};
 
-/// 3.25 -> "3.25", 11.0 -> "11"
+/// Returns "3.25" for 3.25, "11" for 11.0.
 std::string plain(double value) {
     return to_text(ParameterValue(value));
 }
 
-/// The spectrum, and the keys that differ from the defaults, each with its unit and label.
+/// Returns the line of a key: the spectrum, or a key that differs from its default, with unit and
+/// label.
 std::string preset_line(const Parameters& parameters, const ParameterRef& ref) {
     static const Parameters kDefaults;
     const std::string line = parameter_line(parameters, ref);
@@ -89,7 +90,7 @@ std::string commented(std::string_view lines) {
     return out + "\n";
 }
 
-/// `notes` are lines that go under the description as comments.
+/// Makes a preset. `notes` are lines that follow the description as comments.
 Preset make_preset(const std::string& name, const std::string& description, std::string_view notes,
                    const Parameters& parameters) {
     std::string toml = commented(name + ": " + description) + commented(notes);

@@ -50,7 +50,8 @@ class SeaReader {
     const toml::node* take_ = nullptr;  // inlined
 };
 
-/// The take is read last: it names parameters that may follow it in the file.
+/// Returns the model's own parts of the file. The take is read last: it names parameters that may
+/// follow it in the file.
 OwnParts<Parameters> SeaReader::parts() {
     return {.roots = {kTakeSection},
             .read_root = [this](const TomlEntry& entry) { take_ = entry.node; },

@@ -66,7 +66,7 @@ void catch_fault(std::string& fault, const Read& read) {
 /// Reads by one format. The file must hold a spectrum without a fault; others have theirs in
 /// `fault`.
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
-/// read_spectra on content that is in memory already.
+/// Reads spectra as read_spectra does, from content in memory.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);
 
 }  // namespace ocean

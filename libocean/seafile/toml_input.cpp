@@ -23,7 +23,7 @@ class KeyDepth {
   public:
     explicit KeyDepth(std::string_view text) : text_(text) {}
 
-    /// Line of the first such key.
+    /// Returns the line of the first such key.
     std::optional<std::size_t> first_fault() {
         std::size_t dots = 0;
         while (at_ < text_.size()) {

@@ -45,13 +45,14 @@ struct TomlEntry {
     std::size_t line;
     const toml::node* node;
 };
-/// The entries of a table in the order of the file, so that the first fault is reported first.
+/// Returns the entries of a table in the order of the file, so that the first fault is reported
+/// first.
 std::vector<TomlEntry> in_file_order(const toml::table& table);
 
 std::size_t line_of(const toml::node& node);
 /// Returns the number of a float, or of an integer in its place; nothing for any other node.
 std::optional<double> number_of(const toml::node& node);
-/// A value as a message shows it: 300, "text", a table, an array of 3.
+/// Returns a value as a message shows it: 300, "text", a table, an array of 3.
 std::string shown(const toml::node& node);
 
 }  // namespace ocean

@@ -32,28 +32,28 @@ vec3 normal_of(Fields p) {
     return vec3(n.x, n.y, n.z < 0.0 ? -up : up);
 }
 
-float channel_nx(Fields p, float foam_left) {
+float channel_nx(Fields p, float previous_foam) {
     return normal_of(p).x;
 }
 
-float channel_ny(Fields p, float foam_left) {
+float channel_ny(Fields p, float previous_foam) {
     return normal_of(p).y;
 }
 
-float channel_nz(Fields p, float foam_left) {
+float channel_nz(Fields p, float previous_foam) {
     return normal_of(p).z;
 }
 
-float channel_jacobian(Fields p, float foam_left) {
+float channel_jacobian(Fields p, float previous_foam) {
     return surface_jacobian(choppiness, p.gradient_xx, p.gradient_yy, p.gradient_xy);
 }
 
-float channel_whitecap(Fields p, float foam_left) {
-    return surface_whitecap(channel_jacobian(p, foam_left), whitecap_threshold_and_width.x,
+float channel_whitecap(Fields p, float previous_foam) {
+    return surface_whitecap(channel_jacobian(p, previous_foam), whitecap_threshold_and_width.x,
                             whitecap_threshold_and_width.y);
 }
 
-float channel_foam(Fields p, float foam_left) {
-    float foam = max(channel_whitecap(p, foam_left), foam_fade_and_least.x * foam_left);
+float channel_foam(Fields p, float previous_foam) {
+    float foam = max(channel_whitecap(p, previous_foam), foam_fade_and_least.x * previous_foam);
     return foam < foam_fade_and_least.y ? 0.0 : foam;
 }

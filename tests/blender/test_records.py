@@ -38,7 +38,7 @@ def test_the_wind_of_the_waves_before_is_not_measured(ocean):
     assert ocean.libocean.waves[0].use_wind_speed
     bpy.ops.libocean.pick_record(filepath=BUOY)
     assert not ocean.libocean.waves[0].use_wind_speed
-    assert any("no wind is known of" in warning for warning in live.warnings_of(ocean))
+    assert any("the wind is unknown" in warning for warning in live.warnings_of(ocean))
     ocean.libocean.waves[0].wind_speed = 8.0
     assert ocean.libocean.waves[0].use_wind_speed
     assert not any("no wind" in warning for warning in live.warnings_of(ocean))

@@ -94,10 +94,10 @@ MACHINES = {
         lambda folder: {"MESA_EXTENSION_OVERRIDE": "-GL_ARB_compute_shader"},
         "has no OpenGL 4.3 core",
     ),
-    "no EGL": (broken_libraries("libEGL.so.1"), "there is no libEGL.so.1 on this machine"),
+    "no EGL": (broken_libraries("libEGL.so.1"), "libEGL.so.1 is missing on this machine"),
     "no OpenGL": (
         broken_libraries("libOpenGL.so.0", "libGL.so.1"),
-        "there is neither libOpenGL.so.0 nor libGL.so.1 on this machine",
+        "libOpenGL.so.0 and libGL.so.1 are missing on this machine",
     ),
 }
 

@@ -161,7 +161,7 @@ def test_folded_points_are_counted(ocean):
         ),
         (
             "x;y,name\n1;2,a\n",
-            "points.csv:1: what separates the cells is ambiguous: a semicolon and",
+            "points.csv:1: the separator of the cells is ambiguous: a semicolon and",
         ),
         (b"x,y\n\x00\xff,1\n", "points.csv:2: x = '??'; allowed"),
     ],

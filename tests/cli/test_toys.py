@@ -94,4 +94,4 @@ def test_options_of_others_are_refused(tmp_path):
     done = run("bake", *SMALL, "-o", "a.exr", "--digits", "4", cwd=tmp_path, code=2)
     assert "--digits 4: only files of type .stats know it" in done.stderr
     done = run("bake", *SMALL, "-o", "a.stats", "--digits", "x", cwd=tmp_path, code=2)
-    assert "--digits = x: allowed is a number, 1 .. 9" in done.stderr
+    assert "--digits = x; allowed: a number, 1 .. 9" in done.stderr

@@ -195,7 +195,7 @@ void expect_reset(Ocean& ocean) {
         EXPECT_EQ(error.kind(), ErrorKind::no_gpu);
         const std::string text = error.what();
         EXPECT_TRUE(text.starts_with("the GPU was reset or taken away while ")) << text;
-        EXPECT_TRUE(text.ends_with("; what was finished is whole")) << text;
+        EXPECT_TRUE(text.ends_with("; finished outputs are complete")) << text;
     }
 }
 

@@ -67,7 +67,8 @@ std::vector<SpectrumRecord> read_awac(const std::string& content) {
 TEST(Awac, AgreesWithWavespectra) {
     std::vector<SpectrumRecord> records = read_spectra(kData + "/spectra/awac.nmea");
     ASSERT_EQ(records.size(), 11u);
-    EXPECT_NE(records[0].fault.find("awac.nmea:24: no $PNORE, the densities, of 2020-04-30T23:41"),
+    EXPECT_NE(records[0].fault.find("awac.nmea:24: $PNORE, with the densities, is missing at "
+                                    "2020-04-30T23:41"),
               std::string::npos);
     records.erase(records.begin());
     const Judged judged[] = {{"2020-05-01T00:01", 2.303, 157.696, 20.757, 9.354},

@@ -142,8 +142,8 @@ TEST_P(HostChannels, KnowTheChoppiness) {
 
 TEST_P(HostChannels, ThatHaveNoRowAreRefused) {
     Ocean sea = ocean();
-    for (const Channel channel : {kNone, static_cast<Channel>(kMostChannels - 1),
-                                  static_cast<Channel>(kMostChannels), static_cast<Channel>(-5)}) {
+    for (const Channel channel : {kNone, static_cast<Channel>(kMaxChannels - 1),
+                                  static_cast<Channel>(kMaxChannels), static_cast<Channel>(-5)}) {
         EXPECT_THROW(sea.evaluate(0.0, {Channel::height, channel}), Error);
         float value = 0.0f;
         const MapOutput output{&value, 1, {{{channel, 1.0f}}}};
@@ -201,7 +201,7 @@ TEST(Channels, OfAFormulaThatReadsMoreThanItsRowSaysAreNotANumber) {
          "",
          kGradients,
          {},
-         [](const auto& p) { return p.foam_left + channel_formula::whitecap_of(p); },
+         [](const auto& p) { return p.previous_foam + channel_formula::whitecap_of(p); },
          FoamUse::threshold},
         {"sloppiest", "", kSlopes, kSlopes, [](const auto& p) { return p[Linear::height]; }}};
     Ocean sea(stormy_sea(), {.channels = kSloppy});

@@ -309,7 +309,7 @@ TEST(FoamPreroll, FullFoamHasFadedInFloatsToo) {
 float over(const FoamLayer& layer, float whitecap, std::size_t i) {
     const float left = layer.map != nullptr ? layer.fade * layer.map[i] : 0.0f;
     const float foam = std::max(whitecap, left);
-    return foam < layer.least ? 0.0f : foam;
+    return foam < layer.cutoff ? 0.0f : foam;
 }
 
 /// Whitecaps that come and go at random, independent for each sample and time; counts its calls.

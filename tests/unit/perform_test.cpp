@@ -139,7 +139,7 @@ TEST(Perform, ThinsAKnobThatNeverRestsAndKeepsItsLastValue) {
     for (std::size_t i = 1; i < events.size(); ++i) {
         EXPECT_LE(events[i - 1].seconds, events[i].seconds);
     }
-    EXPECT_LE(events.back().seconds, 6.0 + kLeastEventDistance);
+    EXPECT_LE(events.back().seconds, 6.0 + kMinEventSpacing);
     EXPECT_EQ(live.sea().at(100.0).waves.front().wind_speed, 15.0);
     EXPECT_EQ(live.sea().at(100.0).surface.choppiness, 0.5 + 0.0005 * (1000 % 7));
     validate(live.sea());

@@ -397,7 +397,7 @@ TEST_P(FoldedWave, ShowsTheTopOfItsLoop) {
     EXPECT_LT(folded, 500);
 }
 
-    // On the finer map a block of points is small compared with the displacement of labels.
+// On the finer map a block of points is small compared with the displacement of labels.
 INSTANTIATE_TEST_SUITE_P(Maps, FoldedWave, testing::Values(64, 256));
 
 /// A sea so choppy that it folds in many places.
@@ -575,7 +575,7 @@ TEST(Query, RefusesWhatItCannotAnswerAndWritesNothing) {
         ADD_FAILURE() << "a point that is not finite was taken";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "point 1 = (3.000000, nan); allowed are finite coordinates in metres");
+                     "point 1 = (3.000000, nan); allowed: finite coordinates in metres");
     }
     EXPECT_EQ(samples[0].height, 77.0);
     query.sample({}, {}, sea.pool);

@@ -75,8 +75,8 @@ std::vector<ParameterValue> ends_of(const ParameterInfo& info) {
     }
     std::vector<ParameterValue> ends = {info.min, info.max};
     if (std::isinf(info.max)) ends.emplace_back(std::numeric_limits<double>::max());
-    if (info.least > 0.0) {
-        ends.emplace_back(info.least);
+    if (info.min_nonzero > 0.0) {
+        ends.emplace_back(info.min_nonzero);
     } else if (info.min <= 0.0) {
         ends.emplace_back(std::numeric_limits<double>::denorm_min());
         ends.emplace_back(1e-100);

@@ -101,7 +101,7 @@ Parameters swell(double height, double period) {
 
 bool says_no_wind(const SeaState& state) {
     return std::any_of(state.warnings.begin(), state.warnings.end(), [](const std::string& text) {
-        return text.find("no wind is known of") != std::string::npos;
+        return text.find("the wind is unknown") != std::string::npos;
     });
 }
 

@@ -200,7 +200,7 @@ TEST(Spray, ThereIsAsMuchAsTurnsWhite) {
             const double end = 0.05 * static_cast<double>(tick + 1) - 1e-6;  // all of it are born
             const auto young = [&](const SpraySettings& asked) {
                 const Particles all = sea.spray(end, asked);
-                EXPECT_LE(all.size(), most_spray(sea.sea(), asked)) << wind;
+                EXPECT_LE(all.size(), max_spray_particles(sea.sea(), asked)) << wind;
                 return static_cast<double>(
                     std::ranges::count_if(all, [](const auto& p) { return p.age < 0.05 - 1e-6; }));
             };
@@ -220,7 +220,7 @@ TEST(Spray, ACalmSeaHasNone) {
         parameters.surface.foam_coverage = FoamCoverage::threshold;  // white crests even so
         Ocean sea(parameters, {.threads = 1});
         EXPECT_TRUE(sea.spray(5.0).empty()) << wind;
-        EXPECT_EQ(most_spray(sea.sea(), {}), 0u);
+        EXPECT_EQ(max_spray_particles(sea.sea(), {}), 0u);
     }
     EXPECT_EQ(spume_onset(7.0), 0.0);
     EXPECT_EQ(spume_onset(9.0), 0.5);
@@ -245,7 +245,7 @@ TEST(Spray, NoMoreThanAskedForAndEverywhereAlike) {
         return static_cast<double>(south) / static_cast<double>(particles.size());
     };
     EXPECT_NEAR(share(thinned), share(all), 0.1);
-    EXPECT_EQ(most_spray(sea.sea(), few), 1000u);
+    EXPECT_EQ(max_spray_particles(sea.sea(), few), 1000u);
     const auto refused = [&](const SpraySettings& wrong) {
         EXPECT_THROW(sea.spray(9.0, wrong), Error);
     };
@@ -510,7 +510,7 @@ TEST(Spray, FollowsATakeAndWhatIsPerformed) {
     Ocean calm(windy_sea(14.0), {.threads = 1});
     EXPECT_TRUE(equal(spray_of(calm, 30), spray_of(again, 30))) << "before the change";
     EXPECT_GT(spray_of(live, 240).size(), spray_of(calm, 240).size());
-    EXPECT_GE(most_spray(live.sea(), {}), spray_of(live, 240).size());
+    EXPECT_GE(max_spray_particles(live.sea(), {}), spray_of(live, 240).size());
     double x = 0.0;
     for (const SprayParticle& particle : spray_of(live, 240)) x += particle.vx;
     EXPECT_LT(x, 0.0) << "the wind has turned";

@@ -139,9 +139,9 @@ bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::st
 /// "RECORD START storm.take by ...", "RECORD STOP -": it comes before app.record does.
 void BridgeLink::hear_of_recording(const std::string& event) {
     std::string_view words = event;
-    if (take_word(words) != "RECORD") return;
-    const std::string_view what = take_word(words);
-    const std::string_view name = take_word(words);
+    if (next_word(words) != "RECORD") return;
+    const std::string_view what = next_word(words);
+    const std::string_view name = next_word(words);
     if (what == "START") take_name_.clear();
     if (name != "-" && bridge::is_take_name(name)) take_name_ = name;
 }

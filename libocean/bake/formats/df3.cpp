@@ -71,7 +71,7 @@ FormatPlan settle(const BakePlan& begun) {
     }
     if (settings.detail_map) {
         // As fine as the map, so that the files grow alike.
-        settings.detail = {begun.resolution, std::clamp(begun.resolution, kLeastDetailSamples,
+        settings.detail = {begun.resolution, std::clamp(begun.resolution, kMinDetailSamples,
                                                         DetailSettings{}.samples)};
         settings.detail_bands = static_cast<int>(
             detail_bands(sea_of(*begun.subject).parameters, settings.detail).size());
@@ -129,7 +129,7 @@ bool is_baked(const BakeFile& file) {
     const auto slices = static_cast<std::size_t>(size_at(4));
     return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
            (slices == io::df3_slices().size() || slices == io::df3_position_slices().size() ||
-            (slices % 2 == 0 && slices <= std::size_t{2 * kMostDetailBands}));
+            (slices % 2 == 0 && slices <= std::size_t{2 * kMaxDetailBands}));
 }
 
 std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {

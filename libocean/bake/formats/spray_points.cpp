@@ -125,7 +125,7 @@ std::string spray_recipe(const BakePlan& plan, const BakeFile& file) {
 }
 
 std::uint64_t most_spray_points(const BakePlan& plan) {
-    return most_spray(sea_of(*plan.subject), spray_of(plan)->settings);
+    return max_spray_particles(sea_of(*plan.subject), spray_of(plan)->settings);
 }
 
 std::uint64_t spray_frame_bytes(const BakePlan& plan) {

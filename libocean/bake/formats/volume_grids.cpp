@@ -56,8 +56,9 @@ Numbers most_numbers(const BakePlan& plan) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
         }
-        numbers.puffs = static_cast<std::uint64_t>(
-            copies * static_cast<double>(most_spray(sea_of(*plan.subject), settings.spray)));
+        numbers.puffs =
+            static_cast<std::uint64_t>(copies * static_cast<double>(max_spray_particles(
+                                                    sea_of(*plan.subject), settings.spray)));
     }
     return numbers;
 }
@@ -82,7 +83,7 @@ std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
     const Grid& grid = sea_of(*plan.subject).parameters.grid;
     const SpraySettings& spray = volume_settings_of(plan).spray;
     const int lattice = spray_lattice(grid).resolution;
-    return spray_bytes(most_spray(sea_of(*plan.subject), spray)) +
+    return spray_bytes(max_spray_particles(sea_of(*plan.subject), spray)) +
            puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) +
            maps_bytes(lattice, kSprayChannels.size()) +
            work_bytes(grid, plan.backend, kSprayChannels, lattice);

@@ -42,7 +42,7 @@ Settings read(const BakeOptions& options) {
     const std::string& sun = options.format_option("sun");
     if (!depth.empty()) {
         settings.depth =
-            parse_number(depth, "--caustics-depth", kLeastCausticsDepth, kMostCausticsDepth);
+            parse_number(depth, "--caustics-depth", kMinCausticsDepth, kMaxCausticsDepth);
     }
     const std::vector<std::string> angles = split(sun.empty() ? kUsualSun : sun, ',');
     if (angles.size() != 2) {
@@ -50,7 +50,7 @@ Settings read(const BakeOptions& options) {
                     "--sun " + sun + ": two numbers are needed, ALTITUDE,BEARING");
     }
     settings.made_with.sun_altitude =
-        parse_number(csv::trimmed(angles[0]), "--sun, altitude", kLeastCausticsSun, 90.0);
+        parse_number(csv::trimmed(angles[0]), "--sun, altitude", kMinCausticsSunAltitude, 90.0);
     settings.made_with.sun_bearing =
         parse_number(csv::trimmed(angles[1]), "--sun, bearing", -3600.0, 3600.0);
     return settings;

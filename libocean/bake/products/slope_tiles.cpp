@@ -61,8 +61,8 @@ std::vector<FormatOption> list_options() {
 Settings read(const BakeOptions& options) {
     Settings settings;
     if (const std::string& samples = options.format_option("detail-samples"); !samples.empty()) {
-        settings.samples = parse_whole_number(samples, "--detail-samples", kLeastDetailSamples,
-                                              kMostDetailSamples);
+        settings.samples =
+            parse_whole_number(samples, "--detail-samples", kMinDetailSamples, kMaxDetailSamples);
     }
     return settings;
 }
@@ -143,7 +143,7 @@ std::vector<io::HeaderString> strings(const BakePlan& plan, const Settings& sett
 /// Two slopes of each band, and of one again for its file.
 std::uint64_t frame_bytes(const BakePlan& plan, const Settings& settings) {
     return detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
-           maps_bytes(settings.detail.samples, 2 * kMostDetailBands + 2);
+           maps_bytes(settings.detail.samples, 2 * kMaxDetailBands + 2);
 }
 
 /// Returns a band as a surface over its tile, with its slopes.

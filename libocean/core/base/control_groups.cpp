@@ -15,14 +15,15 @@ namespace ocean {
 
 namespace {
 
-/// First number of a one-line file such as /sys/fs/cgroup/memory.max, which may say "max".
+/// Returns the first number of a one-line file such as /sys/fs/cgroup/memory.max, which may contain
+/// "max".
 std::uint64_t number_in(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::uint64_t value = 0;
     return file >> value ? value : kUnknown;
 }
 
-/// The number after `key` in a file of "key 123" lines.
+/// Returns the number after `key` in a file of "key 123" lines.
 std::uint64_t value_in(const std::filesystem::path& path, std::string_view key) {
     std::ifstream file(path);
     std::string word;

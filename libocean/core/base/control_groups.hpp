@@ -24,10 +24,10 @@ inline std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
 /// down. A group without a folder sets no limit.
 std::vector<std::filesystem::path> control_groups(const std::filesystem::path& list,
                                                   const std::filesystem::path& root);
-/// By cpu.max, rounded up; the largest value without a limit.
+/// Returns the cores that cpu.max allows, rounded up; the largest value without a limit.
 int cores_of_cgroups(const std::vector<std::filesystem::path>& groups);
-/// Bytes that can still be allocated, the page cache counted as free; the largest value without a
-/// limit.
+/// Returns bytes that can still be allocated, the page cache counted as free; the largest value
+/// without a limit.
 std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups);
 
 }  // namespace ocean

@@ -60,8 +60,8 @@ double residual_of(const DetailPlan& plan, const Parameters& parameters,
 
 }  // namespace
 
-void DetailMaps::stand_for(const Parameters& parameters, const DirectionalSpectrum& spectrum,
-                           const Revision& revision, ThreadPool& pool) {
+void DetailMaps::set_parameters(const Parameters& parameters, const DirectionalSpectrum& spectrum,
+                                const Revision& revision, ThreadPool& pool) {
     const DetailPlan plan = plan_detail(parameters, settings_);
     const bool same_tiles =
         std::ranges::equal(tiles_, plan.bands, [](const Tile& tile, const PlannedBand& planned) {

@@ -21,8 +21,8 @@ class DetailMaps {
 
     /// Sets the parameters and their spectrum, whose revision is `revision`. Keeps all that neither
     /// has changed.
-    void stand_for(const Parameters& parameters, const DirectionalSpectrum& spectrum,
-                   const Revision& revision, ThreadPool& pool);
+    void set_parameters(const Parameters& parameters, const DirectionalSpectrum& spectrum,
+                        const Revision& revision, ThreadPool& pool);
     const DetailBudget& budget() const { return budget_; }
 
     /// Writes the slopes of one time: outputs[i] receives multiples of the slopes of band i.

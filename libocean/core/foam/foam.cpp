@@ -72,7 +72,7 @@ FoamState::FoamState(FoamClock clock, std::size_t samples, FoamStart start)
 FoamLayer FoamState::layer(double time, const FoamSource& source) {
     const auto in_memory = [](const Follower::Layer& layer) {
         return FoamLayer{layer.map != nullptr ? layer.map->data() : nullptr, layer.fade,
-                         layer.least};
+                         layer.cutoff};
     };
     const Follower::Source follower_source{
         source.lifetime,

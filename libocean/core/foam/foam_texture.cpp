@@ -37,7 +37,7 @@ namespace {
 
 /// Samples along each side of the lattice from which ranks are learned.
 constexpr int kLearned = 256;
-/// Texels that a cell spans at least, or its level is left out: it would be noise.
+/// Min texels that a cell must span; a level with smaller cells would be noise and is left out.
 constexpr int kTexelsPerCell = 3;
 /// Weights of a level's walls and of its holes' middles.
 constexpr float kWalls = 0.7f, kHoles = 0.3f;
@@ -89,7 +89,7 @@ class Level {
         noise_ = std::make_unique<TiledNoise>(seed, field, band, size);
     }
 
-    /// `size` values of each of the rows of a texture from `first` on.
+    /// Writes the rows of a texture from `first` on, each of `size` values.
     void rows(int first, int size, std::span<float> values) {
         Row holes(values.size());
         NoiseRow bend(static_cast<std::size_t>(size));
@@ -199,7 +199,8 @@ class Streaks {
     TiledNoise long_, short_;
 };
 
-/// All rows of a texture, near uniform, from a pattern whose ranks are learned on the way.
+/// Returns all rows of a texture, almost uniform, from a pattern whose ranks are learned on the
+/// way.
 template <typename Pattern>
 std::vector<float> draw(Pattern pattern, int size, ThreadPool& pool) {
     Equaliser ranks;
@@ -235,8 +236,8 @@ FoamTextureKind find_foam_texture(std::string_view name) {
     if (found != names.end()) return static_cast<FoamTextureKind>(found - names.begin());
     const std::string_view nearest = nearest_name(name, names);
     throw Error(ErrorKind::invalid_value,
-                "there is no foam texture '" + std::string(name.substr(0, 80)) +
-                    (nearest.empty() ? "'; allowed are lace, bubbles, streaks"
+                "unknown foam texture '" + std::string(name.substr(0, 80)) +
+                    (nearest.empty() ? "'; allowed: lace, bubbles, streaks"
                                      : "'; did you mean " + std::string(nearest) + "?"),
                 {.parameter = "kind",
                  .value = std::string(name.substr(0, 80)),
@@ -250,12 +251,11 @@ std::uint64_t foam_texture_bytes(int size) {
 }
 
 void require_foam_texture_size(int size) {
-    if (is_power_of_two(size) && size >= kLeastFoamTexture && size <= kMostFoamTexture) return;
+    if (is_power_of_two(size) && size >= kMinFoamTextureSize && size <= kMaxFoamTextureSize) return;
     const std::string given = std::to_string(size);
-    const std::string allowed = "a power of two, " + std::to_string(kLeastFoamTexture) + " .. " +
-                                std::to_string(kMostFoamTexture);
-    throw Error(ErrorKind::invalid_value,
-                "the size of a foam texture is " + given + "; allowed is " + allowed,
+    const std::string allowed = "a power of two, " + std::to_string(kMinFoamTextureSize) + " .. " +
+                                std::to_string(kMaxFoamTextureSize);
+    throw Error(ErrorKind::invalid_value, "foam texture: size = " + given + "; allowed: " + allowed,
                 {.parameter = "size", .value = given, .allowed = allowed});
 }
 

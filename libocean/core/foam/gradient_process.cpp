@@ -14,7 +14,7 @@
 namespace ocean {
 namespace {
 
-/// Variance of a + b, which is that of any axes.
+/// Returns the variance of a + b, which does not depend on the axes.
 double divergence(const GradientCovariance& v) {
     return v.aa + v.bb + 2.0 * v.ab;
 }
@@ -22,7 +22,7 @@ double divergence(const GradientCovariance& v) {
 /// Returns the variance at each whole number of turns in a stretch, 0 .. ticks/2, of the waves that
 /// the map holds. Waves too fast for the clock appear at the frequency at which the clock samples
 /// them.
-std::vector<GradientCovariance> spectrum(const ShownSea& sea, double angle,
+std::vector<GradientCovariance> spectrum(const CoverPowerInput& sea, double angle,
                                          const Stretch& stretch) {
     constexpr int kDirections = 72;
     constexpr int kFrequencies = 2048;
@@ -65,8 +65,8 @@ std::vector<GradientCovariance> spectrum(const ShownSea& sea, double angle,
 }  // namespace
 
 Stretch stretch_of(const FoamClock& clock, double lifetime) {
-    constexpr double kReach = 2.5;  // lifetimes
-    constexpr double kLeast = 200;  // [s]: waves that differ by less are not separated
+    constexpr double kReach = 2.5;       // lifetimes
+    constexpr double kMinSeconds = 200;  // [s]: waves that differ by less are not separated
     constexpr int kMost = 1 << 17;
     const auto ticks_for = [](double wanted) {
         int ticks = 64;
@@ -74,15 +74,15 @@ Stretch stretch_of(const FoamClock& clock, double lifetime) {
         return ticks;
     };
     const double reach = kReach * lifetime;
-    const bool loops = clock.loop_period > 0.0 && clock.loop_period < kLeast;
+    const bool loops = clock.loop_period > 0.0 && clock.loop_period < kMinSeconds;
     const int ticks =
-        ticks_for((loops ? clock.loop_period : std::max(4.0 * reach, kLeast)) / clock.step);
+        ticks_for((loops ? clock.loop_period : std::max(4.0 * reach, kMinSeconds)) / clock.step);
     const double seconds = loops ? clock.loop_period : ticks * clock.step;
     const double reached = std::ceil(reach / (seconds / ticks));
     return {ticks, seconds, static_cast<int>(std::clamp(reached, 1.0, ticks - 1.0))};
 }
 
-GradientProcess::GradientProcess(const ShownSea& sea, const GradientCovariance& covariance,
+GradientProcess::GradientProcess(const CoverPowerInput& sea, const GradientCovariance& covariance,
                                  const Stretch& stretch)
     : fft_(stretch.ticks) {
     std::vector<GradientCovariance> bins = spectrum(sea, principal_angle(covariance), stretch);

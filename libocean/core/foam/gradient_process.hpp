@@ -29,15 +29,16 @@ struct Stretch {
     double step() const { return seconds / ticks; }
 };
 
-/// lifetime: of foam [s].
+/// Returns the stretch for a lifetime of foam [s].
 Stretch stretch_of(const FoamClock& clock, double lifetime);
 
 /// The gradients at a label over a stretch of time, in the principal axes: a stationary Gaussian
 /// process, each wave of which moves a, b and c in step.
 class GradientProcess {
   public:
-    /// `covariance`: of the map's modes, which may differ a little from the integral.
-    GradientProcess(const ShownSea& sea, const GradientCovariance& covariance,
+    /// Builds the process. `covariance` is that of the map's modes, which may differ a little from
+    /// the integral.
+    GradientProcess(const CoverPowerInput& sea, const GradientCovariance& covariance,
                     const Stretch& stretch);
 
     struct Gradients {
@@ -46,16 +47,16 @@ class GradientProcess {
 
     const GradientCovariance& covariance() const { return covariance_; }
 
-    /// Two stretches that are as good as independent, of the number's own noise.
+    /// Returns two practically independent stretches, from the noise of this number.
     std::array<std::vector<Gradients>, 2> draw(std::uint32_t number) const;
 
-    /// The stretch from `reach` ticks before a tick to `reach` behind it as it is where it is `at`
-    /// there: x(t) + R(t - s) R(0)^-1 (at - x(s)).
+    /// Conditions a stretch on a value: writes its part from `reach` ticks before a tick to `reach`
+    /// after it as it is when the gradients there are `at`: x(t) + R(t - s) R(0)^-1 (at - x(s)).
     void passing(const Gradients& at, std::size_t tick, int reach,
                  std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
 
   private:
-    /// The sum over the bins at each tick.
+    /// Returns the sum over the bins at each tick.
     std::vector<std::complex<double>> transformed(std::vector<std::complex<double>> bins) const;
 
     Radix2Fft<double> fft_;

@@ -17,12 +17,12 @@
 namespace ocean {
 namespace {
 
-/// Samples a cycle of the highest wavenumber, at least.
+/// Min samples per cycle of the highest wavenumber.
 constexpr double kSamplesPerCycle = 2.5;
 
 using Complex = std::complex<float>;
 
-/// k^(-falloff / 4) by roots alone, which round the same way everywhere.
+/// Returns k^(-falloff / 4) by roots alone, which round the same way everywhere.
 double amplitude(double k, int falloff) {
     const double root = std::sqrt(std::sqrt(k));
     double result = 1.0;

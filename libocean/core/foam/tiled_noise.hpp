@@ -23,10 +23,11 @@ struct NoiseBand {
 /// Two independent fields of variance 1, as real and imaginary part.
 class TiledNoise {
   public:
-    /// For rows of `size` samples: modes beyond a third of it, which these could not show, are left
-    /// out. The others are those of any size: `field` and `seed` choose their draws.
+    /// Draws the noise for rows of `size` samples, without the modes beyond a third of it, which
+    /// such rows could not show. The other modes do not depend on the size; `field` and `seed`
+    /// choose their draws.
     TiledNoise(std::uint32_t seed, std::uint32_t field, const NoiseBand& band, int size);
-    /// The samples at y = v periods, x = (i + 1/2) / values.size() periods.
+    /// Writes the samples at y = v periods, x = (i + 1/2) / values.size() periods.
     void row(double v, std::span<std::complex<float>> values) const;
 
   private:

@@ -58,7 +58,7 @@ bool stays_at_its_depth(const Gauge& gauge) {
     });
 }
 
-/// Depths at which gauges stay, whose exponentials are worth keeping.
+/// Returns the depths at which gauges stay, whose exponentials are worth keeping.
 std::set<double> lasting_depths(const std::vector<Gauge>& gauges) {
     std::set<double> depths;
     for (const Gauge& gauge : gauges) {
@@ -98,7 +98,7 @@ void read_time(const WaveSum& sea, double choppiness, const SurfaceQuery* query,
     }
 }
 
-/// On the map that holds all waves.
+/// Returns the options of a query on the map that holds all waves.
 QueryOptions label_query(const Grid& grid) {
     return {.foam = false, .resolution = default_map_resolution(grid)};
 }
@@ -125,7 +125,7 @@ class Reader {
   public:
     explicit Reader(WaveSum start) : sea(std::move(start)) {}
 
-    /// Where crests may fold the top sheet must be known.
+    /// Returns a query of the time: where crests may fold, a reading needs its top sheet.
     const SurfaceQuery* query_at(double time, const Modes& modes, const Parameters& now) {
         if (query_) {
             query_->move_to(modes, now.surface, now.water, time, alone_);
@@ -142,7 +142,7 @@ class Reader {
     std::optional<SurfaceQuery> query_;
 };
 
-/// All gauges at one time, side by side.
+/// Returns the numbers of all gauges at one time.
 std::size_t row_length(const GaugeSeries& series) {
     return series.gauges * GaugeSeries::kColumns.size();
 }

@@ -25,7 +25,7 @@ std::size_t segments_of(std::size_t samples, std::size_t segment) {
     return samples < segment ? 0 : (samples - segment) / (segment / 2) + 1;
 }
 
-/// Neighbouring Hann windows share 1/36 of their information.
+/// Returns the degrees of freedom. Neighbouring Hann windows share 1/36 of their information.
 /// [Percival and Walden 1993] eq. 292b, [Welch 1967].
 double freedom_of(std::size_t segments) {
     const auto n = static_cast<double>(segments);

@@ -15,7 +15,7 @@ struct SeriesMoments {
     double variance = 0.0;  // about the mean, over the number of samples
 };
 
-/// 0 and 0 for an empty series.
+/// Returns both moments; 0 and 0 for an empty series.
 inline SeriesMoments moments_of(std::span<const double> values) {
     if (values.empty()) return {};
     const auto count = static_cast<double>(values.size());

@@ -30,7 +30,7 @@ inline constexpr ChannelSet kKernelFormulas = {Channel::nx,       Channel::ny,  
                                                Channel::jacobian, Channel::whitecap, Channel::foam,
                                                Channel::cover};
 
-/// A, and B = N / A: codelets of 16, 32 and 64 points first, at most 128 second.
+/// Returns A, of N = A B: the first codelets have 16, 32 or 64 points, the second at most 128.
 constexpr int first_factor(int size) {
     return size <= 256 ? 16 : size <= 1024 ? 32 : 64;
 }
@@ -131,9 +131,9 @@ struct KernelCode {
     int lanes;
     int item_width;  // samples of an item of pass two
     std::size_t (*scratch_floats)(const FrameTask&);
-    /// Item: a block of `lanes` ky.
+    /// Runs an item of pass one: a block of `lanes` ky.
     void (*pass_one)(const FrameTask&, int item, float* scratch);
-    /// Item: `item_width` neighbouring x.
+    /// Runs an item of pass two: `item_width` neighbouring x.
     void (*pass_two)(const FrameTask&, int item, float* scratch);
     void (*write_row)(const FrameTask&, const PlanarFields&, int row);
     void (*codelet)(int points, const float* in, float* out);  // for its test

@@ -25,8 +25,8 @@ struct KernelFrame {
     FoamLayer foam;
 };
 
-/// The modes of one map in the order in which the kernel walks them. Immutable: many kernels, in
-/// any threads, may share it.
+/// Returns the modes of one map in the order in which the kernel walks them. Immutable: kernels in
+/// any threads may share it.
 std::shared_ptr<const PackedModes> pack_modes(const MapModes& modes, ThreadPool& pool,
                                               SimdLevel level = simd_level());
 
@@ -54,8 +54,8 @@ class MapKernel {
     void write_strip(int strip, float* scratch) const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 /// Runs the last stage alone, for linear fields that exist as planes: writes rows first .. last - 1
@@ -63,7 +63,7 @@ class MapKernel {
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,
                 const KernelFrame& frame, SimdLevel level = simd_level());
 
-/// Bytes of the packed modes of a map, at most.
+/// Returns an upper bound of the bytes of a map's packed modes.
 std::uint64_t packed_bytes(int resolution);
 /// Returns the bytes that a kernel needs for maps of a sea: packed modes, and the arrays between
 /// the passes.

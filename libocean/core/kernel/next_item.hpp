@@ -19,7 +19,8 @@ class NextItem {
   public:
     static constexpr int kFloats = kLines * 16;
 
-    /// nowhere: an address in the cache, prefetched when nothing is left to prefetch.
+    /// Takes an item's floats. nowhere: an address in the cache, prefetched when nothing is left to
+    /// prefetch.
     OCEAN_INLINE NextItem(const float* first, std::size_t count, const float* nowhere)
         : first_(first), count_(count), nowhere_(nowhere) {}
 

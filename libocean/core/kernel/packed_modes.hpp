@@ -35,7 +35,7 @@ class PackedModes {
 
     SimdLevel level() const { return level_; }
     int size() const { return size_; }
-    /// ky < columns may have modes; a multiple of B and of sixteen.
+    /// Returns a multiple of B and of sixteen; only ky below it have modes.
     int columns() const { return columns_; }
     double rate_unit() const { return rate_unit_; }
     double wavenumber_step() const { return wavenumber_step_; }

@@ -49,7 +49,7 @@ struct LineReader {
     }
 };
 
-/// First sweep of one field along one line: A points, twiddles.
+/// Runs the first sweep of one field along one line: A points, twiddles.
 template <int A, int B, typename Reader>
 void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* out) {
     const float* twiddle = task.twiddle + 2 * line * A;
@@ -60,7 +60,8 @@ void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* o
                     });
 }
 
-/// One field, or the one derived from it, along both lines of j. to: its lines in the scratch.
+/// Runs it for one field, or the one derived from it, along both lines of j. to: its lines in the
+/// scratch.
 template <int A, int B, bool kDerived>
 void sweep_field(const FrameTask& task, int j, const float* entries, float* to) {
     const int rows = static_cast<int>(Intermediate<A, B>::rows(task));
@@ -84,7 +85,7 @@ void sweep_field(const FrameTask& task, int j, const float* entries, float* to) 
     }
 }
 
-/// First sweep of all fields of one pair. scratch: [slot][j][k].
+/// Runs the first sweep of all fields of one pair. scratch: [slot][j][k].
 template <int A, int B>
 void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     using Layout = Intermediate<A, B>;
@@ -128,7 +129,7 @@ class NextEntries {
     int sources_;
 };
 
-/// Second sweep of one field for the samples y = k + A l, all l.
+/// Runs the second sweep of one field for the samples y = k + A l, all l.
 template <int A, int B, typename Store>
 OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, const Store& store) {
     const float* in = field + k * 2 * kLanes;
@@ -140,8 +141,8 @@ OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, co
         store);
 }
 
-/// Planes that are one field each: whole rows of an item at once, which are full lines of the
-/// cache.
+/// Writes the outputs that are planes of one field: whole rows of an item at once, which are full
+/// cache lines.
 template <int A, int B>
 void write_direct_planes(const FrameTask& task, int k, int x0, const float* scratch,
                          std::size_t pair_floats, const NextEntries<A, B>& next) {

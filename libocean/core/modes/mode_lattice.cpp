@@ -19,8 +19,8 @@ namespace ocean {
 
 namespace {
 
-/// The first n in from .. to - 1 for which `beyond` holds, which then holds for all after it; or
-/// to.
+/// Returns the first n in from .. to - 1 for which `beyond` holds, and then for all after it; else
+/// `to`.
 template <typename Predicate>
 int first_where(int from, int to, const Predicate& beyond) {
     while (from < to) {

@@ -26,16 +26,16 @@ class ThreadPool;
 enum class BandSide { too_long, inside, too_short };
 BandSide band_side(const Parameters& parameters, const CascadeBand& band, int n, int m);
 
-/// The wind that makes the whitecaps, the strongest; unset where none is known of.
+/// Returns the strongest known wind, which makes the whitecaps [m/s]; unset if none is known.
 std::optional<double> strongest_wind(const Parameters& parameters);
 
-/// Points along each side of a mode's cell, `length` steps of the lattice from its origin: 1, or an
-/// even number. The cell is cut into parts, 1/48 of a wavenumber and of a radian wide, with the two
-/// points of [Gauss 1814] along each side: closer than the narrowest beams and peaks of the table.
-/// Farther than 96 steps out the cell itself is small. Proved by
+/// Returns the points along each side of a mode's cell, `length` steps of the lattice from its
+/// origin: 1, or an even number. The cell is cut into parts, 1/48 of a wavenumber and of a radian
+/// wide, with the two points of [Gauss 1814] along each side: closer than the narrowest beams and
+/// peaks of the table. Farther than 96 steps out the cell itself is small. Test:
 /// Statistics.EveryRecordKeepsItsEnergyOnEveryPatch.
 int samples_per_cell_side(double length);
-/// Where they lie, -1/2 .. 1/2 of the cell.
+/// Returns the position of a point, -1/2 .. 1/2 of the cell.
 double sample_offset(int sample, int side);
 
 /// The points at which the spectrum is read for the modes (+-n, m) and (+-n, -m) of one m >= 0:
@@ -69,8 +69,8 @@ class ModeLattice {
 
     /// Makes the lattice of the sea's cascades.
     ModeLattice(const Parameters& parameters, Memory memory, ThreadPool& pool);
-    /// One band alone of the lattice of parameters.grid, of divisor 1, with noise of that number: 0
-    /// .. 4 are the cascades'.
+    /// Makes one band alone of the lattice of parameters.grid, with divisor 1 and with noise of
+    /// that number; 0 .. 4 belong to the cascades.
     ModeLattice(const Parameters& parameters, const CascadeBand& band, std::uint32_t noise,
                 Memory memory, ThreadPool& pool);
 
@@ -81,12 +81,12 @@ class ModeLattice {
 
     /// Returns the modes of still water: rates and displacements, no waves.
     Modes still_modes(ThreadPool& pool) const;
-    /// The waves of `modes`, which are of this lattice, whatever they were. The bits are the same
-    /// for any number of threads and whether anything is kept or not.
+    /// Sets the waves of `modes`, which belong to this lattice; their previous waves do not matter.
+    /// The bits are the same for any number of threads and whether anything is kept or not.
     void set_waves(const DirectionalSpectrum& spectrum, double wind_speed, ThreadPool& pool,
                    Modes& modes) const;
 
-    /// modal_variance of row m >= 0 of a cascade, to rounding.
+    /// Writes modal_variance of row m >= 0 of a cascade, to rounding.
     void variances(const QuadrantSampler& spectrum, std::size_t cascade, int m,
                    QuadrantVariances& variances) const;
 
@@ -101,12 +101,13 @@ class ModeLattice {
     struct Work;
     class ShellSums;
 
-    /// The next cascade of this lattice.
+    /// Adds the next cascade to this lattice.
     void add(const CascadeBand& band, std::uint32_t noise_number, ThreadPool& pool);
     QuadrantRow make_row(const Cascade& cascade, int m) const;
-    /// The row that is kept, or else `made`, which is made that row.
+    /// Returns the row that is kept; else makes it in `made`.
     const QuadrantRow& row_of(const Cascade& cascade, int m, QuadrantRow& made) const;
-    /// Row m, which may be negative, in FFT order: modes (n, m) of `east` and (-n, m) of `west`.
+    /// Draws row m, which may be negative, in FFT order: modes (n, m) of `east` and (-n, m) of
+    /// `west`.
     void draw_row(const Cascade& cascade, int m, ModeRange east, ModeRange west,
                   std::span<std::complex<float>> noise) const;
     static void clear_row(int m, CascadeModes& modes);

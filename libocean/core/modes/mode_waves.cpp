@@ -32,7 +32,7 @@ void scale(CascadeModes& cascade, double gain, ThreadPool& pool) {
     for (GradientCovariance& shell : cascade.shell_covariance) shell *= gain;
 }
 
-/// Modes on an axis are their own mirror images, whose halves meet.
+/// Adds the halves of modes on an axis, which are their own mirror images.
 void join_axes(int m, QuadrantVariances& variances) {
     auto& v = variances.quarter;
     v[0][0] = v[0][0] + v[1][0];
@@ -48,7 +48,7 @@ void join_axes(int m, QuadrantVariances& variances) {
     }
 }
 
-/// modal_variance of the modes of a row.
+/// Writes modal_variance of the modes of a row.
 void row_variances(const QuadrantSampler& spectrum, const QuadrantRow& row, int m, int half,
                    QuadrantVariances& variances) {
     auto& v = variances.quarter;
@@ -69,7 +69,8 @@ void row_variances(const QuadrantSampler& spectrum, const QuadrantRow& row, int 
     join_axes(m, variances);
 }
 
-/// The modes from the first to the last that has any waves: mostly few go against the wind.
+/// Returns the range from the first to the last mode with waves: usually few waves run against the
+/// wind.
 ModeRange with_waves(std::span<const double> variances) {
     const auto any = [](double variance) { return variance > 0.0; };
     const auto first = std::find_if(variances.begin(), variances.end(), any);
@@ -77,12 +78,14 @@ ModeRange with_waves(std::span<const double> variances) {
     return {static_cast<int>(first - variances.begin()), static_cast<int>(variances.rend() - last)};
 }
 
-/// Each part of h0 has half of it: E|h0|^2 = variance / 2.
+/// Returns the amplitude of each part of h0, which has half of it: E
+/// h0
+/// ^2 = variance / 2.
 double amplitude_of(double variance) {
     return 0.5 * std::sqrt(variance);
 }
 
-/// h0 of the modes (n, m) and (-n, m), one row of the lattice in FFT order.
+/// Writes h0 of the modes (n, m) and (-n, m), one row of the lattice in FFT order.
 void write_row(std::span<const double> east, std::span<const double> west,
                std::span<const std::complex<float>> noise, std::span<double> amplitude,
                std::span<std::complex<float>> h0) {
@@ -131,13 +134,13 @@ struct ModeLattice::Work {
 /// shell max(|n|, |m|) = s, and the variance that measures a band.
 class ModeLattice::ShellSums {
   public:
-    /// Nothing is summed yet; N/2 shells.
+    /// Begins sums of N/2 shells at 0.
     void start(int shells) {
         shells_.assign(static_cast<std::size_t>(shells), {});
         measured_ = 0.0;
     }
 
-    /// The modes (+-n, m) and (+-n, -m), n < end, with their displacements [m].
+    /// Adds the modes (+-n, m) and (+-n, -m), n < end, with their displacements [m].
     void add(const Lattice& lattice, int m, int end, const QuadrantVariances& variances,
              std::span<const float> displacement) {
         const auto& v = variances.quarter;

@@ -32,7 +32,7 @@ struct NoiseStreamRange {
 };
 inline constexpr std::array kNoiseStreams = {
     NoiseStreamRange{NoiseStream::cascades, 5},
-    NoiseStreamRange{NoiseStream::detail_bands, kMostDetailBands},
+    NoiseStreamRange{NoiseStream::detail_bands, kMaxDetailBands},
     NoiseStreamRange{NoiseStream::foam_textures,
                      kStreamsOfFoamTexture* static_cast<std::uint32_t>(kFoamTextures.size())},
     NoiseStreamRange{NoiseStream::foam_cover, 1},

@@ -35,7 +35,8 @@ class QuadrantSampler {
         }
     }
 
-    /// Densities towards theta, pi - theta, pi + theta and -theta; theta in turns, 0 .. 1/4.
+    /// Returns densities towards theta, pi - theta, pi + theta and -theta; theta in turns, 0 ..
+    /// 1/4.
     std::array<double, 4> density(double omega, double theta) const {
         if (omega_.empty() || !(omega >= omega_.front() && omega < omega_.back())) return {};
         std::size_t row = row_of_bucket_[bucket(omega) - first_bucket_];

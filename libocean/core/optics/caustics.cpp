@@ -43,7 +43,7 @@ constexpr double kCellLight = 0x1p36;
 /// Rows of the map that are one item of work, whatever the number of threads.
 constexpr int kRowsAtOnce = 8;
 /// Refracted rays are no flatter than this: only folds of the surface would send them so.
-constexpr double kLeastDescent = 0.2;
+constexpr double kMinDescent = 0.2;
 /// Area, in cells, below which a triangle is a line.
 constexpr double kThin = 1e-10;
 
@@ -151,7 +151,7 @@ class Plane {
         }
     }
 
-    /// All light over that of each cell if it were even.
+    /// Returns the light of each cell relative to an even distribution.
     std::vector<float> irradiance() const {
         const std::size_t count = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
         std::int64_t all = 0;
@@ -165,7 +165,7 @@ class Plane {
     }
 
   private:
-    /// A triangle without an area: it is halved until it is short.
+    /// Spreads light over a triangle without area, which is halved until it is short.
     void spread_line(const Triangle& t, std::int64_t light, int i, int j) {
         const auto length = [&t](int a, int b) {
             const Point p = t[static_cast<std::size_t>(a)], q = t[static_cast<std::size_t>(b)];
@@ -230,7 +230,7 @@ class Rays {
         constexpr double r = 1.0 / kWaterIor;
         const double c = std::max(0.0, -(light_[0] * n[0] + light_[1] * n[1] + light_[2] * n[2]));
         const double along = r * c - std::sqrt(1.0 - r * r * (1.0 - std::min(1.0, c * c)));
-        const double descent = std::max(kLeastDescent, -(r * light_[2] + along * n[2]));
+        const double descent = std::max(kMinDescent, -(r * light_[2] + along * n[2]));
         const double fall = std::max(0.0, depth_ + z) / descent;
         const double rise = z / light_[2];
         return {{(x - light_[0] * rise) * per_metre_, (y - light_[1] * rise) * per_metre_},
@@ -266,7 +266,7 @@ void require(double value, const char* what, double least, double most) {
     const std::string given = shortest_text(value);
     const std::string allowed = shortest_text(least) + " .. " + shortest_text(most);
     throw Error(ErrorKind::invalid_value,
-                std::string(what) + " = " + given + ": allowed is " + allowed,
+                std::string(what) + " = " + given + "; allowed: " + allowed,
                 {.parameter = what, .value = given, .allowed = allowed});
 }
 
@@ -279,12 +279,11 @@ std::uint64_t caustics_bytes(int resolution) {
 
 std::vector<float> make_caustics(const Surface& surface, const CausticsSettings& settings,
                                  ThreadPool& pool) {
-    require(settings.depth, "the depth of caustics", kLeastCausticsDepth, kMostCausticsDepth);
-    require(settings.sun_altitude, "the sun's altitude", kLeastCausticsSun, 90.0);
+    require(settings.depth, "the depth of caustics", kMinCausticsDepth, kMaxCausticsDepth);
+    require(settings.sun_altitude, "the sun's altitude", kMinCausticsSunAltitude, 90.0);
     require(settings.sun_bearing, "the sun's bearing", -3600.0, 3600.0);
     if (!surface.channels().contains(kCausticsChannels)) {
-        throw Error(ErrorKind::invalid_value,
-                    "caustics are made of positions and normals, which the surface lacks");
+        throw Error(ErrorKind::invalid_value, "caustics need a surface with positions and normals");
     }
     const int side = surface.resolution();
     const Rays rays(surface, settings);

@@ -95,7 +95,7 @@ std::span<const WaterType> water_types() {
 const WaterType& water_type(std::string_view name) {
     const auto found = std::ranges::find(kTypes, name, &WaterType::name);
     if (found != std::ranges::end(kTypes)) return *found;
-    throw Error(ErrorKind::invalid_value, "there is no type of water '" + std::string(name) + "'");
+    throw Error(ErrorKind::invalid_value, "unknown type of water '" + std::string(name) + "'");
 }
 
 Rgb WaterType::backscattering() const {

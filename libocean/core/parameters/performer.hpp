@@ -16,8 +16,8 @@ class Performer {
     /// Takes a valid sea. Only the performer may change its take afterwards.
     explicit Performer(const Sea& sea);
 
-    /// See Ocean::perform. Returns the time from which on the sea is another, infinity if it is
-    /// not.
+    /// Performs a change, see Ocean::perform. Returns the time from which on the sea differs;
+    /// infinity if it does not.
     double perform(Sea& sea, double time, std::string_view name, std::string_view value);
 
   private:

@@ -192,9 +192,9 @@ std::size_t word_index(const ParameterInfo& info, const ParameterValue& word) {
     return static_cast<std::size_t>(found - words.begin());
 }
 
-/// Spreadings mix: each has an amplitude that glides between 0 and 1, and a share of the energy
-/// that is its square. (Shares that glide themselves would begin with a jump of every wave that
-/// only the new spreading has, by the square root of the time.)
+/// Mixes spreadings: each has an amplitude that glides between 0 and 1, and a share of the energy
+/// that is its square. (If the shares glided themselves, every wave of the new spreading alone
+/// would begin with a jump, by the square root of the time.)
 void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const Track& track) {
     const ParameterInfo& info = *track.parameter.info;
     std::vector<double> amplitude(info.choices().size(), 0.0);
@@ -223,8 +223,9 @@ void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const
     parameters.waves[wave].energy_share = amplitude[target] * amplitude[target] / energy;
 }
 
-/// The parameters with the winds that are unset but known of: a wind sea's, which a take that gives
-/// it height and period does not still, and one that a take brings, before its onset.
+/// Returns the parameters with the winds that are unset but known: that of a wind sea, which must
+/// not become calm when a take gives it height and period, and one that a take introduces, before
+/// its onset.
 Parameters with_winds(const Sea& sea) {
     Parameters parameters = sea.parameters;
     for (std::size_t wave = 0; wave < parameters.waves.size(); ++wave) {
@@ -301,10 +302,10 @@ void validate(const Sea& sea) {
                         "take at " + to_text(event.seconds) + " s: " + what);
         };
         if (!(std::abs(event.seconds) <= kLatestTime)) {
-            refuse("is no time; allowed: -1e9 .. 1e9 s");
+            refuse("is not a time; allowed: -1e9 .. 1e9 s");
         }
         if (event.seconds < last)
-            refuse("stands behind " + to_text(last) + " s; allowed: in order");
+            refuse("follows an event at " + to_text(last) + " s; allowed: events in order of time");
         last = event.seconds;
         if (event.parameter.info->change != ParameterClass::live) {
             refuse(event.parameter.info->path(event.parameter.item) + ": is not live");

@@ -16,7 +16,7 @@ struct OrbitalDecay {
     double upright;
 };
 
-/// With only exponents <= 0, so that nothing overflows: cosh k(z+d) / sinh kd =
+/// Returns the decay with only exponents <= 0, so that nothing overflows: cosh k(z+d) / sinh kd =
 /// e^(kz) (1 + e^(-2k(z+d))) / (1 - e^(-2kd)), and sinh with a minus sign.
 inline OrbitalDecay orbital_decay(double k, double z, double depth) {
     const double part = std::exp(k * z) / -std::expm1(-2.0 * k * depth);

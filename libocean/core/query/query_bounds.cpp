@@ -23,7 +23,8 @@ struct BoundSums {
     }
 };
 
-/// (n / (R - n))^8: of a mode's energy, that of its alias along one axis of a spline of R samples.
+/// Returns (n / (R - n))^8, the energy of a mode's alias relative to the mode, along one axis of a
+/// spline of R samples.
 double alias_energy(int n, int spline) {
     const double ratio = static_cast<double>(n) / (spline - n);
     return std::pow(ratio * ratio, 4);

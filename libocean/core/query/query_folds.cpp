@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/touch_pages.hpp"
+#include "base/prefault_pages.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
 
@@ -34,8 +34,8 @@ FoldIndex::FoldIndex(double period, int resolution, ThreadPool& pool)
       jacobian_(lattice_.size()),
       cells_of_(static_cast<std::size_t>(labels_.count())),
       cells_(static_cast<std::size_t>(places_.count())) {
-    touch_pages(offset_, pool);
-    touch_pages(jacobian_, pool);
+    prefault_pages(offset_, pool);
+    prefault_pages(jacobian_, pool);
 }
 
 void FoldIndex::begin(double choppiness, double reach) {
@@ -72,12 +72,12 @@ void FoldIndex::make(const SplineMap& map, std::span<const int> blocks, ThreadPo
                      [this](int block, int) { cells_[static_cast<std::size_t>(block)] = {}; });
         return;
     }
-    PartSet labels(labels_.count());
+    TileSet labels(labels_.count());
     for (const int place : blocks) {
         each_label_block(place, &LabelBlocks::count, [&](int block) { labels.add(block); });
     }
     labels_.make(labels.list(), pool, [&](int block, int) { place_samples(map, block); });
-    PartSet cells(labels_.count());
+    TileSet cells(labels_.count());
     for (const int place : blocks) {
         each_label_block(place, &LabelBlocks::cells, [&](int block) { cells.add(block); });
     }
@@ -94,7 +94,7 @@ void FoldIndex::each_sample(int block, const Visit& visit) const {
     }
 }
 
-/// Offsets and Jacobians of the samples of one block of labels.
+/// Computes the offsets and Jacobians of the samples of one block of labels.
 void FoldIndex::place_samples(const SplineMap& map, int block) {
     const int step = map.lattice().resolution / lattice_.resolution;
     const auto c = static_cast<float>(choppiness_);
@@ -107,8 +107,8 @@ void FoldIndex::place_samples(const SplineMap& map, int block) {
     });
 }
 
-/// How much a cell of the block spans at most, along an axis, and where the squeezed ones are
-/// shown.
+/// Measures a block: the max span of its cells along an axis, and where the compressed ones are
+/// displayed.
 void FoldIndex::measure_cells(int block) {
     Measured& measured = cells_of_[static_cast<std::size_t>(block)];
     measured.widest = 0.0f;
@@ -128,7 +128,8 @@ void FoldIndex::measure_cells(int block) {
     });
 }
 
-/// Where the first corner of a cell of a block of labels is if any of it is shown in those tiles.
+/// Returns the box of the first corner of a cell of a block of labels, if any part of the cell is
+/// displayed in those tiles.
 FoldIndex::Box FoldIndex::corners_for(int place, const TileBounds& tiles, int labels) const {
     const double spacing = lattice_.period / lattice_.resolution;
     // A box is the span of the corners, each at most that far from the first, plus a margin.

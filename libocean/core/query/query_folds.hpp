@@ -17,7 +17,7 @@
 
 #include "ocean/page_vector.hpp"
 #include "ocean/query.hpp"
-#include "query/parts.hpp"
+#include "query/lazy_tiles.hpp"
 #include "query/spline_map.hpp"
 
 namespace ocean {
@@ -26,7 +26,8 @@ class FoldIndex {
   public:
     static constexpr int kBlock = 32;  // cells, along each axis
 
-    /// Cells lie between the samples of a lattice of `resolution`, at most that of the map.
+    /// Makes an index whose cells lie between the samples of a lattice of `resolution`, at most
+    /// that of the map.
     FoldIndex(double period, int resolution, ThreadPool& pool);
 
     /// Begins a new surface without any block. `reach` is the max distance of a label from its
@@ -37,7 +38,7 @@ class FoldIndex {
     static std::uint64_t bytes(int resolution);
 
     int blocks() const { return places_.count(); }
-    /// Which one a place within the period is in.
+    /// Returns the block that a point within the period lies in.
     int block_of(double x, double y) const {
         return static_cast<int>(tile_along(y)) / kBlockTiles * across_ +
                static_cast<int>(tile_along(x)) / kBlockTiles;
@@ -51,13 +52,15 @@ class FoldIndex {
     /// named. Its first two fields are dx, dy at choppiness 1. One thread at a time.
     void make(const SplineMap& map, std::span<const int> blocks, ThreadPool* pool);
 
-    /// The middles of all cells that may show a place within one period, as far from it as they are
-    /// displaced: labels to start a search from. None where no fold is near: one label is shown
-    /// there. Empties `labels` first. The block of the place must be there. False: so folded that
-    /// the lists would not end, and nothing is known.
+    /// Writes the centres of all cells that may be displayed at a point within one period, as far
+    /// from it as they are displaced: labels to start a search from. Empties `labels` first; none
+    /// where no fold is near and one label is displayed. The block of the point must be ready.
+    /// Returns false where the surface is so folded that the lists would not end, and nothing is
+    /// known.
     bool labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
-    /// Near the label that is shown at a place where no fold is near: the place itself, and after
-    /// kLooks looks near enough to search from. As above.
+    /// Approximations of the label displayed at a point where no fold is near: look() improves one,
+    /// and guess() returns the result of kLooks looks that begin at the point, near enough to start
+    /// a search. The block of the point must be ready.
     static constexpr int kLooks = 2;
     WorldPoint look(WorldPoint place, WorldPoint label) const;
     WorldPoint guess(WorldPoint place) const;
@@ -159,9 +162,9 @@ class FoldIndex {
     int across_;  // blocks a side
     double choppiness_ = 0.0;
     double reach_ = 0.0;
-    Parts labels_;                    // blocks whose samples are placed
-    Parts measured_;                  // blocks whose cells are measured
-    Parts places_;                    // blocks whose cells are listed
+    LazyTiles labels_;                // blocks whose samples are placed
+    LazyTiles measured_;              // blocks whose cells are measured
+    LazyTiles places_;                // blocks whose cells are listed
     PageVector<Offset> offset_;       // of each sample of the lattice [m]
     PageVector<float> jacobian_;      // of each sample
     std::vector<Measured> cells_of_;  // one for each block of labels

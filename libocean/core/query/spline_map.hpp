@@ -40,7 +40,7 @@ struct SplineJet {
     std::array<float, 3> by_y;
 };
 
-/// std::floor is a function call on machines as old as x86-64 allows.
+/// Returns floor(x). std::floor is a function call on machines as old as x86-64 allows.
 inline long long floor_index(double x) {
     const auto whole = static_cast<long long>(x);
     return x < static_cast<double>(whole) ? whole - 1 : whole;
@@ -59,17 +59,17 @@ class SplineMap {
     SplineMap(Lattice lattice, ThreadPool& pool);
 
     const Lattice& lattice() const { return lattice_; }
-    /// Where the coefficients of these go; those of a field without a quantity stay as they are.
-    /// Whole vectors are written faster than parts.
+    /// Returns the output that writes the coefficients of these fields; those of a field without a
+    /// quantity stay unchanged. Whole vectors are written faster than parts.
     MapOutput output(const std::array<Quantity, kFields>& quantities);
-    /// The first and the last column that a point at x is made of.
+    /// Returns the first and the last column that a value at x is computed from.
     std::array<int, 2> columns(double x) const {
         const long long i = floor_index(x * per_metre_);
         const long long mask = lattice_.resolution - 1;
         return {static_cast<int>((i - 1) & mask), static_cast<int>((i + 2) & mask)};
     }
     static constexpr std::size_t bytes_per_sample() { return sizeof(Fields); }
-    /// Finite coordinates in metres, not many periods from 0.
+    /// Returns the value at finite coordinates [m], not many periods from 0.
     SplineValue value(double x, double y) const;
     SplineJet jet(double x, double y) const;
     /// Asks for the coefficients around a point to be brought near.
@@ -93,7 +93,7 @@ class SplineMap {
         float x, y;  // within the cell, 0 .. 1
     };
     Place place(double x, double y) const;
-    /// From slopes by sample.
+    /// Returns the jet of a value and its slopes per sample.
     SplineJet jet_from(Fields value, Fields by_x, Fields by_y) const;
 
     Lattice lattice_;

@@ -14,7 +14,7 @@
 #include "kernel/map_kernel.hpp"
 #include "kernel/packed_modes.hpp"
 #include "ocean/page_vector.hpp"
-#include "query/parts.hpp"
+#include "query/lazy_tiles.hpp"
 
 namespace ocean {
 
@@ -31,10 +31,10 @@ class SplineStrips {
     void begin(const Modes& modes, double time, std::span<const MapOutput> outputs,
                ThreadPool& pool);
 
-    int count() const { return there_.count(); }
+    int count() const { return ready_.count(); }
     int width() const { return width_; }
     int strip_of(int column) const { return column / width_; }
-    bool has(int strip) const { return there_.has(strip); }
+    bool has(int strip) const { return ready_.has(strip); }
     /// Makes the missing ones of these strips, on the threads of the pool if it is not null.
     void make(std::span<const int> strips, ThreadPool* pool) const;
     void need(int strip) const {
@@ -45,7 +45,7 @@ class SplineStrips {
     std::shared_ptr<PackedModes> packed_;
     MapKernel kernel_;
     int width_;
-    mutable Parts there_;
+    mutable LazyTiles ready_;
     mutable std::mutex making_;
     mutable std::vector<PageVector<float>> scratch_;  // one for each thread
 };

@@ -21,7 +21,7 @@ namespace formula = wave::double_precision;
 
 namespace {
 
-/// e^(i 2 pi n x / period) for n = first .. first + count - 1.
+/// Writes e^(i 2 pi n x / period) for n = first .. first + count - 1.
 void add_phases(double x, double period, int first, int count, double* re, double* im) {
     const double turns = x / period - std::floor(x / period);
     for (int i = 0; i < count; ++i) {

@@ -31,7 +31,7 @@ class SpreadingRows {
     std::vector<double> distance_;    // |theta|
 };
 
-/// Sum of the values, in eight parts side by side.
+/// Returns the sum of the values, in eight parts side by side.
 double row_total(std::span<const double> row);
 
 }  // namespace ocean

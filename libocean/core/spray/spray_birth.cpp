@@ -77,11 +77,11 @@ class Place {
 
 constexpr double kVerticalGust = 1.25;
 
-/// The gust that tears drops off blows forwards and upwards and then carries them: of each
-/// component the deviation in neutral air near the ground, 2.39, 1.92 and 1.25 u* along, across
-/// and up [Panofsky and Dutton 1984], Gaussian and, along and up, of its positive half. (Nobody has
-/// measured the speed at which spume leaves a crest; it is thought to go with the wind [Veron
-/// 2015]. In a tank of 10 m/s drops had -3 to 6 m/s upwards [Erinin 2022].)
+/// Draws the gust that tears drops off forwards and upwards and then carries them. The deviation of
+/// each component is that of neutral air near the ground, 2.39, 1.92 and 1.25 u* along, across and
+/// up [Panofsky and Dutton 1984]; Gaussian and, along and up, its positive half. (The speed at
+/// which spume leaves a crest has not been measured; it is thought to follow the wind [Veron 2015].
+/// In a tank of 10 m/s drops had -3 to 6 m/s upwards [Erinin 2022].)
 Vector3 gust(const SprayAir& air, Draws& draws) {
     const double friction = friction_velocity(air.wind_speed);
     const Draws::Normals level = draws.normals();
@@ -126,7 +126,8 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
     return birth;
 }
 
-/// Particles of an event, on average: no more in all than the tick may make, but for chance.
+/// Returns the mean number of particles of an event, so that on average a tick does not exceed its
+/// share.
 double wanted_of(const SprayTick& tick, double cell_area, std::size_t events) {
     const double each = tick.density * cell_area * spume_onset(tick.air.wind_speed);
     const double all = each * static_cast<double>(events);

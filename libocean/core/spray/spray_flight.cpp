@@ -90,7 +90,7 @@ double response_time(double radius, double gravity) {
     constexpr double kAir = 1.204;          // kg/m^3
     const double stokes = 2.0 * kWater * radius * radius / (9.0 * kViscosity);
     double response = stokes;
-    for (int i = 0; i < 24; ++i) {  // the steps halve the error at least
+    for (int i = 0; i < 24; ++i) {  // each step at least halves the error
         const double reynolds = 2.0 * radius * gravity * response * kAir / kViscosity;
         const double next = stokes / (1.0 + 0.15 * std::pow(reynolds, 0.687));
         response = 0.5 * (response + next);

@@ -31,7 +31,7 @@ class SprayFollower {
     /// Follows births up to a time [s], which the other functions then use. An exception of the
     /// source passes through and leaves a state that can be used further.
     void go_to(double time, const SpraySource& source);
-    /// All that are alive, the oldest ticks first.
+    /// Returns all living particles, those of the oldest ticks first.
     std::vector<SprayParticle> particles() const;
     std::vector<MistPuff> mist() const;
     /// Drops the ticks from that time [s] on, because the sea has changed there.
@@ -40,8 +40,8 @@ class SprayFollower {
   private:
     void make(std::int64_t tick, const SpraySource& source);
     /// Calls take(birth, age) for all that were born within the lifetime.
-    template <typename Take>
-    void for_each_birth(const Take& take) const;
+    template <typename Visit>
+    void for_each_birth(const Visit& visit) const;
     void forget_far_from(std::int64_t tick);
 
     SpraySettings settings_;

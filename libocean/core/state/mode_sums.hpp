@@ -53,7 +53,7 @@ struct StateSource {
 ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectrum,
                    std::size_t cascade, const CascadeBand& band, ThreadPool& pool);
 
-/// (speed in the loop - speed) / speed of the waves of that frequency; 0 without a loop.
+/// Returns (speed in the loop - speed) / speed of the waves of that frequency; 0 without a loop.
 double speed_error(double omega, double loop_period);
 
 }  // namespace ocean

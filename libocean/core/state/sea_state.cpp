@@ -23,7 +23,7 @@ namespace ocean {
 
 namespace {
 
-/// Frequency of the ring with the largest density over omega; 0 for a flat sea.
+/// Returns the frequency of the ring with the largest density over omega; 0 for a flat sea.
 double peak_of_rings(std::span<const ModeSums> cascades, std::span<const CascadeBand> bands,
                      const Parameters& parameters) {
     const Dispersion dispersion(parameters.water);
@@ -51,8 +51,8 @@ std::uint64_t frame_bytes(const Grid& grid, int resolution) {
            maps_bytes(resolution, kChannels.size() + kFoamMaps);
 }
 
-/// The waves of a cascade repeat at its own period, and at that of another whose divisor divides
-/// its own.
+/// Returns the share of each cascade. Its waves repeat at its own period, and at that of another
+/// cascade whose divisor divides its own.
 std::vector<CascadeShare> cascade_shares(std::span<const ModeSums> cascades,
                                          std::span<const CascadeBand> bands, const ModeSums& total,
                                          double patch_size) {

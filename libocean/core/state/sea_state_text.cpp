@@ -65,8 +65,9 @@ constexpr double kMuchFolded = 0.01;
 /// Degrees of spread that are worth a warning.
 constexpr double kNarrowed = 0.5;
 
-/// The circular spread of a record's moments, degrees, weighted by energy: as they are, and as its
-/// sea has them, whose distributions are not narrower than kLargestExponent and kLargestMoment.
+/// Returns the circular spread of a record's moments [degrees], weighted by energy: as measured,
+/// and as its sea has them, whose distributions are not narrower than kLargestExponent and
+/// kLargestMoment.
 AskedResolved spread_of_moments(const SpectrumRecord& record) {
     std::complex<double> asked = 0.0;
     std::complex<double> held = 0.0;
@@ -103,11 +104,10 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
         if (spread.resolved - spread.asked > kNarrowed) {
             state.warnings.push_back(
                 name + ".file has a directional spread of " + fixed_text(spread.asked, 1) +
-                " degrees: the least that a sea holds is taken, " + fixed_text(spread.resolved, 1));
+                " degrees, narrower than any sea: " + fixed_text(spread.resolved, 1) + " is used");
         }
         if (system.measured->has_directions() || system.wind_direction) continue;
-        state.warnings.push_back(name + ".file says nothing of directions: the waves travel to " +
-                                 name +
+        state.warnings.push_back(name + ".file has no directions: the waves travel to " + name +
                                  ".wind_direction = " + fixed_text(system.direction_degrees(), 0) +
                                  ", to the east, spread as " + name + ".spreading says");
     }
@@ -124,7 +124,7 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     }
     if (state.energy_resolved < 0.95) {
         warn("this grid holds " + fixed_text(100.0 * state.energy_resolved, 1) +
-             " % of the energy asked for; its waves are " + fixed_text(state.shortest_wave, 2) +
+             " % of the requested energy; its waves are " + fixed_text(state.shortest_wave, 2) +
              " to " + fixed_text(state.longest_wave, 0) +
              " m long, the peak of the spectrum is at " +
              fixed_text(state.peak_wavelength.asked, 1) +
@@ -133,7 +133,7 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     if (state.energy_resolved > 1.02) {
         warn("the spectrum is narrower than the grid's modes lie apart: heights are " +
              fixed_text(100.0 * state.energy_resolved, 1) +
-             " % of the energy asked for; make grid.patch_size larger");
+             " % of the requested energy; make grid.patch_size larger");
     }
     const double height = state.significant_wave_height.asked;
     if (height > kSaturated * parameters.water.depth) {
@@ -159,8 +159,8 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     }
     if (parameters.surface.foam_coverage == FoamCoverage::monahan && !strongest_wind(parameters)) {
         warn(
-            "no wind is known of: heights and periods are measured or given, and wind_speed is "
-            "not. There are no whitecaps; give a wave system its wind_speed to have them");
+            "the wind is unknown: heights and periods are measured or given, but no wind_speed. "
+            "The sea has no whitecaps; set wind_speed of a wave system to have them");
     }
     if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
         warn("fewer than three of the dominant waves (" +

@@ -15,10 +15,10 @@ namespace ocean {
 
 class MapWriter {
   public:
-    /// `further`: the rows of the host's channels, which must outlive it.
-    explicit MapWriter(const Backend& backend, std::span<const ChannelInfo> further = {});
+    /// Makes a writer. `host_channels`: the rows of the host's channels, which must outlive it.
+    explicit MapWriter(const Backend& backend, std::span<const ChannelInfo> host_channels = {});
     /// Copies a writer for other host channels; the copy shares what the backend made of the modes.
-    MapWriter(const MapWriter& other, std::span<const ChannelInfo> further);
+    MapWriter(const MapWriter& other, std::span<const ChannelInfo> host_channels);
 
     const Backend& backend() const { return backend_; }
     /// Writes the outputs as a MapFunction does. Throws Error for an unknown channel.
@@ -28,7 +28,7 @@ class MapWriter {
     bool write_samples(const MapRequest& request, ThreadPool& pool);
 
     Backend backend_;
-    std::span<const ChannelInfo> further_;
+    std::span<const ChannelInfo> host_channels_;
     MapFunction maps_;
     // The fields of channels that the backend does not compute; kept, so that frames allocate
     // nothing.

@@ -28,7 +28,8 @@ MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int
 
 namespace {
 
-/// A reference makes planes of all that the channels may be made of, and keeps nothing.
+/// Returns a reference backend: it makes planes of all fields that the channels may need, and keeps
+/// nothing.
 template <auto kSynthesize>
 MapFunction start_reference() {
     return [](const MapRequest& request, ThreadPool& pool) {

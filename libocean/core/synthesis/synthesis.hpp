@@ -13,9 +13,9 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Direct sums along each axis in double.
+/// Returns the fields by direct sums along each axis in double.
 LinearPlanes<double> synthesize_dft(const MapModes& modes, LinearSet fields, ThreadPool& pool);
-/// Full complex radix-2 transforms in float, one field at a time.
+/// Returns the fields by full complex radix-2 transforms in float, one field at a time.
 LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, ThreadPool& pool);
 
 }  // namespace ocean

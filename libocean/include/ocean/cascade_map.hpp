@@ -18,7 +18,8 @@ namespace ocean {
 /// thread at a time; several objects run in parallel.
 class CascadeMap {
   public:
-    /// resolution: a power of two, 32 .. 8192; 0 = that of the cascade's lattice.
+    /// Makes the maps of `cascade`. resolution: a power of two, 32 .. 8192; 0 = that of the
+    /// cascade's lattice.
     explicit CascadeMap(std::size_t cascade, int resolution = 0,
                         const Backend& backend = Backend::cpu);
 

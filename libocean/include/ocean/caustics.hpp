@@ -23,10 +23,10 @@ struct CausticsSettings {
     double sun_altitude = 90.0;  // above the horizon [degrees]
     double sun_bearing = 0.0;    // of the sun, counter-clockwise from +x [degrees]
 };
-inline constexpr double kLeastCausticsDepth = 0.01;  // [m]
-inline constexpr double kMostCausticsDepth = 100.0;
+inline constexpr double kMinCausticsDepth = 0.01;  // [m]
+inline constexpr double kMaxCausticsDepth = 100.0;
 /// Below this altitude waves shade each other, which make_caustics does not model.
-inline constexpr double kLeastCausticsSun = 5.0;  // [degrees]
+inline constexpr double kMinCausticsSunAltitude = 5.0;  // [degrees]
 
 /// The channels that a surface needs for make_caustics.
 inline constexpr ChannelSet kCausticsChannels = {Channel::dx, Channel::dy, Channel::height,

@@ -75,7 +75,7 @@ inline constexpr int kChannelCount = static_cast<int>(enum_count<Channel>());
 
 /// The max of channels with those of a host (OceanOptions::channels): Channel(kChannelCount + i) is
 /// row i of these.
-inline constexpr int kMostChannels = 32;
+inline constexpr int kMaxChannels = 32;
 
 /// A set of channels or of linear fields, as bits.
 template <typename Value>
@@ -101,10 +101,10 @@ class SetOf {
 
   private:
     constexpr explicit SetOf(std::uint64_t bits) : bits_(bits) {}
-    /// The last bit stands for every value beyond kMostChannels, so that such a value is noticed.
+    /// The last bit stands for every value beyond kMaxChannels, so that such a value is noticed.
     static constexpr std::uint64_t bit(Value value) {
         const int index = static_cast<int>(value);
-        return std::uint64_t{1} << (index >= 0 && index < kMostChannels ? index : 63);
+        return std::uint64_t{1} << (index >= 0 && index < kMaxChannels ? index : 63);
     }
     std::uint64_t bits_ = 0;
 };
@@ -124,11 +124,11 @@ template <typename Real>
 struct SurfacePoint {
     std::array<Real, kLinearCount> field{};  // 0 for those that a flat surface does not need
     Real choppiness{};
-    Real foam_threshold{};     // Jacobian below which whitecaps begin
-    Real foam_width{};         // how far below that they are complete
-    float foam_left = 0.0f;    // faded value of earlier foam
-    float foam_least = 0.0f;   // foam below it becomes 0
-    float cover_power = 1.0f;  // cover = foam^cover_power
+    Real foam_threshold{};       // Jacobian below which whitecaps begin
+    Real foam_width{};           // how far below that they are complete
+    float previous_foam = 0.0f;  // faded value of earlier foam
+    float foam_cutoff = 0.0f;    // foam below it becomes 0
+    float cover_power = 1.0f;    // cover = foam^cover_power
 
     constexpr Real operator[](Linear linear) const {
         return field[static_cast<std::size_t>(linear)];
@@ -147,7 +147,7 @@ struct ChannelFormula {
 
     constexpr ChannelFormula() = default;
     constexpr ChannelFormula(InFloat f, InDouble d) : in_float(f), in_double(d), given(true) {}
-    /// From a generic lambda: [](const auto& point) { return point[Linear::slope_x]; }
+    /// Takes a generic lambda: [](const auto& point) { return point[Linear::slope_x]; }
     template <typename Function>
     constexpr ChannelFormula(Function function)
         : in_float(function), in_double(function), given(true) {}
@@ -228,8 +228,8 @@ inline constexpr LinearSet kGradients = {Linear::gradient_xx, Linear::gradient_y
 constexpr ChannelInfo normal(std::string_view name, ChannelFormula formula) {
     return {name, "", kSlopes | kGradients, kSlopes, formula};
 }
-constexpr ChannelInfo squeezed(std::string_view name, ChannelFormula formula,
-                               FoamUse foam = FoamUse::none) {
+constexpr ChannelInfo from_gradients(std::string_view name, ChannelFormula formula,
+                                     FoamUse foam = FoamUse::none) {
     return {name, "", kGradients, {}, formula, foam};
 }
 
@@ -252,9 +252,10 @@ inline constexpr auto kChannels = [] {
         // Slope dh/dx by label, before displacement.
         {slope_x, {"slope_x", "", Linear::slope_x}},
         {slope_y, {"slope_y", "", Linear::slope_y}},
-        {jacobian, detail::squeezed("jacobian", {jacobian_of, jacobian_of})},
-        {whitecap, detail::squeezed("whitecap", {whitecap_of, whitecap_of}, FoamUse::threshold)},
-        {foam, detail::squeezed("foam", {foam_of, foam_of}, FoamUse::past)},
+        {jacobian, detail::from_gradients("jacobian", {jacobian_of, jacobian_of})},
+        {whitecap,
+         detail::from_gradients("whitecap", {whitecap_of, whitecap_of}, FoamUse::threshold)},
+        {foam, detail::from_gradients("foam", {foam_of, foam_of}, FoamUse::past)},
         // Velocity d/dt of the displaced point at a fixed label.
         {vx, {"vx", "m/s", Linear::displacement_x_rate, minus_choppiness}},
         {vy, {"vy", "m/s", Linear::displacement_y_rate, minus_choppiness}},
@@ -264,7 +265,7 @@ inline constexpr auto kChannels = [] {
         {dy_y, {"dy_y", "", Linear::gradient_yy, minus_choppiness}},
         {dx_y, {"dx_y", "", Linear::gradient_xy, minus_choppiness}},
         // Share of the water that foam hides. Coarser maps and distant water show its mean.
-        {cover, detail::squeezed("cover", {cover_of, cover_of}, FoamUse::cover)},
+        {cover, detail::from_gradients("cover", {cover_of, cover_of}, FoamUse::cover)},
     };
     std::array<ChannelInfo, kChannelCount> table{};
     for (const auto& [channel, info] : kRows) table[static_cast<std::size_t>(channel)] = info;
@@ -272,19 +273,19 @@ inline constexpr auto kChannels = [] {
 }();
 static_assert(std::ranges::none_of(kChannels, &std::string_view::empty, &ChannelInfo::name),
               "a channel without a row");
-static_assert(kChannelCount <= kMostChannels);
+static_assert(kChannelCount <= kMaxChannels);
 
-/// Returns the channel's row; `further` are the rows that a host adds. Throws Error invalid_value
-/// for a channel without a row.
-const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> further = {});
+/// Returns the channel's row; `host_channels` are the rows that a host adds. Throws Error
+/// invalid_value for a channel without a row.
+const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels = {});
 /// Throws Error invalid_value if one of the channels has no row.
-void require_channels(ChannelSet channels, std::span<const ChannelInfo> further = {});
+void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_channels = {});
 /// Returns the linear fields that the channels are computed from; `flat`: at choppiness 0.
 LinearSet fields_of(ChannelSet channels, bool flat = false,
-                    std::span<const ChannelInfo> further = {});
+                    std::span<const ChannelInfo> host_channels = {});
 
 /// Returns the largest FoamUse of the channels.
-FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further = {});
+FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> host_channels = {});
 
 /// Type of a product's samples in an image file whose options do not state one.
 enum class Precision {

@@ -26,9 +26,9 @@ struct Backend;
 /// Wavelength at which the last band ends [m]: shorter ripples become roughness. The tables of the
 /// spectra reach down to 0.01 m.
 inline constexpr double kShortestDetail = 0.012;
-inline constexpr int kMostDetailBands = 3;
-inline constexpr int kLeastDetailSamples = 256;
-inline constexpr int kMostDetailSamples = 1024;
+inline constexpr int kMaxDetailBands = 3;
+inline constexpr int kMinDetailSamples = 256;
+inline constexpr int kMaxDetailSamples = 1024;
 
 /// The map that the detail completes, and the resolution of its tiles.
 struct DetailSettings {
@@ -83,8 +83,8 @@ std::uint64_t detail_bytes(const Parameters& parameters, const DetailSettings& s
 /// The products by which users request detail: all bands together, or one band. Each is the slope
 /// of its own waves.
 inline constexpr auto kDetailProducts = [] {
-    constexpr std::array<std::string_view, 1 + kMostDetailBands> kNames = {"detail", "detail1",
-                                                                           "detail2", "detail3"};
+    constexpr std::array<std::string_view, 1 + kMaxDetailBands> kNames = {"detail", "detail1",
+                                                                          "detail2", "detail3"};
     std::array<Product, kNames.size()> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i] = detail::product(kNames[i], {Channel::slope_x, Channel::slope_y}, Precision::half,

@@ -35,7 +35,8 @@ struct SpectralMoments {
 class DirectionalSpectrum {
   public:
     DirectionalSpectrum() = default;
-    /// row_sum: the density over all directions at each row, see frequency_density.
+    /// Takes the columns of the table. row_sum: the density over all directions at each row, see
+    /// frequency_density.
     DirectionalSpectrum(std::vector<double> angular_frequencies, int directions,
                         std::shared_ptr<const double[]> density, std::vector<double> row_sum);
     /// Returns the density [m^2 s/rad^2] at omega [rad/s] and theta [rad].

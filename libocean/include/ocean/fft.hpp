@@ -21,7 +21,7 @@ enum class FftDirection { forward, inverse };
 template <typename Real>
 class Radix2Fft {
   public:
-    /// N = 2 .. 2^20, a power of two.
+    /// Computes the tables for N = n, a power of two, 2 .. 2^20.
     explicit Radix2Fft(int n);
     int size() const { return n_; }
     /// Transforms N values that lie `stride` apart, in place.

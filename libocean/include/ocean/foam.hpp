@@ -42,7 +42,7 @@ double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSet
 
 /// The input of cover_power: a sea as a map displays it. `parameters` has the surface settings of
 /// with_threshold.
-struct ShownSea {
+struct CoverPowerInput {
     const DirectionalSpectrum& spectrum;
     const Parameters& parameters;
     int resolution;  // of the map
@@ -52,7 +52,8 @@ struct ShownSea {
 /// whitecaps. 1 where foam leaves no trace. Computed from labels that are followed through some
 /// hundred foam lifetimes; accurate to about 1 %, the same for any number of threads, and without a
 /// jump where the sea changes. `covariance` is that of the modes that the map holds.
-double cover_power(const ShownSea& sea, const GradientCovariance& covariance, ThreadPool& pool);
+double cover_power(const CoverPowerInput& sea, const GradientCovariance& covariance,
+                   ThreadPool& pool);
 
 /// Callbacks that make the foam maps of a FoamState.
 struct FoamSource {
@@ -69,7 +70,7 @@ inline constexpr int kFoamMaps = 4;
 /// A FoamFollower whose maps lie in memory.
 class FoamState {
   public:
-    /// `samples`: of each map.
+    /// Begins without any map. `samples`: the size of each map.
     FoamState(FoamClock clock, std::size_t samples, FoamStart start = FoamStart::settled);
 
     /// Returns the earlier foam at a time [s], see FoamFollower::layer.

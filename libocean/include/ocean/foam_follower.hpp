@@ -22,11 +22,11 @@ namespace ocean {
 template <typename Map>
 class FoamFollower {
   public:
-    /// The earlier foam of a moment: foam = max(W, fade * map), and 0 where that is below `least`.
+    /// The earlier foam of a moment: foam = max(W, fade * map), and 0 where that is below `cutoff`.
     struct Layer {
         const Map* map = nullptr;  // null: no earlier foam
         float fade = 0.0f;
-        float least = 0.0f;
+        float cutoff = 0.0f;
     };
     /// The callbacks that make the maps.
     struct Source {
@@ -61,7 +61,7 @@ class FoamFollower {
 
   private:
     static constexpr std::size_t kKept = 3;  // the newest, and two that sub-frames step back to
-    static constexpr float kLeastFoam = 1.0f / 512.0f;
+    static constexpr float kMinFoam = 1.0f / 512.0f;
 
     struct Tick {
         std::int64_t number;
@@ -111,7 +111,7 @@ class FoamFollower {
     void step(std::vector<Tick>& kept, std::int64_t tick, const Source& source,
               std::size_t keep = kKept) {
         const double time = clock_.time_of(tick);
-        Layer before{nullptr, 0.0f, kLeastFoam};
+        Layer before{nullptr, 0.0f, kMinFoam};
         if (!kept.empty()) {
             before.map = &kept.back().foam;
             before.fade = fade(clock_.step, source.lifetime(time));

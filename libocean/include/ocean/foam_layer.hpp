@@ -6,12 +6,12 @@
 
 namespace ocean {
 
-/// The faded earlier foam of a map: foam = max(W, fade * map), and 0 where that is below `least`.
+/// The faded earlier foam of a map: foam = max(W, fade * map), and 0 where that is below `cutoff`.
 /// The share of the water that it covers is foam^cover_power.
 struct FoamLayer {
     const float* map = nullptr;  // null: no earlier foam
     float fade = 0.0f;
-    float least = 0.0f;
+    float cutoff = 0.0f;
     float cover_power = 1.0f;
 };
 

@@ -41,8 +41,8 @@ const FoamTextureInfo& foam_texture_info(FoamTextureKind kind);
 /// Returns the kind of that name. Throws Error invalid_value naming the nearest.
 FoamTextureKind find_foam_texture(std::string_view name);
 
-inline constexpr int kLeastFoamTexture = 64;  // texels along a side
-inline constexpr int kMostFoamTexture = 4096;
+inline constexpr int kMinFoamTextureSize = 64;  // texels along a side
+inline constexpr int kMaxFoamTextureSize = 4096;
 
 struct FoamTextureSettings {
     FoamTextureKind kind = FoamTextureKind::lace;

@@ -80,7 +80,7 @@ class Ocean {
     void set(std::string_view name, std::string_view value);
     /// Lets a live parameter glide to the value from `time` [s] on. The change becomes an event of
     /// the sea's own take, so its text reproduces every frame. Maps and foam before `time` stay
-    /// valid and are not computed again. Events of one parameter are at least kLeastEventDistance
+    /// valid and are not computed again. Events of one parameter are at least kMinEventSpacing
     /// apart: a value that comes sooner is delayed until then, and the last one replaces the
     /// others. Throws Error, and changes nothing, for parameters that are not live, a loop, a time
     /// before the last performed event, and a full take.
@@ -175,7 +175,7 @@ class Ocean {
                     const FoamLayer& foam);
     FoamLayer foam_layer(double time, int resolution);
     bool has_foam(ChannelSet channels) const;
-    int map_resolution(int asked) const;
+    int map_resolution(int requested) const;
     /// Throws Error out_of_memory if `maps` more maps, beside what the channels need, do not fit.
     void require_map_memory(int resolution, int maps, ChannelSet channels) const;
     DetailMaps& detail_at(double time, const DetailSettings& settings);
@@ -201,22 +201,22 @@ class Ocean {
     std::unique_ptr<Performer> performer_;
 
     /// Identifies the maps of a query.
-    struct Asked {
+    struct QueryKey {
         std::uint64_t revision = 0;  // of the sea; 0 = the maps are incomplete
         double time = 0.0;
         double z = 0.0;
         QueryOptions options = {};
 
-        bool operator==(const Asked&) const = default;
+        bool operator==(const QueryKey&) const = default;
     };
     /// The query of the last call, with its maps.
     template <typename Query>
-    struct Kept {
-        Asked asked;
+    struct CachedQuery {
+        QueryKey key;
         Query query;
     };
-    std::optional<Kept<SurfaceQuery>> surface_query_;
-    std::optional<Kept<OrbitalMotion>> orbital_motion_;
+    std::optional<CachedQuery<SurfaceQuery>> surface_query_;
+    std::optional<CachedQuery<OrbitalMotion>> orbital_motion_;
 };
 
 }  // namespace ocean

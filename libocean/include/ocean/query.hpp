@@ -113,8 +113,8 @@ class SurfaceQuery {
     static std::uint64_t map_bytes(int grid_resolution, const QueryOptions& options);
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 /// The motion of the water at points fixed in the world, by linear theory, without displacement. At
@@ -123,8 +123,8 @@ class SurfaceQuery {
 /// no reference to its arguments.
 class OrbitalMotion {
   public:
-    /// z [m] up from still water. Throws Error invalid_value if it is not finite, and for the
-    /// options that SurfaceQuery refuses.
+    /// Packs the modes for the height z [m], up from still water. Throws Error invalid_value if z
+    /// is not finite, and for the options that SurfaceQuery refuses.
     OrbitalMotion(const Modes& modes, const Water& water, double time, double z,
                   const QueryOptions& options, ThreadPool& pool);
     ~OrbitalMotion();
@@ -145,8 +145,8 @@ class OrbitalMotion {
     static std::uint64_t bytes(const Modes& modes, const QueryOptions& options);
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean

@@ -22,7 +22,8 @@ namespace ocean {
 /// The wind at 19.5 m over U, the wind at 10 m, by the logarithmic wind profile over the sea.
 inline constexpr double kWind195 = 1.026;
 
-/// The spectrum of Pierson and Moskowitz, for a fully developed sea: the wind has blown so far and
+/// Returns the spectrum of Pierson and Moskowitz, for a fully developed sea: the wind has blown so
+/// far and
 /// so long that the waves grow no more.
 ///     S = alpha g^2 omega^-5 exp(-0.74 (g / (U' omega))^4),   alpha = 8.1e-3,   U' = U(19.5 m)
 /// [Pierson and Moskowitz 1964] eq. 15; the wind of their weather ships was measured at 19.5 m.
@@ -68,7 +69,8 @@ double jonswap_peak(double wind_speed, double fetch, double gravity);
 /// TmaIsJonswapTimesTheDepthFactorAndEqualInDeepWater.
 double finite_depth_factor(double omega, double depth, double gravity);
 
-/// Phillips' spectrum, as the variance density over the wavenumber's magnitude k, all directions
+/// Returns phillips' spectrum, as the variance density over the wavenumber's magnitude k, all
+/// directions
 /// together [m^3]:
 ///     P = (alpha/2) A k^-3 exp(-1 / (k L)^2) exp(-(k l)^2),   alpha = 8.1e-3
 /// A      amplitude, a pure number: 1 is Phillips' constant

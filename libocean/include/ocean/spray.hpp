@@ -69,7 +69,7 @@ inline constexpr ChannelSet kSprayChannels = {Channel::dx,      Channel::dy, Cha
 
 /// Returns an upper bound of the particles alive at once at any time of the sea. If foam_coverage
 /// knows the wind, its whitecap coverage bounds them more closely than SpraySettings::most.
-std::uint64_t most_spray(const Sea& sea, const SpraySettings& settings);
+std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings);
 /// Returns the bytes that following so many particles needs, the particles included, beside the
 /// maps of the lattice.
 std::uint64_t spray_bytes(std::uint64_t particles);

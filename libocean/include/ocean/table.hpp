@@ -41,7 +41,7 @@ struct OptionalColumns {
     /// while that one has one of these words. Empty: always.
     std::string_view used_by = "";
     /// The min of values other than 0, where 0 means "none".
-    double least = 0.0;
+    double min_nonzero = 0.0;
     NumberRule rule = NumberRule::any;
     /// The max of numbers in a list.
     std::size_t max_length = 64;

@@ -34,7 +34,7 @@ inline constexpr std::size_t kMaxTakeEvents = 32768;
 inline constexpr std::size_t kMaxTakeBytes = std::size_t{2} << 20;  // as text
 /// Min time between performed events of one parameter [s]: a value that comes sooner is delayed,
 /// and the last one replaces the others.
-inline constexpr double kLeastEventDistance = 1.0 / 60.0;
+inline constexpr double kMinEventSpacing = 1.0 / 60.0;
 
 /// Returns an event as a line without its end: the full path, and the shortest numbers that read
 /// back to the same bits.

@@ -3,7 +3,7 @@
 //
 // A small blocking pool without spinning and without globals. It cuts the work the same way for any
 // number of threads; as the items are independent, so are the bits of the result. Where other
-// processes compete for the cores, it uses fewer threads (core/base/crew_size.hpp).
+// processes compete for the cores, it uses fewer threads (core/base/thread_throttle.hpp).
 #pragma once
 
 #include <functional>
@@ -18,9 +18,9 @@ class ThreadPool {
     /// Runs job(0) .. job(count - 1), in any order, on any threads, and returns when all are done.
     using RunJobs = std::function<void(int count, const std::function<void(int)>& job)>;
 
-    /// threads: 0 = the cores this process may use. With run_jobs the pool has no threads of its
-    /// own and runs at most `threads` jobs at once on the host's; one of these then calls the
-    /// interrupt.
+    /// Starts the threads. threads: 0 = the cores this process may use. With run_jobs the pool has
+    /// no threads of its own and runs at most `threads` jobs at once on the host's; one of these
+    /// then calls the interrupt.
     explicit ThreadPool(int threads = 0, RunJobs run_jobs = {});
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -40,10 +40,10 @@ class ThreadPool {
     void for_each_item(int count, const std::function<void(int item, int thread)>& body);
 
   private:
-    struct State;
+    struct Impl;
     void leave_to_the_parent();
 
-    std::unique_ptr<State> state_;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean

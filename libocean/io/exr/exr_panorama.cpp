@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostWidth = 8192;
 // What OpenEXR holds of a file at once is a block of lines or a tile, of all channels.
-constexpr std::size_t kMostChannels = 16;
+constexpr std::size_t kMaxChannels = 16;
 constexpr std::uint32_t kMostTile = 1024;
 constexpr float kMostLight = 65504.0f;  // of half floats
 
@@ -39,7 +39,7 @@ void judge(const std::string& path, const ExrClaims& claims) {
             refuse(path, "it has no channel " + std::string(name));
         }
     }
-    if (channels.size() > kMostChannels) refuse(path, "it has more than 16 channels");
+    if (channels.size() > kMaxChannels) refuse(path, "it has more than 16 channels");
     if (tile > kMostTile) refuse(path, "its tiles are larger than 1024 x 1024");
 }
 

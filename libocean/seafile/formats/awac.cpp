@@ -34,8 +34,9 @@ constexpr double kSquareCentimetre = 1e-4;  // m^2
 constexpr double kSameHeight = 0.2;
 constexpr std::size_t kFirstLines = 50;
 
-/// Why a sentence cannot be trusted; empty for a good one, whose checksum is cut off.
-std::string take_checksum(std::string_view& sentence) {
+/// Removes the checksum of a sentence. Returns why the sentence cannot be trusted; empty for a good
+/// one.
+std::string remove_checksum(std::string_view& sentence) {
     const std::size_t star = sentence.rfind('*');
     if (star == std::string_view::npos) return "the sentence has no checksum: it is cut off";
     unsigned sum = 0;
@@ -75,7 +76,7 @@ class AwacReader {
     };
 
     void read_sentence(std::string_view sentence) {
-        std::string fault = take_checksum(sentence);
+        std::string fault = remove_checksum(sentence);
         const auto fields = csv::split(sentence, ',', 2 * kMaxFrequencies);
         if (!fields || fields->empty()) return;
         fields_ = *fields;
@@ -168,7 +169,7 @@ class AwacReader {
         }
         if (done.record.fault.empty() && done.density.empty()) {
             done.record.fault =
-                lines_.fail("no $PNORE, the densities, of " + done.record.time).what();
+                lines_.fail("$PNORE, with the densities, is missing at " + done.record.time).what();
         }
         if (done.record.fault.empty()) set_spectrum(done);
         records_.push_back(std::move(done.record));
@@ -201,7 +202,7 @@ class AwacReader {
         const double centimetres = metres * std::sqrt(kSquareCentimetre);
         if (!(done.hm0 > 0.0 && metres > 0.0)) {
             record.warnings.push_back(
-                "no Hm0 tells the unit of the densities: they are taken as m^2/Hz");
+                "without Hm0 the unit of the densities is unknown: m^2/Hz is assumed");
             return;
         }
         const bool centi =
@@ -224,7 +225,7 @@ class AwacReader {
     std::vector<SpectrumRecord> records_;
 };
 
-/// A recording may begin in the middle of a sentence.
+/// Recognises a recording, which may begin in the middle of a sentence.
 bool recognises(std::string_view content) {
     LineReader lines(content, "");
     for (std::size_t i = 0; i < kFirstLines && lines.next_filled(); ++i) {

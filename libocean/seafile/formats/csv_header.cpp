@@ -188,7 +188,7 @@ Header::Header(const TableReader& table) {
         const Column column = column_named(title.name);
         if (column == kNone) throw lines.fail(unknown_column(title.name));
         if (has(column)) {
-            throw lines.fail("the column " + text::printable(title.name) + " is there twice");
+            throw lines.fail("the column " + text::printable(title.name) + " appears twice");
         }
         place_[column] = i;
         units[column] = title.unit;

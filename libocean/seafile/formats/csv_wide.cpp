@@ -40,7 +40,7 @@ bool is_record_column(Column column) {
            column == depth;
 }
 
-/// Hz; nothing for a title that is no number.
+/// Returns a title's frequency [Hz]; nothing for a title that is not a number.
 std::optional<double> frequency_title(std::string_view title) {
     if (title.find(',') == std::string_view::npos) return text::parse_number(title);
     std::string point(title);
@@ -185,7 +185,8 @@ class WideReader {
         return has_unit ? unit.factor : 1.0;
     }
 
-    /// A line that is no row costs the whole table: each record has a value in it.
+    /// Steps to the next row. A line that is not a row invalidates the whole table: each record has
+    /// a value in it.
     bool next_row(const std::vector<SpectrumRecord>& records) {
         if (!table_.next()) return false;
         if (records.front().frequency.size() + 1 > kMaxFrequencies) {
@@ -214,7 +215,7 @@ class WideReader {
         throw table_.lines().fail("'" + text::printable(cell, 20) + "' is not a density");
     }
 
-    /// Row numbers without a title look like frequencies of whole Hz.
+    /// Refuses row numbers without a title, which look like frequencies of whole Hz.
     void check_axis(const std::vector<double>& f, bool named) const {
         bool numbers = !named && f.size() >= 2;
         for (std::size_t i = 1; i < f.size(); ++i) {

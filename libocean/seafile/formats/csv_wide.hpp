@@ -19,7 +19,7 @@ enum class WideShape {
     record_a_row,     // time or place, then a column for each frequency, whose title is that in Hz
 };
 
-/// By the titles of a table.
+/// Recognises the shape by the titles of a table.
 WideShape shape_of(std::span<const std::string> titles);
 /// Throws Error bad_file. What the titles do not say is a warning of each record.
 std::vector<SpectrumRecord> read_wide(const SpectrumSource& source, WideShape shape);

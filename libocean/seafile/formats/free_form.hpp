@@ -49,7 +49,7 @@ class FreeForm {
         } while (comment_mark_ != '\0' && rest_.starts_with(comment_mark_));
         return true;
     }
-    /// The next call of next_line() gives this line again.
+    /// Makes the next call of next_line() return this line again.
     void hold_line() { held_ = true; }
     std::size_t line_number() const { return lines_.number(); }
     /// Recovers from a fault in the item that begins in line `first`: searches the lines after it
@@ -73,9 +73,9 @@ class FreeForm {
     }
     std::string_view word() {
         begun_ = true;
-        return take_word(rest_);
+        return next_word(rest_);
     }
-    void take(std::size_t bytes) { rest_.remove_prefix(bytes); }
+    void skip(std::size_t bytes) { rest_.remove_prefix(bytes); }
     void leave_line() { rest_ = {}; }
     void end_line(std::string_view what) {
         if (repeats_ > 0) throw fail("more numbers than " + std::string(what));
@@ -93,8 +93,8 @@ class FreeForm {
         }
         while (rest().empty()) need_line(what);
         const std::string_view before = rest_;
-        std::optional<double> value = text::take_fortran_number(rest_);
-        if (!value) value = take_repeated();
+        std::optional<double> value = text::next_fortran_number(rest_);
+        if (!value) value = next_repeated();
         if (!value) throw no_number(what);
         number_ = before.substr(0, before.size() - rest_.size());
         begun_ = true;
@@ -122,7 +122,7 @@ class FreeForm {
         }
         return static_cast<std::size_t>(value);
     }
-    /// The last number as the file spells it.
+    /// Returns the last number as the file spells it.
     std::string last_number() const { return shown(number_); }
     void require_within(double value, double low, double high, std::string_view what,
                         std::string_view allowed) const {
@@ -140,8 +140,9 @@ class FreeForm {
     void skip_blanks() {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
     }
-    /// "36*0.0", as list-directed output writes 36 numbers alike: the first of them.
-    std::optional<double> take_repeated() {
+    /// Reads "36*0.0", as list-directed output writes 36 equal numbers, and returns the first of
+    /// them.
+    std::optional<double> next_repeated() {
         const std::size_t star = rest_.substr(0, 8).find('*');
         if (star == std::string_view::npos) return std::nullopt;
         const std::optional<double> count = text::parse_number(rest_.substr(0, star));
@@ -149,7 +150,7 @@ class FreeForm {
             return std::nullopt;
         }
         std::string_view after = rest_.substr(star + 1);
-        const std::optional<double> value = text::take_fortran_number(after);
+        const std::optional<double> value = text::next_fortran_number(after);
         if (!value) return std::nullopt;
         rest_ = after;
         repeats_ = static_cast<std::size_t>(*count) - 1;
@@ -175,7 +176,7 @@ class FreeForm {
     double repeated_ = 0.0;  // the value of the next `repeats_` numbers
 };
 
-/// Hz, ascending.
+/// Reads frequencies [Hz], ascending.
 inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
     std::vector<double> frequency;
     while (frequency.size() < count) {
@@ -190,7 +191,7 @@ inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
     return frequency;
 }
 
-/// Before a record joins others of the same size.
+/// Throws if another record of the same size would exceed the limits of a file.
 inline void require_room(const FreeForm& in, std::size_t records, std::size_t values_of_each) {
     if (records >= kMaxRecords) throw in.fail("more than 100000 records");
     if ((records + 1) * values_of_each > kMaxFileValues) {

@@ -50,22 +50,22 @@ using Companions = std::array<Companion, kCompanions>;
 /// Returns a finite number. Throws Error bad_file stating that the word is not `what`.
 double number(const LineReader& lines, std::string_view word, std::string_view what);
 /// Takes year, month, day, hour and perhaps minute off the front of a line: "2020-06-08T03:50".
-std::string take_time(const LineReader& lines, std::string_view& line, bool minutes);
-/// The frequency that follows those of `bins`: within the limits, ascending.
+std::string next_time(const LineReader& lines, std::string_view& line, bool minutes);
+/// Returns the frequency that follows those of `bins`: within the limits, ascending.
 double next_frequency(const LineReader& lines, std::string_view word, const std::vector<Bin>& bins);
-/// A value of a table; `full` is how that table writes an r1 or r2 of 1. Nines mean missing: 999 in
-/// every table, 99 too where it is no possible value (a direction of 99 degrees is; its bin is
-/// missing all the same if the spread beside it is).
+/// Returns a value of a table; `full` is how that table writes an r1 or r2 of 1. Nines mean
+/// missing: 999 in every table, 99 too if it is not a possible value. (A direction may be 99
+/// degrees; its bin is missing all the same if the spread beside it is.)
 double value(const LineReader& lines, std::string_view word, Quantity quantity, double full);
 
-/// The rows of a table whose time is known; of two with one time the first. Throws Error bad_file
-/// where none is.
+/// Returns the rows of a table whose time is known; of two with one time, the first. Throws Error
+/// bad_file if no time is known.
 Companion by_time(std::vector<Row> rows);
-/// NDBC's identifiers have five characters: "41010" of "ndbc_41010" and "41010_5day", else all of
-/// the stem.
+/// Returns the station of a file's stem. NDBC's identifiers have five characters: "41010" of
+/// "ndbc_41010" and "41010_5day", else the whole stem.
 std::string station_of(std::string_view stem);
-/// A record for each row that has two densities or more, or a fault. `station`: of rows that name
-/// none.
+/// Returns a record for each row that has at least two densities, or a fault. `station`: for rows
+/// that name none.
 std::vector<SpectrumRecord> make_records(const std::string& station, const std::vector<Row>& rows,
                                          const std::optional<Companions>& companions);
 

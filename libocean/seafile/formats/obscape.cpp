@@ -132,9 +132,9 @@ class ObscapeReader {
         std::replace(blanks.begin(), blanks.end(), ',', ' ');
         std::string_view rest = blanks;
         degrees_.clear();
-        for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+        for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
             if (word == "...") {
-                go_on(number(take_word(rest), -360.0, 720.0, kColumns));
+                go_on(number(next_word(rest), -360.0, 720.0, kColumns));
                 break;
             }
             if (degrees_.size() == kMaxDirections) throw lines_.fail("more than 720 directions");
@@ -149,7 +149,7 @@ class ObscapeReader {
         const double steps = step > 0.0 ? std::round((last - degrees_.back()) / step) : 0.0;
         if (!(steps >= 1.0 && steps <= kMaxDirections) ||
             std::abs(degrees_.back() + steps * step - last) > 1e-6) {
-            throw lines_.fail("what stands for '...' in the directions is not known");
+            throw lines_.fail("the meaning of '...' in the directions is unclear");
         }
         const double begin = degrees_.back();
         for (double i = 1.0; i <= steps; ++i) degrees_.push_back(begin + i * step);

@@ -27,7 +27,7 @@ bool begins_record(std::string_view line) {
     return line.starts_with("CCYYMM,");
 }
 
-/// "maari" of "maari_20180311_00z": the forecast that it is of says nothing of the place.
+/// Returns "maari" of "maari_20180311_00z": the forecast does not identify the place.
 std::string_view without_run(std::string_view point) {
     constexpr std::string_view kPattern = "_00000000_00z";
     if (point.size() <= kPattern.size()) return point;
@@ -147,8 +147,9 @@ class OctopusReader {
                           "should be");
     }
 
-    /// An energy over the width that the trapezoid gives to its frequency, and over the angle of
-    /// its direction: the sum over a record is the height that the file states.
+    /// Reads energies. Each is divided by the width that the trapezoid gives to its frequency and
+    /// by the angle of its direction, so that the sum over a record is the height that the file
+    /// states.
     void read_energies(SpectrumRecord& record) {
         std::vector<double> degrees;
         std::vector<double> energies(frequencies_ * directions_);

@@ -136,7 +136,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         key_ = value;
         const std::optional<std::size_t> known = index_of(key_);
         if (!describes() || !known) return true;
-        if (seen_[*known]) blame("'" + key_ + "' is there twice in one spectrum");
+        if (seen_[*known]) blame("'" + key_ + "' appears twice in one spectrum");
         seen_[*known] = true;
         return true;
     }
@@ -161,7 +161,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
     bool start_array(std::size_t) override {
         if (place() == Place::answer && key_ == kSpectra) {
-            if (answers_.back().listed) throw fail("'" + key_ + "' is there twice");
+            if (answers_.back().listed) throw fail("'" + key_ + "' appears twice");
             answers_.back().listed = true;
             return enter(Place::spectra);
         }
@@ -178,7 +178,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
     bool end_array() override { return leave(); }
 
-    /// Costs the spectrum in which it is, and those after it.
+    /// Invalidates the spectrum that contains the error, and those after it.
     bool parse_error(std::size_t, const std::string& token,
                      const nlohmann::detail::exception& error) override {
         const std::string_view last(&progress_.last, 1);
@@ -215,7 +215,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         std::array<bool, kKeys> outer_seen;
     };
 
-    /// Python writes NaN, which JSON has not; nothing where it does not.
+    /// Returns the content without NaN, which Python writes and JSON lacks; nothing if it has none.
     static std::string without_nan(std::string_view content) {
         constexpr std::string_view kNan = "NaN";
         constexpr std::string_view kNull = "null";
@@ -316,7 +316,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         if (answers_.back().spectrum) end_spectrum();
         leave_answer();
     }
-    /// The station may precede or follow the spectra.
+    /// Ends an answer. Its station may precede or follow the spectra.
     void leave_answer() {
         Answer answer = std::move(answers_.back());
         answers_.pop_back();
@@ -354,7 +354,7 @@ std::vector<SpectrumRecord> read(const SpectrumSource& source) {
 
 #endif
 
-/// An object or a list, with one of three keys somewhere.
+/// Recognises an object or a list that contains one of three keys.
 bool recognises(std::string_view content) {
     if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
     const std::size_t first = content.find_first_not_of(" \t\r\n");

@@ -27,9 +27,9 @@ constexpr double kMaxBinDensity = 2500.0;
 /// The first year of two digits: SWAN is of 1993 and rarely computes times before 1950.
 constexpr int kFirstYear = 1950;
 
-/// The circular standard deviation, in degrees, of cos^m about the mean, over a half circle: with
-/// r1 = G(m/2 + 1)^2 / (G(m/2 + 1/2) G(m/2 + 3/2)), G the gamma function, it is sqrt(2 (1 - r1));
-/// 31.5 degrees for m = 2.
+/// Returns the circular standard deviation [degrees] of cos^m about the mean, over a half circle:
+/// with r1 = G(m/2 + 1)^2 / (G(m/2 + 1/2) G(m/2 + 3/2)), G the gamma function, it is sqrt(2 (1 -
+/// r1)); 31.5 degrees for m = 2.
 double spread_of_power(double m) {
     const double r1 = std::exp(2.0 * std::lgamma(0.5 * m + 1.0) - std::lgamma(0.5 * m + 0.5) -
                                std::lgamma(0.5 * m + 1.5));
@@ -82,7 +82,7 @@ class SwanReader {
         return time->text();
     }
 
-    /// The number before each iteration, as the time of none.
+    /// Reads the number before each iteration, and returns an empty time.
     std::string read_iteration() {
         const double number = in_.number_here("the number of an iteration");
         if (number < 0.0 || number != std::floor(number)) {
@@ -214,8 +214,8 @@ class SwanReader {
         header_.axis->fill(record, values_, 1.0);
     }
 
-    /// Action density is variance density over the angular frequency [SWAN, scientific manual,
-    /// eq. 2.6]: N = E / (2 pi f).
+    /// Returns the factor to variance density. Action density is variance density over the angular
+    /// frequency [SWAN, scientific manual, eq. 2.6]: N = E / (2 pi f).
     double scale_at(const SwanQuantity& quantity, std::size_t i) const {
         return quantity.action ? quantity.scale * 2.0 * kPi * header_.frequency[i] : quantity.scale;
     }

@@ -40,8 +40,8 @@ bool is_title(std::string_view line) {
     return line.starts_with("TRIAXYS BUOY DATA REPORT") || line.starts_with("TRIAXYS BUOY REPORT");
 }
 
-/// "4857.6668S": degrees and minutes, and the letter of a hemisphere.
-std::optional<double> take_angle(std::string_view& text, std::string_view letters) {
+/// Returns an angle of "4857.6668S": degrees and minutes, and the letter of a hemisphere.
+std::optional<double> next_angle(std::string_view& text, std::string_view letters) {
     const std::size_t end = text.find_first_of(letters);
     if (end == std::string_view::npos) return std::nullopt;
     const std::optional<double> read = text::parse_number(text.substr(0, end));
@@ -105,8 +105,8 @@ class TriaxysReader {
         if (parts.size() < 2) return;
         record.station = text::printable(csv::trimmed(parts[1]));
         std::string_view position = csv::trimmed(parts.back());
-        const std::optional<double> latitude = take_angle(position, "NS");
-        const std::optional<double> longitude = take_angle(position, "EW");
+        const std::optional<double> latitude = next_angle(position, "NS");
+        const std::optional<double> longitude = next_angle(position, "EW");
         const bool known = latitude && longitude && position.empty() &&
                            std::abs(*latitude) <= 90.0 && std::abs(*longitude) <= 180.0;
         if (known) {
@@ -204,7 +204,8 @@ class TriaxysReader {
                        "; allowed: " + std::to_string(least) + " .. " + std::to_string(most));
     }
 
-    /// The rows of all frequencies. The first one, 0 Hz, is no wave: it is read and left out.
+    /// Reads the rows of all frequencies. The first one, 0 Hz, is not a wave: it is read and left
+    /// out.
     void read_table(SpectrumRecord& record, const Header& header) {
         std::vector<double> degrees;
         while (degrees.size() < header.directions) {

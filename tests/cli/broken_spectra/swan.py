@@ -136,7 +136,7 @@ BROKEN = [
     ("directions_1e9", changed(b"     4    ", b"     1e9  "), 15, "1e9 directions; allowed"),
     ("directions_2", TWO_DIRECTIONS, 15, "2 directions; allowed: 3 .. 720"),
     ("direction_out_of_range", changed(b"315.0", b"3150."), 19, "a direction of 3150."),
-    ("direction_twice", changed(b"135.0", b" 45.0"), 19, "a direction is there twice"),
+    ("direction_twice", changed(b"135.0", b" 45.0"), 19, "a direction appears twice"),
     ("values_288000", MANY_VALUES, 412, "at most 131072 values"),
     # Quantities.
     (

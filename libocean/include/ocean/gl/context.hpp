@@ -26,7 +26,7 @@ struct ContextInfo {
     int workgroup_threads = 0;
     int image_units = 0;
     int texture_size = 0;
-    bool tells_resets = false;  // the driver reports whether the context was lost
+    bool reports_resets = false;  // the driver reports whether the context was lost
 
     /// Returns "NVIDIA H100 (NVIDIA Corporation), OpenGL 4.6".
     std::string text() const;
@@ -83,8 +83,8 @@ class HeadlessContext {
     const std::vector<std::string>& messages() const;
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::gl

@@ -85,8 +85,8 @@ class SeaTextures {
     std::int64_t foam_settling_ticks() const;
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::gl

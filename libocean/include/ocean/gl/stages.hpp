@@ -50,8 +50,8 @@ class StageMaker {
     StageImage make(const MapModes& modes, std::string_view stage, ThreadPool& pool);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::gl

@@ -61,7 +61,7 @@ class LineReader {
 };
 
 /// Removes the next blank-separated word from the front of a line and returns it; empty at its end.
-inline std::string_view take_word(std::string_view& line) {
+inline std::string_view next_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
     line.remove_prefix(word.size());

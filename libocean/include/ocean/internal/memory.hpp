@@ -19,7 +19,7 @@ std::uint64_t modes_bytes(const Grid& grid);
 std::uint64_t maps_bytes(int resolution, int maps);
 /// Returns the bytes that computing these channels from the modes needs, beside modes and maps.
 std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet channels,
-                         int resolution, std::span<const ChannelInfo> further = {});
+                         int resolution, std::span<const ChannelInfo> host_channels = {});
 /// Throws Error out_of_memory, before anything is allocated, if `bytes` exceeds the available
 /// memory. `what` names the data in the message.
 void require_memory(std::uint64_t bytes, const std::string& what,

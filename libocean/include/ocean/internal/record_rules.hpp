@@ -29,13 +29,13 @@ inline constexpr std::size_t kMaxRecordWarnings = 16;
 inline constexpr std::size_t kMaxRecordWarningBytes = 500;
 
 /// Removes artefacts of estimators that no sea has, before record_fault judges the record: a bin of
-/// 0 Hz, and densities from -kMostNoise of the peak to 0. These become 0; the other densities of
+/// 0 Hz, and densities from -kMaxNoise of the peak to 0. These become 0; the other densities of
 /// their frequency shrink to keep its energy, and all shrink to keep m0. Adds a warning with the
 /// amount removed. Frequencies must ascend already.
 void clean_record(SpectrumRecord& record);
 /// Negative densities down to this share of the highest density count as noise; lower ones are a
 /// fault.
-inline constexpr double kMostNoise = 0.1;
+inline constexpr double kMaxNoise = 0.1;
 
 /// Returns the fault of a record as the end of a sentence; empty for a good one. Every consumer of
 /// records relies on these rules: at least two ascending positive frequencies, finite densities

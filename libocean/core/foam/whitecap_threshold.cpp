@@ -20,7 +20,7 @@ namespace {
 /// Every float Jacobian lies above: W is exactly 0.
 constexpr double kNoWhitecap = std::numeric_limits<float>::lowest();
 
-/// E[max(x, 0)] of a Gaussian x = sd (z + Z), over sd: G(z) = z Phi(z) + phi(z).
+/// Returns E[max(x, 0)] of a Gaussian x = sd (z + Z), over sd: G(z) = z Phi(z) + phi(z).
 double positive_part(double z) {
     constexpr double kFar = 9.0;  // Phi(-9) = 1e-19
     if (z < -kFar) return 0.0;

@@ -19,14 +19,14 @@
 namespace ocean {
 namespace {
 
-constexpr double kMostPower = 1e4;
+constexpr double kMaxPower = 1e4;
 
-/// P(Z > z).
+/// Returns P(Z > z).
 double upper_tail(double z) {
     return 0.5 * std::erfc(z / std::sqrt(2.0));
 }
 
-/// z with P(Z > z) = share P(Z > from).
+/// Returns the z with P(Z > z) = share P(Z > from).
 double beyond(double from, double share) {
     const double wanted = share * upper_tail(from);
     double low = from, high = from + 10.0;
@@ -88,7 +88,7 @@ class FoamAges {
     void add(const FoamAges& other) {
         for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] += other.weights_[i];
     }
-    /// The sum of F^power.
+    /// Returns the sum of F^power.
     double sum(double power) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < weights_.size(); ++i) {
@@ -118,7 +118,7 @@ struct Followed {
 /// Follows labels through a whitecap in the middle of a window.
 class Follower {
   public:
-    /// `aging`: of foam in a tick.
+    /// Takes the settings of the displayed map. `aging`: of foam in a tick.
     Follower(const SurfaceSettings& shown, int reach, double aging)
         : shown_(shown), reach_(static_cast<std::size_t>(reach)), aging_(aging) {}
 
@@ -167,7 +167,8 @@ class Follower {
 
 }  // namespace
 
-double cover_power(const ShownSea& sea, const GradientCovariance& covariance, ThreadPool& pool) {
+double cover_power(const CoverPowerInput& sea, const GradientCovariance& covariance,
+                   ThreadPool& pool) {
     const SurfaceSettings& shown = sea.parameters.surface;
     const bool squeezed = shown.choppiness > 0.0 && covariance.aa + covariance.bb > 0.0;
     if (!squeezed || shown.foam_lifetime <= 0.0) return 1.0;
@@ -202,7 +203,7 @@ double cover_power(const ShownSea& sea, const GradientCovariance& covariance, Th
     });
     Followed all;
     for (const Followed& part : parts) all.add(part);
-    double low = 0.0, high = std::log(kMostPower);
+    double low = 0.0, high = std::log(kMaxPower);
     if (all.foam.sum(1.0) <= all.whitecap) return 1.0;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (low + high);

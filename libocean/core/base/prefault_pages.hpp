@@ -11,11 +11,11 @@
 
 namespace ocean {
 
-/// Has the system clear its huge pages now, by all threads and so that a call may be stopped in
-/// between. Who first writes a column of a map of 8192 x 8192 otherwise waits for all of them:
-/// a tenth of a second [measured]. Values are lost.
+/// Makes the system clear the huge pages of a vector now, on all threads and interruptibly. Else
+/// the first thread that writes a column of a map of 8192 x 8192 waits for all of them: a tenth of
+/// a second [measured]. Loses the values.
 template <typename T>
-void touch_pages(PageVector<T>& values, ThreadPool& pool) {
+void prefault_pages(PageVector<T>& values, ThreadPool& pool) {
     constexpr std::size_t kHugePage = std::size_t{2} << 20;
     volatile char* const bytes = reinterpret_cast<char*>(values.data());
     const std::size_t pages = values.size() * sizeof(T) / kHugePage;
