@@ -270,9 +270,9 @@ TEST(Csv, AGridWithAHoleADoubleOrTooFewDirectionsIsRefused) {
     EXPECT_TRUE(hole.says("s.csv:8: ") && hole.says("no row for 0.1 Hz and 90 degrees"))
         << hole.message;
     const Refusal twice = refusal_of([&] { read(text + "0.1,90,1\n"); });
-    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("appears twice")) << twice.message;
+    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("appear twice in one record")) << twice.message;
     const Refusal last = refusal_of([&] { read(text + "0.2,270,1\n"); });
-    EXPECT_TRUE(last.says("s.csv:10: ") && last.says("appears twice")) << last.message;
+    EXPECT_TRUE(last.says("s.csv:10: ") && last.says("appear twice in one record")) << last.message;
     const Refusal few =
         refusal_of([] { read("frequency,direction,density\n.1,0,1\n.1,9,1\n.2,0,1\n.2,9,1\n"); });
     EXPECT_TRUE(few.says("s.csv:5: ") && few.says("at least 3 directions")) << few.message;

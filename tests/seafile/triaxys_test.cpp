@@ -139,7 +139,7 @@ TEST(Triaxys, BrokenFilesAreRefusedWithTheirLine) {
         {"=   0.100", "=      90", 13, "the last frequency is beyond 100 Hz"},
         {"=       5", "=     721", 10, "'721' directions; allowed: 3 .. 720"},
         {"=       5", "=       4", 14, "'9' after the densities of all directions"},
-        {"=       5", "=       6", 13, "of the directions of the header: a direction is there"},
+        {"=       5", "=       6", 13, "of the directions of the header: a direction appears twice"},
         {"=    90.0", "=   -90.0", 11, "a spacing of '-90.0'"},
         {"4.0E-02", "-4.0E+05", 15, "a density of -4.0E+05; allowed: 0 .. 2500 m^2/Hz/deg"},
         {"4.0E-02", "nan", 15, "'nan' is not a density"},

@@ -104,7 +104,8 @@ std::string parameters_json(std::span<const ListedParameter> parameters) {
             // JSON has no infinity: such a bound is null.
             row.add("min", json_number_or_null(spec->min, plain_text));
             row.add("max", json_number_or_null(spec->max, plain_text));
-            if (spec->min_nonzero > 0.0) row.add("least", json_number_or_null(spec->min_nonzero, plain_text));
+            if (spec->min_nonzero > 0.0)
+                row.add("least", json_number_or_null(spec->min_nonzero, plain_text));
             row.add("soft_min", json_number_or_null(spec->soft_min, plain_text));
             row.add("soft_max", json_number_or_null(spec->soft_max, plain_text));
         }

@@ -124,7 +124,7 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     }
     if (state.energy_resolved < 0.95) {
         warn("this grid holds " + fixed_text(100.0 * state.energy_resolved, 1) +
-             " % of the requested energy; its waves are " + fixed_text(state.shortest_wave, 2) +
+             " % of the energy asked for; its waves are " + fixed_text(state.shortest_wave, 2) +
              " to " + fixed_text(state.longest_wave, 0) +
              " m long, the peak of the spectrum is at " +
              fixed_text(state.peak_wavelength.asked, 1) +
@@ -133,7 +133,7 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     if (state.energy_resolved > 1.02) {
         warn("the spectrum is narrower than the grid's modes lie apart: heights are " +
              fixed_text(100.0 * state.energy_resolved, 1) +
-             " % of the requested energy; make grid.patch_size larger");
+             " % of the energy asked for; make grid.patch_size larger");
     }
     const double height = state.significant_wave_height.asked;
     if (height > kSaturated * parameters.water.depth) {

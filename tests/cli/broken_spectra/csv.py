@@ -115,7 +115,7 @@ CASES = [
     ("too_many_frequencies", one(many_frequencies()), 4098, "more rows"),
     ("direction_out_of_range", changed(b"0.1,90,", b"0.1,900,", GRID), 3, "the direction '900'"),
     ("direction_missing", changed(b"0.1,90,", b"0.1,,", GRID), 3, "the direction is missing"),
-    ("direction_twice", changed(b"0.2,90,", b"0.2,0,", GRID), 7, "appears twice"),
+    ("direction_twice", changed(b"0.2,90,", b"0.2,0,", GRID), 7, "appear twice"),
     (
         "direction_of_one_frequency",
         changed(b"0.1,90,", b"0.1,91,", GRID),
