@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: read_exr_panorama gives back what was written, cleaned of what is no light, and answers
-// any other bytes with Error bad_file.
+// Claims: read_exr_panorama returns the written light without negative values and NaN, and throws
+// Error bad_file for any other bytes.
 #include "ocean/io/panorama.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ std::string refusal(const std::string& path) {
     return "";
 }
 
-TEST(ExrPanorama, GivesBackWhatIsLight) {
+TEST(ExrPanorama, ReturnsTheWrittenLight) {
     const TemporaryFolder folder;
     for (const io::PixelType type : {io::PixelType::full_float, io::PixelType::half_float}) {
         const Written written = write(folder.file("a.exr"), 64, 32, "RGB", type);
@@ -75,7 +75,7 @@ TEST(ExrPanorama, GivesBackWhatIsLight) {
     }
 }
 
-TEST(ExrPanorama, SaysWhatIsWrong) {
+TEST(ExrPanorama, ErrorsHaveTheReason) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     EXPECT_NE(refusal(folder.file("none.exr")).find("cannot open"), std::string::npos);

@@ -19,7 +19,7 @@ namespace ocean::io {
 
 namespace {
 
-/// Kinds that files named before ocean:subject was.
+/// The kinds of files that are older than ocean:subject.
 constexpr std::array kFirstKinds = {kSeaKind, std::string_view("foam_texture")};
 
 constexpr std::string_view kPrefix = "ocean:";
@@ -67,7 +67,7 @@ class StringReader {
         const auto [stop, fault] = std::from_chars(digits.data(), end, value);
         if (fault == std::errc() && stop == end) return value;
         throw Error(ErrorKind::bad_file,
-                    path_ + ": its ocean:" + std::string(name) + " is no number");
+                    path_ + ": its ocean:" + std::string(name) + " is not a number");
     }
 
     std::span<const HeaderString> strings_;
@@ -140,12 +140,12 @@ std::optional<Provenance> find_provenance(std::span<const HeaderString> strings,
 }
 
 std::string read_head(const std::string& path) {
-    constexpr std::uintmax_t kLongest = std::uintmax_t{8} << 20;  // a sea with its take
+    constexpr std::uintmax_t kMaxHead = std::uintmax_t{8} << 20;  // a sea with its take
     std::error_code missing;
     const std::uintmax_t size = std::filesystem::file_size(utf8_path(path), missing);
     if (missing) return {};
     std::ifstream file(utf8_path(path), std::ios::binary);
-    std::string head(static_cast<std::size_t>(std::min(size, kLongest)), '\0');
+    std::string head(static_cast<std::size_t>(std::min(size, kMaxHead)), '\0');
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(file.gcount()));
     return head;

@@ -35,7 +35,7 @@ def without(number):
 
 
 BROKEN = [
-    # What the header claims.
+    # Wrong numbers in the header.
     ("frequencies_1e9", changed(b"     3     4", b"1000000000 4"), 1, "1000000000 frequencies"),
     ("frequencies_none", changed(b"     3     4", b"     0     4"), 1, "0 frequencies; allowed: 2"),
     ("directions_721", changed(b"     4     2", b"   721     2"), 1, "721 directions; allowed"),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frames in a folder; see frames_there.hpp.
-#include "ocean/bake/frames_there.hpp"
+// See existing_frames.hpp.
+#include "ocean/bake/existing_frames.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,9 +13,9 @@
 
 namespace ocean {
 
-FramesThere find_frames(const BakePlan& plan,
-                        const std::function<bool(std::span<const BakeFile>)>& is_of_plan) {
-    FramesThere there;
+ExistingFrames find_frames(const BakePlan& plan,
+                           const std::function<bool(std::span<const BakeFile>)>& matches_plan) {
+    ExistingFrames existing;
     const std::string folder = plan.pattern.folder();
     const OutputPattern pattern = plan.pattern.with_token();
     std::error_code error;
@@ -26,11 +26,11 @@ FramesThere find_frames(const BakePlan& plan,
         if (!frame) continue;
         const std::vector<BakeFile> files = plan.format->files(plan, *frame);
         if (!files.front().path.ends_with("/" + name) && files.front().path != name) continue;
-        (is_of_plan(files) ? there.of_plan : there.foreign).push_back(*frame);
+        (matches_plan(files) ? existing.of_plan : existing.foreign).push_back(*frame);
     }
-    std::ranges::sort(there.of_plan);
-    std::ranges::sort(there.foreign);
-    return there;
+    std::ranges::sort(existing.of_plan);
+    std::ranges::sort(existing.foreign);
+    return existing;
 }
 
 std::vector<int> united(std::vector<int> frames, std::span<const int> others) {
@@ -40,15 +40,15 @@ std::vector<int> united(std::vector<int> frames, std::span<const int> others) {
     return frames;
 }
 
-std::string foreign_frames_warning(const FramesThere& there, std::span<const int> written,
+std::string foreign_frames_warning(const ExistingFrames& existing, std::span<const int> written,
                                    const std::string& list) {
     std::vector<int> left_out;
-    std::ranges::copy_if(there.foreign, std::back_inserter(left_out), [&](int frame) {
+    std::ranges::copy_if(existing.foreign, std::back_inserter(left_out), [&](int frame) {
         return std::ranges::find(written, frame) == written.end();
     });
     if (left_out.empty()) return "";
-    return "frames that lie there are of another sea or of other options: " +
-           frames_text(left_out) + "; " + list + " leaves them out";
+    return "existing frames are of another sea or of other options: " + frames_text(left_out) +
+           "; " + list + " leaves them out";
 }
 
 }  // namespace ocean

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""A format and a channel that a test adds (toys/ocean_with_toys.cpp) are baked, hashed, resumed and
+"""A format and a channel of a host (plugins/ocean_with_plugins.cpp) are baked, hashed, resumed and
 listed by --help like the library's own."""
 
 import hashlib
@@ -17,7 +17,7 @@ SMALL = ["preset:beaufort_6", "--set", "grid.resolution=64", "--set", "grid.patc
 
 
 def run(*arguments, cwd=None, code=0):
-    command = [os.environ["OCEAN_WITH_TOYS"], *map(str, arguments)]
+    command = [os.environ["OCEAN_WITH_PLUGINS"], *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, cwd=cwd, timeout=120)
     assert done.returncode == code, done.stderr
     return done
@@ -38,7 +38,7 @@ def entries(folder):
     return json.loads((folder / "sea.manifest.json").read_text())["files"]
 
 
-def test_help_lists_them():
+def test_help_lists_the_format_and_its_options():
     text = " ".join(run("bake", "--help").stdout.split())
     assert re.search(r"\.inc \(mesh2\), \.ply, \.obj, \.usda,? (\.vdb )?or \.stats", text)
     assert "Statistics:" in text and "--digits N Decimals of a number" in text
@@ -46,7 +46,7 @@ def test_help_lists_them():
 
 
 @pytest.mark.parametrize("backend", ["cpu", "radix2", "dft"])
-def test_the_channel_is_the_size_of_the_slope_in_every_backend(tmp_path, backend):
+def test_the_channel_is_the_magnitude_of_the_slope_in_every_backend(tmp_path, backend):
     run("bake", *SMALL, "-o", "sea.exr", "--products", "slope,steepness", "--type", "float",
         "--backend", backend, cwd=tmp_path)  # fmt: skip
     slope = pixels(tmp_path / "sea.slope.0001.exr")
@@ -63,7 +63,7 @@ def test_the_format_is_baked(baked):
     assert numbers == pytest.approx([np.sqrt(np.mean(map_**2)) for map_ in truth], abs=6e-4)
 
 
-def test_it_is_hashed(baked):
+def test_the_format_is_hashed(baked):
     listed = entries(baked)
     assert [entry["name"] for entry in listed] == [f"sea.000{n}.stats" for n in (1, 2, 3)]
     for entry in listed:
@@ -74,7 +74,7 @@ def test_it_is_hashed(baked):
         assert entry["product"] == "height,steepness"
 
 
-def test_it_is_resumed(baked):
+def test_the_format_is_resumed(baked):
     again = ["bake", *SMALL, "-o", "sea.####.stats", "--frames", "1-3", "--skip-existing"]
     assert run(*again, "-n", cwd=baked).stdout.count("kept") == 3
     before = {path: path.read_bytes() for path in baked.glob("*.stats")}
@@ -90,8 +90,8 @@ def test_it_is_resumed(baked):
 
 def test_options_of_others_are_refused(tmp_path):
     done = run("bake", *SMALL, "-o", "a.stats", "--axes", "zup", cwd=tmp_path, code=2)
-    assert "--axes zup: only files of type .exr know it" in done.stderr
+    assert "--axes zup: only files of type .exr have it" in done.stderr
     done = run("bake", *SMALL, "-o", "a.exr", "--digits", "4", cwd=tmp_path, code=2)
-    assert "--digits 4: only files of type .stats know it" in done.stderr
+    assert "--digits 4: only files of type .stats have it" in done.stderr
     done = run("bake", *SMALL, "-o", "a.stats", "--digits", "x", cwd=tmp_path, code=2)
     assert "--digits = x; allowed: a number, 1 .. 9" in done.stderr
