@@ -75,11 +75,11 @@ TEST(Script, LinesAreCheckedOneByOne) {
     EXPECT_EQ(script[1].channel, "board0/d1");
     for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
              {"1 board0/a1\n", "s:1: a line"},
-             {"1 board0/a1 2\n0.5 board0/a1 2\n", "s:2: '0.5' is before"},
+             {"1 board0/a1 2\n0.5 board0/a1 2\n", "s:2: '0.5' is earlier"},
              {"x board0/a1 2\n", "s:1: 'x' is not a number"},
              {"-1 board0/a1 2\n", "s:1: '-1'"},
              {"1 board0/a1 nan\n", "s:1: 'nan'"},
-             {"1 board0 2\n", "s:1: 'board0' is no channel"},
+             {"1 board0 2\n", "s:1: 'board0' is not a channel"},
              {"1 board0/a1 2 3\n", "s:1: '3' is one word too many"}}) {
         try {
             parse_script(text, "s");
@@ -209,8 +209,8 @@ out = [0, 1]
     turn(3);
     turn(4);
     EXPECT_EQ(wind(), 4.0);
-    hub.board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
-    hub.board_event({BoardEvent::Kind::connected, "board0", "again"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board0", "again"});
     const std::vector<std::pair<std::string, double>> told = {{"board0/dac1", 102.0},
                                                               {"board0/dac1", 102.0}};
     EXPECT_EQ(board->told, told);
@@ -218,7 +218,7 @@ out = [0, 1]
     EXPECT_EQ(wind(), 4.0);
     turn(8);
     EXPECT_EQ(wind(), 8.0);
-    hub.board_event({BoardEvent::Kind::connected, "board1", "another"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board1", "another"});
     turn(7);
     EXPECT_EQ(wind(), 7.0);
     EXPECT_EQ(hub.events(),
@@ -238,13 +238,13 @@ mode = "momentary"
     const auto paused = [&] { return hub.values().number(hub.values().find("app.pause")) == 1.0; };
     for (const double raw : {0.0, 1.0}) hub.report({Clock::now(), "board0/d1", raw});
     ASSERT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::connected, "board0 LOST"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board0 LOST"});
     EXPECT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::busy, "board0", "board0 LOST: another program has it"});
+    hub.on_board_event({BoardEvent::Kind::busy, "board0", "board0 LOST: another program has it"});
     EXPECT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::busy, "board0 LOST", "nothing answers"});
+    hub.on_board_event({BoardEvent::Kind::busy, "board0 LOST", "nothing answers"});
     EXPECT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::lost, "board0", " CONNECTED: to nothing"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board0", " CONNECTED: to nothing"});
     EXPECT_FALSE(paused());
     EXPECT_EQ(hub.events(), (std::vector<std::string>{
                                 "board0 LOST CONNECTED",
@@ -274,12 +274,12 @@ mode = "toggle"
         hub.report({Clock::now(), "board0/d2", raw});
     }
     ASSERT_EQ(value("app.pause"), 1.0);
-    hub.board_event({BoardEvent::Kind::lost, "board1", "another"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board1", "another"});
     EXPECT_EQ(value("app.pause"), 1.0);
-    hub.board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
     EXPECT_EQ(value("app.pause"), 0.0);
     EXPECT_EQ(value("app.record"), 1.0);  // it was switched, and not held
-    hub.board_event({BoardEvent::Kind::connected, "board0", "again"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board0", "again"});
     hub.report({Clock::now() + 1s, "board0/d1", 1.0});  // it is held
     EXPECT_EQ(value("app.pause"), 0.0);
     hub.report({Clock::now() + 2s, "board0/d1", 0.0});
@@ -314,10 +314,10 @@ TEST(Hub, AMapIsReadAgainWhenItChanges) {
     };
     EXPECT_EQ(wind_at(5), 5.0);
     write("[0, 20]");
-    hub.look_around();
+    hub.poll_map_file();
     EXPECT_EQ(wind_at(5), 10.0);
     write("[0, 2000]");
-    hub.look_around();
+    hub.poll_map_file();
     EXPECT_EQ(wind_at(5), 10.0);
     const auto events = hub.events();
     ASSERT_EQ(events.size(), 2u);

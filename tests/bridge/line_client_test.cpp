@@ -150,7 +150,7 @@ TEST(LineClient, WhatIsNoBridgeIsLeft) {
     ASSERT_EQ(::send(other, "SSH-2.0-x\r\n", 11, MSG_NOSIGNAL), 11);
     const auto lost = wait_for(client, Kind::lost);
     ASSERT_TRUE(lost);
-    EXPECT_EQ(lost->text, "it says: SSH-2.0-x");
+    EXPECT_EQ(lost->text, "not a bridge; it answers: SSH-2.0-x");
     ::close(other);
     ::close(listener);
 }

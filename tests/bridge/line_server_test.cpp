@@ -52,7 +52,7 @@ TEST(LineServer, GreetsAndAnswersEachCommand) {
     EXPECT_TRUE(raw.ask("GET choppines").starts_with("ERR UNKNOWN-NAME "));
     EXPECT_TRUE(raw.ask("SET file x").starts_with("ERR READONLY "));
     EXPECT_TRUE(raw.ask("OUT board9/o1 1").starts_with("ERR UNKNOWN-NAME "));
-    EXPECT_EQ(raw.ask("OUT board0/dac1 nan"), "ERR RANGE 'nan' is no number");
+    EXPECT_EQ(raw.ask("OUT board0/dac1 nan"), "ERR RANGE 'nan' is not a number");
     EXPECT_EQ(raw.ask("RECORD"), "ERR USAGE RECORD START|STOP [FILE]");
     EXPECT_EQ(raw.ask("RECORD STOP"), "ERR RANGE nothing is being recorded");
     EXPECT_TRUE(raw.ask("FLY").starts_with("ERR UNKNOWN-COMMAND "));
@@ -205,7 +205,7 @@ TEST(LineServer, OneClientTooManyIsToldSo) {
     RawClient first = served.client();
     RawClient second = served.client();
     RawClient third(served.server.endpoint());
-    EXPECT_EQ(third.line(), "ERR BUSY no more clients are taken");
+    EXPECT_EQ(third.line(), "ERR BUSY the bridge has its max number of clients");
     EXPECT_EQ(third.line(), "");
     second.close();
     EXPECT_TRUE(comes_true([&] { return served.server.clients() == 1; }));
@@ -222,7 +222,7 @@ TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
         subscriber.emplace(served.client());
     } while (subscriber->ask("SUBSCRIBE wind_speed") != "OK");
     RawClient& listener = *subscriber;
-    EXPECT_EQ(idle.line(), "ERR IDLE nothing was said for too long");
+    EXPECT_EQ(idle.line(), "ERR IDLE no command for too long");
     EXPECT_EQ(idle.line(), "");
     EXPECT_EQ(listener.ask("PING"), "VAL wind_speed unset");
     EXPECT_EQ(listener.line(), "OK");
@@ -272,14 +272,14 @@ TEST(LineServer, ATokenComesFirst) {
     const Served served({.token = "0123456789abcdef"}, kKnob);
     RawClient raw = served.client();
     EXPECT_EQ(raw.ask("PING"), "OK");
-    EXPECT_EQ(raw.ask("GET wind_speed"), "ERR AUTH AUTH TOKEN comes first");
+    EXPECT_EQ(raw.ask("GET wind_speed"), "ERR AUTH send AUTH TOKEN first");
     EXPECT_EQ(raw.ask("AUTH 0123456789abcdef"), "OK");
     EXPECT_EQ(raw.ask("GET wind_speed"), "VAL wind_speed unset");
     RawClient guesser = served.client();
     const auto start = Clock::now();
-    EXPECT_EQ(guesser.ask("AUTH x"), "ERR AUTH this is not the token");
-    EXPECT_EQ(guesser.ask("AUTH y"), "ERR AUTH this is not the token");
-    EXPECT_EQ(guesser.ask("AUTH z"), "ERR AUTH this is not the token");
+    EXPECT_EQ(guesser.ask("AUTH x"), "ERR AUTH wrong token");
+    EXPECT_EQ(guesser.ask("AUTH y"), "ERR AUTH wrong token");
+    EXPECT_EQ(guesser.ask("AUTH z"), "ERR AUTH wrong token");
     EXPECT_EQ(guesser.line(), "");
     EXPECT_GE(Clock::now() - start, 1900ms);  // a second after each; a busy machine adds to it
 }
