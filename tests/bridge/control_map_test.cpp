@@ -333,7 +333,7 @@ TEST(ControlMap, AnEndlessKnobEndsAtTheEndsOfItsRange) {
     round.write("wind_direction", "358");
     round.turn(1, "m/cc16", true);
     EXPECT_NEAR(round.value("wind_direction"), 1.6, 1e-9);
-    // Of a whole number the step is one at least.
+    // The step of a whole number is at least one.
     Desk whole(
         "[[map]]\nfrom = \"m/cc16\"\nto = \"seed\"\nmode = \"relative\"\ncode = "
         "\"signed_bit\"\nout = [0, 20]\n");

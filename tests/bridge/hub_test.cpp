@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The hub and the boards that are files: what a script says arrives, a take that is recorded is one
-// that the sea file reads, and a map may change while all goes on.
+// The hub and the boards that are files: the lines of a script arrive, a recorded take can be read
+// with a sea file, and a map may change at run time.
 #include "ocean/bridge/hub.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ std::string content_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What a source reported.
+/// Collects the reports of a source.
 class Listening {
   public:
     Source::Listener listener() {
@@ -92,7 +92,7 @@ TEST(Script, LinesAreCheckedOneByOne) {
     EXPECT_THROW(make_dummy_source(parse_script("1 board0/a1 256\n", "s")), Error);
 }
 
-TEST(DummySource, IsStillUntilTold) {
+TEST(DummySource, RestsUntilItIsMoved) {
     Listening listening;
     const auto board = make_dummy_source(parse_script("0.01 board0/a1 7\n", "s"));
     board->start(listening.listener());
@@ -112,7 +112,7 @@ TEST(DummySource, IsStillUntilTold) {
     EXPECT_EQ(listening.wait_for(11).size(), 11u);
 }
 
-TEST(ReplaySource, PlaysWhatABoardReportedAndTakesNothing) {
+TEST(ReplaySource, PlaysARecordingAndHasNoOutputs) {
     Listening listening;
     const auto board = make_replay_source(parse_script("0 midi0/cc1 3\n0.01 midi0/cc1 4\n", "s"));
     EXPECT_EQ(board->channels().size(), 1u);
@@ -149,13 +149,13 @@ TEST(Hub, ARecordingIsATakeOfTheSea) {
     ASSERT_LE(take.events.size(), 10u);
     EXPECT_NEAR(take.events[1].seconds - take.events[0].seconds, 1.0, 1e-6);
     EXPECT_NEAR(std::get<double>(take.events.back().value), 249.0 / 255.0 * 30.0, 1e-4);
-    // What is there is not written over.
+    // An existing file is not overwritten.
     hub.start_recording("storm.take", "test");
     hub.stop_recording("", "test");
     EXPECT_TRUE(std::filesystem::exists(folder / "storm_1.take"));
 }
 
-TEST(Hub, WhoShowsTheSeaRecordsIt) {
+TEST(Hub, TheClientThatShowsTheSeaRecordsIt) {
     const Folder folder;
     Hub hub({.take_folder = folder.text()}, {});
     hub.set("app.frame_rate", "60", "127.0.0.1:9");
@@ -183,7 +183,7 @@ TEST(Hub, ATakesNameIsNoPath) {
     EXPECT_EQ(hub.values().number(hub.values().find("app.record")), 0.0);
 }
 
-TEST(Hub, ABoardThatComesBackMovesNothingAndIsToldItsLamps) {
+TEST(Hub, ABoardThatReturnsMovesNothingAndGetsItsOutputs) {
     const auto board = std::make_shared<test::Board>();
     std::vector<std::unique_ptr<Source>> sources;
     sources.push_back(std::make_unique<test::TestSource>(board));

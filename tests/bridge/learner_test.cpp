@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a hand does with a control becomes the map that fits it, and no other; and every map that is
+// The movement of a control becomes the map that fits it, and no other; and every map that is
 // printed is one.
 #include "ocean/bridge/learner.hpp"
 

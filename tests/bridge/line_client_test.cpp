@@ -54,7 +54,7 @@ TEST(LineClient, SetsTheLatestAndHearsNoEcho) {
     client.set("wind_speed", "33");
     EXPECT_EQ(raw.line_with("UPD wind_speed 33"), "UPD wind_speed 33");
     raw.ask("SET wind_speed 44");
-    // Of the values that were said in between none comes after the last that was set.
+    // No earlier value arrives after the last one that was set.
     std::vector<std::string> seen;
     const auto end = Clock::now() + std::chrono::milliseconds(kPatience);
     while ((seen.empty() || seen.back() != "44") && Clock::now() < end) {

@@ -107,7 +107,7 @@ TEST(LineServer, WhoShowsTheSeaIsToldOfEachWish) {
         EXPECT_EQ(shows.line_with("UPD app.time " + std::to_string(wish)),
                   "UPD app.time " + std::to_string(wish));
     }
-    // What the program does not tell is the last writer's, as ever.
+    // A value that the program does not own belongs to its last writer, as always.
     RawClient both = served.client();
     EXPECT_EQ(both.ask("SUBSCRIBE choppiness"), "OK");
     for (int i = 0; i < 50; ++i) {
@@ -170,7 +170,7 @@ TEST(LineServer, TelnetsInterruptIsAnswered) {
     EXPECT_EQ(raw.ask("PING"), "OK");
 }
 
-/// What is not read is not kept: a flood of questions is throttled, not stored.
+/// Unread commands are not stored: a flood of questions is throttled.
 TEST(LineServer, AFloodThatNeverReadsIsHeldBack) {
     const Served served({.commands_per_second = 1e6}, kKnob);
     RawClient flood = served.client();

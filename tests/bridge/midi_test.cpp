@@ -85,7 +85,7 @@ TEST(MidiParser, ItDoesNotMatterWhereAStreamIsCut) {
     }
 }
 
-/// What is joined of a stream, with a clock that the test moves.
+/// Joins the values of a stream, with a clock that the test moves.
 class Joined {
   public:
     Joined& play(const Bytes& bytes) {

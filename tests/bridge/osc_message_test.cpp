@@ -157,7 +157,7 @@ TEST(OscMessage, BundlesInBundlesHaveAnEnd) {
     EXPECT_TRUE(messages_of(packet).empty());
 }
 
-/// What a bundle has for other programs, of whatever type, does not take the sea's own with it: an
+/// Messages for other programs in a bundle, of any type, do not affect the sea's own messages: an
 /// element has its own size. [OSC 1.0] has i, f, s, b; its list of types that are less usual the
 /// others.
 TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {

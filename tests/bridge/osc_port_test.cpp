@@ -231,7 +231,7 @@ TEST(OscPort, BundlesAreSetAsAWholeAndEachBadValueAlone) {
     const OscPeer peer;
     std::string inner = osc_bundles(
         std::vector<OscMessage>{{"/ocean/wind_speed", {99.0f}}, {"/ocean/fetch", {2e5}}})[0];
-    // Of a broken packet nothing is done.
+    // A broken packet has no effect.
     peer.send(inner.substr(0, inner.size() - 4), served);
     EXPECT_TRUE(log.waits_for("do not fit"));
     EXPECT_EQ(client.ask("GET fetch"), "VAL fetch 300000");

@@ -178,7 +178,10 @@ def test_only_the_allowed_are_heard(start):
         (["--osc", "tablet:9100"], "--osc tablet: is not an address"),
         (["--osc", "127.0.0.1:99999"], "such as 127.0.0.1:9100"),
         (["--osc-allow", "127.0.0.1"], "add --osc"),
-        (["--osc", "0", "--osc-allow", "127.0.0.1:80"], "--osc-allow 127.0.0.1:80: is not an address"),
+        (
+            ["--osc", "0", "--osc-allow", "127.0.0.1:80"],
+            "--osc-allow 127.0.0.1:80: is not an address",
+        ),
         (["--osc-to", "tablet"], "--osc-to tablet: is not an address"),
         (["--osc-to", "127.0.0.1:x"], "such as 127.0.0.1:9000"),
     ],
