@@ -296,7 +296,9 @@ def plugged(board):
 def test_a_line_without_permission_is_named(plugged, start_as_nobody):
     plugged.chmod(0)
     bridge = start_as_nobody()
-    bridge.log.wait_for("uno BUSY: .*: Permission denied; members of the group dialout may open it$")
+    bridge.log.wait_for(
+        "uno BUSY: .*: Permission denied; members of the group dialout may open it$"
+    )
     plugged.chmod(0o666)
     bridge.log.wait_for("uno CONNECTED")
 
