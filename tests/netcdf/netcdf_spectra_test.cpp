@@ -370,7 +370,7 @@ TEST(CfUnits, TimesAreReadInManySpellings) {
     }
 }
 
-/// What encode makes, and a source that ends after it.
+/// The bytes of encode, and a source that ends after them.
 std::string wire(const Content& content) {
     std::string bytes;
     encode(content, [&](const void* from, std::size_t count) {

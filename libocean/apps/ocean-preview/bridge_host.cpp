@@ -17,7 +17,7 @@ constexpr std::size_t kMostLines = 500;
 bridge::HubOptions hub_options(const BridgeHostOptions& options, const Sea& sea) {
     bridge::HubOptions hub{.sea = sea, .map = options.map};
     if (options.map.empty()) hub.map_text = bridge::kDefaultMap;
-    if (!options.dummy) hub.devices = bridge::usual_devices();
+    if (!options.dummy) hub.devices = bridge::default_devices();
     return hub;
 }
 

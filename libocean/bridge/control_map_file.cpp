@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/map_file.hpp"
+#include "ocean/bridge/control_map_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,17 +37,17 @@ mode = "toggle"
 namespace {
 
 constexpr std::size_t kMaxMapBytes = std::size_t{1} << 20;
-constexpr double kLargest = 1e9;
-constexpr double kLongestSmoothing = 60000.0;  // ms
+constexpr double kMaxNumber = 1e9;
+constexpr double kMaxMilliseconds = 60000.0;
 
-/// One [[map]] or [[out]].
+/// Reads one [[map]] or [[out]].
 class RuleReader : private SectionReader {
   public:
     RuleReader(const TomlSection& section, const std::string& name, const ValueTable& values)
         : SectionReader(section, name), values_(values) {}
 
-    MapRule map() {
-        MapRule rule;
+    ControlRule map() {
+        ControlRule rule;
         bool has_code = false;
         bool has_in = false;
         bool has_out = false;
@@ -73,19 +73,19 @@ class RuleReader : private SectionReader {
             } else if (key() == "invert") {
                 rule.invert = flag();
             } else if (key() == "deadzone") {
-                rule.deadzone = number(0.0, kLargest);
+                rule.deadzone = number(0.0, kMaxNumber);
             } else if (key() == "hysteresis") {
-                rule.hysteresis = number(0.0, kLargest);
+                rule.hysteresis = number(0.0, kMaxNumber);
             } else if (key() == "smooth_ms") {
-                rule.smoothing = number(0.0, kLongestSmoothing) / 1000.0;
+                rule.smoothing = number(0.0, kMaxMilliseconds) / 1000.0;
             } else if (key() == "takeover") {
                 rule.takeover = word<Takeover>();
             } else if (key() == "edge") {
                 rule.edge = word<Edge>();
             } else if (key() == "debounce_ms") {
-                rule.debounce = number(0.0, kLongestSmoothing) / 1000.0;
+                rule.debounce = number(0.0, kMaxMilliseconds) / 1000.0;
             } else if (key() == "step") {
-                rule.step = number(-kLargest, kLargest);
+                rule.step = number(-kMaxNumber, kMaxNumber);
                 has_step = true;
             } else if (key() == "wrap") {
                 rule.wrap = flag();
@@ -96,23 +96,23 @@ class RuleReader : private SectionReader {
             }
         }
         require(rule.from, rule.to);
-        const bool turns = rule.mode == Mode::relative;
-        const bool counts = rule.mode == Mode::increment || turns;
+        const bool is_relative = rule.mode == Mode::relative;
+        const bool counts = rule.mode == Mode::increment || is_relative;
         if ((rule.mode == Mode::range && !has_out) ||
             (counts && (!has_out || rule.out[0] >= rule.out[1]))) {
             throw fail("out is missing or empty; allowed: [LOWEST, HIGHEST]");
         }
-        if (turns != has_code) {
-            throw fail(turns ? "code is missing; allowed: " + words_of<RelativeCode>()
-                             : "code is one of mode = \"relative\" alone");
+        if (is_relative != has_code) {
+            throw fail(is_relative ? "code is missing; allowed: " + words_of<RelativeCode>()
+                                   : "code requires mode = \"relative\"");
         }
-        if (turns && !wire(rule.from).starts_with("cc")) {
-            throw fail("from is no MIDI controller; allowed: such as midi0/cc16");
+        if (is_relative && !wire(rule.from).starts_with("cc")) {
+            throw fail("from is not a MIDI controller; allowed: such as midi0/cc16");
         }
         if (!has_in) rule.in = whole_range(rule.from);
-        if (turns && !has_step) rule.step = usual_step(rule);
+        if (is_relative && !has_step) rule.step = default_step(rule);
         if (counts) require_step(rule);
-        if (rule.mode == Mode::range) require_room(rule);
+        if (rule.mode == Mode::range) require_travel(rule);
         require_outputs(rule);
         return rule;
     }
@@ -137,7 +137,7 @@ class RuleReader : private SectionReader {
     }
 
   private:
-    /// Channels of 14 bits, and the last of each kind.
+    /// A kind of channel with 14 bits, and its last number.
     struct Wide {
         std::string_view letters;
         int last;
@@ -145,8 +145,8 @@ class RuleReader : private SectionReader {
     static constexpr std::array kWide = {Wide{"pair", 31}, Wide{"nrpn", 16383}, Wide{"rpn", 16383},
                                          Wide{"pb", 1}};
 
-    /// "gamma:2.2" or another word.
-    void curve(MapRule& rule) const {
+    /// Reads "gamma:2.2" or another word of Curve.
+    void curve(ControlRule& rule) const {
         constexpr std::string_view kGamma = "gamma:";
         if (!text().starts_with(kGamma)) {
             rule.curve = word<Curve>();
@@ -166,17 +166,18 @@ class RuleReader : private SectionReader {
         for (const auto& [letters, last] : kWide) {
             if (name.starts_with(letters) &&
                 text::parse_number(name.substr(letters.size())) > static_cast<double>(last)) {
-                throw refused("a channel; the last of this kind is " + std::string(letters) +
+                throw refused("a channel; the last one of this kind is " + std::string(letters) +
                               std::to_string(last));
             }
         }
         return text();
     }
-    /// "a1" of "board0/a1".
+    /// Returns "a1" of "board0/a1".
     static std::string_view wire(std::string_view channel) {
         return channel.substr(channel.find('/') + 1);
     }
-    /// What a channel of MIDI has by its definition, and the inputs of a K8055.
+    /// Returns the range that MIDI defines for the channel; for other channels 0 .. 255, the range
+    /// of a K8055's knobs.
     static std::array<double, 2> whole_range(std::string_view channel) {
         const std::string_view name = wire(channel);
         const bool is_wide = std::ranges::any_of(
@@ -185,15 +186,15 @@ class RuleReader : private SectionReader {
         if (name.starts_with("cc")) return {0.0, 127.0};
         return {0.0, 255.0};
     }
-    /// A hundredth of `out`; of a whole number at least one.
-    double usual_step(const MapRule& rule) const {
+    /// Returns a hundredth of `out`, for a whole number at least 1.
+    double default_step(const ControlRule& rule) const {
         const double hundredth = (rule.out[1] - rule.out[0]) / 100.0;
         if (!values_.is_whole(values_.find(rule.to))) return hundredth;
         return std::max(std::round(hundredth), 1.0);
     }
-    void require_step(const MapRule& rule) const {
+    void require_step(const ControlRule& rule) const {
         if (!values_.is_whole(values_.find(rule.to)) || rule.step == std::round(rule.step)) return;
-        throw fail("step = " + plain_text(rule.step) + " is no step of " + rule.to +
+        throw fail("step = " + plain_text(rule.step) + " is not a step of " + rule.to +
                    "; allowed: whole numbers");
     }
     std::string value_name() const {
@@ -211,21 +212,21 @@ class RuleReader : private SectionReader {
         if (from.empty()) throw fail("from is missing");
         if (to.empty()) throw fail("to is missing");
     }
-    /// The dead zone and the hysteresis leave something to turn.
-    void require_room(const MapRule& rule) const {
+    /// Throws if the dead zone or the hysteresis covers the knob's whole range.
+    void require_travel(const ControlRule& rule) const {
         const double half = (rule.in[1] - rule.in[0]) / 2.0;
         if (rule.hysteresis < half && rule.deadzone < half) return;
-        throw fail("deadzone or hysteresis leaves nothing of in; allowed: less than " +
+        throw fail("deadzone or hysteresis covers the whole of in; allowed: less than " +
                    plain_text(half));
     }
-    void require_outputs(const MapRule& rule) const {
+    void require_outputs(const ControlRule& rule) const {
         const std::size_t entry = values_.find(rule.to);
         for (const double value : rule.out) {
             ValueTable tried = values_;
             try {
-                tried.set(entry, plain_text(value), "map");
+                tried.set(entry, value, "map");
             } catch (const Error&) {
-                throw fail("out = " + plain_text(value) + " is no value of " + rule.to +
+                throw fail("out = " + plain_text(value) + " is not a value of " + rule.to +
                            "; allowed: " + values_.allowed(entry));
             }
         }
@@ -236,13 +237,14 @@ class RuleReader : private SectionReader {
 
 }  // namespace
 
-MapFile parse_map(std::string_view toml, const std::string& name, const ValueTable& values) {
+ControlMapFile parse_control_map(std::string_view toml, const std::string& name,
+                                 const ValueTable& values) {
     constexpr std::array<std::string_view, 3> kSections = {"device", "map", "out"};
-    MapFile file;
+    ControlMapFile file;
     const auto sections = parse_toml_sections(toml, name, kSections);
-    if (sections.size() > kMostRules) {
-        throw text::error_at(ErrorKind::bad_file, name, sections[kMostRules].line,
-                             "is one rule too many; allowed: " + std::to_string(kMostRules));
+    if (sections.size() > kMaxRules) {
+        throw text::error_at(ErrorKind::bad_file, name, sections[kMaxRules].line,
+                             "is one section too many; allowed: " + std::to_string(kMaxRules));
     }
     for (const TomlSection& section : sections) {
         if (section.name == "device") {

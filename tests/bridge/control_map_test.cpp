@@ -3,7 +3,7 @@
 //
 // From a knob to a value: ranges, curves, noise, smoothing, who holds the value; and a map that is
 // wrong says where.
-#include "ocean/bridge/mapping.hpp"
+#include "ocean/bridge/control_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,19 +22,19 @@ using namespace std::chrono_literals;
 class Desk {
   public:
     explicit Desk(const std::string& map)
-        : mapping_(parse_map(map, "test.toml", values_), values_) {}
+        : map_(parse_control_map(map, "test.toml", values_), values_) {}
 
     /// How many values were set.
     std::size_t turn(double raw, const std::string& channel = "board0/a1", bool moved = false) {
-        return take(mapping_.report({now_, channel, raw, moved}, values_));
+        return take(map_.report({now_, channel, raw, moved}, values_));
     }
-    void plug(const std::string& board = "board0") { mapping_.board_connected(board); }
+    void plug(const std::string& board = "board0") { map_.board_connected(board); }
     std::size_t pass(Clock::duration time, Clock::duration step = 1ms) {
         std::size_t count = 0;
         for (const auto end = now_ + time; now_ < end;) {
             now_ += step;
-            if (mapping_.next() && *mapping_.next() <= now_) {
-                count += take(mapping_.advance(now_, values_));
+            if (map_.next() && *map_.next() <= now_) {
+                count += take(map_.advance(now_, values_));
             }
         }
         return count;
@@ -45,8 +45,8 @@ class Desk {
     double value(const std::string& name = "wind_speed") const {
         return values_.number(values_.find(name));
     }
-    bool still() const { return !mapping_.next(); }
-    std::vector<Lamp> lamps() { return mapping_.lamps(values_); }
+    bool still() const { return !map_.next(); }
+    std::vector<OutputValue> changed_outputs() { return map_.changed_outputs(values_); }
 
   private:
     std::size_t take(const std::vector<Setting>& settings) {
@@ -57,7 +57,7 @@ class Desk {
     }
 
     ValueTable values_;
-    Mapping mapping_;
+    ControlMap map_;
     Clock::time_point now_{1h};
 };
 
@@ -65,14 +65,14 @@ std::string knob(const std::string& more) {
     return "[[map]]\nfrom = \"board0/a1\"\nto = \"wind_speed\"\nout = [0, 30]\n" + more;
 }
 
-TEST(Mapping, TheFirstReportOnlySaysWhereTheKnobIs) {
+TEST(ControlMap, TheFirstReportOnlySaysWhereTheKnobIs) {
     Desk desk(knob(""));
     EXPECT_EQ(desk.turn(200), 0u);
     EXPECT_EQ(desk.turn(100), 1u);
     EXPECT_NEAR(desk.value(), 30.0 * 100 / 255, 1e-4);
 }
 
-TEST(Mapping, TheRangeEndsAreReachedAndNotLeft) {
+TEST(ControlMap, TheRangeEndsAreReachedAndNotLeft) {
     Desk desk(knob("in = [4, 251]\nhysteresis = 0\n"));
     desk.turn(100);
     desk.turn(255);
@@ -85,7 +85,7 @@ TEST(Mapping, TheRangeEndsAreReachedAndNotLeft) {
     EXPECT_EQ(inverted.value(), 0.0);
 }
 
-TEST(Mapping, EachCurveRisesFromEndToEnd) {
+TEST(ControlMap, EachCurveRisesFromEndToEnd) {
     for (const Curve curve :
          {Curve::linear, Curve::smoothstep, Curve::exp, Curve::log, Curve::gamma}) {
         EXPECT_EQ(curved(curve, 2.2, 0.0), 0.0);
@@ -102,7 +102,7 @@ TEST(Mapping, EachCurveRisesFromEndToEnd) {
     EXPECT_NEAR(desk.value(), 7.5, 1e-9);
 }
 
-TEST(Mapping, AStickRestsInTheMiddle) {
+TEST(ControlMap, AStickRestsInTheMiddle) {
     Desk desk(knob("in = [0, 200]\ndeadzone = 20\nhysteresis = 0\n"));
     desk.turn(0);
     for (const double raw : {80.0, 100.0, 120.0}) {
@@ -116,7 +116,7 @@ TEST(Mapping, AStickRestsInTheMiddle) {
 }
 
 /// Wherever the knob rests, and after it was moved there.
-TEST(Mapping, NoiseOfOneAtRestIsNoEventInAMinute) {
+TEST(ControlMap, NoiseOfOneAtRestIsNoEventInAMinute) {
     std::mt19937 random(7);
     std::uniform_int_distribution<int> noise(-1, 1);
     for (int place = 0; place <= 255; place += 15) {
@@ -141,7 +141,7 @@ TEST(Mapping, NoiseOfOneAtRestIsNoEventInAMinute) {
     }
 }
 
-TEST(Mapping, AMovedKnobEndsExactlyWhereTheHandLeftIt) {
+TEST(ControlMap, AMovedKnobEndsExactlyWhereTheHandLeftIt) {
     Desk desk(knob(""));
     desk.turn(0);
     for (int raw = 1; raw <= 200; ++raw) {
@@ -152,7 +152,7 @@ TEST(Mapping, AMovedKnobEndsExactlyWhereTheHandLeftIt) {
 }
 
 /// y(t) = v + (y0 - v) exp(-t / tau), however often the board reports.
-TEST(Mapping, SmoothingIsByTimeNotByReports) {
+TEST(ControlMap, SmoothingIsByTimeNotByReports) {
     for (const auto step : {1ms, 7ms, 40ms}) {
         Desk desk(knob("smooth_ms = 100\nin = [0, 100]\nhysteresis = 0\n"));
         desk.turn(0);
@@ -168,7 +168,7 @@ TEST(Mapping, SmoothingIsByTimeNotByReports) {
     }
 }
 
-TEST(Mapping, AnotherHandKeepsTheValueUntilTheKnobComesBy) {
+TEST(ControlMap, AnotherHandKeepsTheValueUntilTheKnobComesBy) {
     Desk desk(knob("takeover = \"pickup\"\nin = [0, 300]\nhysteresis = 0\n"));
     desk.write("wind_speed", "20");
     desk.turn(0);
@@ -183,7 +183,7 @@ TEST(Mapping, AnotherHandKeepsTheValueUntilTheKnobComesBy) {
     EXPECT_EQ(desk.value(), 5.0);
 }
 
-TEST(Mapping, ScaledTakeoverMeetsTheKnobAtTheEnd) {
+TEST(ControlMap, ScaledTakeoverMeetsTheKnobAtTheEnd) {
     Desk desk(knob("takeover = \"scale\"\nin = [0, 300]\nhysteresis = 0\n"));
     desk.write("wind_speed", "20");
     desk.turn(0);
@@ -196,7 +196,7 @@ TEST(Mapping, ScaledTakeoverMeetsTheKnobAtTheEnd) {
 }
 
 /// As of a MIDI fader, whose place is not known before it is moved.
-TEST(Mapping, AKnobThatIsPickedUpNeedsToBeSeenOnBothSides) {
+TEST(ControlMap, AKnobThatIsPickedUpNeedsToBeSeenOnBothSides) {
     Desk desk(knob("takeover = \"pickup\"\nin = [0, 127]\nhysteresis = 0\n"));
     desk.write("wind_speed", "15");
     EXPECT_EQ(desk.turn(100, "board0/a1", true), 0u);  // far above, and from nobody knows where
@@ -205,7 +205,7 @@ TEST(Mapping, AKnobThatIsPickedUpNeedsToBeSeenOnBothSides) {
     EXPECT_NEAR(desk.value(), 30.0 * 63 / 127, 1e-4);
 }
 
-TEST(Mapping, ABoardThatIsBackSetsNothing) {
+TEST(ControlMap, ABoardThatIsBackSetsNothing) {
     Desk desk(knob("hysteresis = 0\n"));
     desk.turn(0);
     EXPECT_EQ(desk.turn(100), 1u);
@@ -221,7 +221,7 @@ std::string counter(const std::string& more) {
     return "[[map]]\nfrom = \"board0/c1\"\nto = \"wind_direction\"\nmode = \"increment\"\n" + more;
 }
 
-TEST(Mapping, EachCountIsAStep) {
+TEST(ControlMap, EachCountIsAStep) {
     Desk desk(counter("in = [0, 65535]\nout = [0, 90]\nstep = 5\n"));
     desk.write("wind_direction", "10");
     const auto count = [&](double raw) {
@@ -240,7 +240,7 @@ TEST(Mapping, EachCountIsAStep) {
     EXPECT_EQ(count(7), -1.0);
 }
 
-TEST(Mapping, CountsGoRoundInsideOut) {
+TEST(ControlMap, CountsGoRoundInsideOut) {
     Desk desk(counter("in = [0, 127]\nout = [0, 360]\nstep = -50\nwrap = true\n"));
     desk.write("wind_direction", "70");
     desk.turn(0, "board0/c1");
@@ -253,7 +253,7 @@ TEST(Mapping, CountsGoRoundInsideOut) {
     EXPECT_EQ(desk.value("wind_direction"), 30.0);
 }
 
-TEST(Mapping, LargeWholeNumbersAreCountedToo) {
+TEST(ControlMap, LargeWholeNumbersAreCountedToo) {
     Desk desk(
         "[[map]]\nfrom = \"board0/c1\"\nto = \"seed\"\nmode = \"increment\"\nout = [0, 9999999]\n");
     desk.write("seed", "1234567");
@@ -269,7 +269,7 @@ std::string endless(const std::string& code, const std::string& more = "") {
 
 /// The bytes that endless knobs send, as their makers' manuals and the hosts that take them have
 /// it.
-TEST(Mapping, ABytesStepsByItsCode) {
+TEST(ControlMap, ABytesStepsByItsCode) {
     struct Row {
         int byte, twos_complement, binary_offset, signed_bit;
     };
@@ -286,7 +286,7 @@ TEST(Mapping, ABytesStepsByItsCode) {
 }
 
 /// A step is a hundredth of `out`, from what the value is.
-TEST(Mapping, AnEndlessKnobStepsOnFromTheValue) {
+TEST(ControlMap, AnEndlessKnobStepsOnFromTheValue) {
     for (const auto& [code, up, two_up, down] : {std::tuple("twos_complement", 0x01, 0x02, 0x7F),
                                                  std::tuple("binary_offset", 0x41, 0x42, 0x3F),
                                                  std::tuple("signed_bit", 0x01, 0x02, 0x41)}) {
@@ -307,7 +307,7 @@ TEST(Mapping, AnEndlessKnobStepsOnFromTheValue) {
     }
 }
 
-TEST(Mapping, AnEndlessKnobEndsAtTheEndsOfItsRange) {
+TEST(ControlMap, AnEndlessKnobEndsAtTheEndsOfItsRange) {
     Desk desk(endless("twos_complement", "step = 5\n"));
     const auto turn = [&](int byte) {
         desk.turn(byte, "m/cc16", true);
@@ -333,7 +333,7 @@ TEST(Mapping, AnEndlessKnobEndsAtTheEndsOfItsRange) {
     round.write("wind_direction", "358");
     round.turn(1, "m/cc16", true);
     EXPECT_NEAR(round.value("wind_direction"), 1.6, 1e-9);
-    // Of a whole number the step is one at least.
+    // The step of a whole number is at least one.
     Desk whole(
         "[[map]]\nfrom = \"m/cc16\"\nto = \"seed\"\nmode = \"relative\"\ncode = "
         "\"signed_bit\"\nout = [0, 20]\n");
@@ -343,7 +343,7 @@ TEST(Mapping, AnEndlessKnobEndsAtTheEndsOfItsRange) {
 }
 
 /// Without `in` a channel of MIDI has the range that its kind has.
-TEST(Mapping, AChannelOfMidiIsAsWideAsItsKind) {
+TEST(ControlMap, AChannelOfMidiIsAsWideAsItsKind) {
     for (const auto& [channel, highest] :
          {std::pair("m/pair7", 16383.0), std::pair("m/nrpn136", 16383.0),
           std::pair("m/rpn0", 16383.0), std::pair("m/pb1", 16383.0), std::pair("m/cc7", 127.0),
@@ -362,7 +362,7 @@ std::string button(const std::string& mode, const std::string& more = "") {
     return "[[map]]\nfrom = \"board0/d1\"\nto = \"app.pause\"\nmode = \"" + mode + "\"\n" + more;
 }
 
-TEST(Mapping, ButtonsToggleHoldAndTrigger) {
+TEST(ControlMap, ButtonsToggleHoldAndTrigger) {
     const auto press = [](Desk& desk, int value) {
         desk.turn(value, "board0/d1");
         desk.pass(100ms);
@@ -387,7 +387,7 @@ TEST(Mapping, ButtonsToggleHoldAndTrigger) {
 }
 
 /// A board that does not say where its buttons rest says when they are pressed.
-TEST(Mapping, TheFirstPressCountsWhereAHandIsSeen) {
+TEST(ControlMap, TheFirstPressCountsWhereAHandIsSeen) {
     Desk desk(button("toggle"));
     desk.turn(127, "board0/d1", true);
     EXPECT_EQ(desk.value("app.pause"), 1.0);
@@ -405,7 +405,7 @@ TEST(Mapping, TheFirstPressCountsWhereAHandIsSeen) {
     EXPECT_EQ(known.value("app.pause"), 0.0);
 }
 
-TEST(Mapping, AContactThatBouncesIsOnePress) {
+TEST(ControlMap, AContactThatBouncesIsOnePress) {
     Desk desk(button("toggle", "debounce_ms = 20\n"));
     desk.turn(0, "board0/d1");
     for (int bounce = 0; bounce < 5; ++bounce) {
@@ -428,16 +428,16 @@ TEST(Mapping, AContactThatBouncesIsOnePress) {
     EXPECT_EQ(momentary.value("app.pause"), 0.0);
 }
 
-TEST(Mapping, LampsAreToldWhatChangesOnce) {
+TEST(ControlMap, OutputsGetEachChangeOnce) {
     Desk desk(
         "[[out]]\nfrom = \"app.frame_rate\"\nto = \"board0/dac1\"\nin = [0, 120]\nout = [0, "
         "255]\n");
-    EXPECT_EQ(desk.lamps().size(), 1u);
-    EXPECT_TRUE(desk.lamps().empty());
+    EXPECT_EQ(desk.changed_outputs().size(), 1u);
+    EXPECT_TRUE(desk.changed_outputs().empty());
     desk.write("app.frame_rate", "60");
-    const std::vector<Lamp> lamps = desk.lamps();
-    ASSERT_EQ(lamps.size(), 1u);
-    EXPECT_EQ(lamps[0].value, 128.0);
+    const std::vector<OutputValue> outputs = desk.changed_outputs();
+    ASSERT_EQ(outputs.size(), 1u);
+    EXPECT_EQ(outputs[0].value, 128.0);
 }
 
 struct Mistake {
@@ -449,8 +449,8 @@ class MapMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(MapMistake, IsNamedWithItsLine) {
     try {
-        parse_map(GetParam().toml, "test.toml", ValueTable());
-        ADD_FAILURE() << "was taken";
+        parse_control_map(GetParam().toml, "test.toml", ValueTable());
+        ADD_FAILURE() << "was accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::bad_file);
         EXPECT_NE(std::string(error.what()).find(GetParam().says), std::string::npos)
@@ -465,11 +465,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"x = 1\n", "test.toml:1: unknown key 'x'; allowed: [[device]], [[map]], [[out]]"},
         Mistake{"[[device]]\nid = \"b\"\n", "test.toml:1: driver is missing"},
         Mistake{"[[device]]\ndriver = \"k8055\"\n", "test.toml:1: id is missing"},
-        Mistake{"[[device]]\nid = \"b 0\"\n", "test.toml:2: id = \"b 0\": allowed: small"},
+        Mistake{"[[device]]\nid = \"b 0\"\n", "test.toml:2: id = \"b 0\": allowed: lower-case"},
         Mistake{"[[device]]\ndriver = \"k8061\"\n",
                 "test.toml:2: driver = \"k8061\": allowed: k8055"},
-        Mistake{"[[device]]\naddress = 4\n", "test.toml:2: address = 4: allowed: 0 .. 3"},
-        Mistake{"[[device]]\naddress = 1.5\n", "test.toml:2: address = 1.5: allowed: whole"},
+        Mistake{"[[device]]\nid = \"b\"\ndriver = \"k8055\"\naddress = 4\n",
+                "test.toml:4: address = 4: allowed: 0 .. 3"},
+        Mistake{"[[device]]\nid = \"b\"\ndriver = \"k8055\"\naddress = 1.5\n",
+                "test.toml:4: address = 1.5: allowed: whole"},
         Mistake{"map = 3\n", "test.toml:1: map = 3"},
         Mistake{knob("colour = 1\n"), "test.toml:5: unknown key 'colour'"},
         Mistake{knob("curve = \"wavy\"\n"), "test.toml:5: curve = \"wavy\": allowed: linear"},
@@ -486,30 +488,30 @@ INSTANTIATE_TEST_SUITE_P(
                 "code = \"gray\": allowed: twos_complement, binary_offset, signed_bit"},
         Mistake{"[[map]]\nfrom = \"m/cc1\"\nto = \"swell\"\nmode = \"relative\"\nout = [0, 1]\n",
                 "test.toml:1: code is missing; allowed: twos_complement"},
-        Mistake{knob("code = \"signed_bit\"\n"), "code is one of mode = \"relative\" alone"},
+        Mistake{knob("code = \"signed_bit\"\n"), "code requires mode = \"relative\""},
         Mistake{"[[map]]\nfrom = \"b/a1\"\nto = \"swell\"\nmode = \"relative\"\ncode = "
                 "\"signed_bit\"\nout = [0, 1]\n",
-                "from is no MIDI controller; allowed: such as midi0/cc16"},
-        Mistake{"[[map]]\nfrom = \"m/pair32\"\n", "the last of this kind is pair31"},
-        Mistake{"[[map]]\nfrom = \"m/nrpn16384\"\n", "the last of this kind is nrpn16383"},
+                "from is not a MIDI controller; allowed: such as midi0/cc16"},
+        Mistake{"[[map]]\nfrom = \"m/pair32\"\n", "the last one of this kind is pair31"},
+        Mistake{"[[map]]\nfrom = \"m/nrpn16384\"\n", "the last one of this kind is nrpn16383"},
         Mistake{"[[map]]\nfrom = \"b/c1\"\nto = \"seed\"\nmode = \"increment\"\nout = [0, 9]\n"
                 "step = 0.5\n",
-                "step = 0.5 is no step of random.seed; allowed: whole numbers"},
+                "step = 0.5 is not a step of random.seed; allowed: whole numbers"},
         Mistake{counter(""), "test.toml:1: out is missing or empty"},
         Mistake{counter("out = [5, 5]\n"), "test.toml:1: out is missing or empty"},
-        Mistake{knob("deadzone = 200\n"), "test.toml:1: deadzone or hysteresis leaves nothing"},
+        Mistake{knob("deadzone = 200\n"), "test.toml:1: deadzone or hysteresis covers the whole"},
         Mistake{"[[map]]\nfrom = \"a1\"\n", "test.toml:2: from = \"a1\": allowed: a channel"},
         Mistake{"[[map]]\nfrom = \"board0/a1\"\n", "test.toml:1: to is missing"},
         Mistake{"[[map]]\nto = \"wind_sped\"\n", "test.toml:2: to = \"wind_sped\": unknown"},
         Mistake{"[[map]]\nto = \"spectrum\"\n", "allowed: the name of a number"},
         Mistake{"[[map]]\nfrom = \"b/a1\"\nto = \"wind_speed\"\n", "test.toml:1: out is missing"},
         Mistake{"[[map]]\nfrom = \"b/a1\"\nto = \"wind_speed\"\nout = [0, 100]\n",
-                "out = 100 is no value of waves.0.wind_speed; allowed: 0 .. 75"},
+                "out = 100 is not a value of waves.0.wind_speed; allowed: 0 .. 75"},
         Mistake{"[[out]]\nfrom = \"wind_speed\"\nto = \"b/o1\"\nmode = \"toggle\"\n",
                 "test.toml:4: unknown key 'mode' of [[out]]"}));
 
-TEST(MapFile, TheDefaultMapIsOne) {
-    EXPECT_EQ(parse_map(kDefaultMap, "default", ValueTable()).maps.size(), 4u);
+TEST(ControlMapFile, TheDefaultMapIsOne) {
+    EXPECT_EQ(parse_control_map(kDefaultMap, "default", ValueTable()).maps.size(), 4u);
 }
 
 }  // namespace

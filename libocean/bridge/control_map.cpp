@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "ocean/bridge/mapping.hpp"
+#include "ocean/bridge/control_map.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -15,26 +15,27 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-/// Smoothed values are told as often as a take holds them.
+/// Smoothed values change about as often as a take can hold them.
 constexpr auto kSmoothingStep = std::chrono::milliseconds(16);
-/// How long a hand takes to let go.
-constexpr auto kSettling = std::chrono::milliseconds(250);
-/// Of the range: what is left then is no step that anybody sees.
+/// The time that a hand needs to let go of a knob.
+constexpr auto kSettlingTime = std::chrono::milliseconds(250);
+/// A smoothed value that is this close to its target, relative to the range, has arrived: the rest
+/// is invisible.
 constexpr double kArrived = 1e-3;
 
-/// Six digits are more than a board has, and fit a line that people read.
+/// Rounds to six digits: more than a board resolves, and short in a line that people read.
 double rounded(double value, const char* format = "%.6g") {
-    double short_one = value;
+    double short_value = value;
     const std::string digits = format_text(format, value);
-    std::from_chars(digits.data(), digits.data() + digits.size(), short_one);
-    return short_one;
+    std::from_chars(digits.data(), digits.data() + digits.size(), short_value);
+    return short_value;
 }
 
 Clock::duration duration_of(double seconds) {
     return std::chrono::duration_cast<Clock::duration>(Seconds(seconds));
 }
 
-bool is_of(std::string_view board, std::string_view channel) {
+bool belongs_to(std::string_view board, std::string_view channel) {
     return channel.starts_with(board) && channel.substr(board.size()).starts_with('/');
 }
 
@@ -76,17 +77,17 @@ int relative_steps(RelativeCode code, double byte) {
     return value < kHalf ? value : kHalf - value;
 }
 
-/// A channel whose place is a value.
-class Mapping::Knob {
+/// A channel whose position is a value.
+class ControlMap::Knob {
   public:
-    Knob(MapRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
+    Knob(ControlRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
 
     const std::string& channel() const { return rule_.from; }
 
     std::optional<Setting> report(const Report& report, const ValueTable& values) {
         if (!held_) {
             held_ = report.value;
-            target_ = shown_ = told_ = value_at(*held_);
+            target_ = shown_ = requested_ = value_at(*held_);
             at_ = report.time;
             return std::nullopt;
         }
@@ -94,13 +95,13 @@ class Mapping::Knob {
         held_ = report.value;
         follow(report.time);
         target_ = value_at(*held_);
-        return tell(values);
+        return request(values);
     }
 
     std::optional<Setting> advance(Clock::time_point now, const ValueTable& values) {
         if (!next() || now < *next()) return std::nullopt;
         follow(now);
-        return tell(values);
+        return request(values);
     }
 
     std::optional<Clock::time_point> next() const {
@@ -108,15 +109,15 @@ class Mapping::Knob {
         return at_ + kSmoothingStep;
     }
 
-    void forget_place() { held_.reset(); }
+    void forget_position() { held_.reset(); }
 
   private:
-    /// A step larger than noise moves the knob; for a moment afterwards every step counts, so that
-    /// it ends where the hand left it. At rest noise is nothing.
+    /// Returns true if the report moves the knob. A step larger than the hysteresis does; for
+    /// kSettlingTime afterwards every step does, so that the knob ends where the hand left it.
     bool counts(const Report& report) {
         const double step = std::abs(report.value - *held_);
         if (step > rule_.hysteresis) moved_ = report.time;
-        return step > 0.0 && moved_ && report.time - *moved_ < kSettling;
+        return step > 0.0 && moved_ && report.time - *moved_ < kSettlingTime;
     }
 
     double value_at(double held) const {
@@ -132,7 +133,8 @@ class Mapping::Knob {
         return std::lerp(rule_.out[0], rule_.out[1], curved(rule_.curve, rule_.gamma, x));
     }
 
-    /// One pole, exact for a knob that stood still since: how often it is asked does not matter.
+    /// Moves shown_ towards target_ by a one-pole filter, exactly for a target that has not changed
+    /// since at_: the result does not depend on how often the function is called.
     void follow(Clock::time_point now) {
         const double elapsed = std::max(Seconds(now - at_).count(), 0.0);
         at_ = std::max(at_, now);
@@ -146,42 +148,42 @@ class Mapping::Knob {
         }
     }
 
-    std::optional<Setting> tell(const ValueTable& values) {
+    std::optional<Setting> request(const ValueTable& values) {
         if (rule_.smoothing == 0.0) shown_ = target_;
-        const double before = std::exchange(told_, shown_);
+        const double before = std::exchange(requested_, shown_);
         if (before == shown_) return std::nullopt;
         const double current = values.number(entry_);
-        const bool ours = values[entry_].writer == rule_.from;
+        const bool is_ours = values[entry_].writer == rule_.from;
         double value = shown_;
-        if (rule_.takeover == Takeover::pickup && !ours) {
+        if (rule_.takeover == Takeover::pickup && !is_ours) {
             const bool crossed = (before - current) * (shown_ - current) <= 0.0;
             if (!crossed) return std::nullopt;
-        } else if (rule_.takeover == Takeover::scale && !ours_in_place(ours, before, current)) {
-            // The way that is left to the end, shared out over the way that the knob has left.
+        } else if (rule_.takeover == Takeover::scale && !is_in_place(is_ours, before, current)) {
+            // Spreads the value's distance to the end over the knob's distance to its end.
             const double end = shown_ > before ? std::max(rule_.out[0], rule_.out[1])
                                                : std::min(rule_.out[0], rule_.out[1]);
             value = current + (shown_ - before) * (end - current) / (end - before);
         }
         return Setting{entry_, rounded(value), rule_.from};
     }
-    static bool ours_in_place(bool ours, double before, double current) {
-        return ours && rounded(before) == current;
+    static bool is_in_place(bool is_ours, double before, double current) {
+        return is_ours && rounded(before) == current;
     }
 
-    MapRule rule_;
+    ControlRule rule_;
     std::size_t entry_;
-    std::optional<double> held_;              // the knob's place, its noise taken off
-    std::optional<Clock::time_point> moved_;  // by more than noise
-    double target_ = 0.0;                     // what it means
-    double shown_ = 0.0;                      // on its way there
-    double told_ = 0.0;
+    std::optional<double> held_;              // position without noise
+    std::optional<Clock::time_point> moved_;  // last step larger than noise
+    double target_ = 0.0;                     // the value of the position
+    double shown_ = 0.0;                      // the smoothed value
+    double requested_ = 0.0;                  // shown_ at the last request
     Clock::time_point at_{};
 };
 
-/// A channel that is pressed or not.
-class Mapping::Button {
+/// A channel that is pressed or released.
+class ControlMap::Button {
   public:
-    Button(MapRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
+    Button(ControlRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
 
     const std::string& channel() const { return rule_.from; }
 
@@ -203,22 +205,22 @@ class Mapping::Button {
 
     std::optional<Clock::time_point> next() const {
         if (seen_ == pressed_) return std::nullopt;
-        return rests_from_;
+        return settled_at_;
     }
 
-    void forget_place() { known_ = false; }
-    std::optional<Setting> let_go() {
+    void forget_position() { known_ = false; }
+    std::optional<Setting> release() {
         if (rule_.mode != Mode::momentary || !pressed_) return std::nullopt;
         pressed_ = seen_ = false;
         return setting(rule_.out[0]);
     }
 
   private:
-    /// The first touch counts at once; what a contact does in the time after it does not.
+    /// Accepts the first change at once and ignores further ones for the debounce time.
     std::optional<Setting> settle(Clock::time_point now, const ValueTable& values) {
-        if (seen_ == pressed_ || now < rests_from_) return std::nullopt;
+        if (seen_ == pressed_ || now < settled_at_) return std::nullopt;
         pressed_ = seen_;
-        rests_from_ = now + duration_of(rule_.debounce);
+        settled_at_ = now + duration_of(rule_.debounce);
         if (rule_.mode == Mode::momentary) return setting(pressed_ ? rule_.out[1] : rule_.out[0]);
         if (!pressed_) return std::nullopt;
         const bool back = rule_.mode == Mode::toggle && values.number(entry_) == rule_.out[1];
@@ -226,18 +228,18 @@ class Mapping::Button {
     }
     Setting setting(double value) const { return {entry_, value, rule_.from}; }
 
-    MapRule rule_;
+    ControlRule rule_;
     std::size_t entry_;
     bool known_ = false;
     bool pressed_ = false;
-    bool seen_ = false;  // as the last report has it
-    Clock::time_point rests_from_{};
+    bool seen_ = false;  // in the last report
+    Clock::time_point settled_at_{};
 };
 
-/// A channel that counts and goes round when it is full, or says by how much it was turned.
-class Mapping::Counter {
+/// A counter, which wraps around at the end of `in`, or an endless knob, which reports steps.
+class ControlMap::Counter {
   public:
-    Counter(MapRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
+    Counter(ControlRule rule, std::size_t entry) : rule_(std::move(rule)), entry_(entry) {}
 
     const std::string& channel() const { return rule_.from; }
 
@@ -245,14 +247,14 @@ class Mapping::Counter {
         const double counts = counts_of(report);
         if (counts == 0.0) return std::nullopt;
         const double current = values.number(entry_);
-        const double value = inside(current, current + rule_.step * counts);
-        return Setting{entry_, rounded(value, "%.12g"), rule_.from};  // whole ones stay whole
+        const double value = limited(current, current + rule_.step * counts);
+        return Setting{entry_, rounded(value, "%.12g"), rule_.from};  // keeps whole numbers whole
     }
 
     std::optional<Setting> advance(Clock::time_point, const ValueTable&) { return std::nullopt; }
     std::optional<Clock::time_point> next() const { return std::nullopt; }
 
-    void forget_place() { count_.reset(); }
+    void forget_position() { count_.reset(); }
 
   private:
     double counts_of(const Report& report) {
@@ -261,26 +263,27 @@ class Mapping::Counter {
         const double round = rule_.in[1] - rule_.in[0] + 1.0;
         return std::remainder(report.value - before, round);
     }
-    /// A value that another hand has put outside of `out` comes back step by step, and not at once.
-    double inside(double current, double value) const {
-        const auto [lowest, highest] = rule_.out;
+    /// Limits the value to `out`. A current value outside of `out`, which another writer has set,
+    /// returns step by step.
+    double limited(double current, double value) const {
+        const auto [min, max] = rule_.out;
         if (!rule_.wrap) {
-            return std::clamp(value, std::min(lowest, current), std::max(highest, current));
+            return std::clamp(value, std::min(min, current), std::max(max, current));
         }
-        const double width = highest - lowest;
-        return value - width * std::floor((value - lowest) / width);
+        const double width = max - min;
+        return value - width * std::floor((value - min) / width);
     }
 
-    MapRule rule_;
+    ControlRule rule_;
     std::size_t entry_;
     std::optional<double> count_;
 };
 
-struct Mapping::State {
+struct ControlMap::Impl {
     struct Out {
         OutRule rule;
         std::size_t entry;
-        std::optional<double> told;
+        std::optional<double> value;  // at the last call of changed_outputs()
     };
     std::vector<Knob> knobs;
     std::vector<Button> buttons;
@@ -295,80 +298,81 @@ struct Mapping::State {
     }
 };
 
-Mapping::Mapping(MapFile file, const ValueTable& values) : state_(std::make_unique<State>()) {
-    for (MapRule& rule : file.maps) {
+ControlMap::ControlMap(ControlMapFile file, const ValueTable& values)
+    : impl_(std::make_unique<Impl>()) {
+    for (ControlRule& rule : file.maps) {
         const std::size_t entry = values.find(rule.to);
         if (rule.mode == Mode::range) {
-            state_->knobs.emplace_back(std::move(rule), entry);
+            impl_->knobs.emplace_back(std::move(rule), entry);
         } else if (rule.mode == Mode::increment || rule.mode == Mode::relative) {
-            state_->counters.emplace_back(std::move(rule), entry);
+            impl_->counters.emplace_back(std::move(rule), entry);
         } else {
-            state_->buttons.emplace_back(std::move(rule), entry);
+            impl_->buttons.emplace_back(std::move(rule), entry);
         }
     }
     for (OutRule& rule : file.outs) {
         const std::size_t entry = values.find(rule.from);
-        state_->outs.push_back({std::move(rule), entry, std::nullopt});
+        impl_->outs.push_back({std::move(rule), entry, std::nullopt});
     }
 }
 
-Mapping::~Mapping() = default;
-Mapping::Mapping(Mapping&&) noexcept = default;
-Mapping& Mapping::operator=(Mapping&&) noexcept = default;
+ControlMap::~ControlMap() = default;
+ControlMap::ControlMap(ControlMap&&) noexcept = default;
+ControlMap& ControlMap::operator=(ControlMap&&) noexcept = default;
 
-std::vector<Setting> Mapping::report(const Report& report, const ValueTable& values) {
+std::vector<Setting> ControlMap::report(const Report& report, const ValueTable& values) {
     std::vector<Setting> settings;
     if (!std::isfinite(report.value)) return settings;
-    state_->for_each([&](auto& control) {
+    impl_->for_each([&](auto& control) {
         if (control.channel() != report.channel) return;
         if (auto setting = control.report(report, values)) settings.push_back(*setting);
     });
     return settings;
 }
 
-std::vector<Setting> Mapping::advance(Clock::time_point now, const ValueTable& values) {
+std::vector<Setting> ControlMap::advance(Clock::time_point now, const ValueTable& values) {
     std::vector<Setting> settings;
-    state_->for_each([&](auto& control) {
+    impl_->for_each([&](auto& control) {
         if (auto setting = control.advance(now, values)) settings.push_back(*setting);
     });
     return settings;
 }
 
-std::optional<Clock::time_point> Mapping::next() const {
+std::optional<Clock::time_point> ControlMap::next() const {
     std::optional<Clock::time_point> earliest;
-    state_->for_each([&](const auto& control) {
+    impl_->for_each([&](const auto& control) {
         const auto next = control.next();
         if (next && (!earliest || *next < *earliest)) earliest = next;
     });
     return earliest;
 }
 
-std::vector<Lamp> Mapping::lamps(const ValueTable& values) {
-    std::vector<Lamp> lamps;
-    for (State::Out& out : state_->outs) {
+std::vector<OutputValue> ControlMap::changed_outputs(const ValueTable& values) {
+    std::vector<OutputValue> changed;
+    for (Impl::Out& out : impl_->outs) {
         const double x = position(values.number(out.entry), out.rule.in);
         const double value = std::round(std::lerp(out.rule.out[0], out.rule.out[1], x));
-        if (out.told == value) continue;
-        out.told = value;
-        lamps.push_back({out.rule.to, value});
+        if (out.value == value) continue;
+        out.value = value;
+        changed.push_back({out.rule.to, value});
     }
-    return lamps;
+    return changed;
 }
 
-void Mapping::board_connected(std::string_view board) {
-    state_->for_each([&](auto& control) {
-        if (is_of(board, control.channel())) control.forget_place();
+void ControlMap::board_connected(std::string_view board) {
+    impl_->for_each([&](auto& control) {
+        if (belongs_to(board, control.channel())) control.forget_position();
     });
-    for (State::Out& out : state_->outs) {
-        if (is_of(board, out.rule.to)) out.told.reset();
+    for (Impl::Out& out : impl_->outs) {
+        if (belongs_to(board, out.rule.to)) out.value.reset();
     }
 }
 
-std::vector<Setting> Mapping::board_lost(std::string_view board) {
+std::vector<Setting> ControlMap::board_lost(std::string_view board) {
     std::vector<Setting> settings;
-    for (Button& button : state_->buttons) {
-        if (!is_of(board, button.channel())) continue;
-        if (auto setting = button.let_go()) settings.push_back(*setting);
+    for (Button& button : impl_->buttons) {
+        if (!belongs_to(board, button.channel())) continue;
+        if (auto setting = button.release()) settings.push_back(*setting);
     }
     return settings;
 }
