@@ -43,6 +43,20 @@ bool is_seed(const Look& look, const DrawOptions& options) {
     return look.kind == LookKind::seed && options.view == View::shaded;
 }
 
+std::array<double, 2> usual_range(ViewRange range, const ShownSea& sea) {
+    const double height = std::max(sea.significant_wave_height, 1e-3);
+    const double slope = 4.0 * std::sqrt(0.5 * sea.mean_square_slope);
+    switch (range) {
+        case ViewRange::height:
+            return {-height, height};
+        case ViewRange::slope:
+            return {-slope, slope};
+        case ViewRange::jacobian:
+            return {0.0, 2.0};
+    }
+    return {};
+}
+
 glm::vec4 with(const glm::vec3& rgb, double w) {
     return {rgb, static_cast<float>(w)};
 }
@@ -126,14 +140,15 @@ struct Renderer::Parts {
     WaterParts parts_of(const ShownSea& sea, const Camera& camera, const Look& look,
                         const DrawOptions& options) {
         WaterParts parts{sea.cascades.size(), sea.covers.size()};
-        const bool seen = options.view == View::foam_numbers ||
-                          (options.view == View::shaded && look.foam_amount > 0.0 && sea.has_foam);
+        const ViewRow& view = row_of(options.view);
+        const bool seen =
+            view.pattern == FoamPattern::always ||
+            (view.pattern == FoamPattern::if_visible && look.foam_amount > 0.0 && sea.has_foam);
         const std::size_t others = 1 + 3 * parts.cascades + parts.covers;
         const bool room =
             others + kFoamTextures.size() + 1 <= static_cast<std::size_t>(texture_units);
         parts.lace = seen && room;
-        const bool slopes = options.view == View::shaded || options.view == View::normal ||
-                            options.view == View::slope || options.view == View::numbers;
+        const bool slopes = view.detail == NearDetail::yes;
         const std::size_t before = others + (parts.lace ? kFoamTextures.size() + 1 : 0);
         const std::size_t tiles = std::min(sea.tiles.size(), kMostTiles);
         const bool fits = before + tiles <= static_cast<std::size_t>(texture_units);
@@ -190,11 +205,8 @@ struct Renderer::Parts {
         b.view = glm::ivec4(static_cast<int>(options.view));
         b.range = glm::vec4(options.range[0], options.range[1], 0.0, 0.0);
         if (options.range[0] == 0.0 && options.range[1] == 0.0) {
-            const bool jacobian = options.view == View::jacobian;
-            const double most = options.view == View::slope
-                                    ? 4.0 * std::sqrt(0.5 * sea.mean_square_slope)
-                                    : std::max(sea.significant_wave_height, 1e-3);
-            b.range = jacobian ? glm::vec4(0.0, 2.0, 0.0, 0.0) : glm::vec4(-most, most, 0.0, 0.0);
+            const auto [low, high] = usual_range(row_of(options.view).range, sea);
+            b.range = glm::vec4(low, high, 0.0, 0.0);
         }
         for (std::size_t c = 0; c < sea.cascades.size(); ++c) {
             const ShownCascade& cascade = sea.cascades[c];
@@ -403,7 +415,7 @@ Pending Renderer::pending() const {
 void Renderer::draw(const ShownSea& sea, const Camera& camera, const Look& look,
                     const DrawOptions& options) {
     parts_->draw(sea, camera, look, options, perspective(camera, options.width, options.height),
-                 options.view < View::numbers);
+                 row_of(options.view).use == ViewUse::picture);
 }
 
 void Renderer::draw_from_above(const ShownSea& sea, const Camera& camera, double x, double y,

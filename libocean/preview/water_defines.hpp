@@ -7,10 +7,8 @@
 #include <compare>
 #include <cstddef>
 #include <string>
-#include <string_view>
 
-#include "ocean/enum_words.hpp"
-#include "ocean/preview/picture.hpp"
+#include "view_table.hpp"
 
 namespace ocean::preview {
 
@@ -32,18 +30,12 @@ struct WaterParts {
     auto operator<=>(const WaterParts&) const = default;
 };
 
-/// Views by their words: VIEW_shaded. taps: of a footprint; 0: the driver's filter.
+/// taps: of a footprint; 0: the driver's filter.
 inline std::string water_defines(const WaterParts& parts, int taps) {
-    std::string text =
-        define("CASCADES", static_cast<int>(parts.cascades)) +
-        define("COVERS", static_cast<int>(parts.covers)) + define("LACE", parts.lace ? 1 : 0) +
-        define("DETAIL", static_cast<int>(parts.tiles)) + define("BELOW", parts.below ? 1 : 0) +
-        define("TAPS", taps) + define("TILES", kSeedTiles);
-    int view = 0;
-    for (const std::string_view name : kEnumWords<View>) {
-        text += define("VIEW_" + std::string(name), view++);
-    }
-    return text;
+    return define("CASCADES", static_cast<int>(parts.cascades)) +
+           define("COVERS", static_cast<int>(parts.covers)) + define("LACE", parts.lace ? 1 : 0) +
+           define("DETAIL", static_cast<int>(parts.tiles)) + define("BELOW", parts.below ? 1 : 0) +
+           define("TAPS", taps) + define("TILES", kSeedTiles) + view_defines();
 }
 
 }  // namespace ocean::preview

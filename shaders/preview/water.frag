@@ -77,6 +77,15 @@ vec3 normal_of(Water water) {
     return vec3(normal.x, normal.y, normal.z);
 }
 
+vec2 slope_of(Water water) { return water.gradients.xy + water.detail; }
+
+// The normal with the slopes of the near detail, which lie on a surface that is not folded.
+vec3 detailed_normal_of(Water water) {
+    vec3 normal = normal_of(water);
+    normal.xy -= max(normal.z, 0.0) * water.detail;
+    return normalize(normal);
+}
+
 // Behind a ridge water is seen at a grazing angle however near it is.
 float seen_footprint(Water water) {
     vec3 from_eye = from_eye_here();
@@ -275,7 +284,7 @@ Foam foam_at(Water water, vec2 at) {
 }
 
 // The slope of a height, from its differences between pixels.
-vec2 slope_of(float height, vec2 at) {
+vec2 slope_of_height(float height, vec2 at) {
     vec2 rise = vec2(dFdx(height), dFdy(height));
     vec2 x = dFdx(at), y = dFdy(at);
     float area = x.x * y.y - x.y * y.x;
@@ -409,53 +418,39 @@ bool is_underside(vec3 facing, vec3 from_eye) {
 }
 #endif
 
-// Blue below 0, white at 0, red above, of values in -1 .. 1.
-vec3 two_sided(float x) {
-    x = clamp(x, -1.0, 1.0);
+float range_width() { return max(range.y - range.x, 1e-9); }
+
+// A value of the shown range: blue below its middle, white there, red above.
+vec4 two_sided(float value) {
+    float x = clamp(2.0 * (value - range.x) / range_width() - 1.0, -1.0, 1.0);
     vec3 low = vec3(0.11, 0.30, 0.62);
     vec3 high = vec3(0.66, 0.13, 0.11);
-    return x < 0.0 ? mix(vec3(0.94), low, -x) : mix(vec3(0.94), high, x);
+    return vec4(x < 0.0 ? mix(vec3(0.94), low, -x) : mix(vec3(0.94), high, x), 1.0);
 }
 
-void main() {
-    Water state = water_at(label);
-    float width = max(range.y - range.x, 1e-9);
-    if (view.x == VIEW_shaded) {
-        Foam froth = foam_at(state, label);
-        vec2 slope = slope_of(froth.height, label);
-        slope /= max(1.0, length(slope));
+vec4 shaded_view(Water state) {
+    Foam froth = foam_at(state, label);
+    vec2 slope = slope_of_height(froth.height, label);
+    slope /= max(1.0, length(slope));
 #if BELOW
-        bool below = is_underside(cross(dFdx(position), dFdy(position)), from_eye_here());
-        vec3 light = below ? shaded_from_below(state, froth) : shaded(state, froth, slope);
+    bool below = is_underside(cross(dFdx(position), dFdy(position)), from_eye_here());
+    vec3 light = below ? shaded_from_below(state, froth) : shaded(state, froth, slope);
 #else
-        vec3 light = shaded(state, froth, slope);
+    vec3 light = shaded(state, froth, slope);
 #endif
-        colour = vec4(drawn_colour(light), 1.0);
-    } else if (view.x == VIEW_foam_numbers) {
-        // For tests: cover, what is white, how thick that is, what draws it.
-        Foam froth = foam_at(state, label);
-        colour = vec4(cover_of(state), froth.white, froth.thickness, froth.value);
-    } else if (view.x == VIEW_normal) {
-        vec3 normal = normal_of(state);
-        normal.xy -= max(normal.z, 0.0) * state.detail;
-        colour = vec4(0.5 + 0.5 * normalize(normal), 1.0);
-    } else if (view.x == VIEW_slope) {
-        colour = vec4(clamp(0.5 + (state.gradients.xy + state.detail) / width, 0.0, 1.0), 0.5, 1.0);
-    } else if (view.x == VIEW_foam) {
-        colour = vec4(vec3(cover_of(state)), 1.0);
-    } else if (view.x == VIEW_whitecap) {
-        colour = vec4(vec3(surface_whitecap(jacobian_of(state), foam.x, foam.y)), 1.0);
-    } else if (view.x == VIEW_numbers) {
-        // For probes: height that the mesh draws, height of the maps here, mean square slope shown,
-        // mean square slope handed on to the light.
-        vec2 s = state.gradients.xy + state.detail;
-        colour = vec4(position.z + drop_at(label), state.displacement.z, dot(s, s),
-                      state.variance.x + state.variance.y);
-    } else {
-        float value = state.displacement.z;
-        if (view.x == VIEW_displacement_x) value = -waves.x * state.displacement.x;
-        if (view.x == VIEW_displacement_y) value = -waves.x * state.displacement.y;
-        if (view.x == VIEW_jacobian) value = jacobian_of(state);
-        colour = vec4(two_sided(2.0 * (value - range.x) / width - 1.0), 1.0);
-    }
+    return vec4(drawn_colour(light), 1.0);
 }
+
+// Cover, white share of the pixel, thickness of the foam there, and the value that draws it.
+vec4 foam_numbers(Water state) {
+    Foam froth = foam_at(state, label);
+    return vec4(cover_of(state), froth.white, froth.thickness, froth.value);
+}
+
+// The cases are rows of libocean/preview/view_table.hpp. A number without a row is magenta.
+vec4 shown_view(Water state) {
+    switch (view.x) { VIEW_CASES }
+    return vec4(1.0, 0.0, 1.0, 1.0);
+}
+
+void main() { colour = shown_view(water_at(label)); }
