@@ -95,7 +95,7 @@ std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
 }  // namespace
 
 void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
-    const Grid grid{finest.resolution, finest.period, 1, {}};
+    const Grid grid{finest.maps.resolution, finest.period, 1, {}};
     const bool same_grid = sea_ && sea_->parameters().grid == grid;
     if (same_grid && revision_ == sea.revision()) return;
     Sea of = sea.sea();
@@ -108,11 +108,11 @@ void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
     revision_ = sea.revision();
     if (same_grid) return;
     const std::size_t bands = detail_bands(sea_->parameters(), kSettings).size();
-    textures_.clear();
-    for (std::size_t i = 0; i < bands; ++i) {
-        textures_.push_back(gl::make_texture(GL_RG32F, kSide, gl::Mipmaps::yes));
+    maps_ = {};
+    if (bands > 0) {
+        maps_ = gl::make_texture_array(GL_RG32F, kSide, static_cast<int>(bands), gl::Mipmaps::yes);
         // A read between two levels would have the variance of neither.
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     }
     images_.assign(bands, std::vector<float>(2 * kSide * kSide));
     read_.clear();
@@ -121,7 +121,7 @@ void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
 const std::vector<ShownTile>& DetailTiles::make(Ocean& sea, double time,
                                                 const std::vector<ShownCascade>& cascades) {
     const ShownCascade& finest = *std::ranges::min_element(
-        cascades, {}, [](const ShownCascade& c) { return c.period / c.resolution; });
+        cascades, {}, [](const ShownCascade& c) { return c.period / c.maps.resolution; });
     stand_for(sea, finest);
     std::vector<MapOutput> outputs;
     for (std::vector<float>& image : images_) {
@@ -135,14 +135,16 @@ const std::vector<ShownTile>& DetailTiles::make(Ocean& sea, double time,
     const DetailBudget budget = sea_->detail_budget(time, kSettings);
     tiles_.clear();
     for (std::size_t i = 0; i < images_.size(); ++i) {
-        glBindTexture(GL_TEXTURE_2D, textures_[i].name());
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSide, kSide, GL_RG, GL_FLOAT, images_[i].data());
-        glGenerateMipmap(GL_TEXTURE_2D);
+        const auto layer = static_cast<int>(i);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.name());
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, kSide, kSide, 1, GL_RG, GL_FLOAT,
+                        images_[i].data());
         const DetailBand& band = budget.bands[i];
-        tiles_.push_back({textures_[i].name(), static_cast<int>(kSide), band.tile,
+        tiles_.push_back({maps_.name(), layer, static_cast<int>(kSide), band.tile,
                           band.shortest_wave, band.longest_wave, variance_of(images_[i]),
                           read_[i]});
     }
+    if (!tiles_.empty()) glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
     return tiles_;
 }
 

@@ -27,7 +27,7 @@ class DetailTiles {
     /// The sea on the grid of its finest map: there the detail begins where that ends.
     std::unique_ptr<Ocean> sea_;
     std::uint64_t revision_ = 0;  // of the sea that it is of
-    std::vector<gl::Texture> textures_;
+    gl::Texture maps_;            // a layer for each band
     std::vector<std::vector<float>> images_;
     std::vector<std::array<double, kTileLevels>> read_;  // as in ShownTile
     std::vector<ShownTile> tiles_;

@@ -9,12 +9,9 @@
 
 #include "ocean/gl/objects.hpp"
 #include "ocean/gl/shader_program.hpp"
-#include "water_defines.hpp"
+#include "water_program.hpp"
 
 namespace ocean::preview {
-
-/// Behind and in front of the water, as a screen takes it.
-inline const glm::vec3 kSeedFog(0.86f, 0.88f, 0.90f);
 
 class SeedMesh {
   public:

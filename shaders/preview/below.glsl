@@ -3,6 +3,7 @@
 //
 // Below the surface: the light of the water itself, and what a way through it leaves of other
 // light.
+#include "preview/sky.glsl"
 
 // Of all the light from above, what is left at the eye's depth.
 vec3 light_at_eye() {

@@ -18,7 +18,7 @@ void main() {
     vec2 label = tiles.xy + (vec2(gl_InstanceID % TILES, gl_InstanceID / TILES) + grid) * tiles.z;
     Copies one = copies_at(label);
     vec4 displacement = displacement_at(one, label, tiles.w);
-    vec4 gradients = sum_at(gradient_map, one, label, tiles.w);
+    vec4 gradients = sum_at(gradient_maps, one, label, tiles.w);
     position = shown_point(label, displacement);
     SurfaceNormal up = surface_normal(waves.x, gradients.z, gradients.w, displacement.w,
                                       gradients.x, gradients.y);

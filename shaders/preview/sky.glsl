@@ -3,6 +3,7 @@
 //
 // The sky, as Ocean_Sky of povray_macros/ocean.inc or as the map of an environment: one function
 // for the background and for what water mirrors.
+#include "preview/frame.glsl"
 
 uniform sampler2D sky_map;  // over longitude and latitude, from the horizon to the zenith
 

@@ -3,6 +3,7 @@
 //
 // From light to what a screen takes: as it is up to 0.6, the rest rolled off towards 1, so that
 // there are waves in the sun's glitter too; then sRGB.
+#include "preview/frame.glsl"
 
 vec3 screen_colour(vec3 light) {
     vec3 x = max(look.x * light, vec3(0.0));

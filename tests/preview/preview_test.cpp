@@ -51,10 +51,10 @@ TEST_F(PreviewTest, TheDrawnHeightIsTheQuerys) {
         const double rms_slope = std::sqrt(state.mean_square_slope.resolved);
         double half_texel_slope = 0.0;  // of each cascade, added up
         for (std::size_t c = 0; c < shown.cascades.size(); ++c) {
-            half_texel_slope += 0.5 * shown.cascades[c].period / shown.cascades[c].resolution *
+            half_texel_slope += 0.5 * shown.cascades[c].period / shown.cascades[c].maps.resolution *
                                 rms_slope * std::sqrt(state.cascades[c].slope);
         }
-        const double texel = shown.cascades.back().period / shown.cascades.back().resolution;
+        const double texel = shown.cascades.back().period / shown.cascades.back().maps.resolution;
         const double least = 1e-3 * shown.significant_wave_height;
 
         std::mt19937 random(3);
@@ -194,9 +194,7 @@ TEST_F(PreviewTest, TheDetailOfALabelIsThatOfTheTilesEverywhere) {
     shown.tiles.resize(1);
     const ShownTile& tile = shown.tiles[0];
     const auto side = static_cast<std::size_t>(tile.samples);
-    std::vector<float> slopes(2 * side * side);
-    glBindTexture(GL_TEXTURE_2D, tile.texture);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RG, GL_FLOAT, slopes.data());
+    const std::vector<float> slopes = test::layer_texels(tile.texture, tile.layer, 0, GL_RG, 2);
     const auto slope_at = [&](double u, double v, std::size_t component) {
         const double x = (u - std::floor(u)) * tile.samples, y = (v - std::floor(v)) * tile.samples;
         const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame_block.hpp"
 #include "preview_fixture.hpp"
-#include "seed_mesh.hpp"
 
 namespace ocean::preview {
 namespace {

@@ -48,7 +48,6 @@ preview::ShownSea LiveSea::show() {
     if (!before_) return shown;
     maps_before_->set_detail(near_detail);
     const preview::ShownSea from = maps_before_->show(*before_, time_before_);
-    if (from.cascades.size() + shown.cascades.size() > options_.most_cascades) return shown;
     return preview::cross_fade(from, shown, faded_, correlation_);
 }
 

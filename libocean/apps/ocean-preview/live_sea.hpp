@@ -27,7 +27,6 @@ struct LiveSeaOptions {
     int threads = 0;
     /// Throws Error where it cannot be computed.
     std::function<Computing(const Sea&)> computing;
-    std::size_t most_cascades = preview::kMostCascades;  // the renderer's
     /// Of foam by the sea's backend; that of computed maps is in `computing`.
     FoamStart foam_start = FoamStart::empty;
 };

@@ -93,6 +93,7 @@ class OffscreenRun {
         const preview::ShownSea& shown = shown_at(time);
         for (const auto& place : options_.probes) {
             context_.console.data(probe_line(renderer_, shown, options_, place));
+            warn_of_left_out();
         }
     }
 
@@ -108,6 +109,7 @@ class OffscreenRun {
         const InterruptWatch::Hold whole = context_.interrupts.hold();
         write_picture(path, renderer_, shown, options.camera, options.look, draw_options(options),
                       options.samples.value_or(kSamples));
+        warn_of_left_out();
     }
 
     void record(const std::string& stem) {
@@ -149,6 +151,12 @@ class OffscreenRun {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         context_.console.step(number, seconds.count(), {path});
     }
+    /// Warns once of the parts of the last picture that the driver has too few texture units for.
+    void warn_of_left_out() {
+        const std::string words = preview::text(renderer_.left_out());
+        if (words.empty() || std::exchange(warned_, true)) return;
+        context_.console.warning(words);
+    }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         maps.live = false;
@@ -162,6 +170,7 @@ class OffscreenRun {
     preview::Renderer renderer_;
     gl::StageMaker stages_;
     std::optional<preview::ShownSea> shown_;  // what maps_ holds
+    bool warned_ = false;
 };
 
 /// The sea as a bridge has moved it.

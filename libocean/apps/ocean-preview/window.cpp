@@ -318,8 +318,7 @@ class Preview {
           backend_(preview_backend(options.backend).value_or(best_backend(info_))),
           renderer_(live(renderer_for(options, info_))),
           sea_(sea, {.threads = context.options.threads,
-                     .computing = [this](const Sea& of) { return computing(of); },
-                     .most_cascades = renderer_.most_cascades()}),
+                     .computing = [this](const Sea& of) { return computing(of); }}),
           camera_(options.camera) {
         sea_.after_set = [this](const std::string& name, const std::string& value) {
             if (link_) link_->tell(name, value);

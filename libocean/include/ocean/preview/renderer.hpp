@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 #include "ocean/preview/picture.hpp"
 #include "ocean/preview/sea_maps.hpp"
@@ -23,7 +24,23 @@ struct RendererOptions {
     /// they are there; else the first picture with foam waits for them.
     bool live = false;
     gl::AfterStage after_stage = {};  // "sky", "water"
+    /// Texture units of a fragment shader that the renderer uses; 0: all that the driver has, which
+    /// are 16 or more.
+    int max_texture_units = 0;
 };
+
+/// The parts that a picture lacks because they need more texture units than the driver has.
+struct LeftOut {
+    bool foam_pattern = false;
+    bool near_detail = false;
+    int required_units = 0;
+    int available_units = 0;
+};
+/// Returns one sentence for a person, with the numbers; "" if nothing is left out.
+std::string text(const LeftOut& left_out);
+
+/// A part of the scene beside the water; defined in libocean/preview/drawable.hpp.
+class Drawable;
 
 struct DrawOptions {
     int width = 0;  // pixels
@@ -53,11 +70,13 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// That a sea may have, or two that are faded into each other together.
-    std::size_t most_cascades() const;
+    /// Adds a part of the scene to all pictures to come.
+    void add(std::shared_ptr<Drawable> drawable);
     /// Returns whether the picture that was drawn last will look otherwise when it is drawn again,
     /// of a live renderer: the foam's pattern is made beside the pictures.
     Pending pending() const;
+    /// Returns the parts that the last picture lacks.
+    LeftOut left_out() const;
     /// Clears depth and colour. Of a host's context it leaves other bindings behind: program,
     /// textures, uniform buffer 0, depth test, viewport. Throws Error.
     void draw(const ShownSea& sea, const Camera& camera, const Look& look,
@@ -68,8 +87,8 @@ class Renderer {
                          double metres, const DrawOptions& options);
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::preview

@@ -14,10 +14,13 @@
 
 namespace ocean::preview {
 
-/// Of a picture; a sea has at most 5.
-inline constexpr std::size_t kMostCascades = 10;
+/// Cascades of a picture; a sea has at most 5.
+inline constexpr std::size_t kMaxCascades = 10;
 
-struct ShownCascade : gl::CascadeTextures {
+struct ShownCascade {
+    gl::CascadeArrays maps;   // of all cascades of its sea
+    int layer = 0;            // of the maps
+    double period = 0.0;      // m
     double weight = 1.0;      // of its amplitudes
     double sea_period = 0.0;  // m, a multiple of its own period
     int number = 0;           // in its sea, from 0
@@ -42,7 +45,8 @@ inline constexpr std::size_t kTileLevels = 8;
 
 /// Slopes by label of waves that no map of a cascade has, in two floats; see ocean/detail.hpp.
 struct ShownTile {
-    unsigned texture = 0;
+    unsigned texture = 0;  // GL_TEXTURE_2D_ARRAY, of all tiles of its sea
+    int layer = 0;
     int samples = 0;
     double tile = 0.0;                          // m
     double shortest_wave = 0.0;                 // m
@@ -122,10 +126,9 @@ class SeaMaps {
     /// is solved beside the pictures.
     Pending pending() const;
 
-    class Source;
-
   private:
-    std::unique_ptr<Source> source_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::preview
