@@ -13,7 +13,7 @@
 #include "offscreen_run.hpp"
 #include "picture_list.hpp"
 #include "preview_options.hpp"
-#include "window.hpp"
+#include "window/window.hpp"
 
 namespace ocean::app {
 namespace {

@@ -249,7 +249,7 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
     options.view = words.view;
     options.has_size = !words.size.empty();
     if (options.has_size) options.size = picture_size(words.size);
-    if (words.scale) options.scale = within(*words.scale, "--scale", kLeastScale, kLargestScale);
+    if (words.scale) options.scale = within(*words.scale, "--scale", kMinScale, kMaxScale);
     options.backend = words.backend;
     if (words.map) options.map = power_of_two(*words.map, "--map");
     if (words.foam_map) options.foam_map = power_of_two(*words.foam_map, "--foam-map");

@@ -37,8 +37,8 @@ struct PreviewWords {
 };
 
 // Of the panel.
-inline constexpr float kLeastScale = 0.5f;
-inline constexpr float kLargestScale = 8.0f;
+inline constexpr float kMinScale = 0.5f;
+inline constexpr float kMaxScale = 8.0f;
 
 struct PreviewOptions {
     preview::Camera camera;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "camera_control.hpp"
+#include "window/camera_control.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "gamepad.hpp"
+#include "window/gamepad.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -27,11 +27,11 @@ double stick(float value) {
 void Gamepad::read() {
     before_ = down_;
     down_ = {};
-    is_there_ = false;
+    is_connected_ = false;
     right_ = ahead_ = turn_left_ = turn_up_ = up_ = 0.0;
     for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
         if (glfwJoystickPresent(joystick) == GLFW_FALSE) continue;
-        is_there_ = true;
+        is_connected_ = true;
         GLFWgamepadstate pad;
         if (glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
             right_ = stick(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]);

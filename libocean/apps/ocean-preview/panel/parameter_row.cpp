@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "parameter_row.hpp"
+#include "panel/parameter_row.hpp"
 
 #include <imgui.h>
 
@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "ocean/text.hpp"
-#include "panel_length.hpp"
+#include "panel/panel_length.hpp"
 
 namespace ocean::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "camera_control.hpp"
+#include "window/camera_control.hpp"
 
 namespace ocean::app {
 
@@ -23,10 +23,10 @@ class Gamepad {
     void add_to(CameraInput& input, double seconds) const;
     /// Went down since it was read before.
     bool pressed(Button button) const { return down_[button] && !before_[button]; }
-    bool is_there() const { return is_there_; }
+    bool is_connected() const { return is_connected_; }
 
   private:
-    bool is_there_ = false;
+    bool is_connected_ = false;
     double right_ = 0.0, ahead_ = 0.0, turn_left_ = 0.0, turn_up_ = 0.0, up_ = 0.0;
     std::array<bool, 4> down_{};
     std::array<bool, 4> before_{};
