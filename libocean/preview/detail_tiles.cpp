@@ -14,7 +14,7 @@ namespace {
 constexpr DetailSettings kSettings{.resolution = 0, .samples = 512};
 constexpr std::size_t kSide = 512;
 
-/// Means of the squares and the product.
+/// Returns the means of the squares and of the product.
 SlopeVariance variance_of(const std::vector<float>& slopes) {
     SlopeVariance sum;
     for (std::size_t row = 0; row < kSide; ++row) {
@@ -36,7 +36,7 @@ SlopeVariance variance_of(const std::vector<float>& slopes) {
     return {sum.x / kCount, sum.y / kCount, sum.xy / kCount};
 }
 
-/// Slopes as in ShownTile, of fewer samples a side.
+/// A level of the mipmaps of a tile: slopes as in ShownTile.
 struct Level {
     std::size_t side;
     std::vector<float> slopes;
@@ -59,8 +59,8 @@ Level halved(const Level& fine) {
     return coarse;
 }
 
-/// Mean square slope of bilinear reads, which are means between texels: of the covariances at lags
-/// of 0 and 1 texels, with 2/3 and 1/6 along each axis.
+/// Returns the mean square slope of bilinear reads, which are means between texels: a sum of the
+/// covariances at lags of 0 and 1 texels, with weights 2/3 and 1/6 along each axis.
 double read_variance(const Level& level) {
     double still = 0.0, beside = 0.0, across = 0.0;
     const auto product = [](const float* a, const float* b) {
@@ -79,7 +79,7 @@ double read_variance(const Level& level) {
            (9.0 * static_cast<double>(level.side * level.side));
 }
 
-/// Shares of the tile's variance that reads of its mipmaps have.
+/// Returns the shares of the tile's variance that reads of its mipmaps have.
 std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
     std::array<double, kTileLevels> shares{};
     const SlopeVariance whole = variance_of(slopes);
@@ -94,7 +94,7 @@ std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
 
 }  // namespace
 
-void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
+void DetailTiles::set_sea(Ocean& sea, const ShownCascade& finest) {
     const Grid grid{finest.maps.resolution, finest.period, 1, {}};
     const bool same_grid = sea_ && sea_->parameters().grid == grid;
     if (same_grid && revision_ == sea.revision()) return;
@@ -122,12 +122,12 @@ const std::vector<ShownTile>& DetailTiles::make(Ocean& sea, double time,
                                                 const std::vector<ShownCascade>& cascades) {
     const ShownCascade& finest = *std::ranges::min_element(
         cascades, {}, [](const ShownCascade& c) { return c.period / c.maps.resolution; });
-    stand_for(sea, finest);
+    set_sea(sea, finest);
     std::vector<MapOutput> outputs;
     for (std::vector<float>& image : images_) {
         outputs.push_back({image.data(), 2, {{{Channel::slope_x}, {Channel::slope_y}}}});
     }
-    if (read_.empty()) {  // at a time that is the same whatever is shown first
+    if (read_.empty()) {  // at a fixed time, so that the shares do not depend on the first picture
         sea_->detail_into(sea_->parameters().time.start, outputs, kSettings);
         for (const std::vector<float>& image : images_) read_.push_back(read_shares(image));
     }

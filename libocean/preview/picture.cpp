@@ -21,7 +21,7 @@ std::vector<std::string> as_strings(std::span<const std::string_view> words) {
     return {words.begin(), words.end()};
 }
 
-/// what: "view".
+/// Returns the error for a word that is no `what`, for example no "view".
 Error no_such(const char* what, std::string_view word) {
     return Error(ErrorKind::invalid_value,
                  "there is no " + std::string(what) + " '" + std::string(word) + "'");

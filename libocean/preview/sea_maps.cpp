@@ -127,7 +127,7 @@ class SeaMaps::Impl {
     }
 
     void set_detail(bool on) { options_.detail = on; }
-    // Foam of the sea's own backend is followed by the sea, which knows its changes.
+    // The sea itself follows the foam of its own backend, and knows its changes.
     void foam_changed(double from) {
         if (computed_) computed_->foam_changed(from);
     }
@@ -149,7 +149,7 @@ class SeaMaps::Impl {
         make_cover(sea, time, foam.texture, foam.resolution, foam.fade);
     }
 
-    /// Of a map of foam.
+    /// Makes the map of cover from a map of foam.
     void make_cover(Ocean& sea, double time, GLuint foam, int resolution, float fade) {
         const double power = options_.live ? cover_power_.of(sea, time, resolution)
                                            : sea.cover_power(time, resolution);
@@ -250,22 +250,24 @@ class SeaMaps::Impl {
                           .direction = pattern_.direction,
                           .stretch = pattern_.stretch,
                           .streaks = pattern_.streaks}};
-        // Water that is not squeezed has the lowest threshold there is; see whitecap_threshold.
+        // The threshold of water that is never squeezed is the lowest number; see
+        // whitecap_threshold.
         shown_.has_foam = shown_.has_foam || shown_.foam_threshold > -1e30;
         shown_.choppiness = sea.sea().at(time).surface.choppiness;
         const Revision revision = sea.modes(time).revision;
         if (revision == described_) return;
         const Parameters& parameters = sea.parameters();
         const SurfaceSettings& surface = parameters.surface;
-        const SpectralMoments asked = sea.spectrum(time).moments(
+        const SpectralMoments moments = sea.spectrum(time).moments(
             parameters.water, surface.shortest_wavelength, surface.longest_wavelength);
-        shown_.significant_wave_height = asked.significant_wave_height();
-        shown_.peak_period = asked.peak_omega > 0.0 ? kTwoPi / asked.peak_omega : 0.0;
-        shown_.mean_square_slope = asked.mean_square_slope;
+        shown_.significant_wave_height = moments.significant_wave_height();
+        shown_.peak_period = moments.peak_omega > 0.0 ? kTwoPi / moments.peak_omega : 0.0;
+        shown_.mean_square_slope = moments.mean_square_slope;
         described_ = revision;
     }
 
-    /// The foam's: streaks and long cells are of gales, as in POV-Ray's Ocean_Material.
+    /// Sets the pattern of the foam: gales have streaks and long cells, as in POV-Ray's
+    /// Ocean_Material.
     void describe_pattern(const Parameters& parameters, ThreadPool& pool) {
         if (patterned_ && same_waves(parameters, *patterned_)) return;
         const SpectralMoments moments =
@@ -286,9 +288,9 @@ class SeaMaps::Impl {
     gl::AfterStage after_stage_;
     ShownSea shown_;
     ShownCover pattern_;
-    std::optional<Parameters> patterned_;  // whose it is
-    Revision described_;                   // of the modes
-    CoverPower cover_power_;               // of live maps
+    std::optional<Parameters> patterned_;  // the parameters of pattern_
+    Revision described_;                   // revision of the described modes
+    CoverPower cover_power_;               // for live maps
     DetailTiles detail_;
     Texture cover_;
     int cover_resolution_ = 0;

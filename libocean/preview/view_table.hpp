@@ -27,11 +27,11 @@ enum class ViewRange {
     jacobian,  // 0 .. 2
 };
 
-/// Whether the view shows slopes of the waves too short for the cascades' maps.
+/// The view shows slopes of the waves too short for the cascades' maps, or does not.
 enum class NearDetail { no, yes };
 
-/// Whether the view shows the pattern of the foam: if the sea has foam and the look shows some, or
-/// always.
+/// The view shows the pattern of the foam never, always, or if the sea has foam and the look shows
+/// some.
 enum class FoamPattern { never, if_visible, always };
 
 class ViewRow {

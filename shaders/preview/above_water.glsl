@@ -9,8 +9,8 @@
 #include "wave/haze.glsl"
 #include "wave/reflectance.glsl"
 
-// Light of the sun mirrored by facets: the density of their slopes at the one that mirrors it into
-// the eye, over the area of water that is seen [Cox and Munk 1954], [Ross 2005].
+// Returns the light of the sun that facets mirror: the density of their slopes at the slope that
+// mirrors it into the eye, over the visible area of water [Cox and Munk 1954], [Ross 2005].
 vec3 glitter(vec3 to_eye, vec2 lean, mat2 covariance, float area, float elevation_cosine) {
     vec3 half_way = normalize(to_eye + sun.xyz);
     if (half_way.z <= 0.05) return vec3(0.0);
@@ -24,11 +24,12 @@ vec3 glitter(vec3 to_eye, vec2 lean, mat2 covariance, float area, float elevatio
     float reflected = water_reflectance(max(dot(to_eye, half_way), 0.0), water.w);
     float squared = half_way.z * half_way.z;
     float seen = max(area * elevation_cosine, 1e-3);
-    return 3.14159265 * sun.w * sun_colour.rgb * reflected * density / (4.0 * seen * squared * squared);
+    return 3.14159265 * sun.w * sun_colour.rgb * reflected * density /
+           (4.0 * seen * squared * squared);
 }
 
-// The mean of the sky over the facets that mirror it: three points along the line of sight, which
-// is the way that the mirrored sky varies most. across: radians that they spread it the other way.
+// Returns the mean of the sky over the facets that mirror it: three points along the line of sight,
+// in whose direction the mirrored sky varies fastest. across: the spread the other way [rad].
 vec3 mirrored_sky(vec3 to_eye, vec2 lean, vec2 deviation, float across) {
     vec3 sum = vec3(0.0);
     for (int i = -1; i <= 1; ++i) {
@@ -49,7 +50,8 @@ vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
 
     // A folded crest has no slope; the shallowest kept is 84 degrees.
     vec3 normal = normal_of(state);
-    vec2 lean = normal.xy / max(normal.z, 0.1) - state.detail - e * (eye.w * range / earth_radius());
+    vec2 lean =
+        normal.xy / max(normal.z, 0.1) - state.detail - e * (eye.w * range / earth_radius());
     mat2 covariance = mat2(state.variance.x, state.variance.z, state.variance.z, state.variance.y);
     vec2 along = covariance * e;
     float variance = max(dot(along, e), 1e-12);
@@ -60,8 +62,8 @@ vec3 shaded(Water state, Foam froth, vec2 froth_slope) {
     float mean_cosine = max(dot(to_eye, normalize(vec3(lean, 1.0))), 0.0);
     float reflected = clamp(rough_water_reflectance(mean_cosine, deviation), 0.0, 1.0);
     vec2 spread = along / variance * sqrt(visible_lean_variance(deviation, elevation));
-    // A facet that leans aside turns what it mirrors by twice as much, times the cosine; as wide as
-    // that deviation is a mean over sqrt(12) of it.
+    // A facet that leans aside turns the mirrored ray by twice the angle, times the cosine; a mean
+    // over sqrt(12) deviations is as wide.
     vec2 aside = vec2(-e.y, e.x);
     float across = 6.9 * mean_cosine * sqrt(max(dot(covariance * aside, aside), 0.0));
     vec3 mirrored = mirrored_sky(to_eye, seen, spread, max(across, look.z));

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Slopes of the waves too short for the cascades' maps, by tiles; see ocean/detail.hpp. A sea has one
-// array of tiles; two seas have two (TILE_MAPS), and the tiles before TILE_SPLIT lie in the first one.
+// Slopes of the waves too short for the cascades' maps, by tiles; see ocean/detail.hpp. A sea has
+// one array of tiles; two seas have two (TILE_MAPS), and the tiles before TILE_SPLIT lie in the
+// first one.
 #include "preview/water_state.glsl"
 
 uniform sampler2DArray tile_maps[TILE_MAPS];
@@ -28,8 +29,8 @@ vec2 tile_slope(sampler2DArray maps, int d, vec2 at, int level) {
     return sum * inversesqrt(squares);
 }
 
-// Adds the tiles from `first` up to `end`, which lie in one array: their slopes times `scale`, and to
-// the variance the part of them that a pixel cannot show.
+// Adds the tiles from `first` up to `end`, which lie in one array: their slopes times `scale`, and
+// to the variance the part of them that a pixel cannot show.
 void add_tiles(inout Water water, sampler2DArray maps, int first, int end, vec2 at, float scale) {
     for (int d = first; d < end; ++d) {
         float weight = scale * tile[d].w;
@@ -44,7 +45,8 @@ void add_tiles(inout Water water, sampler2DArray maps, int first, int end, vec2 
 }
 
 // Adds all tiles. lacking: mean square slope of the sea that the maps do not have. Returns the mean
-// square slope of the tiles, which is scaled down to that where it is more: theirs varies with time.
+// square slope of the tiles, which is scaled down to that where it is more: theirs varies with
+// time.
 float add_detail(inout Water water, vec2 at, float lacking) {
     float whole = 0.0;
     for (int d = 0; d < DETAIL; ++d) {

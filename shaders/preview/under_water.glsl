@@ -8,15 +8,16 @@
 #include "preview/water_state.glsl"
 #include "wave/reflectance.glsl"
 
-// Snell's window: the whole sky in a cone of 48.6 degrees, broken by the waves; around it the deep.
+// Returns the light from below: Snell's window, the whole sky in a cone of 48.6 degrees, broken by
+// the waves, and the deep around it.
 vec3 shaded_from_below(Water state, Foam froth) {
     vec3 from_eye = from_eye_here();
     float distance = max(length(from_eye), 1e-3);
     from_eye /= distance;
     vec3 normal = normal_of(state);
     vec2 lean = normal.xy / max(normal.z, 0.1) - state.detail;
-    // Of facets that are not seen by themselves those are windows which are met within the critical
-    // angle: a share, and a mean lean, of a Gaussian's below a limit.
+    // Facets too small to be seen are windows if the sight meets them within the critical angle: a
+    // share of a Gaussian below a limit, with a mean lean.
     vec2 e = from_eye.xy / max(length(from_eye.xy), 1e-3);
     mat2 covariance = mat2(state.variance.x, state.variance.z, state.variance.z, state.variance.y);
     vec2 along = covariance * e;
@@ -27,11 +28,11 @@ vec3 shaded_from_below(Water state, Foam froth) {
     float shift = min(excess_over_mills(inside) - inside, 20.0);  // phi / Phi
     vec3 down = -normalize(vec3(lean + shift / deviation * along, 1.0));
     vec3 mirrored = water_glow(reflect(from_eye, -normalize(vec3(lean, 1.0))));
-    vec3 out_there = refract(from_eye, down, water.w);
+    vec3 outside = refract(from_eye, down, water.w);
     vec3 light = mirrored;
-    if (dot(out_there, out_there) > 0.5) {
-        float passed = 1.0 - water_reflectance(max(-dot(out_there, down), 0.0), water.w);
-        vec3 above = sky(normalize(vec3(out_there.xy, abs(out_there.z))), look.z);
+    if (dot(outside, outside) > 0.5) {
+        float passed = 1.0 - water_reflectance(max(-dot(outside, down), 0.0), water.w);
+        vec3 above = sky(normalize(vec3(outside.xy, abs(outside.z))), look.z);
         light = mix(mirrored, above, windows * passed);
     }
     // The sun through facets: the angle by which they turn it is a third of their lean.
@@ -40,22 +41,23 @@ vec3 shaded_from_below(Water state, Foam froth) {
         float spread = 0.34 * 0.34 * 0.5 * (state.variance.x + state.variance.y) + 2e-5;
         float beside = 2.0 - 2.0 * dot(straight, sun.xyz);
         float passed = 1.0 - water_reflectance(max(straight.z, 0.0), water.w);
-        // What a white surface sends is irradiance over pi.
+        // The radiance of a white surface is irradiance over pi.
         light += 0.5 * passed * sun.w * sun_colour.rgb * exp(-0.5 * beside / spread) / spread;
     }
-    // Foam scatters what falls on it, half of it down.
+    // Foam scatters half of its light down.
     vec3 foam_light = 0.5 * light_from_above();
     light = mix(light, mix(thick_foam, thin_foam, froth.thickness) * foam_light, froth.white);
     light += foam_plume * froth.plume * light_at_eye();
     return through_water(light, from_eye, distance);
 }
 
-// Which of the surface's two sides the eye sees, by a vector square to what its pixels show of it.
+// Returns whether the eye sees the surface from below. facing: a vector square to the surface
+// between pixels.
 bool is_underside(vec3 facing, vec3 from_eye) {
     float met = dot(facing, from_eye);
-    // Far off it is seen by its edge, and pixels do not tell.
+    // Far away the surface is edge-on, and its pixels do not decide.
     if (abs(met) < 2e-3 * length(facing) * length(from_eye)) return eye.z < 0.0;
-    // An eye above a lip that hangs over sees the lip's own water behind it: from above.
+    // An eye above an overhanging lip sees the lip's water behind it from above.
     float height = position.z + drop_at(label);
     return facing.z * met > 0.0 && (eye.z < height || height < 0.0);
 }

@@ -12,7 +12,7 @@
 
 layout(location = 0) out vec4 colour;
 
-// The slope of a height, from its differences between pixels.
+// Returns the slope of a height, from its differences between pixels.
 vec2 slope_of_height(float height, vec2 at) {
     vec2 rise = vec2(dFdx(height), dFdy(height));
     vec2 x = dFdx(at), y = dFdy(at);
@@ -23,7 +23,7 @@ vec2 slope_of_height(float height, vec2 at) {
 
 float range_width() { return max(range.y - range.x, 1e-9); }
 
-// A value of the shown range: blue below its middle, white there, red above.
+// Returns the colour of a value in the shown range: white in the middle, blue below, red above.
 vec4 two_sided(float value) {
     float x = clamp(2.0 * (value - range.x) / range_width() - 1.0, -1.0, 1.0);
     vec3 low = vec3(0.11, 0.30, 0.62);
@@ -44,7 +44,8 @@ vec4 shaded_view(Water state) {
     return vec4(drawn_colour(light), 1.0);
 }
 
-// Cover, white share of the pixel, thickness of the foam there, and the value that draws it.
+// Returns cover, white share of the pixel, thickness of the foam there, and the value that draws
+// it.
 vec4 foam_numbers(Water state) {
     Foam froth = foam_at(state, label);
     return vec4(cover_of(state), froth.white, froth.thickness, froth.value);

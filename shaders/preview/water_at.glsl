@@ -7,8 +7,8 @@
 #include "preview/near_detail.glsl"
 #endif
 
-// Adds the cascades from `first` up to `end`, whose maps lie in one array each. resolved: mean square
-// slope of the maps, to which theirs is added.
+// Adds the cascades from `first` up to `end`, whose maps lie in one array each. resolved: mean
+// square slope of the maps, to which theirs is added.
 void add_maps(inout Water water, inout float resolved, sampler2DArray displacements,
               sampler2DArray gradient_array, sampler2DArray moment_array, int first, int end,
               Copies copies, vec2 at, Footprint footprint) {
@@ -50,11 +50,11 @@ Water water_at(vec2 at) {
     water.squeezing = 0.0;
     Copies copies = copies_at(at);
     float resolved = 0.0;  // mean square slope of the maps
-    add_maps(water, resolved, displacement_maps[0], gradient_maps[0], moment_maps[0], 0, SPLIT, copies,
-             at, footprint);
-#if MAPS > 1
-    add_maps(water, resolved, displacement_maps[1], gradient_maps[1], moment_maps[1], SPLIT, CASCADES,
+    add_maps(water, resolved, displacement_maps[0], gradient_maps[0], moment_maps[0], 0, SPLIT,
              copies, at, footprint);
+#if MAPS > 1
+    add_maps(water, resolved, displacement_maps[1], gradient_maps[1], moment_maps[1], SPLIT,
+             CASCADES, copies, at, footprint);
 #endif
     water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
     water.footprint = seen_footprint(water);

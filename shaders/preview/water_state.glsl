@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The water at a fragment: means of the maps over its footprint, and the variance that is left in it.
+// The water at a fragment: means of the maps over its footprint, and the variance that is left in
+// it.
 #include "preview/sea.glsl"
 #include "wave/slope_tiles.glsl"
 #include "wave/surface.glsl"
@@ -15,20 +16,20 @@ struct Water {
     vec4 displacement;  // as displacement_maps
     vec4 gradients;     // as gradient_maps
     vec2 detail;        // slopes of waves that no map has
-    vec3 variance;      // of the slopes that are in neither: xx, yy, xy
+    vec3 variance;      // of the slopes in neither of both: xx, yy, xy
     float squeezing;    // variance of dDx/dx + dDy/dy that is not in the mean
     vec3 foam[COVERS];  // as cover_map
-    float footprint;    // side of what a pixel sees of it, m
+    float footprint;    // side of the water that a pixel sees [m]
 };
 
 vec3 from_eye_here() { return position - vec3(0.0, 0.0, eye.z); }
 
-// What a pixel covers of the water: an ellipse of labels, long and narrow almost everywhere.
+// The water that a pixel covers: an ellipse of labels, long and narrow almost everywhere.
 struct Footprint {
     vec2 dx;      // steps of the label from pixel to pixel
     vec2 dy;
     vec2 longer;  // the longer one
-    float width;  // m: the length of the other one
+    float width;  // length of the shorter one [m]
 };
 
 Footprint footprint_of(vec2 at) {
@@ -86,8 +87,9 @@ float jacobian_of(Water water) {
 }
 
 vec3 normal_of(Water water) {
-    SurfaceNormal normal = surface_normal(waves.x, water.gradients.z, water.gradients.w,
-                                          water.displacement.w, water.gradients.x, water.gradients.y);
+    vec4 g = water.gradients;
+    SurfaceNormal normal =
+        surface_normal(waves.x, g.z, g.w, water.displacement.w, g.x, g.y);
     return vec3(normal.x, normal.y, normal.z);
 }
 
@@ -100,7 +102,8 @@ vec3 detailed_normal_of(Water water) {
     return normalize(normal);
 }
 
-// Behind a ridge water is seen at a grazing angle however near it is.
+// Returns the side of the water that a pixel sees [m]. Behind a ridge the angle is grazing at any
+// distance.
 float seen_footprint(Water water) {
     vec3 from_eye = from_eye_here();
     float distance = max(length(from_eye), 1e-3);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the preview's textures hold.
+// Values of the preview's textures.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -50,7 +50,7 @@ inline std::vector<float> shown_heights(const preview::ShownSea& sea, int resolu
     return heights;
 }
 
-/// Mean square slope that the shown maps have: of the last level of their second moments.
+/// Returns the mean square slope of the shown maps, by the last level of their second moments.
 inline double map_slope(const preview::ShownSea& sea) {
     double sum = 0.0;
     for (const preview::ShownCascade& cascade : sea.cascades) {

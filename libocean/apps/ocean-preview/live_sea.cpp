@@ -19,7 +19,7 @@ constexpr double kFadeSeconds = 1.0;
 /// Seas that have so much in common take each other's place at any moment without a jump.
 constexpr double kSameWaves = 0.9;
 /// Glides that no take has, before they are forgotten: each costs a little at every time.
-constexpr std::size_t kMostGlides = 2000;
+constexpr std::size_t kMaxGlides = 2000;
 
 double end_of(const Sea& sea) {
     return sea.take.empty() ? sea.parameters.time.start : sea.take.events.back().seconds;
@@ -134,7 +134,7 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     Sea changed = sea();
     set_in_sea(changed, name, value);
     if (live && changed.parameters.time.loop_period == 0.0 && time_ >= performed_until_) {
-        if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMostGlides) {
+        if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMaxGlides) {
             become(kept_);
         }
         perform(name, value);

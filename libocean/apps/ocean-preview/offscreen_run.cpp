@@ -28,7 +28,7 @@
 namespace ocean::app {
 namespace {
 
-/// A context, and what computes the sea there.
+/// A context, and the backend that computes the sea.
 struct Device {
     std::unique_ptr<gl::HeadlessContext> context;
     Backend backend;
@@ -75,7 +75,7 @@ std::string probe_line(preview::Renderer& renderer, const preview::ShownSea& sho
     return line + "\n";
 }
 
-/// In a context that is current.
+/// Pictures of one sea in the current context.
 class OffscreenRun {
   public:
     OffscreenRun(const PreviewOptions& options, const Sea& sea, const Context& context,
@@ -173,11 +173,11 @@ class OffscreenRun {
     bool warned_ = false;
 };
 
-/// The sea as a bridge has moved it.
+/// Draws the sea with the values that a bridge has, and follows its changes.
 void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Context& context,
                       const Device& device, double time) {
     const gl::ContextInfo& info = device.context->info();
-    // Who follows a knob does not wait for foam to settle.
+    // A probe that follows a knob does not wait for foam to settle.
     const FoamStart foam = options.follow > 0.0 ? FoamStart::empty : FoamStart::settled;
     const auto computing = [&](const Sea& of) {
         Computing computing = computing_for(device.backend, options, of, info);
@@ -207,10 +207,11 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     run_with_bridge(*options.bridge, options.follow, live, context.console, show);
 }
 
-/// Frames as a window has them, at the sea's own rate, into a canvas of the picture's size.
+/// Draws frames like a window, at the sea's own rate, into a canvas of the picture's size, and
+/// prints the time of their stages.
 void print_budget(const PreviewOptions& options, const Sea& sea, const Context& context,
                   const Device& device, double start) {
-    constexpr int kBefore = 10;  // shaders are compiled, memory comes
+    constexpr int kBefore = 10;  // frames that compile shaders and allocate memory
     FrameBudget warm, budget;
     FrameBudget* measured = &warm;
     const gl::AfterStage after_stage = [&](std::string_view stage) {

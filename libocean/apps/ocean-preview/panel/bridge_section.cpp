@@ -21,10 +21,10 @@ void text_row(const char* label, std::string& text, const char* help) {
 /// Rows that start and stop a bridge in this process.
 void draw_own_bridge(BridgeRows& bridge, PanelRequests& requests) {
     ImGui::BeginDisabled(bridge.is_running);
-    text_row("Address", bridge.host.listen, "Where clients come: HOST:PORT");
-    text_row("Map of knobs", bridge.host.map, "A file; without one a1 is the wind's speed");
+    text_row("Address", bridge.host.listen, "Address for clients: HOST:PORT");
+    text_row("Map of knobs", bridge.host.map, "A file; without one a1 sets the wind speed");
     ImGui::Checkbox("Dummy board", &bridge.host.dummy);
-    tooltip("Instead of a K8055 on USB: OUT board0/a1 128");
+    tooltip("Simulates a board in place of a K8055 on USB: OUT board0/a1 128");
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (ImGui::Button(bridge.is_running ? "Restart" : "Start")) {
@@ -42,13 +42,12 @@ void draw_bridge_section(BridgeRows& bridge, PanelRequests& requests) {
     if (bridge.is_own) {
         draw_own_bridge(bridge, requests);
     } else {
-        ImGui::TextUnformatted(bridge.link->connected() ? "joined"
-                                                        : "not there; it is tried again");
+        ImGui::TextUnformatted(bridge.link->connected() ? "joined" : "not connected; trying again");
     }
     if (bridge.link != nullptr) {
         for (const auto& [name, mover] : bridge.link->movers()) {
             const bool here = mover == bridge.link->own_name();
-            if (here && name.starts_with("app.")) continue;  // its clock, which it always tells
+            if (here && name.starts_with("app.")) continue;  // its clock, which it always sends
             ImGui::Text("%s: %s", name.c_str(), here ? "this window" : mover.c_str());
         }
     }

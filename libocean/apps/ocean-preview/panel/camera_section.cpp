@@ -18,7 +18,7 @@ void draw_camera_section(CameraControl& camera, PanelState& state) {
     slider(state, "Height of the eye", camera.camera().eye[2], 0.3f, 5000.0f, "%.1f m",
            ImGuiSliderFlags_Logarithmic);
     ImGui::PopItemWidth();
-    if (ImGui::Button("Back to where it began")) state.requests.reset_camera = true;
+    if (ImGui::Button("Back to the start")) state.requests.reset_camera = true;
     ImGui::TextDisabled("W A S D, Q E: move   Shift: fast\ndrag: turn   wheel: zoom");
 }
 

@@ -65,7 +65,7 @@ class Rows {
     void set(const ParameterChange& change) {
         const auto& [path, value, before, is_drag] = change;
         if (!try_to_set(sea_, state_, path, value)) return;
-        // A drag is one change, however often it was heard.
+        // A drag is one change, however many values it sets.
         const bool goes_on = is_drag && !state_.changes.empty() &&
                              state_.changes.back().path == path &&
                              state_.changes.back().before == before;

@@ -72,7 +72,7 @@ void draw_picture_section(LiveSea& sea, PanelState& state) {
     if (ImGui::Checkbox("Probe (P)", &state.probing)) state.requests.touched = true;
     ImGui::SameLine();
     if (ImGui::Checkbox("Near detail", &sea.near_detail)) state.requests.touched = true;
-    tooltip("The waves too short for the maps");
+    tooltip("Show the waves too short for the maps");
 }
 
 }  // namespace ocean::app

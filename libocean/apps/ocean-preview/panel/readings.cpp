@@ -12,7 +12,7 @@ void draw_readings(const LiveSea& sea, const preview::ShownSea& shown, const Pan
     ImGui::Text("Hs %.2f m   Tp %.1f s   mss %.4f", shown.significant_wave_height,
                 shown.peak_period, shown.mean_square_slope);
     const double settling = sea.foam_settling();
-    // A line that comes and goes would move what is under the mouse.
+    // A line that comes and goes would move the controls under the mouse.
     const std::string foam =
         settling > 0.0 ? format_text("foam settling: %.1f s", settling) : "foam settled";
     const std::size_t changes = sea.sea().take.events.size();

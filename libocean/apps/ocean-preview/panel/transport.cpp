@@ -28,8 +28,8 @@ void draw_transport(LiveSea& sea, PanelState& state) {
         state.requests.record = true;
     }
     tooltip(
-        "Changes of gliding parameters become a take of the sea, which is saved\n"
-        "with it and plays everywhere; what the take has later goes");
+        "Changes of gliding parameters become a take, which is saved with the sea\n"
+        "and plays everywhere; later changes of the take are dropped");
     ImGui::PushItemWidth(panel_length(kWidgetWidth));
     double time = sea.time();
     if (ImGui::DragScalar("Time", ImGuiDataType_Double, &time, 0.05f, nullptr, nullptr, "%.2f s")) {
@@ -38,7 +38,7 @@ void draw_transport(LiveSea& sea, PanelState& state) {
     }
     bool again = sea.play_again_after.has_value();
     if (ImGui::Checkbox("Play again from the start", &again)) {
-        // The whole of what there is to see: a loop, or a take and some seconds of its last glide.
+        // The whole loop, or the take and some seconds of its last glide.
         const double loop = sea.sea().parameters.time.loop_period;
         const double take = sea.take_end() - sea.sea().parameters.time.start;
         sea.play_again_after.reset();

@@ -11,10 +11,10 @@
 namespace ocean::app {
 namespace {
 
-constexpr double kTurn = 90.0;      // degrees a second
-constexpr double kDeadZone = 0.15;  // of a stick at rest
+constexpr double kTurn = 90.0;      // [degrees/s]
+constexpr double kDeadZone = 0.15;  // around the middle of a stick
 
-/// Nothing at rest, and from there on without a jump.
+/// Returns 0 for a stick within its dead zone, and values that grow from 0 outside it.
 double stick(float value) {
     const double size = std::abs(static_cast<double>(value));
     if (!(size > kDeadZone)) return 0.0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The first gamepad or joystick that is plugged in.
+// The first connected gamepad or joystick.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace ocean::app {
 
-/// Left stick moves, right stick turns, triggers go up and down; a joystick without a known layout
-/// moves by its first two axes and turns by the next two. Buttons: pause, camera, view, back to
-/// where it began, of a gamepad A, B, X, Y.
+/// The left stick moves, the right stick turns, triggers go up and down. A joystick without a known
+/// layout moves by its first two axes and turns by the next two. A, B, X and Y of a gamepad pause,
+/// change the camera, change the view, and return to the start.
 class Gamepad {
   public:
     enum Button { pause, camera, view, reset };
 
-    /// Asks what is plugged in. After GLFW's events.
+    /// Reads the connected device, after GLFW's events were polled.
     void read();
-    /// What it asks of the camera for so many seconds, beside what is there.
+    /// Adds its movement for so many seconds to an input.
     void add_to(CameraInput& input, double seconds) const;
-    /// Went down since it was read before.
+    /// Returns whether the button went down since the previous read().
     bool pressed(Button button) const { return down_[button] && !before_[button]; }
     bool is_connected() const { return is_connected_; }
 

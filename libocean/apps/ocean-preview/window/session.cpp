@@ -50,18 +50,18 @@ Session::Session(const PreviewOptions& options, const Sea& sea, const SeaArgumen
                  .computing = [this](const Sea& of) { return computing(of); }}),
       saved_(stem_of(source.source), sea),
       camera_(options.camera),
-      bridge_(
-          state_.bridge,
-          {.record = [this](bool on, const std::string& name) { record(on, name); },
-           .said = [this](const std::string& line) { context_.console.note("bridge: " + line); }}) {
+      bridge_(state_.bridge,
+              {.record = [this](bool on, const std::string& name) { record(on, name); },
+               .logged =
+                   [this](const std::string& line) { context_.console.note("bridge: " + line); }}) {
     set_up(sea);
 }
 
 void Session::set_up(const Sea& sea) {
     sea_.after_set = [this](const std::string& name, const std::string& value) {
-        bridge_.tell(name, value);
+        bridge_.send(name, value);
     };
-    sea_.after_open = [this] { bridge_.tell_values(sea_); };
+    sea_.after_open = [this] { bridge_.send_values(sea_); };
     sea_.near_detail = options_.detail && !info_.software;  // half as much again for its water
     state_.bridge.host = options_.host;
     state_.bridge.is_own = !options_.bridge;
@@ -205,7 +205,7 @@ void Session::draw() {
     draw_sea();
     draw_panels();
     const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
-    bridge_.tell_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
+    bridge_.send_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
 }
 
 void Session::draw_sea() {

@@ -6,11 +6,11 @@
 
 namespace ocean::app {
 
-SessionBridge::SessionBridge(BridgeRows& rows, BridgeWishes wishes)
-    : rows_(rows), wishes_(std::move(wishes)) {}
+SessionBridge::SessionBridge(BridgeRows& rows, BridgeCalls calls)
+    : rows_(rows), calls_(std::move(calls)) {}
 
 void SessionBridge::join(const bridge::LineClientOptions& bridge) {
-    link_.emplace(bridge, wishes_);
+    link_.emplace(bridge, calls_);
     rows_.link = &*link_;
 }
 
@@ -27,16 +27,16 @@ void SessionBridge::leave() {
     host_.stop();
 }
 
-void SessionBridge::tell(const std::string& name, const std::string& value) {
-    if (link_) link_->tell(name, value);
+void SessionBridge::send(const std::string& name, const std::string& value) {
+    if (link_) link_->send(name, value);
 }
 
-void SessionBridge::tell_values(const LiveSea& sea) {
-    if (link_) link_->tell_values(sea, true);
+void SessionBridge::send_values(const LiveSea& sea) {
+    if (link_) link_->send_values(sea, true);
 }
 
-void SessionBridge::tell_clock(const LiveSea& sea, double frame_rate) {
-    if (link_) link_->tell_clock(sea, frame_rate);
+void SessionBridge::send_clock(const LiveSea& sea, double frame_rate) {
+    if (link_) link_->send_clock(sea, frame_rate);
 }
 
 void SessionBridge::update_rows() {

@@ -17,8 +17,8 @@ namespace ocean::app {
 
 class SessionBridge {
   public:
-    /// rows: the panel's; they outlive this. wishes: for what the bridge requests of the window.
-    SessionBridge(BridgeRows& rows, BridgeWishes wishes);
+    /// rows: the panel's, which outlive this. calls: of BridgeLink.
+    SessionBridge(BridgeRows& rows, BridgeCalls calls);
 
     void join(const bridge::LineClientOptions& bridge);
     /// Starts a bridge in this process with the panel's options, or starts it again, and joins it.
@@ -29,15 +29,15 @@ class SessionBridge {
 
     /// Applies values that others have set. Returns whether the sea has changed.
     bool apply(LiveSea& sea) { return link_ && link_->apply(sea); }
-    void tell(const std::string& name, const std::string& value);
-    void tell_values(const LiveSea& sea);
-    void tell_clock(const LiveSea& sea, double frame_rate);
+    void send(const std::string& name, const std::string& value);
+    void send_values(const LiveSea& sea);
+    void send_clock(const LiveSea& sea, double frame_rate);
     /// Brings the panel's rows up to date.
     void update_rows();
 
   private:
     BridgeRows& rows_;
-    BridgeWishes wishes_;
+    BridgeCalls calls_;
     BridgeHost host_;
     std::optional<BridgeLink> link_;
 };
