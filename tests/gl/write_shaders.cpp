@@ -9,7 +9,7 @@
 
 #include "frame_plan.hpp"
 #include "shader_text.hpp"
-#include "water_defines.hpp"
+#include "water_program.hpp"
 
 using namespace ocean;
 using namespace ocean::gl;
@@ -60,12 +60,19 @@ int main(int argc, char** argv) {
     for (const int taps : {0, 2}) {
         for (const std::size_t cascades : {1, 2, 5, 10}) {
             const std::size_t covers = cascades == 1 || cascades == 5 ? 1 : 2;
+            const std::size_t tiles = taps == 0 ? 2 : 0;
+            const preview::WaterVariant variant{
+                .cascades = {covers == 1 ? cascades : cascades - cascades / 2,
+                             covers == 1 ? 0 : cascades / 2},
+                .covers = covers,
+                .lace = taps == 0,
+                .tiles = {tiles, covers == 1 ? 0 : tiles},
+                .below = cascades < 5};
             const std::string end = "_" + std::to_string(cascades) + std::to_string(taps);
             for (const std::string name : {"water", "seed"}) {
                 for (const char* kind : {".vert", ".frag"}) {
                     write(name + end, "preview/" + name + kind,
-                          preview::water_defines(
-                              {cascades, covers, taps == 0, taps == 0 ? 2 * covers : 0}, taps));
+                          preview::water_defines(variant, taps));
                 }
             }
         }

@@ -20,8 +20,20 @@ class Ocean;
 
 namespace ocean::gl {
 
+/// The maps of all cascades of a sea as array textures (GL_TEXTURE_2D_ARRAY), a layer for each
+/// cascade; the components and mipmaps of a layer are those of CascadeTextures.
+struct CascadeArrays {
+    int resolution = 0;  // texels along a side of each layer
+    unsigned displacement = 0;
+    unsigned gradients = 0;
+    unsigned moments = 0;
+
+    bool operator==(const CascadeArrays&) const = default;
+};
+
 /// The textures of one cascade, by name; SeaTextures owns them. All are RGBA float, N x N, repeat,
-/// with mipmaps down to one texel; u = x / period.
+/// with mipmaps down to one texel; u = x / period. They
+/// share their texels with layers of CascadeArrays.
 struct CascadeTextures {
     double period = 0.0;  // [m]
     int resolution = 0;
@@ -80,7 +92,9 @@ class SeaTextures {
     void foam_changed();
 
     // The results of the last show().
+    /// Returns the textures of each cascade: layers of arrays(), in its order.
     std::span<const CascadeTextures> cascades() const;
+    CascadeArrays arrays() const;
     const FoamTexture& foam() const;
     std::int64_t foam_settling_ticks() const;
 

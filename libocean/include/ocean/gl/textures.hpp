@@ -16,4 +16,14 @@ enum class Filter { nearest, linear };
 Texture make_texture(GLenum format, int resolution, Mipmaps mipmaps = Mipmaps::no,
                      Filter filter = Filter::nearest);
 
+/// Returns an array of textures of N x N texels that repeat, as make_texture makes one, and leaves
+/// it bound to GL_TEXTURE_2D_ARRAY.
+Texture make_texture_array(GLenum format, int resolution, int layers,
+                           Mipmaps mipmaps = Mipmaps::no);
+
+/// Returns a texture of GL_TEXTURE_2D that shares its texels, mipmaps included, with a layer of an
+/// array, whose format it has. Needs OpenGL 4.3.
+Texture make_layer_view(const Texture& array, GLenum format, int resolution, int layer,
+                        Mipmaps mipmaps = Mipmaps::no);
+
 }  // namespace ocean::gl

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How keys, mouse and joystick move the camera.
+// The camera's movements by keys, mouse and gamepad.
 #pragma once
 
 #include "ocean/ocean.hpp"
@@ -11,13 +11,13 @@ namespace ocean::app {
 
 enum class CameraMode { fly, walk, orbit, floating };
 
-/// What a person asks of the camera in one step; -1 .. 1 where it is a direction.
+/// The requested movement of the camera in one step; directions are -1 .. 1.
 struct CameraInput {
     double ahead = 0.0;
     double right = 0.0;
     double up = 0.0;
-    double turn_left = 0.0;  // degrees
-    double turn_up = 0.0;    // degrees
+    double turn_left = 0.0;  // [degrees]
+    double turn_up = 0.0;    // [degrees]
     double closer = 0.0;     // steps of a wheel
     bool fast = false;
 };
@@ -26,7 +26,8 @@ class CameraControl {
   public:
     explicit CameraControl(const preview::Camera& camera) : camera_(camera) {}
 
-    /// Moves for so many seconds. The sea says where walking feet and floats are.
+    /// Moves the camera for so many seconds. A walking or floating camera is carried by the sea at
+    /// a time [s]. Throws Error.
     void step(const CameraInput& input, double seconds, Ocean& sea, double time);
     void reset(const preview::Camera& camera) { camera_ = camera; }
 
@@ -36,7 +37,7 @@ class CameraControl {
 
   private:
     preview::Camera camera_;
-    double orbit_distance_ = 60.0;  // m
+    double orbit_distance_ = 60.0;  // [m]
 };
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a part of a frame costs, without waiting for the GPU.
+// The cost of a part of a frame, measured without waiting for the GPU.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,7 +14,7 @@
 
 namespace ocean::app {
 
-/// Needs the context in which it was made. OpenGL 3.3.
+/// The OpenGL context of the constructor must be current in every call. OpenGL 3.3.
 class StageTimer {
   public:
     StageTimer() {
@@ -37,18 +37,18 @@ class StageTimer {
         processor_ = taken.count();
     }
 
-    /// Milliseconds of the last frame of the processor, or, if that is more, of the frame on the
-    /// GPU that is known last.
+    /// Returns the time of the last frame on the processor, or that of the last known frame on the
+    /// GPU if it is longer [ms].
     double milliseconds() const { return processor_ > gpu_ ? processor_ : gpu_; }
 
   private:
     using Round = std::array<gl::Query, 2>;
 
-    /// Four frames later they are there; if not, the one before counts.
+    /// Reads times of four frames ago; if they are not available yet, the earlier ones stay.
     void read(const Round& round) {
-        GLint there = 0;
-        glGetQueryObjectiv(round[1].name(), GL_QUERY_RESULT_AVAILABLE, &there);
-        if (there == 0) return;
+        GLint available = 0;
+        glGetQueryObjectiv(round[1].name(), GL_QUERY_RESULT_AVAILABLE, &available);
+        if (available == 0) return;
         GLuint64 from = 0, to = 0;
         glGetQueryObjectui64v(round[0].name(), GL_QUERY_RESULT, &from);
         glGetQueryObjectui64v(round[1].name(), GL_QUERY_RESULT, &to);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "gamepad.hpp"
+#include "window/gamepad.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -11,10 +11,10 @@
 namespace ocean::app {
 namespace {
 
-constexpr double kTurn = 90.0;      // degrees a second
-constexpr double kDeadZone = 0.15;  // of a stick at rest
+constexpr double kTurn = 90.0;      // [degrees/s]
+constexpr double kDeadZone = 0.15;  // around the middle of a stick
 
-/// Nothing at rest, and from there on without a jump.
+/// Returns 0 for a stick within its dead zone, and values that grow from 0 outside it.
 double stick(float value) {
     const double size = std::abs(static_cast<double>(value));
     if (!(size > kDeadZone)) return 0.0;
@@ -27,11 +27,11 @@ double stick(float value) {
 void Gamepad::read() {
     before_ = down_;
     down_ = {};
-    is_there_ = false;
+    is_connected_ = false;
     right_ = ahead_ = turn_left_ = turn_up_ = up_ = 0.0;
     for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
         if (glfwJoystickPresent(joystick) == GLFW_FALSE) continue;
-        is_there_ = true;
+        is_connected_ = true;
         GLFWgamepadstate pad;
         if (glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
             right_ = stick(pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
-#include "parameter_row.hpp"
+#include "panel/parameter_row.hpp"
 
 #include <imgui.h>
 
@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "ocean/text.hpp"
-#include "panel_length.hpp"
+#include "panel/panel_length.hpp"
 
 namespace ocean::app {
 namespace {
@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-/// The slider that a hand holds.
+/// The slider that the user is dragging.
 struct Drag {
     std::string path;  // empty: none
     double value = 0.0;
@@ -59,9 +59,10 @@ class Row {
     void tooltip() {
         if (!ImGui::IsItemHovered()) return;
         std::string words = path_ + "\n" + std::string(spec_.help) + "\n" + allowed_values(spec_);
-        if (!spec_.used_by.empty()) words += "\nCounts with: " + std::string(spec_.used_by);
-        words += spec_.change == ParameterClass::live ? "\nGlides"
-                                                      : "\nMakes another sea; is no part of a take";
+        if (!spec_.used_by.empty()) words += "\nHas an effect with: " + std::string(spec_.used_by);
+        words += spec_.change == ParameterClass::live
+                     ? "\nGlides"
+                     : "\nMakes another sea; a take cannot have it";
         ImGui::BeginTooltip();
         ImGui::PushTextWrapPos(panel_length(380.0f));
         ImGui::TextUnformatted(words.c_str());
@@ -78,7 +79,7 @@ class Row {
     }
 
     void number(double value) {
-        // What a person drags follows the mouse; else the sea's value, which may glide.
+        // A dragged slider follows the mouse, any other the sea's value, which may glide.
         auto shown = static_cast<float>(drag_.path == path_ ? drag_.value : value);
         const auto lowest = static_cast<float>(std::max(spec_.min, spec_.soft_min));
         const auto highest = static_cast<float>(std::min(spec_.max, spec_.soft_max));

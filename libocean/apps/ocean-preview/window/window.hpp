@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The window: GLFW's, with the panel in it.
+// The program in a window.
 #pragma once
 
 #include "command.hpp"
@@ -11,8 +11,8 @@
 
 namespace ocean::app {
 
-/// Until it is closed. `source` is read again where a person asks for it. Throws Error no_gpu where
-/// no window or no OpenGL 4.1 can be had.
+/// Blocks until the window is closed. `source` is read again when a person requests it. Throws
+/// Error no_gpu if no window with OpenGL 4.1 can be opened.
 void run_window(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
                 const Context& context);
 
