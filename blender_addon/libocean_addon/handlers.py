@@ -7,18 +7,12 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import (
-    changes,
-    compat,
-    foam_images,
-    live,
-    meshes,
-    node_group,
-    open_sea,
-    render_check,
-    spray,
-    versions,
-)
+from . import versions
+from .bake import render_check
+from .look import foam_images
+from .sea import live, meshes, node_group, open_sea
+from .shared import changes, compat
+from .spray import spray
 
 _locked_by_us: set[str] = set()  # scenes
 

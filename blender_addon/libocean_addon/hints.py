@@ -10,8 +10,8 @@ import math
 
 import bpy
 
-from . import live, meshes, node_group, open_sea
-from .compat import tr, tr_label
+from .sea import live, meshes, node_group, open_sea
+from .shared.compat import tr, tr_label
 
 _EVEN = 1e-4  # of scales that are meant to be one
 

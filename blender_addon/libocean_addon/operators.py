@@ -8,22 +8,12 @@ import bpy
 from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import (
-    changes,
-    compat,
-    live,
-    material,
-    meshes,
-    messages,
-    node_group,
-    parameter_values,
-    paths,
-    resolutions,
-    sea_text,
-    translations,
-)
-from .compat import tr
-from .native import libocean
+from . import translations
+from .look import material
+from .sea import live, meshes, node_group, parameter_values, resolutions, sea_text
+from .shared import changes, compat, messages, paths
+from .shared.compat import tr
+from .shared.native import libocean
 
 DEFAULT_PRESET = "beaufort_5"
 

@@ -9,26 +9,14 @@ from __future__ import annotations
 
 import bpy
 
-from . import (
-    bake,
-    bake_state,
-    baked,
-    drafts,
-    hints,
-    live,
-    material,
-    node_group,
-    operators,
-    parameter_values,
-    records,
-    resolutions,
-    sea_text,
-    spray,
-    translations,
-    volumes,
-)
-from .compat import tr_label
-from .drawing import never_raises, say
+from . import hints, operators, translations
+from .bake import bake, bake_state, baked
+from .look import material
+from .sea import drafts, live, node_group, parameter_values, records, resolutions, sea_text
+from .shared.compat import tr_label
+from .shared.drawing import never_raises, say
+from .spray import spray
+from .volumes import volumes
 
 SHORT = {
     "peak_enhancement": "Enhancement",

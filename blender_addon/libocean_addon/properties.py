@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat, live, meshes, parameter_values, resolutions
-from .overrides import overridable
-from .parameter_properties import annotations as parameters
-from .parameter_properties import changed
+from .sea import live, meshes, parameter_values, resolutions
+from .sea.parameter_properties import annotations as parameters
+from .sea.parameter_properties import changed
+from .shared import compat
+from .shared.overrides import overridable
 
 _EXACT = bpy.props.StringProperty(options={"HIDDEN"})
 

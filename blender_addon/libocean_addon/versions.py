@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
-from . import baked, changes, meshes, parameter_values, resolutions
+from .bake import baked
+from .sea import meshes, parameter_values, resolutions
+from .shared import changes
 
 
 def upgrade(ob) -> None:

@@ -46,7 +46,8 @@ def factory_settings(**settings) -> None:
 def built_once(tmp_path_factory):
     """Building a node group takes Blender up to seconds, by the cube of its nodes: what the add-on
     built in one file is brought into the next ones from there."""
-    from libocean_addon import foam_images, material, node_group, water_shader
+    from libocean_addon.look import foam_images, material, water_shader
+    from libocean_addon.sea import node_group
 
     def has_foam() -> bool:  # a group of its own shows these images
         return any(foam_images.MARK in image for image in bpy.data.images)
@@ -243,7 +244,7 @@ def rendered(scene, path: Path) -> np.ndarray:
 
 def geometry_group(name: str):
     """A modifier's node group, empty."""
-    from libocean_addon import compat
+    from libocean_addon.shared import compat
 
     group = bpy.data.node_groups.new(name, "GeometryNodeTree")
     compat.add_socket(group, "Geometry", "NodeSocketGeometry")
@@ -253,8 +254,8 @@ def geometry_group(name: str):
 
 def by_nodes(formula, arguments: np.ndarray) -> np.ndarray:
     """What nodes make of these arguments, (n, 3), each at a vertex."""
-    from libocean_addon import compat
-    from libocean_addon.node_builder import Builder
+    from libocean_addon.shared import compat
+    from libocean_addon.shared.node_builder import Builder
 
     mesh = bpy.data.meshes.new("Calls")
     mesh.vertices.add(len(arguments))

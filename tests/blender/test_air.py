@@ -9,7 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane
-from libocean_addon import air, compat, first_view, material, water_shader
+from libocean_addon.look import air, first_view, material, water_shader
+from libocean_addon.shared import compat
 from test_material import (
     BLACK,
     EEVEE,

@@ -10,8 +10,10 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, pixels, positions, rest
-from libocean_addon import asset_library, assets, foam_images, live, meshes, node_group
+from libocean_addon.assets import asset_library, assets
 from libocean_addon.bundled import libocean
+from libocean_addon.look import foam_images
+from libocean_addon.sea import live, meshes, node_group
 
 PATCH = "Beaufort 4 Patch"
 FOREIGN = "# Mine\nVERSION 1\n\n0a0b6c1e-6a3f-4f0e-9d55-000000000001:Boats:Boats\n"

@@ -47,7 +47,7 @@ def files(tmp_path: Path) -> Path:
 
 def read_exr(path: Path) -> tuple[dict[str, str], dict[str, np.ndarray]]:
     """Header and channels as bit patterns; what is half in the file would be another type."""
-    from libocean_addon import exr_files
+    from libocean_addon.bake import exr_files
 
     image = exr_files.load_package().InputFile(str(path))
     header = image.header()
@@ -107,7 +107,7 @@ def test_the_files_are_those_of_ocean_bake(scene, sea, tmp_path):
 
 
 def test_numbers_are_written_as_the_program_writes_them(sea):
-    from libocean_addon.exr_files import shortest
+    from libocean_addon.bake.exr_files import shortest
 
     written = "0 690 1e+05 12.5 0.041666666666666664 1e-04 0.001 -0.5 1.5e-07 -1e+05"
     assert " ".join(shortest(float(text)) for text in written.split()) == written
@@ -171,7 +171,7 @@ def test_a_broken_file_never_counts(sea, tmp_path):
 
 def test_a_write_that_fails_leaves_nothing(sea, tmp_path, monkeypatch):
     """A disk that fills up: the package ends a file early and says nothing."""
-    from libocean_addon import exr_files
+    from libocean_addon.bake import exr_files
 
     package = exr_files.load_package()
     output_file = package.OutputFile
@@ -290,7 +290,7 @@ def test_a_horizon_plays_around_the_camera(scene, tmp_path):
 
 
 def test_nothing_is_asked_of_the_library_while_it_plays(scene, sea, monkeypatch):
-    from libocean_addon import open_sea
+    from libocean_addon.sea import open_sea
 
     sea.libocean.use_detail = True
     bpy.ops.libocean.add_material()
@@ -354,7 +354,7 @@ def test_an_animated_period_is_refused(scene, sea, tmp_path):
 
 def made_by_an_earlier_version(ob, folder: Path) -> None:
     """Of its bake there is neither a Jacobian nor detail, in files, record and node group."""
-    from libocean_addon import node_group
+    from libocean_addon.sea import node_group
 
     record = ob.libocean.bake
     for field in record.fields.split(","):
@@ -370,7 +370,8 @@ def made_by_an_earlier_version(ob, folder: Path) -> None:
 
 
 def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
-    from libocean_addon import bake_state, node_group
+    from libocean_addon.bake import bake_state
+    from libocean_addon.sea import node_group
 
     scene.frame_set(4)
     sea.libocean.use_detail = True
@@ -405,7 +406,7 @@ def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
 @pytest.mark.parametrize("kind", ["PATCH", pytest.param("HORIZON", marks=pytest.mark.slow)])
 def test_sizes_are_told(scene, sea, kind):
     """What is expected are the samples, of at most three bands; what is there are the files."""
-    from libocean_addon import bake_plan, bake_state, baked
+    from libocean_addon.bake import bake_plan, bake_state, baked
 
     sea.libocean.use_detail = True
     if kind == "HORIZON":
@@ -551,7 +552,7 @@ def test_saved_elsewhere_it_still_knows_its_files(scene, sea, tmp_path):
 
 
 def test_baked_into_another_folder_it_plays_that(scene, sea, tmp_path):
-    from libocean_addon import baked
+    from libocean_addon.bake import baked
 
     bpy.ops.libocean.bake()
     shutil.rmtree(files(tmp_path))
@@ -604,7 +605,7 @@ def test_what_is_turned_plays_the_same_sea(scene, sea, turn):
 
 
 def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
-    from libocean_addon import baked
+    from libocean_addon.bake import baked
 
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}
@@ -623,7 +624,7 @@ def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
 
 
 def test_an_object_that_is_renamed_meanwhile_gets_its_bake(sea, tmp_path):
-    from libocean_addon import bake_plan, bake_state
+    from libocean_addon.bake import bake_plan, bake_state
 
     folder = str(tmp_path / "there")
     started = bake_plan.Bake(bpy.context, sea, folder, (2, 3), overwrite=False)
@@ -642,7 +643,7 @@ def test_what_the_library_refuses_is_told(sea, tmp_path):
 
 
 def test_the_panel_says_what_is_baked(scene, sea):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     bpy.ops.libocean.bake()
 
@@ -662,7 +663,7 @@ def test_the_panel_says_what_is_baked(scene, sea):
 
 
 def test_the_panel_compares_a_keyframed_sea_at_its_frame(scene, sea):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     for frame, value in ((2, 0.0), (5, 1.5)):
         sea.libocean.choppiness = value
@@ -691,7 +692,7 @@ def test_a_missing_package_is_told(sea, tmp_path, monkeypatch):
 
 
 def test_a_stopped_bake_keeps_what_is_finished_and_goes_on(scene, sea, tmp_path):
-    from libocean_addon import bake_plan
+    from libocean_addon.bake import bake_plan
 
     planned = bake_plan.Bake(bpy.context, sea, "//ocean_bake/Ocean/", (2, 5), overwrite=False)
     job = planned.job
@@ -731,7 +732,7 @@ def invoke(last):
 
 
 def steps():
-    from libocean_addon import bake, bake_state
+    from libocean_addon.bake import bake, bake_state
 
     invoke(2000)
     while bake.running.job.done < 3:

@@ -9,15 +9,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import add_ocean, attribute, in_another_process, plane, positions, presets_with
-from libocean_addon import (
-    compat,
-    first_view,
-    live,
-    material,
-    open_sea,
-    sunlight,
-    water_shader,
-)
+from libocean_addon.look import first_view, material, sunlight, water_shader
+from libocean_addon.sea import live, open_sea
+from libocean_addon.shared import compat
 from mathutils import Euler, Matrix, Vector
 from test_material import (
     BLACK,

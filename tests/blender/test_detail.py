@@ -20,8 +20,9 @@ from conftest import (
     shine,
     taken,
 )
-from libocean_addon import detail, live, water_shader
 from libocean_addon.bundled import libocean
+from libocean_addon.look import detail, water_shader
+from libocean_addon.sea import live
 
 # The formulas -------------------------------------------------------------------
 

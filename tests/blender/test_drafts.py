@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, evaluated_mesh, positions
-from libocean_addon import drafts, live, open_sea
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import drafts, live, open_sea
 
 
 @pytest.fixture

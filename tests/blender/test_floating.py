@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane
-from libocean_addon import parameter_values, sea_text
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import parameter_values, sea_text
 
 
 @pytest.fixture

@@ -22,9 +22,10 @@ from conftest import (
     shine,
     taken,
 )
-from libocean_addon import compat, foam_images, foam_nodes, material
 from libocean_addon.bundled import libocean
-from libocean_addon.node_builder import Builder
+from libocean_addon.look import foam_images, foam_nodes, material
+from libocean_addon.shared import compat
+from libocean_addon.shared.node_builder import Builder
 
 # The formulas -------------------------------------------------------------------
 

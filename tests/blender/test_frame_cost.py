@@ -8,7 +8,8 @@ import time
 import bpy
 import pytest
 from conftest import evaluated_mesh
-from libocean_addon import images, live, open_sea
+from libocean_addon.sea import live, open_sea
+from libocean_addon.shared import images
 
 FRAMES = range(2, 26)
 LIMIT = 0.35 if bpy.app.version < (4, 2) else 0.20

@@ -8,8 +8,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
-from libocean_addon import atlas, changes, meshes, ring_nodes
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import atlas, meshes, ring_nodes
+from libocean_addon.shared import changes
 
 FRAMES = (1, 40, 250)
 ROUND, ODD = 200.0, 137.3

@@ -11,18 +11,12 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import plane
-from libocean_addon import (
-    asset_library,
-    changes,
-    first_view,
-    manual,
-    operators,
-    panels,
-    parameter_properties,
-    parameter_values,
-    sea_text,
-)
+from libocean_addon import manual, operators, panels
+from libocean_addon.assets import asset_library
 from libocean_addon.bundled import libocean
+from libocean_addon.look import first_view
+from libocean_addon.sea import parameter_properties, parameter_values, sea_text
+from libocean_addon.shared import changes
 
 UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
 
@@ -317,7 +311,7 @@ def test_messages_take_no_file_for_a_field(ocean, name):
 
 
 def test_a_measured_sea_without_its_file_keeps_the_sea_that_was(ocean):
-    from libocean_addon import live
+    from libocean_addon.sea import live
 
     before = live.state_of(ocean)
     ocean.libocean.waves[0].spectrum = "measured"
@@ -386,7 +380,7 @@ def test_operators_of_a_sea_want_one():
 
 
 def test_the_read_out_is_that_of_the_library(ocean):
-    from libocean_addon import live
+    from libocean_addon.sea import live
 
     shown = dict(live.state_of(ocean))
     with libocean.parse(text_of(ocean)) as sea:

@@ -131,7 +131,7 @@ assert np.array_equal(found, np.load(arguments[1]))
 
 
 def test_an_override_that_is_baked_plays_its_bake(overridden, tmp_path):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     ob = overridden()
     live = shown(ob)
@@ -163,7 +163,7 @@ def test_an_override_that_is_baked_plays_its_bake(overridden, tmp_path):
 
 
 def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
-    from libocean_addon import bake_state, baked
+    from libocean_addon.bake import bake_state, baked
 
     ob = overridden(baked=True)
     want = shown(ob)
@@ -261,7 +261,7 @@ def test_missing_files_of_a_linked_bake_stop_a_render(overridden, tmp_path, capf
 
 
 def test_paths_of_a_library_go_from_its_file(overridden, tmp_path):
-    from libocean_addon import parameter_values
+    from libocean_addon.sea import parameter_values
 
     def of(ob) -> str:
         return parameter_values.values_of(ob.libocean).waves[0].values["file"]

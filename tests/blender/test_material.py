@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import add_ocean, parallel_camera, pixels_of, plane, positions, shine
-from libocean_addon import compat, material
+from libocean_addon.look import material
+from libocean_addon.shared import compat
 
 IOR = 1.333
 EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"

@@ -9,17 +9,10 @@ import blf
 import bpy
 import pytest
 from conftest import evaluated_mesh, plane, positions
-from libocean_addon import (
-    drafts,
-    drawing,
-    floating,
-    hints,
-    live,
-    node_group,
-    panels,
-    parameter_values,
-    translations,
-)
+from libocean_addon import hints, panels, translations
+from libocean_addon.floating import floating
+from libocean_addon.sea import drafts, live, node_group, parameter_values
+from libocean_addon.shared import drawing
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
 

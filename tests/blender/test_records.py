@@ -7,8 +7,8 @@ from pathlib import Path
 import bpy
 import pytest
 from conftest import add_ocean
-from libocean_addon import live, open_sea, parameter_values, records
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import live, open_sea, parameter_values, records
 
 SPECTRA = Path(__file__).parents[1] / "data" / "spectra"
 BUOY = str(SPECTRA / "ndbc_41010.data_spec")

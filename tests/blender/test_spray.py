@@ -10,8 +10,10 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane, rendered
-from libocean_addon import changes, drafts, live, parameter_values, sea_text, spray, spray_nodes
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import drafts, live, parameter_values, sea_text
+from libocean_addon.shared import changes
+from libocean_addon.spray import spray, spray_nodes
 
 SIZE = 50.0
 

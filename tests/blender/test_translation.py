@@ -12,23 +12,17 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import add_ocean, plane
-from libocean_addon import (
-    bake_state,
-    compat,
-    floating,
-    live,
-    operators,
-    panels,
-    parameter_values,
-    sea_text,
-    translations,
-    water_shader,
-)
+from libocean_addon import operators, panels, translations
+from libocean_addon.bake import bake_state
+from libocean_addon.floating import floating
+from libocean_addon.look import water_shader
+from libocean_addon.sea import live, parameter_values, sea_text
+from libocean_addon.shared import compat
 
 GERMAN = translations.TABLE["de_DE"]
 CLASSES = [cls for part in libocean_addon.parts() for cls in getattr(part, "CLASSES", ())]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
-SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
+SOURCES = sorted(Path(libocean_addon.__file__).parent.rglob("*.py"))
 PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers
 
 

@@ -11,8 +11,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import pixels, plane, rendered
-from libocean_addon import compat, sun_focus, water_shader
-from libocean_addon.native import libocean
+from libocean_addon.look import sun_focus, water_shader
+from libocean_addon.shared import compat
+from libocean_addon.shared.native import libocean
 from test_material import (
     FAR,
     IOR,

@@ -9,8 +9,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, positions, rest
-from libocean_addon import baked, node_group, parameter_values, sea_text
+from libocean_addon.bake import baked
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import node_group, parameter_values, sea_text
 
 OLD = Path(__file__).parents[1] / "data" / "blender" / "version_1.blend.xz"
 

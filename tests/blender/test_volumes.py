@@ -15,8 +15,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import evaluated_mesh, positions
-from libocean_addon import compat, volume_job, volumes
 from libocean_addon.bundled import libocean
+from libocean_addon.shared import compat
+from libocean_addon.volumes import volume_job, volumes
 from mathutils import Vector
 
 OPENVDB = compat.load_openvdb()

@@ -1,0 +1,196 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The work of a bake, from plain values to files. No Blender in here: it runs in a thread of its
+own, which may be asked to stop between two files.
+
+    frames (number, seconds, sea file) -> library -> maps of a period, slope tiles -> EXR files
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from ..look import detail_tiles
+from ..sea import atlas
+from ..shared.native import libocean
+from . import bake_files, exr_files
+
+
+@dataclasses.dataclass(frozen=True)
+class Frame:
+    """What is baked of one frame of the scene."""
+
+    number: int
+    time: float
+    sea: str
+    """A sea file, not resolved."""
+
+
+@dataclasses.dataclass(kw_only=True)
+class Job:
+    """Frames that become files, one after another. Whoever runs it in a thread reads the last five
+    fields meanwhile."""
+
+    frames: list[Frame]
+    base_dir: str | None
+    overwrite: bool
+
+    stop: threading.Event = dataclasses.field(default_factory=threading.Event)
+    done: int = 0
+    """Frames that are there."""
+    written: int = 0
+    """Frames of which a file was not there before."""
+    failure: Exception | None = None
+    warning: str = ""
+    """What the user should know of a frame."""
+    marks: list[str] = dataclasses.field(default_factory=list)
+    """By which the files of each frame are known again."""
+
+    def run(self, tell: Callable[[], None] = lambda: None) -> None:
+        """Writes what is missing; tell is called after each frame. What went wrong is in
+        `failure`."""
+        try:
+            self._run(tell)
+        except Exception as failure:  # of the library, the disk, OpenEXR: a thread has no caller
+            self.failure = failure
+
+    def _run(self, tell: Callable[[], None]) -> None:
+        sea, text = None, ""
+        try:
+            for frame in self.frames:
+                if sea is None or frame.sea != text:
+                    if sea is not None:
+                        sea.close()
+                    sea = libocean.parse(frame.sea, base_dir=self.base_dir)
+                    text, resolved = frame.sea, sea.text
+                if not self._bake(sea, resolved, frame):
+                    return
+                time = exr_files.shortest(frame.time)
+                self.marks.append(bake_files.frame_mark(resolved, time))
+                self.done += 1
+                tell()
+        finally:
+            if sea is not None:
+                sea.close()
+
+    def _bake(self, sea, resolved: str, frame: Frame) -> bool:
+        """Whether all files of the frame are there now: not where it was told to stop."""
+        raise NotImplementedError
+
+
+class OtherTilesError(Exception):
+    """The slope tiles of a frame are of other waves than those of the first, and of another size:
+    a bake has one of each."""
+
+
+@dataclasses.dataclass(kw_only=True)
+class MapJob(Job):
+    """Frames that become maps as EXR files."""
+
+    folder: Path
+    stem: str
+    """How the names of the files begin."""
+    fields: list[str]
+    """Of maps; those of slope tiles are known, and here, when it is done."""
+    use_detail: bool
+    resolution: int
+    package: object
+    """The Python package OpenEXR."""
+
+    first_sea: str = ""
+    """The resolved sea file of the first frame."""
+    slope_variance: float = 0.0
+    """Of the waves that the first frame's map leaves out."""
+    cover_power: float = 1.0
+    """Of the first frame's foam."""
+    bands: list[detail_tiles.Band] = dataclasses.field(default_factory=list)
+    """Of the first frame's slope tiles."""
+
+    def _begin(self, sea, resolved: str, frame: Frame) -> None:
+        """What is kept of the first frame."""
+        self.first_sea = resolved
+        self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
+        if "cover" in self.fields:
+            self.cover_power = sea.cover_power(frame.time, self.resolution)
+        if self.use_detail:
+            found = self._detail(sea, frame.time).bands
+            self.bands = [detail_tiles.band_of(band) for band in found]
+            self.fields = [*self.fields, *exr_files.DETAIL[: len(found)]]
+
+    def _bake(self, sea, resolved: str, frame: Frame) -> bool:
+        if self.done == 0:
+            self._begin(sea, resolved, frame)
+        label = exr_files.Label(
+            resolved,
+            frame.number,
+            frame.time,
+            float(sea.get("patch_size")),
+            self.resolution,
+            libocean.version,
+        )
+        paths = {
+            field: exr_files.path(self.folder, self.stem, field, frame.number)
+            for field in self.fields
+        }
+        missing = [
+            field
+            for field, path in paths.items()
+            if self.overwrite or not exr_files.is_there(path, label, field)
+        ]
+        if missing and not self.stop.is_set():
+            maps = self._maps(sea, frame.time, missing)
+            if any(field in exr_files.DETAIL for field in missing):
+                label = dataclasses.replace(label, detail=self._detail(sea, frame.time))
+                maps |= self._tiles(label.detail.bands)
+            self.written += 1
+            for field in missing:
+                if self.stop.is_set():
+                    return False
+                exr_files.write(self.package, paths[field], label, field, maps[field])
+        return not self.stop.is_set()
+
+    def _maps(self, sea, time: float, fields: list[str]) -> dict[str, np.ndarray]:
+        fields = [field for field in fields if field not in exr_files.DETAIL]
+        near = [field for field in fields if not exr_files.is_far(field)]
+        surface = sea.surface(time, self.resolution, near, axes=exr_files.AXES)
+        maps = {field: getattr(surface, field) for field in near}
+        if len(near) < len(fields):
+            maps |= self._far_maps(sea, time)
+        return maps
+
+    def _far_maps(self, sea, time: float) -> dict[str, np.ndarray]:
+        size = self.resolution
+        finest = {name: np.empty((size, size, 4), np.float32) for name in atlas.FINEST}
+        sea.fill(time, [(finest[name], atlas.FINEST[name]) for name in finest])
+        atlases = {name: np.zeros((*atlas.shape(size), 4), np.float32) for name in finest}
+        atlas.fill(sea, time, size, finest, atlases, sea.state)
+        x, y, z, other = range(4)
+        maps = {
+            exr_files.far("cover"): atlases["Displacement"][..., other],
+            exr_files.far("jacobian"): atlases["Velocity"][..., other],
+        }
+        for name, values in atlases.items():
+            field = exr_files.far(name.lower())
+            order = (x, z, y, other)[: len(exr_files.channels(field))]
+            maps[field] = values[..., order]
+        return maps
+
+    def _detail(self, sea, time: float):
+        return sea.detail(time, self.resolution, samples=detail_tiles.SAMPLES)
+
+    def _tiles(self, bands) -> dict[str, np.ndarray]:
+        """Slopes along the sea's own x and y, whatever the axes of vectors."""
+        first, these = (
+            [(band.tile, band.longest_wave, band.shortest_wave) for band in found]
+            for found in (self.bands, bands)
+        )
+        if these != first:
+            raise OtherTilesError
+        nothing = np.zeros((detail_tiles.SAMPLES, detail_tiles.SAMPLES, 1), np.float32)
+        slopes = [np.concatenate([band.slope, nothing], axis=2) for band in bands]
+        return dict(zip(exr_files.DETAIL, slopes, strict=False))

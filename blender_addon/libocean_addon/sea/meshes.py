@@ -1,0 +1,210 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The meshes of Add > Mesh > Ocean."""
+
+from __future__ import annotations
+
+import math
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..shared import compat
+from . import ring_nodes
+
+
+def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
+    """Makes the mesh that of these vertices (n, 3) and faces, smooth, all new. faces: (m, k), one
+    array for each number of corners k."""
+    mesh.clear_geometry()
+    mesh.vertices.add(len(vertices))
+    mesh.vertices.foreach_set("co", np.ascontiguousarray(vertices, dtype=np.float32).ravel())
+    corners = np.concatenate([of_one_kind.ravel() for of_one_kind in faces]).astype(np.int32)
+    counts = np.concatenate([np.full(len(f), f.shape[1], np.int32) for f in faces])
+    mesh.loops.add(len(corners))
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(len(counts))
+    mesh.polygons.foreach_set("loop_start", np.cumsum(counts, dtype=np.int32) - counts)
+    if not compat.LOOP_TOTAL_FOLLOWS:
+        mesh.polygons.foreach_set("loop_total", counts)
+    mesh.update(calc_edges=True)
+    compat.shade_smooth(mesh)
+
+
+def _patch_vertices(size: float, samples: int) -> np.ndarray:
+    """One period around the origin: a vertex on each of samples x samples, and the seam's."""
+    side = samples + 1
+    along = (np.arange(side) - samples // 2) * (size / samples)
+    vertices = np.zeros((side, side, 3), np.float32)
+    vertices[..., 0] = along[None, :]
+    vertices[..., 1] = along[:, None]
+    return vertices.reshape(-1, 3)
+
+
+def _patch_faces(samples: int) -> np.ndarray:
+    side = samples + 1
+    corner = (np.arange(samples)[:, None] * side + np.arange(samples)[None, :]).ravel()
+    return np.stack([corner, corner + 1, corner + side + 1, corner + side], axis=1)
+
+
+AUTOMATIC = 512
+"""The most samples a side that a mesh follows the maps to without being told: vertices by the
+quarter of a million."""
+MAX_SAMPLES = 4096
+_MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
+
+
+def automatic(own: int) -> int:
+    """Samples a side of a patch's mesh that follows a map of so many."""
+    return min(own, AUTOMATIC)
+
+
+def samples_of(ob) -> int | None:
+    """Samples a side that a patch's mesh was made for; None where it was not."""
+    words = ob.data.get(_MADE_OF, "").split() if ob.type == "MESH" else []
+    return int(words[2]) if words and words[0] == "patch" else None
+
+
+def is_empty(ob) -> bool:
+    """Whether it has not been made yet."""
+    return ob.type == "MESH" and len(ob.data.vertices) == 0
+
+
+def is_on_samples(ob, samples: int) -> bool:
+    """Whether each vertex of a patch lies on a sample of a map of so many a side."""
+    made_for = samples_of(ob)
+    return made_for is None or samples % made_for == 0
+
+
+def _follow(ob, made_of: str, make) -> None:
+    """make: takes the mesh. Of objects that share one and then differ each gets its own."""
+    if ob.data.get(_MADE_OF) == made_of:
+        return
+    if ob.data.library is not None:
+        _fill_linked(ob.data, make)
+    else:
+        if ob.data.users > 1:
+            ob.data = ob.data.copy()
+        make(ob.data)
+    ob.data[_MADE_OF] = made_of
+
+
+def _fill_linked(mesh, make) -> None:
+    """Of another file, which goes on having its own: in memory alone. Blender lets nobody set the
+    places of its vertices, but takes all of a BMesh."""
+    local = bpy.data.meshes.new(mesh.name)
+    make(local)
+    all_of_it = bmesh.new()
+    all_of_it.from_mesh(local)
+    all_of_it.to_mesh(mesh)
+    all_of_it.free()
+    bpy.data.meshes.remove(local)
+
+
+def follow_patch(ob, size: float, samples: int) -> None:
+    """Makes a patch's mesh anew where the period or the number of samples is another."""
+
+    def make(mesh) -> None:
+        before = samples_of(ob)
+        if before == samples and len(mesh.vertices) == (samples + 1) ** 2:
+            mesh.vertices.foreach_set("co", _patch_vertices(size, samples).ravel())
+            mesh.update()
+        else:
+            fill(mesh, _patch_vertices(size, samples), _patch_faces(samples))
+
+    _follow(ob, f"patch {size!r} {samples}", make)
+
+
+STAND_IN = "stand-in"
+
+
+def fill_stand_in(mesh, size: float) -> None:
+    """One face, for the mesh that will be made where the object is shown."""
+    fill(mesh, _patch_vertices(size, 1), _patch_faces(1))
+    mesh[_MADE_OF] = STAND_IN
+
+
+def is_stand_in(ob) -> bool:
+    return ob.type == "MESH" and ob.data.get(_MADE_OF) == STAND_IN
+
+
+# The rings of a horizon -------------------------------------------------------
+
+
+def choose_rings(spacing: float, most_vertices: int, distance: float) -> tuple[int, int]:
+    """Cells along a side of each ring's square, a multiple of eight, and how many rings: out to
+    `distance` from the middle, the first of cells of `spacing`, each of cells twice as large as the
+    one inside it. As few rings as these vertices allow: more cells in each."""
+    rings = 0
+    while True:
+        rings += 1
+        # A ring is three quarters of a square, without its inner edge.
+        side = math.sqrt(most_vertices / (1.0 + 0.75 * (rings - 1)))
+        cells = max(8, int(side - 2.0) // 8 * 8)
+        if cells / 2 * spacing * 2.0 ** (rings - 1) >= distance:
+            return cells, rings
+
+
+def horizon(spacing: float, cells: int, rings: int):
+    """Vertices, what ring_nodes.RING says of each, quads and pentagons. A ring becomes the next one
+    in the outer quarter of its half width. Where two rings meet, every vertex of the finer one is a
+    corner of the coarser one's faces: there is no crack."""
+    half = cells // 2
+    hole = half // 2
+    along = np.arange(-half, half + 1)
+    x, y = np.meshgrid(along, along)
+    reach = np.maximum(abs(x), abs(y))
+    becoming = np.clip((reach - 3 * hole / 2) / (hole / 2), 0.0, 1.0)
+    vertices, ring_of, quads, pentagons = [], [], [], []
+    count = 0
+    finer = number = np.empty((0, 0), int)
+    for ring in range(rings):
+        finer, number = number, np.full(x.shape, -1)
+        new = reach > (hole if ring else -1)
+        number[new] = count + np.arange(new.sum())
+        if ring:
+            shared = reach == hole
+            number[shared] = finer[2 * y[shared] + half, 2 * x[shared] + half]
+        count += new.sum()
+        place = np.stack([x[new], y[new], np.zeros(new.sum())], axis=1)
+        vertices.append(place * (spacing * 2.0**ring))
+        share = becoming[new] if ring + 1 < rings else np.zeros(new.sum())
+        ring_of.append(np.stack(np.broadcast_arrays(ring, share, 2.0**ring), axis=1))
+
+        corners = [number[:-1, :-1], number[:-1, 1:], number[1:, 1:], number[1:, :-1]]
+        face = np.stack(corners, axis=-1)
+        plain = np.ones(face.shape[:2], bool)
+        if ring:
+            low, high, beside = half - hole - 1, half + hole, slice(half - hole, half + hole)
+            plain[beside, beside] = False
+            # The cells below, above, left and right of the hole, and their edge towards it.
+            for cell, edge, middles in (
+                ((low, beside), 2, finer[0, 1::2]),
+                ((high, beside), 0, finer[-1, 1::2]),
+                ((beside, low), 1, finer[1::2, 0]),
+                ((beside, high), 3, finer[1::2, -1]),
+            ):
+                pentagons.append(np.insert(face[cell], edge + 1, middles, axis=1))
+                plain[cell] = False
+        quads.append(face[plain])
+    return (
+        np.concatenate(vertices),
+        np.concatenate(ring_of),
+        np.concatenate(quads),
+        np.concatenate(pentagons) if pentagons else np.empty((0, 5), int),
+    )
+
+
+def follow_horizon(ob, spacing: float, most_vertices: int, distance: float) -> None:
+    """Makes a horizon's mesh anew where one of these is another."""
+
+    def make(mesh) -> None:
+        vertices, ring_of, *faces = horizon(
+            spacing, *choose_rings(spacing, most_vertices, distance)
+        )
+        fill(mesh, vertices, *faces)
+        attribute = mesh.attributes.new(ring_nodes.RING, "FLOAT_VECTOR", "POINT")
+        attribute.data.foreach_set("vector", ring_of.astype(np.float32).ravel())
+
+    _follow(ob, f"horizon {spacing!r} {most_vertices} {distance!r}", make)
