@@ -26,7 +26,7 @@ PRESETS = [
 
 def take_over(ob, sea) -> None:
     """Puts an open sea into an object."""
-    parameter_values.assign(ob.libocean, sea_text.read(parameter_values.TABLE, sea))
+    parameter_values.assign(ob.libocean, sea_text.read(sea))
 
 
 def add_modifier(ob, kind: str = "MESH"):
@@ -95,7 +95,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
 
     def execute(self, context):
         with libocean.preset(self.preset) as sea:
-            values = sea_text.read(parameter_values.TABLE, sea)
+            values = sea_text.read(sea)
         mesh = bpy.data.meshes.new("Ocean")
         ob = object_utils.object_data_add(context, mesh, operator=self)
         add_modifier(ob, self.kind)
@@ -174,7 +174,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
     def execute(self, context):
         values = live.current_values(context.object.libocean, context.scene)
         try:
-            with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
+            with libocean.parse(values.text()) as sea:
                 text = sea.text
             with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)

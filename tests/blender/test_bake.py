@@ -107,7 +107,7 @@ def test_the_files_are_those_of_ocean_bake(scene, sea, tmp_path):
 
 
 def test_numbers_are_written_as_the_program_writes_them(sea):
-    from libocean_addon.bake.exr_files import shortest
+    from libocean_addon.volumes.volume_job import shortest
 
     written = "0 690 1e+05 12.5 0.041666666666666664 1e-04 0.001 -0.5 1.5e-07 -1e+05"
     assert " ".join(shortest(float(text)) for text in written.split()) == written

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from conftest import in_another_process, plane
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import parameter_values, sea_text
+from libocean_addon.sea import parameter_values
 
 
 @pytest.fixture
@@ -31,9 +31,7 @@ def boat(ocean):
 
 
 def sea_of(ocean):
-    return libocean.parse(
-        sea_text.write(parameter_values.TABLE, parameter_values.values_of(ocean.libocean))
-    )
+    return libocean.parse(parameter_values.values_of(ocean.libocean).text())
 
 
 def assert_rides(boat, pose, tilt=True):

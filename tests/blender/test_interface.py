@@ -28,7 +28,7 @@ def ocean():
 
 
 def text_of(ob) -> str:
-    return sea_text.write(parameter_values.TABLE, parameter_values.values_of(ob.libocean))
+    return parameter_values.values_of(ob.libocean).text()
 
 
 def test_every_parameter_is_a_property(ocean):
@@ -77,20 +77,6 @@ def test_true_and_false_are_a_property_and_words_of_the_file():
     finally:
         del bpy.types.Scene.toy
         bpy.utils.unregister_class(Toy)
-
-
-def test_a_key_that_comes_later_changes_no_text_of_a_sea_without_it(ocean):
-    later = {"section": "water", "key": "frozen", "type": "bool", "neutral": "false"}
-    shore = {"section": "shore", "key": "slope", "type": "float", "neutral": "0"}
-    table = [*parameter_values.TABLE, later, shore]
-    values = parameter_values.values_of(ocean.libocean)
-    before = sea_text.write(parameter_values.TABLE, values)
-    values.values.update(frozen="false", slope="0")
-    assert sea_text.write(table, values) == before
-    values.values.update(frozen="true", slope="0.1")
-    text = sea_text.write(table, values)
-    assert "frozen = true\n" in text
-    assert "[shore]\nslope = 0.1\n" in text
 
 
 def test_what_the_spectrum_does_not_use_is_not_there(ocean):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from conftest import in_another_process, plane, rendered
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import drafts, live, parameter_values, sea_text
+from libocean_addon.sea import drafts, live, parameter_values
 from libocean_addon.shared import changes
 from libocean_addon.spray import spray, spray_nodes
 
@@ -32,9 +32,7 @@ def ocean(scene):
 
 
 def sea_of(ocean):
-    return libocean.parse(
-        sea_text.write(parameter_values.TABLE, parameter_values.values_of(ocean.libocean))
-    )
+    return libocean.parse(parameter_values.values_of(ocean.libocean).text())
 
 
 def points(ocean) -> dict[str, np.ndarray]:

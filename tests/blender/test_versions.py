@@ -11,7 +11,7 @@ import pytest
 from conftest import attribute, positions, rest
 from libocean_addon.bake import baked
 from libocean_addon.bundled import libocean
-from libocean_addon.sea import node_group, parameter_values, sea_text
+from libocean_addon.sea import node_group, parameter_values
 
 OLD = Path(__file__).parents[1] / "data" / "blender" / "version_1.blend.xz"
 
@@ -32,7 +32,7 @@ def old(old_file):
 
 def sea_of(ob):
     values = parameter_values.values_of(ob.libocean)
-    return libocean.parse(sea_text.write(parameter_values.TABLE, values))
+    return libocean.parse(values.text())
 
 
 def test_the_file_is_old(old_file):

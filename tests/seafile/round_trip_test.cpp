@@ -281,6 +281,12 @@ TEST(SeaFileRoundTrip, ValuesKeepTheirSpellingAndLeaveOutTheEmpty) {
     EXPECT_EQ(text_of_values(values),
               "libocean = 1\n\n[grid]\nresolution = 64\n\n[time]\nfps = 2.50e1\n\n[[waves]]\n"
               "fetch = 1e5\n");
+    for (const ParameterInfo& info : parameter_table()) {
+        if (!info.neutral) continue;
+        const std::string name = info.path();
+        const std::vector<NamedValue> neutral = {{name, *info.neutral}};
+        EXPECT_EQ(text_of_values(neutral).find(info.key), std::string::npos) << name;
+    }
 }
 
 }  // namespace

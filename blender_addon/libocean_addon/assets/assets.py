@@ -111,7 +111,7 @@ def _make_water(preset: str):
 
 def _make_sea(asset: Asset, water):
     with libocean.preset(asset.preset) as sea:
-        values = sea_text.read(parameter_values.TABLE, sea)
+        values = sea_text.read(sea)
         size = float(sea.get("patch_size"))
     ob = bpy.data.objects.new(asset.name, bpy.data.meshes.new(asset.name))
     with changes.quiet():  # nobody looks at it here

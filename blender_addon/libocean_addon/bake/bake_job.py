@@ -23,12 +23,21 @@ from . import bake_files, exr_files
 
 @dataclasses.dataclass(frozen=True)
 class Frame:
-    """What is baked of one frame of the scene."""
+    """A frame of the scene that a job bakes."""
 
     number: int
-    time: float
+    shown: float
+    """The frame of the sea that the scene shows, another one where its time is remapped."""
     sea: str
     """A sea file, not resolved."""
+    time: float | None = None
+    """The sea's time [s]; None until `timed`, unless the object has a time of its own."""
+
+    def timed(self, sea) -> Frame:
+        """Returns the frame with its time. sea: the libocean.Sea of its file."""
+        if self.time is not None:
+            return self
+        return dataclasses.replace(self, time=sea.time_of_frame(self.shown))
 
 
 @dataclasses.dataclass(kw_only=True)
@@ -68,10 +77,12 @@ class Job:
                         sea.close()
                     sea = libocean.parse(frame.sea, base_dir=self.base_dir)
                     text, resolved = frame.sea, sea.text
-                if not self._bake(sea, resolved, frame):
+                timed = frame.timed(sea)
+                if not self._bake(sea, resolved, timed):
                     return
-                time = exr_files.shortest(frame.time)
-                self.marks.append(bake_files.frame_mark(resolved, time))
+                strings = sea.provenance(timed.number, timed.time)
+                mark = bake_files.frame_mark(strings["ocean:sea"], strings["ocean:time"])
+                self.marks.append(mark)
                 self.done += 1
                 tell()
         finally:
@@ -125,14 +136,7 @@ class MapJob(Job):
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
         if self.done == 0:
             self._begin(sea, resolved, frame)
-        label = exr_files.Label(
-            resolved,
-            frame.number,
-            frame.time,
-            float(sea.get("patch_size")),
-            self.resolution,
-            libocean.version,
-        )
+        provenance = exr_files.Provenance(sea, frame.number, frame.time, self.resolution)
         paths = {
             field: exr_files.path(self.folder, self.stem, field, frame.number)
             for field in self.fields
@@ -140,18 +144,19 @@ class MapJob(Job):
         missing = [
             field
             for field, path in paths.items()
-            if self.overwrite or not exr_files.is_there(path, label, field)
+            if self.overwrite or not exr_files.is_there(path, provenance, field)
         ]
         if missing and not self.stop.is_set():
             maps = self._maps(sea, frame.time, missing)
             if any(field in exr_files.DETAIL for field in missing):
-                label = dataclasses.replace(label, detail=self._detail(sea, frame.time))
-                maps |= self._tiles(label.detail.bands)
+                detail = self._detail(sea, frame.time)
+                provenance = dataclasses.replace(provenance, detail=detail)
+                maps |= self._tiles(detail.bands)
             self.written += 1
             for field in missing:
                 if self.stop.is_set():
                     return False
-                exr_files.write(self.package, paths[field], label, field, maps[field])
+                exr_files.write(self.package, paths[field], provenance, field, maps[field])
         return not self.stop.is_set()
 
     def _maps(self, sea, time: float, fields: list[str]) -> dict[str, np.ndarray]:

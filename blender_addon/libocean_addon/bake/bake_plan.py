@@ -16,7 +16,7 @@ from pathlib import Path
 import bpy
 
 from ..look import detail
-from ..sea import live, node_group, parameter_values, sea_text
+from ..sea import live, node_group, sea_text
 from ..shared import changes, messages, paths
 from ..shared.compat import tr
 from ..shared.native import libocean
@@ -93,8 +93,7 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
     def add(number: int, at: float, settings) -> None:
         values = live.current_values(settings, scene)
         _require_one_map(values, settings.render_resolution, maps)
-        text = sea_text.write(parameter_values.TABLE, values)
-        frames.append(bake_job.Frame(number, live.time_at(at, settings, values), text))
+        frames.append(bake_job.Frame(number, at, values.text(), live.own_time(settings)))
         recipes[str(number)] = baked.recipe(settings, values)
 
     for_each_frame(context, ob, first, last, add)

@@ -20,7 +20,7 @@ import bpy
 
 from ..look import detail
 from ..look.detail_tiles import Band
-from ..sea import meshes, node_group, parameter_values, sea_text
+from ..sea import meshes, node_group, sea_text
 from ..shared import changes, overrides, paths
 from ..shared.compat import tr
 from . import bake_files, baked_nodes, exr_files
@@ -151,8 +151,7 @@ def _goes_on(ob, recipes: dict[str, str], asked: str) -> bool:
 def recipe(settings, values: sea_text.SeaValues) -> str:
     """A short text that is another one where the sea shown at a frame is."""
     time = settings.custom_time if settings.use_custom_time else None
-    text = sea_text.write(parameter_values.TABLE, values)
-    whole = f"{time} {settings.render_resolution}\n{text}"
+    whole = f"{time} {settings.render_resolution}\n{values.text()}"
     return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
 

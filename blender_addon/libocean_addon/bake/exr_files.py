@@ -3,7 +3,7 @@
 """The files of a bake: flat EXR images, the same pixels and header strings as `ocean bake` writes.
 No Blender in here: this runs in a thread of its own.
 
-    one frame's label -> strings of the header -> is the file there? -> arrays -> file, all or none
+    provenance of a frame -> strings of the header -> is the file present? -> arrays -> whole file
 
 Headers are read by hand, since a reader of images would believe the sizes that a file claims.
 """
@@ -19,7 +19,6 @@ import struct
 import sys
 import threading
 from collections.abc import Iterator
-from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
@@ -30,12 +29,12 @@ from ..sea import atlas
 EARLIER_STEM = "sea"
 """How the files of earlier versions began; now as the blend file is called."""
 _TEMPORARY = ".baking"
-_UNITS = {"displacement": "m", "cover": "1", "velocity": "m/s", "normal": "1", "jacobian": "1"}
+_MAPS = ("displacement", "cover", "velocity", "normal", "jacobian")
 _NUMBERS = ("cover", "jacobian")  # all else has three components
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
 DETAIL = tuple(f"detail{number + 1}" for number in range(detail_tiles.MOST_BANDS))
 """Slope tiles, those of the longest waves first: slopes along x and y, and nothing."""
-FIELDS = (*_UNITS, *(f"{field}{_FAR}" for field in _UNITS), *DETAIL)
+FIELDS = (*_MAPS, *(f"{field}{_FAR}" for field in _MAPS), *DETAIL)
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
 PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
@@ -63,10 +62,6 @@ def is_far(field: str) -> bool:
     return field.endswith(_FAR)
 
 
-def unit(field: str) -> str:
-    return "1" if field in DETAIL else _UNITS[field.removesuffix(_FAR)]
-
-
 def shape(field: str, resolution: int) -> tuple[int, int]:
     """Rows and columns of a field's files."""
     if field in DETAIL:
@@ -91,71 +86,25 @@ def path(folder: str | Path, stem: str, field: str, frame: int) -> Path:
     return Path(folder) / name(stem, field, frame)
 
 
-def shortest(value: float) -> str:
-    """As std::to_chars writes a number: the shorter of 100000 and 1e+05, the first where equal."""
-    negative, digits, exponent = Decimal(repr(float(value))).normalize().as_tuple()
-    sign = "-" * negative
-    text = "".join(map(str, digits))
-    if text == "0":
-        return sign + text
-    power = len(text) - 1 + exponent
-    scientific = f"{text[0]}{'.' * (len(text) > 1)}{text[1:]}e{power:+03d}"
-    if exponent >= 0:
-        plain = str(abs(int(float(value))))
-    else:
-        whole = text[: max(power + 1, 0)]
-        plain = f"{whole or 0}.{text[len(whole) :].rjust(-exponent, '0')}"
-    return sign + (plain if len(plain) <= len(scientific) else scientific)
-
-
 @dataclasses.dataclass(frozen=True)
-class Label:
-    """What a frame's files say of themselves."""
+class Provenance:
+    """Where the files of a frame come from, as their headers say it."""
 
-    sea: str
+    sea: object
+    """The libocean.Sea of the frame."""
     frame: int
     time: float
-    period: float
+    """[s]"""
     resolution: int
-    version: str
-    backend: str = "cpu"
     detail: object = None
-    """libocean.Detail of the frame, where its files are written: they follow from the rest."""
+    """The libocean.Detail of the frame; needed to write slope tiles, not to recognise them."""
 
     def strings(self, field: str) -> dict[str, str]:
-        is_vector = channels(field) != "Y" and field not in DETAIL
-        return {
-            "ocean:sea": self.sea,
-            "ocean:frame": str(self.frame),
-            "ocean:time": shortest(self.time),
-            "ocean:axes": AXES if is_vector else "zup",
-            "ocean:period": shortest(self.period),
-            "ocean:field": field,
-            "ocean:unit": unit(field),
-            "ocean:backend": self.backend,
-            "ocean:version": self.version,
-            **(self._of_tile(field) if field in DETAIL else {}),
-        }
-
-    def _of_tile(self, field: str) -> dict[str, str]:
-        strings = {"ocean:map_resolution": str(self.resolution)}
-        if self.detail is None:
-            return strings
-        band = self.detail.bands[DETAIL.index(field)]
-        slopes = (band.variance_x, band.variance_y, band.covariance)
-        return {
-            **strings,
-            "ocean:tile": shortest(band.tile),
-            "ocean:longest_wave": shortest(band.longest_wave),
-            "ocean:shortest_wave": shortest(band.shortest_wave),
-            "ocean:slope_variance": ",".join(map(_variance, slopes)),
-            "ocean:slope_residual": _variance(self.detail.residual),
-        }
-
-
-def _variance(value: float) -> str:
-    """In eight decimals, on which all machines agree."""
-    return shortest(float(np.rint(value * 1e8)) / 1e8)
+        """Returns the strings of a field's header. Far maps name themselves beside their field."""
+        product = field.removesuffix(_FAR)
+        how = {"axes": AXES, "resolution": self.resolution, "detail": self.detail}
+        strings = self.sea.provenance(self.frame, self.time, product, **how)
+        return {**strings, "ocean:field": field}
 
 
 class FileError(Exception):
@@ -303,14 +252,16 @@ def read_header(file_path: str | Path) -> Header:
     return Header(strings, right - left + 1, high - low + 1)
 
 
-def is_there(file_path: Path, label: Label, field: str) -> bool:
+def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
     """Whether the file is whole and the one that would be written, whatever its compression."""
     try:
         with open(file_path, "rb") as file:
             reader = _Reader(file)
             found = _attributes(reader)
-            rows, columns = shape(field, label.resolution)
-            wanted = {name.encode(): text.encode() for name, text in label.strings(field).items()}
+            rows, columns = shape(field, provenance.resolution)
+            wanted = {
+                name.encode(): text.encode() for name, text in provenance.strings(field).items()
+            }
             wanted[b"dataWindow"] = struct.pack("<iiii", 0, 0, columns - 1, rows - 1)
             wanted[b"channels"] = _channels(channels(field))
             if any(found.get(name) != value for name, value in wanted.items()):
@@ -336,9 +287,11 @@ _MOSTLY_NOTHING = ("cover", *DETAIL)
 _ROWS_AT_A_TIME = 64
 
 
-def _write_image(package, path: Path, label: Label, field: str, values: np.ndarray) -> None:
+def _write_image(
+    package, path: Path, provenance: Provenance, field: str, values: np.ndarray
+) -> None:
     imath = importlib.import_module("Imath")
-    rows, columns = shape(field, label.resolution)
+    rows, columns = shape(field, provenance.resolution)
     names = channels(field)
     split = np.moveaxis(values, 2, 0) if len(names) > 1 else [values]
     planes = {
@@ -347,7 +300,7 @@ def _write_image(package, path: Path, label: Label, field: str, values: np.ndarr
     header = package.Header(columns, rows)
     header["channels"] = {name: imath.Channel(imath.PixelType(2)) for name in planes}  # 2: float
     header["compression"] = imath.Compression(_RLE if field in _MOSTLY_NOTHING else _NONE)
-    strings = {"wrapmodes": "periodic", **label.strings(field)}
+    strings = {"wrapmodes": "periodic", **provenance.strings(field)}
     header.update({name: text.encode() for name, text in strings.items()})
     image = package.OutputFile(str(path), header)
     try:
@@ -372,13 +325,13 @@ def replacing(file_path: Path) -> Iterator[Path]:
         temporary.unlink(missing_ok=True)
 
 
-def write(package, file_path: Path, label: Label, field: str, values: np.ndarray) -> None:
+def write(package, file_path: Path, provenance: Provenance, field: str, values: np.ndarray) -> None:
     """values: (rows, columns, n) or (rows, columns), the bottom row first, in the order of AXES.
     All or nothing."""
     with replacing(file_path) as temporary:
-        _write_image(package, temporary, label, field, values)
+        _write_image(package, temporary, provenance, field, values)
         # The package does not say when the disk ends before the file does.
-        if not is_there(temporary, label, field):
+        if not is_there(temporary, provenance, field):
             raise NotWholeError(file_path)
 
 

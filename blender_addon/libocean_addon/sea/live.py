@@ -62,17 +62,15 @@ class Moment:
     moving: bool = False
     """Whether a draft will do for now: values move, or time plays."""
 
-    def time(self, settings, values: sea_text.SeaValues) -> float:
-        """Seconds of the sea at the scene's frame, which may be between two."""
-        return time_at(self.scene.frame_current_final, settings, values)
+    def time(self, settings, sea: OpenSea) -> float:
+        """Returns the sea's time at the scene's frame [s], which may lie between two frames."""
+        time = own_time(settings)
+        return sea.sea.time_of_frame(self.scene.frame_current_final) if time is None else time
 
 
-def time_at(frame: float, settings, values: sea_text.SeaValues) -> float:
-    """Seconds of the sea at a frame of the scene."""
-    if settings.use_custom_time:
-        return settings.custom_time
-    frames = frame - float(values.values["first_frame"])
-    return float(values.values["start"]) + frames / float(values.values["fps"])
+def own_time(settings) -> float | None:
+    """Returns the time that the settings say instead of the frame's [s]; None: the frame's."""
+    return settings.custom_time if settings.use_custom_time else None
 
 
 def frame_rate(scene) -> float:
@@ -174,7 +172,7 @@ def _show_in(ob, seen, modifier, sea: OpenSea, moment: Moment) -> None:
     sizes = _sizes(settings, sea)
     shared = sizes[0] == sizes[1]
     size = sizes[1] if moment.rendering else sizes[0]
-    at, channel = moment.time(settings, sea.values), _channel(settings)
+    at, channel = moment.time(settings, sea), _channel(settings)
     name = ob.name_full
     draft = moment.moving and not sea.is_ready(at, size, channel)
     if draft:
@@ -324,7 +322,7 @@ def _job(name: str) -> drafts.Job | None:
     if sea is None or sea.sea is None or ob.libocean.problem:
         return None
     settings = ob.libocean
-    at = Moment(bpy.context.scene, rendering=False).time(settings, sea.values)
+    at = Moment(bpy.context.scene, rendering=False).time(settings, sea)
     spray = spray_settings(settings) if settings.use_spray else None
     return sea.job(at, _sizes(settings, sea)[0], _channel(settings), spray)
 
@@ -353,7 +351,7 @@ def float_pose(ob, body: tuple[float, ...], moment: Moment):
             sea.follow(current_values(ob.libocean, moment.scene))
     if sea.sea is None:
         return None
-    return sea.for_points().float_pose([body], moment.time(ob.libocean, sea.values))
+    return sea.for_points().float_pose([body], moment.time(ob.libocean, sea))
 
 
 def samples_of(settings, own: int) -> int:

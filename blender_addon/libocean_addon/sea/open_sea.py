@@ -14,7 +14,7 @@ import numpy as np
 
 from ..shared import images, messages
 from ..shared.native import libocean
-from . import atlas, drafts, node_group, parameter_values, sea_text
+from . import atlas, drafts, node_group, sea_text
 
 CHANNELS = atlas.FINEST
 
@@ -72,9 +72,8 @@ class OpenSea:
         self.changes += 1
 
     def _open(self, values: sea_text.SeaValues) -> None:
-        text = sea_text.write(parameter_values.TABLE, values)
         base_dir = bpy.path.abspath("//") or None
-        opened = libocean.parse(text, base_dir=base_dir, progress=drafts.tell_watcher)
+        opened = libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
         if self.sea is not None:
             self.sea.close()
         self.sea = opened

@@ -16,7 +16,7 @@ from bpy_extras.io_utils import ImportHelper
 from .. import operators
 from ..shared import messages, paths
 from ..shared.native import libocean
-from . import live, parameter_values, sea_text
+from . import live, parameter_values
 
 
 def place_of(record: dict) -> str:
@@ -120,7 +120,7 @@ class PickRecord(operators.OnOcean, bpy.types.Operator, ImportHelper):
         system.values.update(
             wind_speed="", wind_direction="", significant_wave_height="", peak_period=""
         )
-        with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
+        with libocean.parse(values.text()) as sea:
             operators.take_over(ob, sea)
         settings.active_wave = number
         live.parameters_changed(ob)

@@ -157,7 +157,7 @@ def _show(ob, modifier, depsgraph, moment) -> None:
     if camera is not None and depsgraph:
         camera = camera.evaluated_get(depsgraph)
     settings, wanted = seen.libocean, live.spray_settings(seen.libocean)
-    at = moment.time(settings, sea.values)
+    at = moment.time(settings, sea)
     if moment.moving and not ob.libocean.use_bake and not sea.is_spray_ready(at, wanted):
         _empty(ob, modifier)
         drafts.ask(ob.name_full, rest=not drafts.is_playing())

@@ -16,12 +16,13 @@ import math
 import subprocess
 import tempfile
 import threading
+from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
 
 from ..bake.bake_job import Frame, Job
-from ..bake.exr_files import NotWholeError, replacing, shortest
+from ..bake.exr_files import NotWholeError, replacing
 from ..shared.native import libocean
 from .vdb_files import FileError, read_header
 
@@ -39,6 +40,23 @@ class VolumeError(Exception):
 
 class _StoppedError(Exception):
     """Somebody does not want to wait any longer."""
+
+
+def shortest(value: float) -> str:
+    """As std::to_chars writes a number: the shorter of 100000 and 1e+05, the first where equal."""
+    negative, digits, exponent = Decimal(repr(float(value))).normalize().as_tuple()
+    sign = "-" * negative
+    text = "".join(map(str, digits))
+    if text == "0":
+        return sign + text
+    power = len(text) - 1 + exponent
+    scientific = f"{text[0]}{'.' * (len(text) > 1)}{text[1:]}e{power:+03d}"
+    if exponent >= 0:
+        plain = str(abs(int(float(value))))
+    else:
+        whole = text[: max(power + 1, 0)]
+        plain = f"{whole or 0}.{text[len(whole) :].rjust(-exponent, '0')}"
+    return sign + (plain if len(plain) <= len(scientific) else scientific)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,15 +86,10 @@ class Settings:
         """Of `ocean bake`."""
         return [f"--{name.replace('_', '-')}={text}" for name, text in self._texts().items()]
 
-    def strings(self, sea: str, frame: Frame, period: float) -> dict[str, str]:
-        """What a file says of itself. sea: resolved."""
+    def strings(self, sea, frame: Frame) -> dict[str, str]:
+        """Returns the strings of a file's header. sea: the libocean.Sea of the frame."""
         return {
-            "ocean:sea": sea,
-            "ocean:frame": str(frame.number),
-            "ocean:time": shortest(frame.time),
-            "ocean:period": shortest(period),
-            "ocean:backend": "cpu",
-            "ocean:version": libocean.version,
+            **sea.provenance(frame.number, frame.time),
             "ocean:axes": "zup",
             "ocean:field": f"{SURFACE},{VELOCITY}",
             "ocean:units": "m, m/s",
@@ -298,7 +311,7 @@ class VolumeJob(Job):
 
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
         path, period = self.path(frame.number), float(sea.get("patch_size"))
-        strings = self.settings.strings(resolved, frame, period)
+        strings = self.settings.strings(sea, frame)
         if not self.overwrite and is_there(path, strings):
             return not self.stop.is_set()
         is_other = path.exists()

@@ -20,7 +20,7 @@ from mathutils import Matrix, Vector
 
 from ..bake import bake, bake_files, bake_job, bake_plan
 from ..bake.bake_plan import BakeError
-from ..sea import live, parameter_values, sea_text
+from ..sea import live
 from ..shared import compat, messages, paths
 from ..shared.compat import tr
 from ..shared.native import ADDON, libocean
@@ -169,17 +169,19 @@ def _command_lines(job: volume_job.VolumeJob) -> str:
     return "\n".join(lines)
 
 
-def _plan(context, ob, first: int, last: int) -> list[bake_job.Frame]:
+def _plan(context, ob, first: int, last: int, base_dir: str | None) -> list[bake_job.Frame]:
     """Each frame with a sea file in which it has its time."""
     frames = []
 
     def add(number: int, at: float, settings) -> None:
         values = live.current_values(settings, context.scene)
-        time = live.time_at(at, settings, values)
-        if settings.use_custom_time or at != number:
+        time = live.own_time(settings)
+        if time is None and at != number:
+            with libocean.parse(values.text(), base_dir=base_dir) as sea:
+                time = sea.time_of_frame(at)
+        if time is not None:
             values.values["start"], values.values["first_frame"] = repr(time), str(number)
-        text = sea_text.write(parameter_values.TABLE, values)
-        frames.append(bake_job.Frame(number, time, text))
+        frames.append(bake_job.Frame(number, at, values.text(), time))
 
     bake_plan.for_each_frame(context, ob, first, last, add)
     return frames
@@ -191,9 +193,9 @@ class Volumes(bake_plan.Work):
     def __init__(self, context, ob, folder, shot, *, overwrite: bool, shows: bool) -> None:
         super().__init__(ob, shot)
         self.folder, self.shot, self.shows = paths.normal(folder), shot, shows
-        frames = _plan(context, ob, *shot)
         base_dir = bpy.path.abspath("//") or None
         try:
+            frames = _plan(context, ob, *shot, base_dir)
             with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
                 settings = _settings(ob, sea)
         except libocean.Error as failure:
