@@ -41,7 +41,6 @@ def parts() -> list:
     from .floating import floating
     from .look import first_view, material
     from .sea import records
-    from .spray import spray
     from .volumes import volumes
 
     return [
@@ -56,9 +55,8 @@ def parts() -> list:
         hints,
         panels,
         asset_library,
-        handlers,
         floating,
-        spray,
+        handlers,
         manual,
     ]
 

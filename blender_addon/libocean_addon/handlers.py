@@ -9,9 +9,10 @@ from bpy.app.handlers import persistent
 
 from . import versions
 from .bake import render_check
+from .floating import floating
 from .look import foam_images
 from .sea import live, meshes, node_group, open_sea
-from .shared import changes, compat
+from .shared import compat, hooks
 from .spray import spray
 
 _locked_by_us: set[str] = set()  # scenes
@@ -49,7 +50,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
         _own_images(oceans)
         live.show_all(oceans, scene, depsgraph)
         for ob in oceans:
-            if meshes.is_stand_in(ob):  # out of the asset library
+            if meshes.is_stand_in(ob.data):  # out of the asset library
                 live.follow_mesh(ob)
                 foam_images.share()
 
@@ -121,11 +122,18 @@ def _remove_handlers() -> None:
 def register() -> None:
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
-    changes.listener = live.parameters_changed
+    hooks.connect(
+        hooks.Hooks(
+            property_changed=live.parameters_changed,
+            make_draft_job=live.make_draft_job,
+            finish_draft_job=live.finish_draft_job,
+            followers=(floating.ride_all, spray.show_all),
+        )
+    )
     compat.remove_handlers_at_exit(_remove_handlers)
 
 
 def unregister() -> None:
     _remove_handlers()
-    changes.listener = None
+    hooks.disconnect()
     open_sea.close_all()

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import bpy
 
-from .sea import live, meshes, parameter_values, resolutions
+from .sea import facts, meshes, parameter_values, resolutions
 from .sea.parameter_properties import annotations as parameters
 from .sea.parameter_properties import changed
 from .shared import compat
@@ -166,7 +166,7 @@ def _set_divisors(settings, wanted: bool) -> None:
     """Begins with those that were chosen."""
     if wanted == _has_divisors(settings):
         return
-    chosen = live.cascade_divisors(settings.id_data) if wanted else []
+    chosen = facts.cascade_divisors(settings.id_data) if wanted else []
     free = parameter_values.DIVISORS - len(chosen)
     settings.cascade_divisors = [*chosen, *[0] * free]
 

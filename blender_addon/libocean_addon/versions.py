@@ -20,7 +20,7 @@ def upgrade(ob) -> None:
         for name in ("viewport_resolution", "render_resolution"):
             setattr(settings, name, resolutions.nearest(getattr(settings, name)))
         # A patch had a vertex on each sample of its maps, up to 1024 a side.
-        side = meshes.samples_of(ob)
+        side = meshes.samples_of(ob.data)
         if settings.mesh_resolution == 0 and side is not None and side > meshes.AUTOMATIC:
             settings.mesh_resolution = side
     baked.upgrade(ob)

@@ -208,7 +208,7 @@ def test_it_is_saved_as_any_other_sea(library, scene, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
     ob = bpy.data.objects[name]
-    assert not meshes.is_stand_in(ob)
+    assert not meshes.is_stand_in(ob.data)
     assert np.abs(positions(ob) - want).max() <= 1e-6
 
 

@@ -406,7 +406,7 @@ def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
 @pytest.mark.parametrize("kind", ["PATCH", pytest.param("HORIZON", marks=pytest.mark.slow)])
 def test_sizes_are_told(scene, sea, kind):
     """What is expected are the samples, of at most three bands; what is there are the files."""
-    from libocean_addon.bake import bake_plan, bake_state, baked
+    from libocean_addon.bake import bake_plan, bake_record, bake_state
 
     sea.libocean.use_detail = True
     if kind == "HORIZON":
@@ -416,7 +416,7 @@ def test_sizes_are_told(scene, sea, kind):
         sea.libocean.resolution, sea.libocean.horizon_vertices = 64, 20000
         sea.libocean.use_detail = True
     bpy.ops.libocean.bake(frame_start=2, frame_end=2)
-    folder = baked.place_of(sea).path
+    folder = bake_record.place_of(sea).path
     one = {path.name.split(".")[1]: read_exr(path)[1] for path in folder.glob("*.0002.exr")}
     bands = [planes for field, planes in one.items() if field.startswith("detail")]
     assert len(bands) == 3
@@ -552,14 +552,14 @@ def test_saved_elsewhere_it_still_knows_its_files(scene, sea, tmp_path):
 
 
 def test_baked_into_another_folder_it_plays_that(scene, sea, tmp_path):
-    from libocean_addon.bake import baked
+    from libocean_addon.bake import bake_record
 
     bpy.ops.libocean.bake()
     shutil.rmtree(files(tmp_path))
     sea.libocean.choppiness = 0.5
     sea.libocean.bake.directory = "//second"
     bpy.ops.libocean.bake()
-    assert baked.place_of(sea).path == tmp_path / "second"
+    assert bake_record.place_of(sea).path == tmp_path / "second"
     scene.frame_set(4)
     playing = shown(sea)
     sea.libocean.use_bake = False
@@ -605,14 +605,14 @@ def test_what_is_turned_plays_the_same_sea(scene, sea, turn):
 
 
 def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
-    from libocean_addon.bake import baked
+    from libocean_addon.bake import bake_record
 
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}
-    before = baked.place_of(sea)
+    before = bake_record.place_of(sea)
     recipes = json.loads(sea.libocean.bake.recipes)
     sea.name = "Atlantic"
-    assert baked.place_of(sea) == baked.next_place(sea, recipes) == before
+    assert bake_record.place_of(sea) == bake_record.next_place(sea, recipes) == before
     written = sorted((tmp_path / "ocean_bake").rglob("*.exr"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}  # goes on, there
     assert sorted((tmp_path / "ocean_bake").rglob("*.exr")) == written
@@ -620,7 +620,7 @@ def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
     assert sea.libocean.problem == ""
     twin = sea.copy()  # a bake of its own
     bpy.context.collection.objects.link(twin)
-    assert baked.next_place(twin, recipes) != before
+    assert bake_record.next_place(twin, recipes) != before
 
 
 def test_an_object_that_is_renamed_meanwhile_gets_its_bake(sea, tmp_path):

@@ -85,7 +85,7 @@ def test_two_files_in_one_folder_keep_their_seas(tmp_path, names, asked):
 
 def test_saved_as_another_version_it_plays_on_and_is_baked_apart(tmp_path):
     """The bake keeps its files; another sea never goes where shot_v001 plays."""
-    from libocean_addon.bake import baked
+    from libocean_addon.bake import bake_record
 
     ob = small(14.0)
     save(tmp_path / "shot_v001.blend")
@@ -98,7 +98,7 @@ def test_saved_as_another_version_it_plays_on_and_is_baked_apart(tmp_path):
     assert files(tmp_path) == {"ocean_bake/Ocean/shot_v001.displacement"}
     ob.libocean.choppiness = 0.5
     bpy.ops.libocean.bake()
-    assert baked.place_of(ob).stem == "shot_v002"
+    assert bake_record.place_of(ob).stem == "shot_v002"
     save(tmp_path / "shot_v002.blend")
     second = shown(ob)
     assert not np.array_equal(second, first)
@@ -173,7 +173,7 @@ def test_another_files_sea_in_a_chosen_folder_is_not_written_over(tmp_path):
 
 def test_a_bake_of_an_earlier_version_keeps_its_files(tmp_path):
     """They begin with `sea`, and their object has neither marks nor a name for them."""
-    from libocean_addon.bake import baked
+    from libocean_addon.bake import bake_record
 
     ob = small(14.0)
     save(tmp_path / "shot.blend")
@@ -198,7 +198,7 @@ def test_a_bake_of_an_earlier_version_keeps_its_files(tmp_path):
     assert set(after) - set(before) == {"sea.displacement.0004.exr"}
     ob.libocean.choppiness = 0.5  # another one: these files may be those of another blend file
     bpy.ops.libocean.bake()
-    assert baked.place_of(ob).stem == "shot"
+    assert bake_record.place_of(ob).stem == "shot"
     assert {name: (folder / name).stat().st_mtime_ns for name in before} == before
 
 

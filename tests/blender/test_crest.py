@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from conftest import add_ocean, attribute, in_another_process, plane, positions, presets_with
 from libocean_addon.look import first_view, material, sunlight, water_shader
-from libocean_addon.sea import live, open_sea
+from libocean_addon.sea import facts, open_sea
 from libocean_addon.shared import compat
 from mathutils import Euler, Matrix, Vector
 from test_material import (
@@ -151,9 +151,9 @@ def test_points_carry_the_jacobian(scene, kind):
     print(f"\n{kind}: {jacobian.mean():.3f}, on crests {jacobian[height > 1.5].mean():.3f}")
     assert jacobian[height > 1.5].mean() < 0.9 and jacobian[height < -1.0].mean() > 1.05
     if kind == "PATCH":
-        side = live.map_resolution(ob)
+        side = facts.map_resolution(ob)
         found = np.empty((side, side, 1), np.float32)
-        open_sea.sea_of(ob).sea.fill(29 / 24, [(found, ("jacobian",))])
+        open_sea.sea_of(ob.name_full).sea.fill(29 / 24, [(found, ("jacobian",))])
         mesh = jacobian.reshape(side + 1, side + 1)[:-1, :-1]
         assert np.abs(np.sort(mesh.ravel()) - np.sort(found.ravel())).max() < 1e-6
 

@@ -22,7 +22,7 @@ from conftest import (
 )
 from libocean_addon.bundled import libocean
 from libocean_addon.look import detail, water_shader
-from libocean_addon.sea import live
+from libocean_addon.sea import facts
 
 # The formulas -------------------------------------------------------------------
 
@@ -150,7 +150,7 @@ def test_mesh_and_detail_and_roughness_are_the_sea(studio, tmp_path, pixel):
     with libocean.preset(PRESET) as sea:
         state, bands = sea.state, sea.detail(0.0).bands
     slopes = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
-    mapped, asked = slopes[live.map_resolution(ob)], state["mean_square_slope"]["asked"]
+    mapped, asked = slopes[facts.map_resolution(ob)], state["mean_square_slope"]["asked"]
     left_out = attribute(ob, "slope_variance")[0]
     node, _ = nodes_of(ob)
     node.inputs["Pixel Angle"].default_value = pixel / 100.0

@@ -49,7 +49,7 @@ def frame_seconds(scene, ob) -> tuple[float, int]:
 
 def library_seconds(ob, side: int) -> float:
     """The library's part of such a frame, into buffers like the add-on's."""
-    sea = open_sea.sea_of(ob).sea
+    sea = open_sea.sea_of(ob.name_full).sea
     buffers = [(images.aligned((side, side)), channels) for channels in open_sea.CHANNELS.values()]
     times = []
     for frame in FRAMES:
@@ -94,7 +94,7 @@ def test_spray_costs_a_few_times_what_the_library_takes_for_it(scene, engine):
     first = time.perf_counter() - start
     scene.frame_set(1)
     seconds, _ = frame_seconds(scene, ob)
-    sea, times = open_sea.sea_of(ob), []
+    sea, times = open_sea.sea_of(ob.name_full), []
     sea.spray(100 / 24, live.spray_settings(ob.libocean))
     for frame in FRAMES:
         start = time.perf_counter()

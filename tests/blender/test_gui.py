@@ -66,7 +66,7 @@ def rest():
 
 
 def is_whole():
-    ready = open_sea.sea_of(bpy.context.object).ready
+    ready = open_sea.sea_of(bpy.context.object.name_full).ready
     assert ready is not None and ready[1:3] == (128, "cover")
     return 2.0
 

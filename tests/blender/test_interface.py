@@ -297,13 +297,13 @@ def test_messages_take_no_file_for_a_field(ocean, name):
 
 
 def test_a_measured_sea_without_its_file_keeps_the_sea_that_was(ocean):
-    from libocean_addon.sea import live
+    from libocean_addon.sea import facts
 
-    before = live.state_of(ocean)
+    before = facts.state_of(ocean)
     ocean.libocean.waves[0].spectrum = "measured"
     assert "needs a file" in ocean.libocean.problem
-    assert live.state_of(ocean) == before
-    assert live.warnings_of(ocean) == []
+    assert facts.state_of(ocean) == before
+    assert facts.warnings_of(ocean) == []
     ocean.libocean.waves[0].spectrum = "jonswap"
     assert ocean.libocean.problem == ""
 
@@ -366,9 +366,9 @@ def test_operators_of_a_sea_want_one():
 
 
 def test_the_read_out_is_that_of_the_library(ocean):
-    from libocean_addon.sea import live
+    from libocean_addon.sea import facts
 
-    shown = dict(live.state_of(ocean))
+    shown = dict(facts.state_of(ocean))
     with libocean.parse(text_of(ocean)) as sea:
         height = sea.state["significant_wave_height"]["resolved"]
     assert shown["Wave height"] == f"{height:.2f} m"

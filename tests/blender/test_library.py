@@ -163,7 +163,7 @@ def test_an_override_that_is_baked_plays_its_bake(overridden, tmp_path):
 
 
 def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
-    from libocean_addon.bake import bake_state, baked
+    from libocean_addon.bake import bake_record, bake_state
 
     ob = overridden(baked=True)
     want = shown(ob)
@@ -171,7 +171,7 @@ def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
     ob = opened_again(tmp_path)
     assert np.array_equal(shown(ob), want)
     asset = tmp_path / "asset" / "ocean_bake" / "Ocean"
-    assert baked.place_of(ob).path == asset
+    assert bake_record.place_of(ob).path == asset
     assert bake_state.faults(ob) == []
     # Live in the shot, and the library's bake again.
     ob.libocean.use_bake = False
@@ -189,7 +189,7 @@ def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
     assert np.array_equal(shown(bpy.context.object), live)
     ob = opened_again(tmp_path)
     assert np.array_equal(shown(ob), live)
-    assert baked.place_of(ob).path == tmp_path / "ocean_bake" / "Ocean"
+    assert bake_record.place_of(ob).path == tmp_path / "ocean_bake" / "Ocean"
     assert {path.name: path.stat().st_mtime_ns for path in asset.iterdir()} == before
 
 

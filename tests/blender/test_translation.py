@@ -16,7 +16,7 @@ from libocean_addon import operators, panels, translations
 from libocean_addon.bake import bake_state
 from libocean_addon.floating import floating
 from libocean_addon.look import water_shader
-from libocean_addon.sea import live, parameter_values, sea_text
+from libocean_addon.sea import facts, parameter_values, sea_text
 from libocean_addon.shared import compat
 
 GERMAN = translations.TABLE["de_DE"]
@@ -84,7 +84,7 @@ def short_labels() -> set[tuple[str, str]]:
 
 def states() -> set[tuple[str, str]]:
     add_ocean(64, use_material=False)
-    return {(translations.SEA, label) for label, _ in live.state_of(bpy.context.object)}
+    return {(translations.SEA, label) for label, _ in facts.state_of(bpy.context.object)}
 
 
 # The table ----------------------------------------------------------------------

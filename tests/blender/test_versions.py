@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, positions, rest
-from libocean_addon.bake import baked
+from libocean_addon.bake import bake_record
 from libocean_addon.bundled import libocean
 from libocean_addon.sea import node_group, parameter_values
 
@@ -71,7 +71,7 @@ def test_a_bake_of_its_sea_is_its_own(old):
     """The recipe is what the add-on of commit 2c77838 wrote into the file beside such a bake: a key
     that came later is not in it."""
     settings = old["Ocean"].libocean
-    assert baked.recipe(settings, parameter_values.values_of(settings)) == "554f321c96da373b"
+    assert bake_record.recipe(settings, parameter_values.values_of(settings)) == "554f321c96da373b"
 
 
 def test_what_floats_in_it_floats(old):

@@ -11,7 +11,7 @@ import bpy
 from .. import operators
 from ..shared import changes, compat, messages, overrides
 from ..shared.compat import tr, tr_label
-from . import bake_files, bake_job, baked, exr_files
+from . import bake_files, bake_job, bake_record, exr_files
 from .bake_plan import Bake, BakeError, Work, asked_range
 
 
@@ -190,7 +190,7 @@ class FreeBake(_OnOwnOcean, bpy.types.Operator):
     def poll(cls, context) -> bool:
         if not super().poll(context):
             return False
-        if baked.exists(context.object):
+        if bake_record.exists(context.object):
             return True
         cls.poll_message_set(tr("The active object has no bake"))
         return False
@@ -202,8 +202,8 @@ class FreeBake(_OnOwnOcean, bpy.types.Operator):
 
     def execute(self, context):
         ob = context.object
-        place = baked.place_of(ob)
-        others, strangers = baked.others_in(ob, place), baked.strangers(ob, place)
+        place = bake_record.place_of(ob)
+        others, strangers = bake_record.others_in(ob, place), bake_record.strangers(ob, place)
         overrides.make_editable(ob)
         with changes.quiet():
             ob.libocean.use_bake = False

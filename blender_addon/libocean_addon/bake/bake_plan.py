@@ -20,7 +20,7 @@ from ..sea import live, node_group, sea_text
 from ..shared import changes, messages, paths
 from ..shared.compat import tr
 from ..shared.native import libocean
-from . import bake_files, bake_job, baked, exr_files
+from . import bake_files, bake_job, bake_record, baked, exr_files
 
 
 class BakeError(Exception):
@@ -43,7 +43,7 @@ def with_margins(first: int, last: int) -> tuple[int, int]:
 
 def size_estimate(ob, resolution: int, frames: int) -> int:
     """Bytes at most."""
-    fields = baked.wanted_fields(ob.libocean)
+    fields = bake_record.wanted_fields(ob.libocean)
     if detail.is_wanted(ob.libocean):  # the library says how many bands there are, not at once
         fields = [*fields, *exr_files.DETAIL]
     samples = 0
@@ -70,7 +70,7 @@ def for_each_frame(context, ob, first: int, last: int, take: Callable[..., None]
     """Calls take(number, frame that is shown, settings of the object as they are there)."""
     scene = context.scene
     numbers = range(first, last + 1)
-    if ob.animation_data is None and baked.frame_length(scene) == 1.0:
+    if ob.animation_data is None and bake_record.frame_length(scene) == 1.0:
         for number in numbers:
             take(number, float(number), ob.libocean)
         return
@@ -94,7 +94,7 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
         values = live.current_values(settings, scene)
         _require_one_map(values, settings.render_resolution, maps)
         frames.append(bake_job.Frame(number, at, values.text(), live.own_time(settings)))
-        recipes[str(number)] = baked.recipe(settings, values)
+        recipes[str(number)] = bake_record.recipe(settings, values)
 
     for_each_frame(context, ob, first, last, add)
     if len(set(recipes.values())) == 1:
@@ -102,9 +102,9 @@ def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dic
     return frames, recipes
 
 
-def _require_own(ob, place: baked.Place, recipes: dict[str, str]) -> None:
-    for other in baked.others_in(ob, place):
-        if not baked.is_same_sea(other.libocean.bake, recipes):
+def _require_own(ob, place: bake_record.Place, recipes: dict[str, str]) -> None:
+    for other in bake_record.others_in(ob, place):
+        if not bake_record.is_same_sea(other.libocean.bake, recipes):
             text = tr("The bake of {} is in {}: choose another folder", other.name, place.folder)
             raise BakeError(text)
 
@@ -125,13 +125,13 @@ def require_no_strangers(frames: list[int], asked: str) -> None:
 
 
 def _strangers(
-    ob, place: baked.Place, frames: list[bake_job.Frame], base_dir: str | None
+    ob, place: bake_record.Place, frames: list[bake_job.Frame], base_dir: str | None
 ) -> list[int]:
     """The frames of which a folder that was chosen has files neither of the object's bake nor of
     the one that is to be. Where the object has begun a bake all files are its own."""
     if ob.libocean.bake.begun == place.folder:
         return []
-    found = set(baked.strangers(ob, place, [frame.number for frame in frames]))
+    found = set(bake_record.strangers(ob, place, [frame.number for frame in frames]))
     if not found:
         return []
     marks: dict[str, str] = {}
@@ -213,7 +213,7 @@ class Bake(Work):
             )
             raise BakeError(text) from failure
         self.range = with_margins(*shot)
-        self.frame_length = baked.frame_length(context.scene)
+        self.frame_length = bake_record.frame_length(context.scene)
         frames, self.recipes = _plan(context, ob, *self.range)
         base_dir = bpy.path.abspath("//") or None
         try:
@@ -222,7 +222,7 @@ class Bake(Work):
                 self.period = float(sea.get("patch_size"))
                 self.samples = live.samples_of(ob.libocean, sea.map_resolution())
             is_chosen = bool(asked or ob.libocean.bake.directory)
-            place = baked.next_place(ob, self.recipes, asked)
+            place = bake_record.next_place(ob, self.recipes, asked)
             _require_own(ob, place, self.recipes)
             if is_chosen and not overwrite:
                 require_no_strangers(_strangers(ob, place, frames, base_dir), place.folder)
@@ -233,7 +233,7 @@ class Bake(Work):
             folder=make_folder(self.folder),
             stem=self.stem,
             frames=frames,
-            fields=baked.wanted_fields(ob.libocean),
+            fields=bake_record.wanted_fields(ob.libocean),
             use_detail=detail.is_wanted(ob.libocean),
             resolution=resolution,
             base_dir=base_dir,
@@ -249,7 +249,7 @@ class Bake(Work):
         with changes.quiet():
             # Live first: playing, the folder would be that of the bake before.
             settings.use_bake = False
-            baked.follow(ob)
+            baked.follow(ob, node_group.modifiers(ob))
             record.fields = ",".join(job.fields)
             record.folder, record.stem = self.folder, self.stem
             record.first, record.last = self.range

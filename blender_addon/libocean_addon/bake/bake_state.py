@@ -7,10 +7,10 @@ from __future__ import annotations
 import json
 import os
 
-from ..sea import live
+from ..sea import facts, live
 from ..shared.compat import tr_label
 from ..volumes import volumes
-from . import bake, baked, exr_files
+from . import bake, bake_record, exr_files
 from .bake_plan import asked_range, size_estimate, with_margins
 
 
@@ -21,19 +21,19 @@ def _bytes(count: int) -> str:
 def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     record = ob.libocean.bake
     fields = record.fields.split(",")
-    place = baked.place_of(ob)
+    place = bake_record.place_of(ob)
     there, size = _inventory(place, record.first, record.last, tuple(fields))
     count = record.last - record.first + 1
     lines = [(tr_label("{} of {} frames, {}", there, count, _bytes(size)), "FILE_CACHE")]
     values = live.current_values(ob.libocean, scene)
-    if baked.is_other_sea(ob, scene, values):
+    if bake_record.is_other_sea(ob, scene, values):
         text = tr_label("The bake is of another sea than the parameters say: bake again")
         lines.append((text, "ERROR"))
-    if abs(record.frame_length - baked.frame_length(scene)) > 1e-6:
+    if abs(record.frame_length - bake_record.frame_length(scene)) > 1e-6:
         text = tr_label("The bake is for another time remapping: bake again")
         lines.append((text, "ERROR"))
     lines += [(text, "ERROR") for text in faults(ob)]
-    if lacking := baked.lacking(ob):
+    if lacking := bake_record.lacking(ob):
         lines.append((tr_label("Not in the bake: {}", ", ".join(lacking)), "ERROR"))
     first, last = with_margins(*asked_range(ob, scene))
     if first < record.first or last > record.last:
@@ -63,8 +63,8 @@ def state(ob, scene) -> list[tuple[str, str]]:
     """Lines of text about the bake of an object, with icons."""
     if running := _of_what_runs(ob):
         return running
-    lines = _of_the_bake(ob, scene) if baked.exists(ob) else []
-    resolution = ob.libocean.render_resolution or live.map_resolution(ob)
+    lines = _of_the_bake(ob, scene) if bake_record.exists(ob) else []
+    resolution = ob.libocean.render_resolution or facts.map_resolution(ob)
     if resolution:
         first, last = with_margins(*asked_range(ob, scene))
         most = size_estimate(ob, resolution, max(last - first + 1, 0))
@@ -75,7 +75,7 @@ def state(ob, scene) -> list[tuple[str, str]]:
             resolution,
             resolution,
             _bytes(most),
-            baked.next_place(ob, _recipes_now(ob, scene)).folder,
+            bake_record.next_place(ob, _recipes_now(ob, scene)).folder,
         )
         lines.append((text, "DISK_DRIVE"))
     return lines
@@ -83,7 +83,7 @@ def state(ob, scene) -> list[tuple[str, str]]:
 
 def _recipes_now(ob, scene) -> dict[str, str]:
     """Those of the next bake, as far as the frame that is shown tells."""
-    now = baked.recipe(ob.libocean, live.current_values(ob.libocean, scene))
+    now = bake_record.recipe(ob.libocean, live.current_values(ob.libocean, scene))
     known = json.loads(ob.libocean.bake.recipes or "{}")
     return {str(scene.frame_current): now} if known and "" not in known else {"": now}
 
@@ -95,19 +95,25 @@ _faults: dict[tuple, tuple[float, list[str]]] = {}
 def faults(ob) -> list[str]:
     """What is wrong with the files of a bake, in sentences; looked up anew when the folder has
     changed."""
-    place, record = baked.place_of(ob), ob.libocean.bake
-    asked = (str(place.path), ob.name_full, record.token, record.fields, *baked.played_fields(ob))
+    place, record = bake_record.place_of(ob), ob.libocean.bake
+    asked = (
+        str(place.path),
+        ob.name_full,
+        record.token,
+        record.fields,
+        *bake_record.played_fields(ob),
+    )
     try:
         changed = os.stat(place.path).st_mtime
     except OSError:
         changed = -1.0
     if asked not in _faults or _faults[asked][0] != changed:
-        _faults[asked] = changed, baked.fault_texts(ob, baked.faults(ob))
+        _faults[asked] = changed, bake_record.fault_texts(ob, bake_record.faults(ob))
     return _faults[asked][1]
 
 
 def _inventory(
-    place: baked.Place, first: int, last: int, fields: tuple[str, ...]
+    place: bake_record.Place, first: int, last: int, fields: tuple[str, ...]
 ) -> tuple[int, int]:
     """Frames that are there and their bytes, looked up anew when the folder has changed."""
     folder = str(place.path)

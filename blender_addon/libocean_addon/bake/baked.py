@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Playing a bake: the record of it that an object keeps, and the change between live and baked.
+"""Playing a bake, and the change between live and baked.
 
 record (folder, frames, fields) -> image sequences -> inputs of the baked node group, and the
                                                       slope tiles in the material
@@ -8,245 +8,28 @@ record (folder, frames, fields) -> image sequences -> inputs of the baked node g
 
 from __future__ import annotations
 
-import dataclasses
-import functools
-import hashlib
-import itertools
 import json
 import os
-from pathlib import Path
 
 import bpy
 
 from ..look import detail
 from ..look.detail_tiles import Band
-from ..sea import meshes, node_group, sea_text
+from ..sea import meshes, node_group
 from ..shared import changes, overrides, paths
-from ..shared.compat import tr
-from . import bake_files, baked_nodes, exr_files
+from . import bake_record, baked_nodes, exr_files
 
 # Names of the fields in files, by those of the node group's inputs.
 FILES = {name: name.lower() for name in baked_nodes.FIELDS}
 FILES |= {node_group.far_image(name): exr_files.far(file) for name, file in FILES.items()}
 
 
-def exists(ob) -> bool:
-    """Whether there is a record of a bake."""
-    return bool(ob.libocean.bake.fields)
-
-
-def wanted_fields(settings) -> list[str]:
-    """The maps that a bake of these settings has; slope tiles come to them."""
-    switches = {
-        "cover": "use_foam",
-        "velocity": "use_velocity",
-        "normal": "use_normal",
-        "jacobian": "use_velocity",
-    }
-    near = ["displacement", *(field for field, use in switches.items() if getattr(settings, use))]
-    if settings.kind != "HORIZON":
-        return near
-    return [*near, *(exr_files.far(field) for field in near)]
-
-
-def lacking(ob) -> list[str]:
-    """What the bake that there is does not have of it."""
-    settings, record = ob.libocean, ob.libocean.bake
-    fields = record.fields.split(",")
-    found = [field for field in wanted_fields(settings) if field not in fields]
-    return [*found, "detail"] if detail.is_wanted(settings) and not record.bands else found
-
-
-# Where ------------------------------------------------------------------------
-
-
-_BAKES = "//ocean_bake/"
-
-
-@dataclasses.dataclass(frozen=True)
-class Place:
-    """Where the files of a bake are, or go. In a folder there may be those of several."""
-
-    folder: str
-    """As Blender writes paths."""
-    stem: str
-    """How the files' names begin."""
-    library: object = None
-    """The library whose file the folder is relative to."""
-
-    @functools.cached_property
-    def path(self) -> Path:
-        return paths.absolute(self.folder, self.library)
-
-    def file(self, field: str, frame: int) -> str:
-        return os.path.join(self.path, exr_files.name(self.stem, field, frame))
-
-    def is_that_of(self, other: Place) -> bool:
-        mine, its = (os.path.normcase(place.path / place.stem) for place in (self, other))
-        return mine == its
-
-
-def _shown_image(ob):
-    """The image that the playing modifier displaces by; None where there is none."""
-    images = (node_group.value(modifier, "Displacement") for modifier in _playing(ob))
-    return next((image for image in images if image is not None), None)
-
-
-def place_of(ob) -> Place:
-    """Where the bake is. Blender moves the paths of images when a file is saved elsewhere, not
-    ours."""
-    record, image = ob.libocean.bake, _shown_image(ob)
-    stem = record.stem or exr_files.EARLIER_STEM
-    if image is None:
-        return Place(paths.normal(record.folder), stem, overrides.library_of_bake(ob))
-    name = exr_files.name(stem, "displacement", record.first)
-    return Place(paths.normal(image.filepath)[: -len(name)], stem, image.library)
-
-
-def others_in(ob, place: Place) -> list:
-    """Other objects whose bakes have the same files."""
-    others = (other for other in bpy.data.objects if other != ob and exists(other))
-    return [other for other in others if place_of(other).is_that_of(place)]
-
-
-def _new_place(ob, recipes: dict[str, str], asked: str) -> Place:
-    """The folder that was asked for, or that of the object's name; of objects whose names make one
-    folder, but whose seas differ, each has its own."""
-    stem = paths.blend_name()
-    if asked:
-        return Place(asked, stem)
-    name = f"{_BAKES}{bpy.path.clean_name(ob.name)}"
-    numbered = (f"{name}_{number}/" for number in itertools.count(2))
-    found = (Place(folder, stem) for folder in itertools.chain([f"{name}/"], numbered))
-    return next(
-        place
-        for place in found
-        if all(is_same_sea(other.libocean.bake, recipes) for other in others_in(ob, place))
-    )
-
-
-def next_place(ob, recipes: dict[str, str], asked: str = "") -> Place:
-    """Returns where the next bake, of a sea of these recipes, goes: on, where the last one is,
-    whatever the object is called by now. Another sea never goes where a blend file of another name
-    may play the one of before. asked: the folder; empty: as the settings say."""
-    asked = paths.normal(asked or ob.libocean.bake.directory)
-    goes_on = exists(ob) and _goes_on(ob, recipes, asked)
-    return place_of(ob) if goes_on else _new_place(ob, recipes, asked)
-
-
-def _goes_on(ob, recipes: dict[str, str], asked: str) -> bool:
-    """Whether the next bake goes where the last one is."""
-    last = place_of(ob)
-    is_there = last.path == paths.absolute(asked) if asked else last.folder.startswith(_BAKES)
-    if not is_there or last.library is not None or others_in(ob, last):
-        return False
-    if last.stem == paths.blend_name():
-        return True
-    return is_same_sea(ob.libocean.bake, recipes) and not strangers(ob, last)
-
-
-# Of which sea -----------------------------------------------------------------
-
-
-def recipe(settings, values: sea_text.SeaValues) -> str:
-    """A short text that is another one where the sea shown at a frame is."""
-    time = settings.custom_time if settings.use_custom_time else None
-    whole = f"{time} {settings.render_resolution}\n{values.text()}"
-    return hashlib.sha256(whole.encode()).hexdigest()[:16]
-
-
-@functools.lru_cache(maxsize=16)
-def _recipes(text: str) -> dict[str, str]:
-    return json.loads(text or "{}")
-
-
-def is_same_sea(record, recipes: dict[str, str]) -> bool:
-    """Whether the bake has these recipes, by frame or one for all, at all frames of both."""
-    known = _recipes(record.recipes)
-    if not known or "" in known or "" in recipes:
-        return set(known.values()) == set(recipes.values())
-    return all(recipes.get(frame, text) == text for frame, text in known.items())
-
-
-def is_other_sea(ob, scene, values: sea_text.SeaValues) -> bool:
-    """Whether the parameters are not those of the bake at the scene's frame."""
-    recipes = _recipes(ob.libocean.bake.recipes)
-    baked = recipes.get("", recipes.get(str(scene.frame_current)))
-    return baked is not None and baked != recipe(ob.libocean, values)
-
-
-@functools.lru_cache(maxsize=16)
-def _expected(
-    first: int, marks: str, sea: str, recipes: str, resolution: int
-) -> bake_files.Expected:
-    # A bake of an earlier version has no marks, but a sea where all frames have the same.
-    one_sea = bake_files.sea_mark(sea) if sea and "" in _recipes(recipes) else None
-    by_frame = dict(enumerate(marks.split(), first))
-    return bake_files.Expected(by_frame, one_sea, resolution)
-
-
-def expected(ob) -> bake_files.Expected:
-    """What the files of the bake must show, by the object's record."""
-    record = ob.libocean.bake
-    return _expected(record.first, record.marks, record.sea, record.recipes, record.resolution)
-
-
-def played_fields(ob) -> list[str]:
-    """The fields of the bake that are shown."""
-    settings, record = ob.libocean, ob.libocean.bake
-    wanted = wanted_fields(settings)
-    tiles = exr_files.DETAIL if detail.is_wanted(settings) else ()
-    return [field for field in record.fields.split(",") if field in wanted or field in tiles]
-
-
-def faults(ob, frames=None) -> bake_files.Faults:
-    """The faults of the files that show these frames of the bake; None: all of them."""
-    record = ob.libocean.bake
-    if frames is None:
-        frames = range(record.first, record.last + 1)
-    return bake_files.find(frames, played_fields(ob), place_of(ob).file, expected(ob))
-
-
-_SENTENCES = {
-    bake_files.Fault.MISSING: lambda: tr("files of the bake are missing, of the frames"),
-    bake_files.Fault.BROKEN: lambda: tr("files of the bake cannot be read, of the frames"),
-    bake_files.Fault.FOREIGN: lambda: tr("files of the bake show another sea, of the frames"),
-}
-
-
-def fault_texts(ob, found: bake_files.Faults) -> list[str]:
-    """A sentence for each kind of fault that stops a render: of which frames, and a file."""
-    return [
-        f"{ob.name}: {say()} {bake_files.in_words(found[fault])} ({min(found[fault].items())[1]})"
-        for fault, say in _SENTENCES.items()
-        if fault in found
-    ]
-
-
-def strangers(ob, place: Place, frames=None) -> list[int]:
-    """The frames of which there are files that are not of the object's bake."""
-    record, known = ob.libocean.bake, expected(ob)
-    if frames is None:
-        frames = range(record.first, record.last + 1)
-    found = []
-    for frame in frames:
-        shown = bake_files.identity(place.file("displacement", frame))
-        if isinstance(shown, bake_files.Identity) and not known.knows(shown):
-            found.append(frame)
-    return found
-
-
-def frame_length(scene) -> float:
-    """What a frame lasts where the scene's time is remapped."""
-    return scene.render.frame_map_old / scene.render.frame_map_new
-
-
 # Images -----------------------------------------------------------------------
 
 
-def _sequence(ob, place: Place, field: str):
-    """The image of a field's files. Which of them are there is found by `faults`: the first one, by
-    which the sequence goes, may be absent."""
+def _sequence(ob, place: bake_record.Place, field: str):
+    """Returns the image of a field's files. The first file, which the sequence is named by, may be
+    absent: bake_record.faults says which files are."""
     between = "" if place.folder.endswith(("/", "\\")) else "/"
     name = exr_files.name(place.stem, field, ob.libocean.bake.first)
     path = place.folder + between + name
@@ -259,10 +42,6 @@ def _sequence(ob, place: Place, field: str):
     image.colorspace_settings.name = "Non-Color"
     image.alpha_mode = "CHANNEL_PACKED"
     return image
-
-
-def _playing(ob) -> list:
-    return [m for m in node_group.modifiers(ob) if node_group.is_baked(m.node_group)]
 
 
 # Live or baked ----------------------------------------------------------------
@@ -305,8 +84,9 @@ def _serves(ob, modifier) -> bool:
     wanted = ob.libocean.use_bake
     if node_group.is_baked(modifier.node_group) != wanted:
         return False
-    is_librarys = overrides.is_librarys(ob, modifier)
-    return not (wanted and is_librarys) or overrides.has_librarys_bake(ob)
+    if not wanted or not overrides.is_librarys(ob, modifier):
+        return True
+    return overrides.has_librarys_bake(ob)
 
 
 def _change(ob, modifier) -> None:
@@ -335,11 +115,11 @@ def _set_inputs(ob, modifier) -> None:
     """Has a modifier play the bake of the record."""
     settings, record = ob.libocean, ob.libocean.bake
     fields = record.fields.split(",")
-    place = place_of(ob)
+    place = bake_record.place_of(ob)
     if place.library is not None:  # of an override: from now on the shot's own path
         path = str(place.path)
         folder = bpy.path.relpath(path) if bpy.data.filepath else path
-        place = Place(paths.normal(folder), place.stem)
+        place = bake_record.Place(paths.normal(folder), place.stem)
     images = {
         name: _sequence(ob, place, FILES[name]) if FILES[name] in fields else None
         for name in node_group.image_inputs(modifier.node_group)
@@ -352,7 +132,7 @@ def _set_inputs(ob, modifier) -> None:
             **images,
             "Tile Size": record.period,
             "Half Texel": 0.5 / record.resolution,
-            node_group.ON_SAMPLES: meshes.is_on_samples(ob, record.resolution),
+            node_group.ON_SAMPLES: meshes.is_on_samples(ob.data, record.resolution),
             "Follow World": settings.follow_world,
             "First": float(record.first),
             "Last": float(record.last),
@@ -381,20 +161,23 @@ def upgrade(ob) -> None:
             _change_group(modifier, to_baked=playing)
             if playing:
                 _set_inputs(ob, modifier)
-    if any(not _serves(ob, modifier) for modifier in node_group.modifiers(ob)):
-        follow(ob)  # an override that an earlier version baked has lost its record
+    modifiers = node_group.modifiers(ob)
+    if any(not _serves(ob, modifier) for modifier in modifiers):
+        follow(ob, modifiers)  # an override that an earlier version baked has lost its record
 
 
-def follow(ob) -> bool:
-    """Brings the modifiers in line with `use_bake` and the settings. Whether one was changed from
-    live to baked or back."""
+def follow(ob, modifiers) -> bool:
+    """Brings the ocean modifiers of an object in line with `use_bake` and the settings. Returns
+    whether one was changed from live to baked or back: look the modifiers up again then."""
     settings = ob.libocean
-    if settings.use_bake and not exists(ob):
-        with changes.quiet():
-            settings.use_bake = False
-    if exists(ob) and _shown_image(ob) is not None:
-        settings.bake.folder = place_of(ob).folder
-    changed = [name for name in _names(ob) if not _serves(ob, ob.modifiers[name])]
+    if not bake_record.exists(ob):
+        if settings.use_bake:
+            with changes.quiet():
+                settings.use_bake = False
+    elif bake_record.shown_image(ob) is not None:
+        settings.bake.folder = bake_record.place_of(ob).folder
+    names = [modifier.name for modifier in modifiers]
+    changed = [name for name in names if not _serves(ob, ob.modifiers[name])]
     for name in changed:
         _change(ob, ob.modifiers[name])
     if changed:
@@ -403,12 +186,8 @@ def follow(ob) -> bool:
         for modifier in node_group.modifiers(ob):
             _set_inputs(ob, modifier)
         if changed:
-            settings.problem = " ".join(fault_texts(ob, faults(ob)))
+            settings.problem = " ".join(bake_record.fault_texts(ob, bake_record.faults(ob)))
     return bool(changed)
-
-
-def _names(ob) -> list[str]:
-    return [modifier.name for modifier in node_group.modifiers(ob)]
 
 
 def show_detail(ob) -> None:
@@ -416,7 +195,7 @@ def show_detail(ob) -> None:
     settings, record = ob.libocean, ob.libocean.bake
     known = json.loads(record.bands or "[]") if detail.is_wanted(settings) else []
     bands = [Band(*numbers) for numbers in known]
-    place = place_of(ob) if bands else None
+    place = bake_record.place_of(ob) if bands else None
 
     def load(number: int):
         """None: the files of before are gone, and the material goes without."""

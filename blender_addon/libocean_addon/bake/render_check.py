@@ -24,7 +24,7 @@ from ..shared import compat, paths
 from ..shared.compat import tr, tr_label
 from ..shared.native import ADDON
 from ..volumes import volumes
-from . import bake_files, baked
+from . import bake_files, bake_record
 
 _ALMOST = 1e-4  # of a frame, as in baked_nodes
 
@@ -77,7 +77,7 @@ def _rendered(objects: list, scene) -> list:
 
 
 def _is_playing(ob) -> bool:
-    return baked.exists(ob) and any(
+    return bake_record.exists(ob) and any(
         node_group.is_baked(modifier.node_group) and modifier.show_render
         for modifier in node_group.modifiers(ob)
     )
@@ -88,7 +88,7 @@ def _is_playing(ob) -> bool:
 
 def _frames_of(ob, scene, frame: float) -> list[int]:
     """The frames whose files a bake plays at a frame of the scene, motion blur included."""
-    record, scale = ob.libocean.bake, baked.frame_length(scene)
+    record, scale = ob.libocean.bake, bake_record.frame_length(scene)
     before, after = compat.shutter(scene)
     first, last = (
         min(max(place * scale / record.frame_length, record.first), record.last)
@@ -98,7 +98,9 @@ def _frames_of(ob, scene, frame: float) -> list[int]:
 
 
 def _faults_of_bake(ob, scene, frames) -> bake_files.Faults:
-    return baked.faults(ob, sorted({n for frame in frames for n in _frames_of(ob, scene, frame)}))
+    return bake_record.faults(
+        ob, sorted({n for frame in frames for n in _frames_of(ob, scene, frame)})
+    )
 
 
 def _faults_of_volume(ob, frames) -> bake_files.Faults:
@@ -125,7 +127,7 @@ def _faults_of_volume(ob, frames) -> bake_files.Faults:
 def _beyond(ob, scene, frames) -> list[int]:
     """The frames that a bake does not reach: the sea stands still there."""
     record = ob.libocean.bake
-    scale = baked.frame_length(scene) / record.frame_length
+    scale = bake_record.frame_length(scene) / record.frame_length
     return [
         math.floor(frame)
         for frame in frames
@@ -149,11 +151,11 @@ def find(scene, frames) -> Found:
     playing = [ob for ob in live.ocean_objects() if _is_playing(ob)]
     for ob in _rendered(playing, scene):
         faults = _faults_of_bake(ob, scene, frames)
-        found.errors += baked.fault_texts(ob, faults)
+        found.errors += bake_record.fault_texts(ob, faults)
         found.warnings += _warnings(ob, scene, frames, faults)
     written = [ob for ob in bpy.data.objects if ob.type == "VOLUME" and volumes.MARKS in ob.data]
     for ob in _rendered(written, scene):
-        found.errors += baked.fault_texts(ob, _faults_of_volume(ob, frames))
+        found.errors += bake_record.fault_texts(ob, _faults_of_volume(ob, frames))
     return found
 
 

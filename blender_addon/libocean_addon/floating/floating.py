@@ -294,11 +294,9 @@ def register() -> None:
         bpy.utils.register_class(cls)
     bpy.types.Object.libocean_float = bpy.props.PointerProperty(type=FloatSettings)
     bpy.types.VIEW3D_MT_object.append(_draw_float)
-    live.followers.append(ride_all)
 
 
 def unregister() -> None:
-    live.followers.remove(ride_all)
     bpy.types.VIEW3D_MT_object.remove(_draw_float)
     del bpy.types.Object.libocean_float
     for cls in reversed(CLASSES):

@@ -107,15 +107,16 @@ def _band(t: Tree, place, footprint, band: Band, image, frames: tuple[int, int] 
 # The group of a sea -------------------------------------------------------------
 
 
-def _owned(blocks, ob) -> list:
-    return [block for block in blocks if block.get(MARK) == ob.name_full and block.library is None]
+def _owned(blocks, owner: str) -> list:
+    """Returns the blocks of the object with that full name."""
+    return [block for block in blocks if block.get(MARK) == owner and block.library is None]
 
 
-def _group(ob):
-    for group in _owned(bpy.data.node_groups, ob):
+def _group(owner: str):
+    for group in _owned(bpy.data.node_groups, owner):
         return group
     group = bpy.data.node_groups.new(GROUP, "ShaderNodeTree")
-    group[MARK] = ob.name_full
+    group[MARK] = owner
     compat.add_socket(
         group,
         "Pixel Angle",
@@ -209,15 +210,15 @@ def _attach(waters, group) -> None:
 
 def clear(ob) -> None:
     """Of what the object's group shows nothing stays: files of the same names may be others now."""
-    for group in _owned(bpy.data.node_groups, ob):
+    for group in _owned(bpy.data.node_groups, ob.name_full):
         before = _read_by(group)
         group.nodes.clear()
         _remove_unused_sequences(before)
 
 
-def leave(ob) -> None:
-    """The object's sea is shown without it."""
-    for group in _owned(bpy.data.node_groups, ob):
+def leave(owner: str) -> None:
+    """Shows the sea of the object with that full name without near detail."""
+    for group in _owned(bpy.data.node_groups, owner):
         for made in bpy.data.materials:
             tree = made.node_tree if made.library is None else None
             for node in list(tree.nodes) if tree else ():
@@ -226,17 +227,17 @@ def leave(ob) -> None:
         played = _read_by(group)
         bpy.data.node_groups.remove(group)
         _remove_unused_sequences(played)
-    for image in _owned(bpy.data.images, ob):
+    for image in _owned(bpy.data.images, owner):
         bpy.data.images.remove(image)
 
 
-def _images(ob, count: int) -> list:
-    """For so many bands."""
-    there = sorted(_owned(bpy.data.images, ob), key=lambda image: image.name)
+def _images(owner: str, name: str, count: int) -> list:
+    """Returns an image for each of `count` bands of the object with that full name and name."""
+    there = sorted(_owned(bpy.data.images, owner), key=lambda image: image.name)
     while len(there) < count:
-        name = f"detail {len(there) + 1}"
-        image = images.make(ob, name, (SAMPLES, SAMPLES), (0.0, 0.0, 0.0, 0.0))
-        image[MARK] = ob.name_full
+        field = f"detail {len(there) + 1}"
+        image = images.make(name, field, (SAMPLES, SAMPLES), (0.0, 0.0, 0.0, 0.0))
+        image[MARK] = owner
         there.append(image)
     return there[:count]
 
@@ -254,32 +255,33 @@ def play(
     waters = _waters(ob) if bands and ob.library is None else []
     shown = [load(number) for number in range(len(bands))] if waters else []
     if not shown or None in shown:
-        leave(ob)
+        leave(ob.name_full)
         _remove_unused_sequences(set(shown) - {None})
         return
-    group, made_of = _group(ob), repr((bands, frames))
+    group, made_of = _group(ob.name_full), repr((bands, frames))
     if not _is_made_of(group, made_of, shown):
         _build(group, made_of, bands, shown, frames)
-        for image in _owned(bpy.data.images, ob):  # of the live sea
+        for image in _owned(bpy.data.images, ob.name_full):  # of the live sea
             bpy.data.images.remove(image)
     _attach(waters, group)
 
 
-def follow(ob, settings, sea, at: float, size: int) -> None:
-    """Brings the slopes of a time up to date. size: samples a side of the maps that are shown."""
+def follow(ocean, settings, at: float, size: int) -> None:
+    """Brings the slopes of a time [s] up to date. size: samples per side of the shown maps."""
+    ob, sea = ocean.ob, ocean.sea
     waters = _waters(ob) if is_wanted(settings) and ob.library is None else []
     if not waters:
-        leave(ob)
+        leave(ob.name_full)
         return
     state = (sea.changes, at, size, "detail")
-    group = _group(ob)
-    owned = _owned(bpy.data.images, ob)
+    group = _group(ob.name_full)
+    owned = _owned(bpy.data.images, ob.name_full)
     if owned and all(sea.shown.get(image.name_full) == state for image in owned):
         _attach(waters, group)
         return
     with sea.lock:
         found = sea.sea.detail(at, size, samples=SAMPLES)
-        shown = _images(ob, len(found.bands))
+        shown = _images(ob.name_full, ob.name, len(found.bands))
         if sea.detail_pixels is None:  # as much time goes into new memory as into the slopes
             sea.detail_pixels = images.aligned((SAMPLES, SAMPLES))
         for image, band in zip(shown, found.bands, strict=True):

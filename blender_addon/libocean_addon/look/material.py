@@ -10,7 +10,7 @@ import math
 
 import bpy
 
-from ..sea import live, node_group
+from ..sea import facts, live, node_group
 from ..shared import compat
 from ..shared.compat import tr
 from . import air, detail, sun_focus, sunlight
@@ -98,7 +98,7 @@ def put(made, values: dict) -> None:
 
 def fit(made, ob, scene) -> None:
     """Makes a material that of an ocean, of the scene's camera, and of its sun and air."""
-    state = live.sea_state(ob)
+    state = facts.sea_state(ob)
     values = look_of(state) if state else {}
     angle = pixel_angle(scene)
     put(made, values if angle is None else {**values, "Pixel Angle": angle})

@@ -112,11 +112,12 @@ def add(made, depth: float) -> None:
             node.location = (water.location[0] - 780 + 220 * number, water.location[1] + 300)
 
 
-def _image(ob, before):
-    if before is not None and before.get(MARK) == ob.name_full:
+def _image(owner: str, name: str, before):
+    """Returns the image of the object with that full name and name: `before`, if it is that."""
+    if before is not None and before.get(MARK) == owner:
         return before
-    made = images.make(ob, "sun focus", (SAMPLES, SAMPLES), (1.0, 1.0, 1.0, 1.0))
-    made[MARK] = ob.name_full
+    made = images.make(name, "sun focus", (SAMPLES, SAMPLES), (1.0, 1.0, 1.0, 1.0))
+    made[MARK] = owner
     return made
 
 
@@ -129,8 +130,9 @@ def _sun(water) -> tuple[float, float, float]:
     return tuple(part / length for part in sun)
 
 
-def follow(ob, sea, at: float) -> None:
-    """Brings the image of an object's material up to date with a time of its sea."""
+def follow(ocean, at: float) -> None:
+    """Brings the image of an object's material up to date with a time of its sea [s]."""
+    ob, sea = ocean.ob, ocean.sea
     made = ob.material_slots[0].material if ob.material_slots else None
     if made is None or made.library is not None or made.node_tree is None:
         return
@@ -139,7 +141,7 @@ def follow(ob, sea, at: float) -> None:
         if node is None:
             continue
         sun, depth = _sun(water), float(node[_DEPTH])
-        image = _image(ob, node.image)
+        image = _image(ob.name_full, ob.name, node.image)
         state = (sea.changes, at, depth, sun)
         if node.image == image and sea.shown.get(image.name_full) == state:
             continue

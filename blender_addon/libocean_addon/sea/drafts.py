@@ -20,6 +20,7 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
+from ..shared import hooks
 from ..shared.native import libocean
 
 SECONDS = 0.1
@@ -124,11 +125,6 @@ class _Wish:
     rest: float
 
 
-make_job: Callable[[str], Job | None] | None = None
-"""Given by live.py: the job of an object's whole sea; None where there is none to be had."""
-finish: Callable[[str, Job], None] | None = None
-"""Given by live.py: what is done with it when it has ended."""
-
 _wishes: dict[str, _Wish] = {}
 _running: tuple[str, Job] | None = None
 
@@ -164,13 +160,13 @@ def step() -> float | None:
             _redraw()
             return 0.1
         _running = None
-        finish(name, job)
+        hooks.connected().finish_draft_job(name, job)
         _redraw()
     now = time.monotonic()
     for name, wish in list(_wishes.items()):
         if now - wish.since >= wish.rest:
             del _wishes[name]
-            job = make_job(name)
+            job = hooks.connected().make_draft_job(name)
             if job is not None:
                 _running = name, job
                 job.start()

@@ -32,6 +32,42 @@ def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
     compat.shade_smooth(mesh)
 
 
+LABEL = "label"
+UV_MAP = "UVMap"
+
+
+def _write_labels(mesh, period: float) -> None:
+    """Writes the undisplaced coordinate of each vertex [m] as the attribute `label`, z = 0, and its
+    share of the period as a UV map. A node group with foam stores a label of the world over it."""
+    places = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", places)
+    places = places.reshape(-1, 3)
+    places[:, 2] = 0.0
+    # One after the other: a layer that is added moves the memory of those before it.
+    label = mesh.attributes.get(LABEL) or mesh.attributes.new(LABEL, "FLOAT_VECTOR", "POINT")
+    label.data.foreach_set("vector", places.ravel())
+    corners = np.empty(len(mesh.loops), np.int32)
+    mesh.loops.foreach_get("vertex_index", corners)
+    uv = mesh.uv_layers.get(UV_MAP) or mesh.uv_layers.new(name=UV_MAP, do_init=False)
+    uv.data.foreach_set("uv", (places[:, :2] / np.float32(period))[corners].ravel())
+
+
+_LABELLED = "libocean_label"  # custom property of a user's mesh: the period of its UV map [m]
+
+
+def label_users(mesh, period: float) -> None:
+    """Gives a mesh that an ocean modifier displaces labels and a UV map, unless it has a UV map or
+    an attribute of that name of its own."""
+    if not isinstance(mesh, bpy.types.Mesh) or mesh.library is not None:
+        return
+    labelled = mesh.get(_LABELLED)
+    is_ours = labelled is not None and LABEL in mesh.attributes and UV_MAP in mesh.uv_layers
+    is_bare = labelled is None and not mesh.uv_layers and LABEL not in mesh.attributes
+    if (is_ours and labelled != period) or is_bare:
+        _write_labels(mesh, period)
+        mesh[_LABELLED] = period
+
+
 def _patch_vertices(size: float, samples: int) -> np.ndarray:
     """One period around the origin: a vertex on each of samples x samples, and the seam's."""
     side = samples + 1
@@ -60,20 +96,20 @@ def automatic(own: int) -> int:
     return min(own, AUTOMATIC)
 
 
-def samples_of(ob) -> int | None:
-    """Samples a side that a patch's mesh was made for; None where it was not."""
-    words = ob.data.get(_MADE_OF, "").split() if ob.type == "MESH" else []
+def samples_of(mesh) -> int | None:
+    """Returns the samples per side that a patch's mesh was made for; None for other data."""
+    words = mesh.get(_MADE_OF, "").split()
     return int(words[2]) if words and words[0] == "patch" else None
 
 
-def is_empty(ob) -> bool:
-    """Whether it has not been made yet."""
-    return ob.type == "MESH" and len(ob.data.vertices) == 0
+def is_empty(mesh) -> bool:
+    """Returns whether a mesh has not been made yet."""
+    return isinstance(mesh, bpy.types.Mesh) and len(mesh.vertices) == 0
 
 
-def is_on_samples(ob, samples: int) -> bool:
-    """Whether each vertex of a patch lies on a sample of a map of so many a side."""
-    made_for = samples_of(ob)
+def is_on_samples(mesh, samples: int) -> bool:
+    """Returns whether each vertex of a patch lies on a sample of a map of `samples` per side."""
+    made_for = samples_of(mesh)
     return made_for is None or samples % made_for == 0
 
 
@@ -106,12 +142,13 @@ def follow_patch(ob, size: float, samples: int) -> None:
     """Makes a patch's mesh anew where the period or the number of samples is another."""
 
     def make(mesh) -> None:
-        before = samples_of(ob)
+        before = samples_of(mesh)
         if before == samples and len(mesh.vertices) == (samples + 1) ** 2:
             mesh.vertices.foreach_set("co", _patch_vertices(size, samples).ravel())
             mesh.update()
         else:
             fill(mesh, _patch_vertices(size, samples), _patch_faces(samples))
+        _write_labels(mesh, size)
 
     _follow(ob, f"patch {size!r} {samples}", make)
 
@@ -125,8 +162,8 @@ def fill_stand_in(mesh, size: float) -> None:
     mesh[_MADE_OF] = STAND_IN
 
 
-def is_stand_in(ob) -> bool:
-    return ob.type == "MESH" and ob.data.get(_MADE_OF) == STAND_IN
+def is_stand_in(mesh) -> bool:
+    return isinstance(mesh, bpy.types.Mesh) and mesh.get(_MADE_OF) == STAND_IN
 
 
 # The rings of a horizon -------------------------------------------------------

@@ -26,7 +26,7 @@ from ..bake.baked_nodes import (
     ON_SAMPLES,
     ON_SAMPLES_HELP,
 )
-from ..shared import compat, overrides
+from ..shared import compat
 from ..shared.node_builder import Builder
 from . import ring_nodes
 from .ring_nodes import far_image
@@ -289,8 +289,11 @@ def all_modifiers(ob) -> list:
 
 
 def modifiers(ob) -> list:
-    """The ocean modifiers of an object that count."""
-    return overrides.effective(ob, all_modifiers(ob))
+    """Returns the ocean modifiers of an object that count: those that a shot added take the place
+    of its library's."""
+    found = [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
+    own = [m for m in found if ob.override_library is None or not m.is_override_data]
+    return own or found
 
 
 def live_modifiers(ob) -> list:

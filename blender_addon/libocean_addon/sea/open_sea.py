@@ -229,8 +229,11 @@ class OpenSea:
 _seas: dict[str, OpenSea] = {}
 
 
-def sea_of(ob) -> OpenSea:
-    return _seas.setdefault(ob.name_full, OpenSea())
+def sea_of(name: str) -> OpenSea:
+    """Returns the open sea of the object with that full name."""
+    if name not in _seas:
+        _seas[name] = OpenSea()
+    return _seas[name]
 
 
 def forget(names: set[str]) -> None:

@@ -1,23 +1,20 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Who hears of properties that were set: one listener, and silence while many are set at once."""
+"""Changes of properties are reported, but not while many are set at once."""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
-import bpy
-
-listener: Callable[[bpy.types.Object], None] | None = None
-"""Told of each object whose properties were set."""
+from . import hooks
 
 _silence = 0
 
 
 @contextlib.contextmanager
 def quiet() -> Iterator[None]:
-    """Many properties are set: the listener hears of it when somebody tells it."""
+    """Keeps changes from being reported while many properties are set; `tell` reports them."""
     global _silence
     _silence += 1
     try:
@@ -31,5 +28,6 @@ def is_quiet() -> bool:
 
 
 def tell(ob) -> None:
-    if listener is not None and not is_quiet():
-        listener(ob)
+    """Has an object shown whose properties were set."""
+    if not is_quiet():
+        hooks.connected().property_changed(ob)

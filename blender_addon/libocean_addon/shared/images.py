@@ -8,12 +8,12 @@ import bpy
 import numpy as np
 
 
-def make(ob, field: str, shape: tuple[int, int], blank: tuple[float, float, float, float]):
-    """An image, of so many rows and columns, of one field of an object. It is of this colour
-    wherever nobody fills it: after loading, without the add-on. Blender's own choice, alpha 1,
-    would be foam everywhere."""
+def make(owner: str, field: str, shape: tuple[int, int], blank: tuple[float, float, float, float]):
+    """Returns a new image of one field of an object. owner: the object's name. shape: rows and
+    columns. blank: the colour of an image that nothing fills, after loading or without the add-on;
+    Blender's default, alpha 1, would be foam everywhere."""
     image = bpy.data.images.new(
-        f".{ob.name} {field}", *reversed(shape), alpha=True, float_buffer=True, is_data=True
+        f".{owner} {field}", *reversed(shape), alpha=True, float_buffer=True, is_data=True
     )
     image.alpha_mode = "CHANNEL_PACKED"
     image.generated_color = blank

@@ -40,13 +40,6 @@ def is_librarys(ob, modifier) -> bool:
     return ob.override_library is not None and modifier.is_override_data
 
 
-def effective(ob, modifiers: list) -> list:
-    """Returns the modifiers of an object that count: those that a shot added take the place of its
-    library's."""
-    own = [modifier for modifier in modifiers if not is_librarys(ob, modifier)]
-    return own or modifiers
-
-
 def has_librarys_bake(ob) -> bool:
     """Returns whether the record of the bake is still that of the library."""
     ours, theirs = ob.libocean.bake, ob.override_library.reference.libocean.bake

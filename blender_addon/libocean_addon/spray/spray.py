@@ -116,7 +116,7 @@ def _empty(ob, modifier) -> None:
     carrier = _carrier(modifier)
     if carrier is None or carrier.library is not None:
         return
-    sea_of(ob).shown.pop(carrier.name_full, None)
+    sea_of(ob.name_full).shown.pop(carrier.name_full, None)
     if len(carrier.data.vertices) > 0:
         _fill(carrier.data, np.empty((0, 3)), {})
 
@@ -145,7 +145,7 @@ def _follow_baked(ob, sea: OpenSea, moment) -> None:
 
 def _show(ob, modifier, depsgraph, moment) -> None:
     """Fills the carrier of an object with what is alive at a moment."""
-    carrier, sea = _carrier(modifier), sea_of(ob)
+    carrier, sea = _carrier(modifier), sea_of(ob.name_full)
     if carrier is None or carrier.library is not None:
         carrier = _new_carrier(ob, modifier)
     _follow_baked(ob, sea, moment)
@@ -248,7 +248,7 @@ def _is_calm(values) -> bool:
 
 def state_of(ob) -> tuple[str, str]:
     """A sentence on the spray of an ocean, and its icon."""
-    modifier, sea = spray_nodes.modifier_of(ob), sea_of(ob)
+    modifier, sea = spray_nodes.modifier_of(ob), sea_of(ob.name_full)
     if ob.libocean.spray_problem:
         return ob.libocean.spray_problem, "ERROR"
     if modifier is None or sea.sea is None or drafts.progress(ob.name_full) is not None:
@@ -259,11 +259,3 @@ def state_of(ob) -> tuple[str, str]:
     if _is_calm(sea.values):
         return tr_label("There is no spray: it takes a wind of more than 7 m/s"), "INFO"
     return tr_label("There is no spray at this time"), "INFO"
-
-
-def register() -> None:
-    live.followers.append(show_all)
-
-
-def unregister() -> None:
-    live.followers.remove(show_all)
