@@ -19,7 +19,7 @@ _locked_by_us: set[str] = set()  # scenes
 
 
 def _own_images(oceans: list[bpy.types.Object]) -> None:
-    """A copy of an object shows images of its own."""
+    """Gives a copy of an object images of its own."""
     owners: dict[str, str] = {}
     for ob in oceans:
         for modifier in node_group.live_modifiers(ob):
@@ -43,7 +43,7 @@ def _frame_changed(scene, depsgraph=None) -> None:
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
-    # Of a collection, or the whole scene: something came or went.
+    # A collection or the scene changes when an object comes or goes.
     kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         oceans = live.ocean_objects()
@@ -83,7 +83,8 @@ def _before_frame(scene, *_) -> None:
 
 @persistent
 def _lock_interface(scene, *_) -> None:
-    """Blender may not draw what a render in another thread rewrites."""
+    """Locks the interface: Blender must not draw images that a render in another thread
+    rewrites."""
     render_check.begin()
     if live.ocean_objects() and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What people should know of an object's sea before they wonder: how large it is, and what of its
-settings does something else than it seems to.
+"""Hints about an object's sea before a user wonders: its size, and settings that do something else
+than they seem to.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def spacing(ob, seen) -> float | None:
 
 
 def is_too_coarse(ob, seen) -> bool:
-    """Whether waves pass between the vertices: two of them a wave are the least that show it."""
+    """Returns whether waves pass between the vertices: a wave needs at least two."""
     between, wave = spacing(ob, seen), facts.peak_wavelength(ob)
     return between is not None and wave is not None and between > wave / 2.0
 

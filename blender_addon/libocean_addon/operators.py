@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be done, by menu, by button and by script: bpy.ops.libocean."""
+"""The operators of menus, buttons and scripts: bpy.ops.libocean."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def _start_sea(ob, preset: str) -> None:
 
 
 class OnOcean:
-    """Of operators on the active object's sea."""
+    """Base of operators on the active object's sea."""
 
     @classmethod
     def poll(cls, context) -> bool:

@@ -29,7 +29,7 @@ SHORT = {
     "render_resolution": "Render",
     "mesh_resolution": "Mesh",
 }
-"""What a panel of the usual width shows of labels that are longer than it."""
+"""Short labels for fields whose label does not fit a panel of default width."""
 
 # Parameters by the panel that shows them; every other one is in Advanced.
 SEA = ("patch_size", "depth", "seed")
@@ -55,7 +55,7 @@ _ONLY_IF = {
 
 
 def is_used(group, entry) -> bool:
-    """Whether a parameter applies: to the spectrum, say, that is chosen."""
+    """Returns whether a parameter applies, for example to the chosen spectrum."""
     chosen = {
         getattr(group, other["key"])
         for other in parameter_values.TABLE
@@ -152,7 +152,7 @@ class OceanPanel(_Panel, bpy.types.Panel):
 
 
 def _draw_state(layout, ob) -> None:
-    """What the sea is, how far it is, and how large."""
+    """Draws the state of the sea and the progress of a draft."""
     share = drafts.progress(ob.name_full)
     if share is not None:
         say(layout, tr_label("A draft; the whole sea: {:.0%}", share), "SORTTIME")
@@ -242,7 +242,7 @@ class LookPanel(_Panel, bpy.types.Panel):
 
 
 class SprayPanel(_Panel, bpy.types.Panel):
-    """What the wind tears off"""
+    """Drops that the wind tears off"""
 
     bl_idname = "LIBOCEAN_PT_spray"
     bl_parent_id = OceanPanel.bl_idname

@@ -45,7 +45,7 @@ def _map_resolution(where: str) -> dict:
 
 @overridable
 class OceanBake(bpy.types.PropertyGroup):
-    """Where and what to bake, and the record of the bake that there is"""
+    """The folder and the frames to bake, and the record of the present bake"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
@@ -90,7 +90,7 @@ class OceanBake(bpy.types.PropertyGroup):
 
 @overridable
 class OceanVolumes(bpy.types.PropertyGroup):
-    """What to write as volumes"""
+    """The water to write as volumes"""
 
     directory: bpy.props.StringProperty(
         name="Folder",

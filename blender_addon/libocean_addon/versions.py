@@ -10,7 +10,8 @@ from .shared import changes
 
 
 def upgrade(ob) -> None:
-    """What an object says is said as today; nothing happens to one that does already."""
+    """Rewrites the settings of an object as today's version has them; leaves those of today
+    alone."""
     if ob.library is not None:
         return
     settings = ob.libocean

@@ -70,7 +70,8 @@ std::string c_name(int channel) {
     return name;
 }
 
-/// Of the least buffer. Throws CallError where no buffer could be so large.
+/// Returns the floats of the smallest buffer that holds the map. Throws CallError if no buffer can
+/// be so large.
 std::size_t needed_floats(const MapOutput& map, int resolution, const std::string& name) {
     const std::size_t width = map.width(resolution);
     const std::size_t rows = width / static_cast<std::size_t>(map.components);
@@ -107,13 +108,13 @@ void check_output(const ocean_output& output, const std::string& name) {
     }
 }
 
-/// What one component of an output receives.
+/// The channel that one component of an output receives, and its sign.
 struct Source {
     int channel;
     float sign;
 };
 
-/// Whether three components are the x, y and z of a vector.
+/// Returns true if three components are the x, y and z of a vector.
 bool is_vector(std::span<const std::int32_t, 3> channels) {
     return std::ranges::any_of(kProducts, [channels](const Product& product) {
         return product.vector &&

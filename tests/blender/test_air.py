@@ -51,7 +51,7 @@ def test_the_air_hides_what_haze_glsl_says(scene, tmp_path, distance, engine):
 
 
 def test_foam_is_behind_it_too_and_mirrored_water_is_not(scene, tmp_path):
-    """What a mirror shows is no direct view."""
+    """A mirror's picture is no direct view."""
     ob = plane(1e5, 2)
     light_all_round(scene, (0.0, 0.0, 0.0))
     water(ob, Visibility=1.0, Air_Light=(*AIR, 1.0))

@@ -66,7 +66,7 @@ def images_of(ob) -> set:
     return {node_group.value(modifier, name) for name in names}
 
 
-# What is in it --------------------------------------------------------------------
+# Its content ----------------------------------------------------------------------
 
 
 def test_the_browser_shows_a_name_a_picture_and_what_it_is(library):

@@ -72,7 +72,7 @@ def times(folder: Path) -> dict[str, int]:
 
 
 def failing(call, **arguments) -> str:
-    """What an operator says that must fail."""
+    """Returns the message of an operator that must fail."""
     with pytest.raises(RuntimeError) as failure:
         call(**arguments)
     return str(failure.value)
@@ -353,7 +353,7 @@ def test_an_animated_period_is_refused(scene, sea, tmp_path):
 
 
 def made_by_an_earlier_version(ob, folder: Path) -> None:
-    """Of its bake there is neither a Jacobian nor detail, in files, record and node group."""
+    """Its bake has neither a Jacobian nor detail, in files, record and node group."""
     from libocean_addon.sea import node_group
 
     record = ob.libocean.bake
@@ -405,7 +405,7 @@ def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
 
 @pytest.mark.parametrize("kind", ["PATCH", pytest.param("HORIZON", marks=pytest.mark.slow)])
 def test_sizes_are_told(scene, sea, kind):
-    """What is expected are the samples, of at most three bands; what is there are the files."""
+    """The panel expects the samples of at most three bands, and counts the present files."""
     from libocean_addon.bake import bake_plan, bake_record, bake_state
 
     sea.libocean.use_detail = True

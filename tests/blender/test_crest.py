@@ -39,7 +39,7 @@ def crest_light(height: float, jacobian: float, against: float, toward: float) -
 
 
 def expected(jacobian: float, *, azimuth: float = 90.0, tilt: float = TILT) -> np.ndarray:
-    """What comes to the camera, on the side of -y; the water leans to it."""
+    """Returns the light that reaches the camera, on the side of -y; the water leans to it."""
     level = math.cos(math.radians(SUN))
     sun = level * np.array([math.cos(math.radians(azimuth)), math.sin(math.radians(azimuth))])
     against = sun[1] * math.sin(math.radians(VIEW))
@@ -141,7 +141,8 @@ def test_no_triangle_of_it_is_a_lamp(scene):
 
 @pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
 def test_points_carry_the_jacobian(scene, kind):
-    """Of the displaced surface: less than 1 where waves squeeze it, as on crests; 1 in the mean."""
+    """The Jacobian of the displaced surface is less than 1 where waves squeeze it, as on crests,
+    and 1 in the mean."""
     bpy.ops.libocean.add(kind=kind, preset="beaufort_6")
     ob = bpy.context.object
     if kind == "HORIZON":

@@ -29,7 +29,7 @@ def waiting(monkeypatch):
 
 @pytest.fixture
 def past():
-    """What the library told the main thread of foam that it followed from its beginning."""
+    """Returns the progress that the library reported to the main thread while it followed foam."""
     told = []
     drafts.watchers[threading.get_ident()] = lambda done, total: told.append((done, total))
     yield told

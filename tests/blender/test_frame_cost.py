@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a played frame costs a vertex, against Blender's own Ocean modifier in the same process."""
+"""The cost of a played frame per vertex, against Blender's own Ocean modifier in one process."""
 
 import statistics
 import time

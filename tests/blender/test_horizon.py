@@ -165,7 +165,7 @@ def faces_of(mesh) -> list[tuple[int, ...]]:
 
 
 def signed_areas(mesh, places: np.ndarray) -> np.ndarray:
-    """Of the faces, seen from above."""
+    """Returns the areas of the faces, seen from above."""
     areas = []
     for face in faces_of(mesh):
         x, y = places[list(face), 0], places[list(face), 1]

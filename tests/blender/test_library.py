@@ -234,7 +234,7 @@ def test_oceans_of_one_name_from_two_files_are_baked_apart(overridden, tmp_path)
 
 
 def test_missing_files_of_a_linked_bake_stop_a_render(overridden, tmp_path, capfd):
-    """Of an override, of a linked object, and of an instance of a linked collection."""
+    """These are an override, a linked object and an instance of a linked collection."""
     ob = overridden(baked=True)
     scene = bpy.context.scene
     scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
@@ -276,7 +276,8 @@ def test_paths_of_a_library_go_from_its_file(overridden, tmp_path):
 
 
 def test_an_override_that_blender_made_of_itself_keeps_its_bake(asset, tmp_path):
-    """Of a whole collection: Blender calls it a system override, and keeps nothing of it."""
+    """Blender calls the override of a whole collection a system override and keeps nothing of
+    it."""
     path, _ = asset
     scene = bpy.context.scene
     scene.frame_start = scene.frame_end = 2

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the panels show: what applies, in words that fit, and never a traceback."""
+"""The panels show the settings that apply, in words that fit, and never a traceback."""
 
 import re
 import types
@@ -53,7 +53,7 @@ class Layout:
 
 
 def drawn_by(cls) -> list[str]:
-    """What a panel draws; fails where it would."""
+    """Returns the widgets that a panel draws; raises where it would."""
     drawn: list[str] = []
     cls.draw.__wrapped__(types.SimpleNamespace(layout=Layout(drawn)), bpy.context)
     return drawn
@@ -120,7 +120,7 @@ def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
     assert capsys.readouterr().err.count("Traceback") == 1
 
 
-# What applies, in words that fit --------------------------------------------------
+# Settings that apply, in words that fit --------------------------------------------
 
 
 def test_what_does_not_apply_is_not_there(ocean):
@@ -195,7 +195,7 @@ def test_raw_inputs_are_out_of_sight(ocean):
             assert item.hide_in_modifier or item.in_out == "OUTPUT" or item.name == "Geometry"
 
 
-# What people should know ------------------------------------------------------------
+# Hints and warnings -----------------------------------------------------------------
 
 
 def test_the_size_of_mesh_and_maps_is_told(ocean):

@@ -56,7 +56,7 @@ def render(capfd, frame: int | None = None, subframe: float = 0.0, **arguments) 
 
 
 def stopped(capfd, *frame, **arguments) -> list[str]:
-    """What the console says of a render that is stopped."""
+    """Returns the console's message about a render that is stopped."""
     camera = bpy.context.scene.camera
     with pytest.raises(RuntimeError, match="no camera"):
         render(capfd, *frame, **arguments)

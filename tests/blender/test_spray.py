@@ -450,7 +450,7 @@ def test_motion_blur_is_as_long_as_the_way(scene, ocean, tmp_path):
     still = light_of(scene, tmp_path / "still.exr", blur=False)
     blurred = light_of(scene, tmp_path / "blurred.exr", blur=True)
     way = velocity[[0, 2]] * 0.5 / 24  # while the shutter is open
-    # What moves by a way w at an even speed adds w w' / 12 to its covariance.
+    # A point that moves by a way w at an even speed adds w w' / 12 to the covariance.
     added = 12 * (blurred - still)
     assert np.linalg.norm(way) > 0.2
     assert added == pytest.approx(np.outer(way, way), abs=0.06 * float(way @ way))

@@ -26,7 +26,7 @@ SOURCES = sorted(Path(libocean_addon.__file__).parent.rglob("*.py"))
 PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers
 
 
-# What is to be translated -------------------------------------------------------
+# Texts to be translated ---------------------------------------------------------
 
 
 def own_properties(cls) -> list:
@@ -109,7 +109,7 @@ def test_every_state_and_socket_is_translated():
 @pytest.mark.only_reads
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
 def test_nothing_is_said_untranslated(path):
-    """What is reported, or drawn, is no bare text: only what a variable holds, or tr."""
+    """Reports and drawn labels are no bare texts, but variables or calls of tr."""
     for name, call in calls(path):
         if name in ("report", "poll_message_set", "status_text_set", "BakeError", "LibraryError"):
             said = [node for node in call.args if isinstance(node, (ast.Constant, ast.JoinedStr))]

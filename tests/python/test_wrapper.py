@@ -425,7 +425,7 @@ assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=120
     )
     assert result.returncode == 0, result.stderr
-    # Of the processor; 50 ms as the library promises, and the rest for a slow one.
+    # Processor time: 50 ms as the library promises, and the rest for a slow machine.
     assert float(result.stdout) < 0.5
 
 

@@ -89,7 +89,7 @@ def _digest(path: Path) -> bytes:
 
 
 def _require_ours(folder: Path) -> None:
-    """Whether a file that is there may be replaced."""
+    """Returns whether a present file may be replaced."""
     file, note = folder / FILE, folder / DIGEST
     if file.exists() and not (note.exists() and note.read_bytes().strip() == _digest(file)):
         raise LibraryError(
@@ -186,7 +186,7 @@ class MakeAssetLibrary(bpy.types.Operator):
 
 
 class OceanPreferences(bpy.types.AddonPreferences):
-    """Of the add-on"""
+    """Preferences of the add-on"""
 
     bl_idname = ADDON
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the asset library has: seas to the horizon and as patches, and skies, each with what the
-Asset Browser shows of it. A Blender of its own, in which nothing else is, writes them into one file
-(write_assets.py).
+"""The content of the asset library: seas to the horizon and as patches, and skies, each with the
+preview that the Asset Browser shows. A separate Blender without anything else writes them into one
+file (write_assets.py).
 
 A sea of the library has one face for a mesh and small images: it comes alive where it comes into a
 scene (handlers.py). So the file is small, opens fast, and is the same for seas of any size.

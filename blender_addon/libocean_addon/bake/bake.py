@@ -16,7 +16,7 @@ from .bake_plan import Bake, BakeError, Work, asked_range
 
 
 def _words(failure: Exception) -> str:
-    """What stopped a job."""
+    """Returns the sentence about the failure that stopped a job."""
     if isinstance(failure, exr_files.NotWholeError):
         path = failure.args[0]
         return tr("{} could not be written to its end: is the disk full?", path)
@@ -28,7 +28,7 @@ def _words(failure: Exception) -> str:
 
 
 running: Work | None = None
-"""The one that a user waits for: there is one status bar."""
+"""The work that a user waits for; a single one, since there is one status bar."""
 
 
 class _OnOwnOcean(operators.OnOcean):
@@ -43,8 +43,8 @@ class _OnOwnOcean(operators.OnOcean):
 
 
 class Frames(_OnOwnOcean):
-    """Of operators that write the frames of a sea: with a window in a thread of its own, and ESC
-    stops it; else at once."""
+    """Base of operators that write the frames of a sea: with a window in a thread of its own, which
+    ESC stops; else at once."""
 
     bl_options = {"UNDO"}  # nothing to adjust: that would write them again
 
@@ -65,7 +65,7 @@ class Frames(_OnOwnOcean):
     )
 
     def begin(self, context, shot: tuple[int, int]) -> Work:
-        """The work for the active object, of those frames; raises BakeError."""
+        """Returns the work for the active object, of those frames; raises BakeError."""
         raise NotImplementedError
 
     def _prepare(self, context) -> Work | None:
@@ -149,7 +149,7 @@ class Frames(_OnOwnOcean):
         return self._finish(bake)
 
     def cancel(self, context) -> None:
-        """Blender ends it: another file is opened."""
+        """Ends the work when Blender opens another file."""
         self._end(context)
 
     def _end(self, context) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether the files of a bake are present, whole, and of the sea that was baked. No Blender in
+"""Checks that the files of a bake are present, whole, and of the sea that was baked. No Blender in
 here.
 
     record of a bake, frames -> path and header of each file -> faults by kind and frame
@@ -29,7 +29,7 @@ class Fault(enum.Enum):
     BROKEN = "broken"
     """It is no EXR or VDB file, or was cut off."""
     FOREIGN = "foreign"
-    """Of another sea, time, frame, field or size."""
+    """It shows another sea, time, frame, field or size."""
     NAMELESS = "nameless"
     """It names no sea: what an older or another program wrote. Such files play."""
 
@@ -50,7 +50,7 @@ def frame_mark(sea: str, time: str) -> str:
 
 @dataclasses.dataclass(frozen=True)
 class Identity:
-    """What a file shows, by its header."""
+    """The content of a file, by its header."""
 
     sea: str
     frame_mark: str
@@ -100,7 +100,7 @@ def identity(path: str) -> Identity | Fault:
 
 @dataclasses.dataclass(frozen=True)
 class Expected:
-    """What a bake recorded of its frames; None, or a frame that is absent: nothing."""
+    """The marks that a bake recorded, by frame; None, or a frame without one: not recorded."""
 
     frame_marks: dict[int, str]
     sea: str | None = None

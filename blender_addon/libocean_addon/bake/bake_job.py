@@ -51,14 +51,14 @@ class Job:
 
     stop: threading.Event = dataclasses.field(default_factory=threading.Event)
     done: int = 0
-    """Frames that are there."""
+    """Frames whose files are present."""
     written: int = 0
-    """Frames of which a file was not there before."""
+    """Frames of which a file was missing before."""
     failure: Exception | None = None
     warning: str = ""
-    """What the user should know of a frame."""
+    """A warning about a frame."""
     marks: list[str] = dataclasses.field(default_factory=list)
-    """By which the files of each frame are known again."""
+    """The marks by which the files of each frame are recognised."""
 
     def run(self, tell: Callable[[], None] = lambda: None) -> None:
         """Writes what is missing; tell is called after each frame. What went wrong is in
@@ -90,12 +90,13 @@ class Job:
                 sea.close()
 
     def _bake(self, sea, resolved: str, frame: Frame) -> bool:
-        """Whether all files of the frame are there now: not where it was told to stop."""
+        """Writes the files of a frame that are missing. Returns whether all of them are present
+        now: not if the job was stopped."""
         raise NotImplementedError
 
 
 class OtherTilesError(Exception):
-    """The slope tiles of a frame are of other waves than those of the first, and of another size:
+    """The slope tiles of a frame hold other waves than those of the first frame, over another size;
     a bake has one of each."""
 
 
@@ -107,7 +108,7 @@ class MapJob(Job):
     stem: str
     """How the names of the files begin."""
     fields: list[str]
-    """Of maps; those of slope tiles are known, and here, when it is done."""
+    """The fields of maps; those of slope tiles are added when the first frame is known."""
     use_detail: bool
     resolution: int
     package: object
@@ -116,14 +117,14 @@ class MapJob(Job):
     first_sea: str = ""
     """The resolved sea file of the first frame."""
     slope_variance: float = 0.0
-    """Of the waves that the first frame's map leaves out."""
+    """The variance of the slopes that the first frame's map leaves out."""
     cover_power: float = 1.0
-    """Of the first frame's foam."""
+    """The exponent that turns the first frame's foam into its cover."""
     bands: list[detail_tiles.Band] = dataclasses.field(default_factory=list)
-    """Of the first frame's slope tiles."""
+    """The bands of the first frame's slope tiles."""
 
     def _begin(self, sea, resolved: str, frame: Frame) -> None:
-        """What is kept of the first frame."""
+        """Keeps the values of the first frame."""
         self.first_sea = resolved
         self.slope_variance = atlas.lost_slopes(sea.state, self.resolution)
         if "cover" in self.fields:
@@ -189,7 +190,7 @@ class MapJob(Job):
         return sea.detail(time, self.resolution, samples=detail_tiles.SAMPLES)
 
     def _tiles(self, bands) -> dict[str, np.ndarray]:
-        """Slopes along the sea's own x and y, whatever the axes of vectors."""
+        """Returns slopes along the sea's own x and y, whatever the axes of vectors."""
         first, these = (
             [(band.tile, band.longest_wave, band.shortest_wave) for band in found]
             for found in (self.bands, bands)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a bake of an object is to be, frame by frame, and the record of it that the object keeps.
+"""The plan of a bake, frame by frame, and the record of it that the object keeps.
 
 scene and parameters (here) -> bake_job (a thread) -> record, baked group (here)
 """
@@ -24,11 +24,11 @@ from . import bake_files, bake_job, bake_record, baked, exr_files
 
 
 class BakeError(Exception):
-    """Why nothing is baked, in a sentence."""
+    """A bake is refused; the sentence says why."""
 
 
 def asked_range(ob, scene) -> tuple[int, int]:
-    """First and last frame of the shot."""
+    """Returns the first and last frame of the shot."""
     settings = ob.libocean.bake
     if settings.use_custom_range:
         return settings.frame_start, settings.frame_end
@@ -36,13 +36,13 @@ def asked_range(ob, scene) -> tuple[int, int]:
 
 
 def with_margins(first: int, last: int) -> tuple[int, int]:
-    """The frames that have files: motion blur looks beyond the first and the last. Blender's image
-    sequences have no negative numbers."""
+    """Returns the first and last frame that get files: motion blur reads beyond those of the shot.
+    Blender's image sequences have no negative numbers."""
     return max(first - 1, 0), last + 1
 
 
 def size_estimate(ob, resolution: int, frames: int) -> int:
-    """Bytes at most."""
+    """Returns the max size of a bake [bytes]."""
     fields = bake_record.wanted_fields(ob.libocean)
     if detail.is_wanted(ob.libocean):  # the library says how many bands there are, not at once
         fields = [*fields, *exr_files.DETAIL]
@@ -54,7 +54,7 @@ def size_estimate(ob, resolution: int, frames: int) -> int:
 
 
 def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -> None:
-    """A bake has one period and one size."""
+    """Raises BakeError unless all frames have one period and one size."""
     names = ("patch_size", "resolution", "cascades")
     before.add((resolution, *(values.values[name] for name in names)))
     if len(before) > 1:
@@ -67,7 +67,7 @@ def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -
 
 
 def for_each_frame(context, ob, first: int, last: int, take: Callable[..., None]) -> None:
-    """Calls take(number, frame that is shown, settings of the object as they are there)."""
+    """Calls take(number, shown frame, settings of the object at that frame) for each frame."""
     scene = context.scene
     numbers = range(first, last + 1)
     if ob.animation_data is None and bake_record.frame_length(scene) == 1.0:
@@ -86,7 +86,8 @@ def for_each_frame(context, ob, first: int, last: int, take: Callable[..., None]
 
 
 def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dict[str, str]]:
-    """What is shown at each frame, and the recipes by frame; one, by "", where all are the same."""
+    """Returns each frame with its sea, and the recipes by frame; a single one, by "", if all are
+    the same."""
     scene = context.scene
     frames, recipes, maps = [], {}, set()
 
@@ -110,8 +111,8 @@ def _require_own(ob, place: bake_record.Place, recipes: dict[str, str]) -> None:
 
 
 def require_no_strangers(frames: list[int], asked: str) -> None:
-    """Raises BakeError where files of another sea would be written over. frames: those that have
-    such files."""
+    """Raises BakeError if files of another sea would be overwritten. frames: those with such
+    files."""
     if frames:
         numbers = bake_files.in_words(frames)
         raise BakeError(
@@ -127,8 +128,8 @@ def require_no_strangers(frames: list[int], asked: str) -> None:
 def _strangers(
     ob, place: bake_record.Place, frames: list[bake_job.Frame], base_dir: str | None
 ) -> list[int]:
-    """The frames of which a folder that was chosen has files neither of the object's bake nor of
-    the one that is to be. Where the object has begun a bake all files are its own."""
+    """Returns the frames whose files in a chosen folder belong neither to the object's bake nor to
+    the planned one. In a folder where the object has begun a bake all files are its own."""
     if ob.libocean.bake.begun == place.folder:
         return []
     found = set(bake_record.strangers(ob, place, [frame.number for frame in frames]))
@@ -162,7 +163,7 @@ def make_folder(asked: str) -> Path:
 
 
 class Work:
-    """A job for an object, from its plan to what comes of it."""
+    """A job for an object, from its plan to the changed object."""
 
     job: bake_job.Job
 
@@ -171,14 +172,14 @@ class Work:
             text = tr("The last frame, {}, comes before the first, {}", *reversed(shot))
             raise BakeError(text)
         self.object_name, self.folder = ob.name, ""
-        # By which it is found again where it gets another name meanwhile.
+        # The object is found by it even if it gets another name meanwhile.
         self.token = ob.libocean.bake.token = uuid.uuid4().hex
 
     def is_of(self, ob) -> bool:
         return ob.libocean.bake.token == self.token
 
     def find(self):
-        """The object; its copies, which were made meanwhile, come after it."""
+        """Returns the object, not one of the copies that were made of it meanwhile."""
         found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
         ob = min(found, key=lambda ob: ob.name != self.object_name, default=None)
         if ob is None or not node_group.modifiers(ob):
@@ -187,7 +188,7 @@ class Work:
         return ob
 
     def finish(self) -> str:
-        """Does what is left when all files are there. Returns what was done, in words."""
+        """Completes the work when all files are written. Returns a report."""
         raise NotImplementedError
 
     def told(self) -> str:
@@ -243,7 +244,7 @@ class Bake(Work):
         ob.libocean.bake.begun = self.folder
 
     def finish(self) -> str:
-        """The object plays what was baked."""
+        """Has the object play its bake."""
         job, ob = self.job, self.find()
         settings, record = ob.libocean, ob.libocean.bake
         with changes.quiet():

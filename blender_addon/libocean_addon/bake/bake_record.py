@@ -24,7 +24,7 @@ from . import bake_files, exr_files
 
 
 def exists(ob) -> bool:
-    """Whether there is a record of a bake."""
+    """Returns whether an object has a record of a bake."""
     return bool(ob.libocean.bake.fields)
 
 
@@ -43,7 +43,7 @@ def wanted_fields(settings) -> list[str]:
 
 
 def lacking(ob) -> list[str]:
-    """What the bake that there is does not have of it."""
+    """Returns the wanted fields that the present bake does not have."""
     settings, record = ob.libocean, ob.libocean.bake
     fields = record.fields.split(",")
     found = [field for field in wanted_fields(settings) if field not in fields]
@@ -58,7 +58,7 @@ _BAKES = "//ocean_bake/"
 
 @dataclasses.dataclass(frozen=True)
 class Place:
-    """Where the files of a bake are, or go. In a folder there may be those of several."""
+    """The place of a bake's files. A folder may hold those of several bakes."""
 
     folder: str
     """As Blender writes paths."""
@@ -132,7 +132,7 @@ def next_place(ob, recipes: dict[str, str], asked: str = "") -> Place:
 
 
 def _goes_on(ob, recipes: dict[str, str], asked: str) -> bool:
-    """Whether the next bake goes where the last one is."""
+    """Returns whether the next bake goes to the place of the last one."""
     last = place_of(ob)
     is_there = last.path == paths.absolute(asked) if asked else last.folder.startswith(_BAKES)
     if not is_there or last.library is not None or others_in(ob, last):
@@ -142,7 +142,7 @@ def _goes_on(ob, recipes: dict[str, str], asked: str) -> bool:
     return is_same_sea(ob.libocean.bake, recipes) and not strangers(ob, last)
 
 
-# Of which sea -----------------------------------------------------------------
+# The sea of a bake -------------------------------------------------------------
 
 
 def recipe(settings, values: sea_text.SeaValues) -> str:
@@ -158,7 +158,7 @@ def _recipes(text: str) -> dict[str, str]:
 
 
 def is_same_sea(record, recipes: dict[str, str]) -> bool:
-    """Whether the bake has these recipes, by frame or one for all, at all frames of both."""
+    """Returns whether a bake has these recipes, by frame or one for all, at all frames of both."""
     known = _recipes(record.recipes)
     if not known or "" in known or "" in recipes:
         return set(known.values()) == set(recipes.values())
@@ -166,7 +166,7 @@ def is_same_sea(record, recipes: dict[str, str]) -> bool:
 
 
 def is_other_sea(ob, scene, values: sea_text.SeaValues) -> bool:
-    """Whether the parameters are not those of the bake at the scene's frame."""
+    """Returns whether the parameters differ from those of the bake at the scene's frame."""
     recipes = _recipes(ob.libocean.bake.recipes)
     baked = recipes.get("", recipes.get(str(scene.frame_current)))
     return baked is not None and baked != recipe(ob.libocean, values)
@@ -183,7 +183,7 @@ def _expected(
 
 
 def expected(ob) -> bake_files.Expected:
-    """What the files of the bake must show, by the object's record."""
+    """Returns what the files of the bake must show, by the object's record."""
     record = ob.libocean.bake
     return _expected(record.first, record.marks, record.sea, record.recipes, record.resolution)
 
@@ -234,5 +234,5 @@ def strangers(ob, place: Place, frames=None) -> list[int]:
 
 
 def frame_length(scene) -> float:
-    """What a frame lasts where the scene's time is remapped."""
+    """Returns the length of a frame in the scene's remapped time [frames]."""
     return scene.render.frame_map_old / scene.render.frame_map_new

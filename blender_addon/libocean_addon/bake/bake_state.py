@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the panel says of a bake: the one that runs, the one that there is, the next."""
+"""The panel's lines about bakes: the running one, the present one, the next one."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _of_what_runs(ob) -> list[tuple[str, str]]:
 
 
 def of_volumes(ob, scene) -> list[tuple[str, str]]:
-    """The same about its volumes."""
+    """Returns the lines about the volumes of an object, with icons."""
     first, last = asked_range(ob, scene)
     folder = volumes.asked_folder(ob)
     text = tr_label("Frames {} to {}, in {}", first, last, folder)
@@ -60,7 +60,7 @@ def of_volumes(ob, scene) -> list[tuple[str, str]]:
 
 
 def state(ob, scene) -> list[tuple[str, str]]:
-    """Lines of text about the bake of an object, with icons."""
+    """Returns the lines about the bake of an object, with icons."""
     if running := _of_what_runs(ob):
         return running
     lines = _of_the_bake(ob, scene) if bake_record.exists(ob) else []
@@ -93,7 +93,7 @@ _faults: dict[tuple, tuple[float, list[str]]] = {}
 
 
 def faults(ob) -> list[str]:
-    """What is wrong with the files of a bake, in sentences; looked up anew when the folder has
+    """Returns sentences about the faults of a bake's files; looks again when the folder has
     changed."""
     place, record = bake_record.place_of(ob), ob.libocean.bake
     asked = (

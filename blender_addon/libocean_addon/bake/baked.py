@@ -80,7 +80,8 @@ def _change_group(modifier, *, to_baked: bool) -> None:
 
 
 def _serves(ob, modifier) -> bool:
-    """Whether a modifier shows what the settings say: live, or the bake of the record."""
+    """Returns whether a modifier shows the sea that the settings choose: live, or the bake of the
+    record."""
     wanted = ob.libocean.use_bake
     if node_group.is_baked(modifier.node_group) != wanted:
         return False

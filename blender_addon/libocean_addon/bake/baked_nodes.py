@@ -118,7 +118,8 @@ class BakedFields:
         return self._from_file(mixed, self.b.alpha(mixed))
 
     def has_alpha(self, field: str) -> bool:
-        """Whether its fourth component says anything: the variance of the slopes left out."""
+        """Returns whether the fourth component of a field holds the variance of the slopes left
+        out."""
         return field == "Normal"
 
     def lost_slopes(self):

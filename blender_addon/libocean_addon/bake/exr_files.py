@@ -27,21 +27,21 @@ from ..look import detail_tiles
 from ..sea import atlas
 
 EARLIER_STEM = "sea"
-"""How the files of earlier versions began; now as the blend file is called."""
+"""The stem of files of earlier versions; now it is the name of the blend file."""
 _TEMPORARY = ".baking"
 _MAPS = ("displacement", "cover", "velocity", "normal", "jacobian")
 _NUMBERS = ("cover", "jacobian")  # all else has three components
 _FAR = "_far"  # after a field's name: the coarser maps of a horizon (atlas.py)
 DETAIL = tuple(f"detail{number + 1}" for number in range(detail_tiles.MOST_BANDS))
-"""Slope tiles, those of the longest waves first: slopes along x and y, and nothing."""
+"""Slope tiles, those of the longest waves first: slopes along x and y, and an empty channel."""
 FIELDS = (*_MAPS, *(f"{field}{_FAR}" for field in _MAPS), *DETAIL)
 AXES = "tnb"  # (x, z, y), the default of `ocean bake`
 PYTHON = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
 
 def load_package():
-    """The package OpenEXR: for this Python among those that the zip for older Blenders carries, or
-    of the extension's wheels. Raises ImportError."""
+    """Returns the package OpenEXR for this Python, from the zip for older Blenders or from the
+    extension's wheels. Raises ImportError."""
     bundled = Path(__file__).parents[1] / "bundled" / f"cp{PYTHON.replace('.', '')}"
     sys.path.insert(0, str(bundled))
     try:
@@ -63,22 +63,23 @@ def is_far(field: str) -> bool:
 
 
 def shape(field: str, resolution: int) -> tuple[int, int]:
-    """Rows and columns of a field's files."""
+    """Returns the rows and columns of a field's files."""
     if field in DETAIL:
         return detail_tiles.SAMPLES, detail_tiles.SAMPLES
     return atlas.shape(resolution) if is_far(field) else (resolution, resolution)
 
 
 def channels(field: str) -> str:
-    """Cover and Jacobian are numbers; with coarser normals goes the variance of the slopes that
-    they leave out. Slopes have a third component since Cycles takes two for grey and alpha."""
+    """Returns the channels of a field's files. Cover and Jacobian are numbers; coarser normals
+    carry the variance of the slopes that they leave out. Slopes have a third component, since
+    Cycles reads two channels as grey and alpha."""
     if field.removesuffix(_FAR) in _NUMBERS:
         return "Y"
     return "RGBA" if field == far("normal") else "RGB"
 
 
 def name(stem: str, field: str, frame: int) -> str:
-    """As `ocean bake -o FOLDER/STEM.####.exr` names a file."""
+    """Returns the name that `ocean bake -o FOLDER/STEM.####.exr` gives a file."""
     return f"{stem}.{field}.{frame:04d}.exr"
 
 
@@ -108,11 +109,11 @@ class Provenance:
 
 
 class FileError(Exception):
-    """Not a file of ours, or not all of it."""
+    """The file is not ours, or not whole."""
 
 
 class OtherKindError(FileError):
-    """An EXR file of several parts, of tiles or of deep pixels: none of ours."""
+    """The EXR file has several parts, tiles or deep pixels: it is not ours."""
 
 
 _LARGEST_HEADER = 16 << 20
@@ -123,7 +124,7 @@ _LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256)
 
 
 class _Reader:
-    """The beginning of a file, read as far as it is asked for."""
+    """Reads the beginning of a file, as far as it is needed."""
 
     def __init__(self, file) -> None:
         self.file = file
@@ -178,7 +179,7 @@ def _attributes(reader: _Reader) -> dict[bytes, bytes]:
 
 
 def _channels(names: str) -> bytes:
-    """The attribute of float channels: name, type, linear, sampling."""
+    """Returns the attribute of float channels: name, type, linear, sampling."""
     one = b"".join(
         name.encode() + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in sorted(names)
     )
@@ -186,13 +187,14 @@ def _channels(names: str) -> bytes:
 
 
 def _offsets(reader: _Reader, rows: int, lines: int) -> tuple[int, ...]:
-    """The table behind the header: where each chunk begins."""
+    """Returns the table behind the header: where each chunk begins."""
     chunks = -(-rows // lines)
     return struct.unpack(f"<{chunks}Q", reader.take(8 * chunks))
 
 
 def _read_line(file, offset: int, size: int) -> int:
-    """The first line of the chunk that begins there and ends inside the file."""
+    """Returns the first line of the chunk at an offset; raises FileError unless it ends inside the
+    file."""
     file.seek(min(offset, size))
     start = file.read(8)
     if len(start) < 8:
@@ -204,7 +206,7 @@ def _read_line(file, offset: int, size: int) -> int:
 
 
 def _require_whole(file, reader: _Reader, rows: int, compression: int) -> None:
-    """Each chunk that the table behind the header lists begins and ends inside the file."""
+    """Raises FileError unless each chunk of the table behind the header lies inside the file."""
     lines = _LINES[compression] if compression < len(_LINES) else 1
     size = os.fstat(file.fileno()).st_size
     for number, offset in enumerate(_offsets(reader, rows, lines)):
@@ -213,8 +215,8 @@ def _require_whole(file, reader: _Reader, rows: int, compression: int) -> None:
 
 
 def _require_end(file, reader: _Reader, rows: int, compression: int) -> None:
-    """The chunk that lies last ends inside the file: a file that was cut off lacks it, and one that
-    is not finished has no table."""
+    """Raises FileError unless the last chunk ends inside the file: a file that was cut off lacks
+    it, and an unfinished one has no table."""
     if rows < 1:
         raise FileError
     if compression < len(_LINES):
@@ -226,7 +228,7 @@ def _require_end(file, reader: _Reader, rows: int, compression: int) -> None:
 
 @dataclasses.dataclass(frozen=True)
 class Header:
-    """What a file says of itself; without `ocean:` strings it says nothing of a sea."""
+    """The header of a file; without `ocean:` strings it names no sea."""
 
     strings: dict[str, str]
     columns: int
@@ -234,8 +236,8 @@ class Header:
 
 
 def read_header(file_path: str | Path) -> Header:
-    """The header of a file that has an end: cheaper than is_there, which follows every chunk.
-    Raises OSError, and FileError for a file that is no EXR or was cut off; OtherKindError for an
+    """Returns the header of a file that has its end: cheaper than is_there, which follows every
+    chunk. Raises OSError; FileError for a file that is no EXR or was cut off; OtherKindError for an
     EXR that is no flat image of scan lines."""
     with open(file_path, "rb", buffering=0) as file:
         reader = _Reader(file)
@@ -253,7 +255,8 @@ def read_header(file_path: str | Path) -> Header:
 
 
 def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
-    """Whether the file is whole and the one that would be written, whatever its compression."""
+    """Returns whether a file is whole and equal to the one that would be written, whatever its
+    compression."""
     try:
         with open(file_path, "rb") as file:
             reader = _Reader(file)
@@ -276,10 +279,11 @@ def is_there(file_path: Path, provenance: Provenance, field: str) -> bool:
 
 
 class NotWholeError(Exception):
-    """The file, its one argument, could not be written to its end."""
+    """A file, the one argument, could not be written to its end."""
 
 
-# As `ocean bake` does: of float vectors ZIP saves a thirtieth, for five times the time of a frame.
+# As `ocean bake` compresses: ZIP saves a thirtieth of float vectors, for five times the time of a
+# frame.
 _NONE, _RLE = 0, 1
 _MOSTLY_NOTHING = ("cover", *DETAIL)
 
@@ -314,8 +318,8 @@ def _write_image(
 
 @contextlib.contextmanager
 def replacing(file_path: Path) -> Iterator[Path]:
-    """A file beside another, which takes its place at the end, or is gone: whoever reads that one
-    meanwhile sees no half file."""
+    """Yields a temporary file that takes the place of another at the end, or vanishes: a program
+    that reads the other one meanwhile sees no half file."""
     mark = f"{os.getpid()}-{threading.get_ident()}{_TEMPORARY}"
     temporary = file_path.with_name(f".{file_path.name}.{mark}")
     try:
@@ -326,8 +330,8 @@ def replacing(file_path: Path) -> Iterator[Path]:
 
 
 def write(package, file_path: Path, provenance: Provenance, field: str, values: np.ndarray) -> None:
-    """values: (rows, columns, n) or (rows, columns), the bottom row first, in the order of AXES.
-    All or nothing."""
+    """Writes a whole file or none. values: (rows, columns, n) or (rows, columns), the bottom row
+    first, in the order of AXES."""
     with replacing(file_path) as temporary:
         _write_image(package, temporary, provenance, field, values)
         # The package does not say when the disk ends before the file does.
@@ -336,8 +340,8 @@ def write(package, file_path: Path, provenance: Provenance, field: str, values: 
 
 
 def remove(folder: str | Path, stem: str) -> int:
-    """Removes the files of a bake in a folder, whole ones and what killed ones left, and the folder
-    if nothing else is in it. Returns how many."""
+    """Removes the files of a bake in a folder, whole ones and remains of interrupted ones, and the
+    folder if it is empty then. Returns the number of files."""
     folder = Path(folder)
     names = [f"{glob.escape(stem)}.{field}.*.exr" for field in FIELDS]
     names += [f".{name}.*{_TEMPORARY}" for name in names]
@@ -352,7 +356,7 @@ def remove(folder: str | Path, stem: str) -> int:
 def inventory(
     folder: str | Path, stem: str, first: int, last: int, fields: tuple[str, ...]
 ) -> tuple[int, int]:
-    """How many frames have a file for each field, and the bytes of all."""
+    """Returns how many frames have a file for each field, and the bytes of all files."""
     wanted = {name(stem, field, f): f for f in range(first, last + 1) for field in fields}
     seen: dict[int, int] = {}
     size = 0

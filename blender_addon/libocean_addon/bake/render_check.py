@@ -30,10 +30,10 @@ _ALMOST = 1e-4  # of a frame, as in baked_nodes
 
 _is_first_frame = False
 _taken: list[tuple] = []
-"""What was taken away: its owner, and the camera."""
+"""Cameras that were taken away, each with its owner."""
 
 
-# What is rendered -----------------------------------------------------------------
+# The rendered objects -------------------------------------------------------------
 
 
 def _collections(scene) -> set:
@@ -104,7 +104,7 @@ def _faults_of_bake(ob, scene, frames) -> bake_files.Faults:
 
 
 def _faults_of_volume(ob, frames) -> bake_files.Faults:
-    """Of a sequence that the add-on wrote; of others nothing is known."""
+    """Returns the faults of a sequence that the add-on wrote; others are not known to it."""
     volume = ob.data
     marks = volume.get(volumes.MARKS, "").split()
     if not marks or not volume.is_sequence:
@@ -137,12 +137,12 @@ def _beyond(ob, scene, frames) -> list[int]:
 
 @dataclasses.dataclass
 class Found:
-    """What is wrong with frames that are to be rendered, in sentences with the numbers of files."""
+    """Returns sentences about faults of the frames to be rendered, with the numbers of files."""
 
     errors: list[str]
     """Seas that would not be those that were baked."""
     warnings: list[str]
-    """What is shown, but may be meant otherwise."""
+    """Returns sentences about files that are shown but may not be the intended ones."""
 
 
 def find(scene, frames) -> Found:
@@ -177,7 +177,7 @@ def _warnings(ob, scene, frames, faults: bake_files.Faults) -> list[str]:
 
 
 def begin() -> None:
-    """A render has been asked for, of one frame or many."""
+    """Prepares for a render, of one frame or many."""
     global _is_first_frame
     _is_first_frame = True
     restore()
@@ -188,7 +188,8 @@ def _is_ours(package: str | None) -> bool:
 
 
 def _is_from_python() -> bool:
-    """Whether a script asked for the render: below a handler that Blender calls is no Python."""
+    """Returns whether a script started the render: no Python runs below a handler that Blender
+    calls."""
     frame = sys._getframe()
     while frame is not None and _is_ours(frame.f_globals.get("__package__")):
         frame = frame.f_back
@@ -205,7 +206,7 @@ def _whole_shot(scene) -> list[int]:
 
 
 def _is_given(*options: str) -> bool:
-    """Whether the command line has one of these options of Blender's."""
+    """Returns whether the command line has one of these options of Blender's."""
     given = sys.argv[: sys.argv.index("--")] if "--" in sys.argv else sys.argv
     return not set(options).isdisjoint(given)
 

@@ -78,12 +78,12 @@ class FloatSettings(bpy.types.PropertyGroup):
 
 
 def is_baked(ob) -> bool:
-    """Whether keyframes move it."""
+    """Returns whether keyframes move an object."""
     return ob.libocean_float.baked_last >= ob.libocean_float.baked_first
 
 
 def ride(ob, depsgraph, moment) -> None:
-    """Puts an object on the waves of this moment; one whose ocean is gone is let go."""
+    """Puts an object on the waves of a moment, or frees it if its ocean is gone."""
     if not riding.is_there(ob.libocean_float.ocean):
         _let_go(ob)
     elif not is_baked(ob):
@@ -98,7 +98,7 @@ def _let_go(ob) -> None:
 
 
 def _own_motions(floating: list) -> None:
-    """The copy of an object is moved by a motion of its own."""
+    """Gives the copy of an object a motion of its own."""
     owners = {}
     for ob in floating:
         motion = ob.libocean_float.motion
@@ -117,12 +117,12 @@ def ride_all(depsgraph, moment) -> None:
         ride(ob, depsgraph, moment)
 
 
-# Of what floated before the waves had an object for their motion.
+# Paths of keyframes from before the waves had an object for their motion.
 _OLD_PATHS = ("delta_location", "delta_rotation_euler", "delta_rotation_quaternion")
 
 
 def _free(ob) -> None:
-    """Takes the keyframes of the bake away."""
+    """Removes the keyframes of the bake."""
     settings = ob.libocean_float
     if settings.motion is not None:
         settings.motion.animation_data_clear()
@@ -180,7 +180,7 @@ class AddFloat(bpy.types.Operator):
 
 
 class _OnFloating:
-    """Of operators on what floats among the selected objects."""
+    """Base of operators on the floats among the selected objects."""
 
     @classmethod
     def poll(cls, context) -> bool:

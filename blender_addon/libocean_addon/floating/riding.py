@@ -25,8 +25,8 @@ _NOISE = 2.0**-20
 
 
 def is_there(ocean) -> bool:
-    """Whether an ocean is anywhere but in the settings of what floats on it: deleted, it stays in
-    the file for their sake."""
+    """Returns whether an ocean is in use: a deleted one stays in the file as long as settings of
+    floats name it."""
     return ocean is not None and len(ocean.users_collection) > 0
 
 

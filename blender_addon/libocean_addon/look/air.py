@@ -18,7 +18,7 @@ from .water_shader import Tree
 SOCKET = "Air Light"
 MARK = "libocean_air"  # custom property of the nodes that are made here
 _HEIGHT = 0.02
-"""Of the direction in which the sky is read, over the horizon, below which some skies are black."""
+"""The height over the horizon at which the sky is read; some skies are black below it."""
 
 _NUMBERS = {"VALUE", "VECTOR", "RGBA"}
 _COPIED = {"ENUM", "BOOLEAN", "INT", "FLOAT", "POINTER"}
@@ -41,7 +41,7 @@ _SKY = (
 
 
 class _Copy:
-    """Of nodes of a world, in a material's tree."""
+    """Copies nodes of a world into a material's tree."""
 
     def __init__(self, t: Tree, world, shown) -> None:
         self.t, self.world = t, world

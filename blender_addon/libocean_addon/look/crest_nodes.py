@@ -25,12 +25,13 @@ def crest_light(b: Builder, height, jacobian, against, toward):
 
 
 def haze(b: Builder, distance, visibility):
-    """What is divided by a visibility of 0 is 0 in a node: no haze."""
+    """Returns the share of light that haze takes over a distance. A node divides by a visibility of
+    0 to 0: no haze."""
     part = b.number("DIVIDE", b.number("MULTIPLY", distance, -3.912), visibility)
     return b.number("SUBTRACT", 1.0, b.number("EXPONENT", part))
 
 
-# What the shader knows ------------------------------------------------------------
+# Inputs of the shader -------------------------------------------------------------
 
 
 def _height(b: Builder):
@@ -71,8 +72,8 @@ def seen_crest_light(b: Builder, inputs, normal):
 
 
 def seen_haze(b: Builder, inputs):
-    """What the air hides of the water: of what the camera sees itself, and of the side in the
-    air."""
+    """Returns the share of the water that the air hides: only in a direct view of the camera, and
+    only on the side in the air."""
     distance = b.node("ShaderNodeCameraData").outputs["View Distance"]
     direct = b.node("ShaderNodeLightPath").outputs["Is Camera Ray"]
     backfacing = b.node("ShaderNodeNewGeometry").outputs["Backfacing"]

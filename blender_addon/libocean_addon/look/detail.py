@@ -167,13 +167,13 @@ def _build(
 
 
 def is_detail(node) -> bool:
-    """Whether a node of a material is one of these groups."""
+    """Returns whether a node of a material is one of these groups."""
     return node.type == "GROUP" and node.node_tree is not None and MARK in node.node_tree
 
 
 def _waters(ob) -> list[tuple]:
-    """What of an object's materials can show it, node tree and node: where nothing is at the socket
-    yet, or the detail of this sea, or of one that is gone."""
+    """Returns the waters of an object's materials that can show it, node tree and node: the socket
+    is free, or holds the detail of this sea or of a deleted one."""
     found = []
     for slot in ob.material_slots:
         made = slot.material
@@ -209,7 +209,7 @@ def _attach(waters, group) -> None:
 
 
 def clear(ob) -> None:
-    """Of what the object's group shows nothing stays: files of the same names may be others now."""
+    """Empties the object's group: files of the same names may be others now."""
     for group in _owned(bpy.data.node_groups, ob.name_full):
         before = _read_by(group)
         group.nodes.clear()
@@ -243,7 +243,8 @@ def _images(owner: str, name: str, count: int) -> list:
 
 
 def is_wanted(settings) -> bool:
-    """Of the attributes of foam it needs `label`, of normals `slope_variance`."""
+    """Returns whether near detail is shown. It needs the attributes `label`, which comes with foam,
+    and `slope_variance`, which comes with normals."""
     return settings.use_detail and settings.use_foam and settings.use_normal
 
 

@@ -22,7 +22,7 @@ class Band(NamedTuple):
     longest_wave: float
     shortest_wave: float
     mean_square: float
-    """Of the slopes, as a bilinear reader finds them."""
+    """The mean square of the slopes, as a bilinear reader finds them."""
 
 
 def band_of(found) -> Band:

@@ -16,8 +16,9 @@ _SKIES = bpy.types.ShaderNodeTexSky.bl_rna.properties["sky_type"].enum_items.key
 MODEL = "MULTIPLE_SCATTERING" if "MULTIPLE_SCATTERING" in _SKIES else "NISHITA"  # from 5.0 on
 
 STRENGTH = {"NISHITA": 0.11, "MULTIPLE_SCATTERING": 0.10}[MODEL]
-"""Of the sky and the sun, which are in the sky texture's own units: a clear noon is then neither
-black nor white in Filmic and AgX at exposure 0, and the sun at 30 degrees the same in both."""
+"""The strength of sky and sun, which are in the sky texture's own units: a clear noon is then
+neither black nor white in Filmic and AgX at exposure 0, and the sun at 30 degrees the same in
+both."""
 
 DUST = 0.6
 

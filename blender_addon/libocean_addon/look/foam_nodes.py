@@ -119,7 +119,7 @@ def _read(b: Builder, kind: str, along, across):
         return made.outputs["Color"]
 
     low, high = (b.mix(texel(0, y), texel(1, y), share_x) for y in (0, 1))
-    # Of a colour a number would be made by its luminance.
+    # A colour would become a number by its luminance.
     return b.parts(b.mix(low, high, share_y))[0]
 
 
@@ -181,7 +181,7 @@ def foam(b: Builder, cover, place, footprint, inputs) -> Foam:
     edge = b.number("MINIMUM", b.number("MAXIMUM", inputs["Foam Edge"], 1e-3), 1.0)
     mask = foam_mask(b, cover, value, edge)
     shown = blend(b, mask, cover, far)
-    # Of two foams side by side, each by how white it is.
+    # The mean of two foams side by side, each weighted by its whiteness.
     near_thick = b.number("MULTIPLY", mask, foam_thickness(b, cover, value, _SPAN))
     far_thick = b.number("MULTIPLY", cover, foam_mean_thickness(b, cover, _SPAN))
     thick = blend(b, near_thick, far_thick, far)

@@ -79,7 +79,8 @@ def look_of(state: dict) -> dict[str, float]:
 
 
 def pixel_angle(scene) -> float | None:
-    """Of a pixel in the middle of the picture, in radians; None where no camera has such."""
+    """Returns the angle of a pixel in the middle of the picture [rad]; None without a perspective
+    camera."""
     camera = scene.camera
     if camera is None or camera.type != "CAMERA" or camera.data.type != "PERSP":
         return None
@@ -117,7 +118,7 @@ _BODY_VERSION = 1
 
 
 def _black():
-    """What closes the body of water: nothing comes back from there."""
+    """Returns the material that closes the body of water: no light comes back from it."""
     name = ".libocean depth"
     made = bpy.data.materials.get(name) or bpy.data.materials.new(name)
     compat.use_nodes(made)
@@ -187,7 +188,7 @@ def assign(ob, material) -> None:
         ob.material_slots[0].material = material
     else:
         ob.data.materials.append(material)
-    # What it is made of must be on the points.
+    # The points must carry the attributes that it reads.
     for name in ("use_foam", "use_velocity", "use_normal"):
         if not getattr(ob.libocean, name):
             setattr(ob.libocean, name, True)

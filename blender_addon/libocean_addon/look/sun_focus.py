@@ -72,7 +72,7 @@ def focus(displacement, normal, period: float, depth: float, sun, samples: int) 
     x, y = x - left, y - low
     left, low = left.astype(np.int32) % fine, low.astype(np.int32) % fine
     right, high = (left + 1) % fine, (low + 1) % fine
-    # What is seen from behind lies in the shadow of what has its light.
+    # Water seen from behind lies in the shadow of the water that has its light.
     area = np.maximum(area, 0.0).ravel()
     lit = np.zeros(fine * fine)
     for column, row, share in (

@@ -44,7 +44,7 @@ class Source:
     """A number in the file that a driver follows."""
 
     kind: str
-    """Of the datablock, as drivers name it."""
+    """The type of the datablock, as drivers name it."""
     block: object
     path: str
 
@@ -104,7 +104,7 @@ def _follow_lamp(water, ob) -> None:
 
 
 def background(world):
-    """What the world shows: the node at its output, or the first."""
+    """Returns the node that the world shows: the one at its output, or the first."""
     if world is None or not compat.has_nodes(world):
         return None
     nodes = world.node_tree.nodes
@@ -134,8 +134,8 @@ def of_world(world, node, path: str) -> Source:
 
 
 def strength(world, shown) -> Source:
-    """Of the background. Blender knows when a socket changes, but not a property of a node: with
-    this beside it, a driver follows keyframes of both."""
+    """Returns the source of the background's strength. Blender notices changes of sockets, but not
+    of a node's properties: a driver with this beside such a property follows keyframes of both."""
     number = list(shown.inputs).index(shown.inputs["Strength"])
     return of_world(world, shown, f"inputs[{number}].default_value")
 

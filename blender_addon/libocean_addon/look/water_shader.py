@@ -27,9 +27,9 @@ MARK = "libocean_water"  # custom property of a group: the version that built it
 WATER_TYPES = {entry["name"]: entry for entry in libocean.water_types()}
 DEFAULT_TYPE = "jerlov_ii"
 
-# Of water between the waves of the mesh: 0.03 is a glint 0.1 degrees wide.
+# The roughness of water between the waves of the mesh: 0.03 is a glint 0.1 degrees wide.
 _ROUGHNESS = 0.03
-# Of a lens of 50 mm in a picture 1920 pixels wide.
+# The angle of a pixel behind a lens of 50 mm in a picture 1920 pixels wide [rad].
 PIXEL_ANGLE = 36.0 / 50.0 / 1920.0
 _THIN_FOAM = (0.22, 0.29, 0.31)
 _THICK_FOAM = (0.80, 0.80, 0.80)
@@ -246,8 +246,8 @@ def _reflectance(t: Tree, ior, normal, slopes):
 
 
 def place(t: Tree):
-    """Of still water, where the mesh carries it, so that waves take the foam along; else of the
-    mesh, without its height."""
+    """Returns the place of foam and detail: the label, if the mesh carries one of the world, so
+    that waves carry the foam along; else the position."""
     stored = t.node("ShaderNodeAttribute", attribute_name="label").outputs["Vector"]
     # An attribute that is absent reads 0.
     there = t.number("GREATER_THAN", t.parts(stored)[2], 0.5)
@@ -256,14 +256,14 @@ def place(t: Tree):
 
 
 def footprint(t: Tree, pixel_angle):
-    """Side in metres of the water that a pixel sees."""
+    """Returns the side of the water that a pixel sees [m]."""
     distance = t.node("ShaderNodeCameraData").outputs["View Distance"]
     incoming = t.node("ShaderNodeNewGeometry").outputs["Incoming"]
     return foam_nodes.footprint(t, distance, pixel_angle, t.parts(incoming)[2])
 
 
 def _foam(t: Tree, inputs) -> foam_nodes.Foam:
-    """Where foam covers the water: none where the attribute is 0, all where it is 1."""
+    """Returns the foam on the water: none where the attribute is 0, full cover where it is 1."""
     stored = t.node("ShaderNodeAttribute", attribute_name="cover").outputs["Fac"]
     cover = t.number("MULTIPLY", stored, inputs["Foam Amount"], clamp=True)
     return foam_nodes.foam(t, cover, place(t), footprint(t, inputs["Pixel Angle"]), inputs)
@@ -284,7 +284,8 @@ def _froth(t: Tree, inputs, foam: foam_nodes.Foam, normal):
 
 
 def _body_colour(t: Tree, inputs):
-    """Of the water and of the bubbles in it, which are where foam has been long."""
+    """Returns the colour of the water and of the bubbles in it, which gather where foam has been
+    for long."""
     stored = t.node("ShaderNodeAttribute", attribute_name="foam").outputs["Fac"]
     bubbles = t.number("POWER", t.number("MAXIMUM", stored, 0.0), 3.0)
     bubbles = t.number("MULTIPLY", bubbles, t.number("MINIMUM", inputs["Foam Amount"], 1.0))
@@ -374,7 +375,7 @@ def _build(group) -> None:
 
 
 def is_water(node) -> bool:
-    """Whether a node of a material is one of these groups, of any version."""
+    """Returns whether a node of a material is one of these groups, of any version."""
     return node.type == "GROUP" and node.node_tree is not None and MARK in node.node_tree
 
 

@@ -18,7 +18,7 @@ FINEST = {
     # The fourth is not used: a component that is left alone would cost more.
     "Normal": ("nx", "ny", "nz", "height"),
 }
-"""What images hold of the finest map."""
+"""The channels of the finest map in each image."""
 
 _COARSER = {**FINEST, "Displacement": ("dx", "dy", "height", "height")}  # cover is averaged
 
@@ -26,12 +26,13 @@ _SMALLEST_MAP = 32  # of the library
 
 
 def levels(size: int) -> int:
-    """How many maps coarser than one of size x size there are; size is a power of two."""
+    """Returns the number of maps coarser than one of size x size samples; size is a power of
+    two."""
     return round(math.log2(size))
 
 
 def shape(size: int) -> tuple[int, int]:
-    """Rows and columns."""
+    """Returns the rows and columns of an atlas."""
     return size - 1 + 2 * levels(size), size // 2 + 2
 
 

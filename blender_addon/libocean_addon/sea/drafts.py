@@ -33,7 +33,7 @@ allowed = not bpy.app.background
 
 
 def is_playing() -> bool:
-    """Whether time passes, or is dragged along, in a window."""
+    """Returns whether time passes, or is dragged along, in a window."""
     manager = bpy.context.window_manager
     screens = [window.screen for window in manager.windows] if manager else []
     return any(screen.is_animation_playing or screen.is_scrubbing for screen in screens)
@@ -109,7 +109,7 @@ class Job:
 
 
 watchers: dict[int, Callable[[int, int], None]] = {}
-"""By thread: told by its seas how far they are."""
+"""The progress functions of threads, by thread."""
 
 
 def tell_watcher(done: int, total: int) -> None:
@@ -130,7 +130,7 @@ _running: tuple[str, Job] | None = None
 
 
 def ask(name: str, *, rest: bool = True) -> None:
-    """The whole sea of the object of that (full) name is wanted; rest: once its values do."""
+    """Requests the whole sea of the object with that full name; rest: once its values rest."""
     if rest or name not in _wishes:
         _wishes[name] = _Wish(time.monotonic(), _REST if rest else 0.0)
     if rest and _running is not None and _running[0] == name:
@@ -140,19 +140,20 @@ def ask(name: str, *, rest: bool = True) -> None:
 
 
 def forget(name: str) -> None:
-    """It was shown after all."""
+    """Withdraws the request for an object whose whole sea is shown."""
     _wishes.pop(name, None)
 
 
 def progress(name: str) -> float | None:
-    """How much of the whole sea is there, 0 .. 1; None where nothing is waited for."""
+    """Returns the finished share of the whole sea, 0 .. 1; None without a request."""
     if _running is not None and _running[0] == name:
         return _running[1].share
     return 0.0 if name in _wishes else None
 
 
 def step() -> float | None:
-    """What the timer does: ends a job, begins the next. None when nothing is left to do."""
+    """Ends a job and begins the next, for the timer. Returns the seconds until the next call; None
+    without further work."""
     global _running
     if _running is not None:
         name, job = _running
@@ -182,7 +183,7 @@ def _redraw() -> None:
 
 
 def close() -> None:
-    """Nothing is wanted any more."""
+    """Withdraws all requests and ends the running job."""
     global _running
     _wishes.clear()
     if _running is not None:

@@ -13,19 +13,20 @@ from .open_sea import OpenSea, sea_of
 
 
 def map_resolution(ob) -> int | None:
-    """Samples a side that the sea of an object has by itself; None where there is no sea."""
+    """Returns the default samples per side of an object's sea; None without a sea."""
     sea = sea_of(ob.name_full).sea
     return None if sea is None else sea.map_resolution()
 
 
 def map_sizes(ob) -> tuple[int, int] | None:
-    """Samples a side of the maps in the viewport and in renders."""
+    """Returns the samples per side of the maps in the viewport and in renders."""
     sea = sea_of(ob.name_full)
     return None if sea.sea is None else live.map_sizes(ob.libocean, sea)
 
 
 def image_bytes(ob) -> int:
-    """Of the images that hold the maps, in the viewport and in renders where those are others."""
+    """Returns the bytes of the images that hold the maps, in the viewport and, if those differ, in
+    renders."""
     settings, sizes = ob.libocean, set(map_sizes(ob))
     fields = 1 + settings.use_velocity + settings.use_normal
     if settings.kind == "HORIZON":
@@ -36,7 +37,7 @@ def image_bytes(ob) -> int:
 
 
 def cascade_divisors(ob) -> list[int]:
-    """By what the period is divided for each cascade of the sea that is shown."""
+    """Returns the divisor of the period for each cascade of the shown sea."""
     sea = sea_of(ob.name_full).sea
     if sea is None:
         return [1]
@@ -45,7 +46,7 @@ def cascade_divisors(ob) -> list[int]:
 
 
 def peak_wavelength(ob) -> float | None:
-    """Metres, in deep water; None where there are no waves."""
+    """Returns the wavelength at the peak in deep water [m]; None without waves."""
     sea = sea_of(ob.name_full)
     period = None if sea.sea is None else _state(ob, sea)["peak_period"]["resolved"]
     if not period:
@@ -54,7 +55,8 @@ def peak_wavelength(ob) -> float | None:
 
 
 def share_within_limits(ob) -> float | None:
-    """How much of the wave height the limits of the wavelength leave; None without limits."""
+    """Returns the share of the wave height that the limits of the wavelength leave; None without
+    limits."""
     sea = sea_of(ob.name_full)
     if sea.sea is None or not sea.has_limits() or drafts.progress(ob.name_full) is not None:
         return None
@@ -62,20 +64,21 @@ def share_within_limits(ob) -> float | None:
 
 
 def _state(ob, sea: OpenSea) -> dict:
-    """While a draft is shown, what was known before it: a slider is not to wait for this."""
+    """Returns the state of the sea; while a draft is shown, the last known one, so that a slider
+    does not wait."""
     if sea.state is None and sea.state_before is not None and drafts.progress(ob.name_full) == 0.0:
         return sea.state_before
     return sea.read_state()
 
 
 def sea_state(ob) -> dict | None:
-    """Of the sea of an object, as `ocean info` has it; None where there is no sea."""
+    """Returns the state of an object's sea, as `ocean info` has it; None without a sea."""
     sea = sea_of(ob.name_full)
     return None if sea.sea is None else _state(ob, sea)
 
 
 def state_of(ob) -> list[tuple[str, str]] | None:
-    """What the sea of an object is, for reading: labels and texts."""
+    """Returns labels and texts that describe the sea of an object."""
     sea = sea_of(ob.name_full)
     if sea.sea is None:
         return None
@@ -93,7 +96,7 @@ def state_of(ob) -> list[tuple[str, str]] | None:
 
 
 def warnings_of(ob) -> list[str]:
-    """What of it people should know."""
+    """Returns the library's warnings about the sea of an object."""
     sea = sea_of(ob.name_full)
     if sea.sea is None:
         return []

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an object with an ocean shows is brought up to date.
+"""Brings the images and inputs of objects with an ocean up to date.
 
     parameters (evaluated: keyframes and drivers count) + time -> libocean -> float images -> nodes
 
-Blender's data is never held from call to call: objects are found anew, by the node groups that they
+Blender's data is never held from call to call: objects are found again by the node groups that they
 use, and seas (open_sea) by the names of their objects. Objects that play a bake are left alone.
-handlers and the properties' listener call it.
+handlers call it, and changes of properties by way of hooks.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from . import atlas, drafts, meshes, node_group, parameter_values, sea_text
 from .ocean import Ocean, look_up
 from .open_sea import COVER, NO_COVER, QUICK, OpenSea, sea_of
 
-# Of a sea at rest.
+# The values of a sea at rest.
 BLANKS = {
     "Displacement": (0.0, 0.0, 0.0, 0.0),
     "Velocity": (0.0, 0.0, 0.0, 1.0),
@@ -51,12 +51,12 @@ def ocean_objects() -> list[bpy.types.Object]:
 
 @dataclasses.dataclass(frozen=True)
 class Moment:
-    """When, and for whom."""
+    """The scene at its frame, and the purpose of showing it."""
 
     scene: bpy.types.Scene
     rendering: bool
     moving: bool = False
-    """Whether a draft will do for now: values move, or time plays."""
+    """True if a draft suffices for now: values move, or time plays."""
 
     def time(self, settings, sea: OpenSea) -> float:
         """Returns the sea's time at the scene's frame [s], which may lie between two frames."""
@@ -82,7 +82,7 @@ def current_values(settings, scene) -> sea_text.SeaValues:
 
 
 def _targets(ob, modifier, size: int, *, render: bool, shared: bool, draft: bool = False) -> dict:
-    """The images of the fields in use, made where they are missing. shared: those of the viewport
+    """Returns the images of the fields in use, making missing ones. shared: the viewport's images
     serve renders too. A draft has the displacement alone."""
     settings = ob.libocean
     wanted = {
@@ -118,8 +118,8 @@ _SMALLEST = 32  # samples a side of a map
 
 
 def prepare(ob, modifier) -> None:
-    """Gives a sea that nobody shows yet its images: brought in twice without any, the second one
-    goes on showing the frame at which it came."""
+    """Gives a sea that is not shown yet its images: without any, a second copy of it in a scene
+    would go on showing the frame at which it came."""
     _targets(ob, modifier, _SMALLEST, render=False, shared=True)
 
 
@@ -146,13 +146,13 @@ def show(ocean: Ocean, depsgraph, moment: Moment) -> None:
 
 
 def map_sizes(settings, sea: OpenSea) -> tuple[int, int]:
-    """Samples a side of the maps in the viewport and in renders."""
+    """Returns the samples per side of the maps in the viewport and in renders."""
     own = sea.sea.map_resolution()
     return settings.viewport_resolution or own, settings.render_resolution or own
 
 
 def spray_settings(settings) -> dict:
-    """What libocean's spray takes."""
+    """Returns the arguments of libocean.Sea.spray."""
     return {name: getattr(settings, f"spray_{name}") for name in ("lifetime", "density", "most")}
 
 
@@ -237,7 +237,7 @@ _paused = False
 
 @contextlib.contextmanager
 def paused() -> Iterator[None]:
-    """Frames pass of which nothing is shown."""
+    """Shows nothing of the frames that pass meanwhile."""
     global _paused
     _paused = True
     try:
@@ -249,8 +249,8 @@ def paused() -> Iterator[None]:
 def show_all(
     oceans, scene, depsgraph=None, *, rendering: bool = False, passing: bool = False
 ) -> None:
-    """passing: a frame has come. Where nothing plays, it may be one of a render of the viewport,
-    which waits for its foam."""
+    """Shows all these objects. passing: the frame has changed. If nothing plays, it may be a frame
+    of a viewport render, which waits for its foam."""
     if _paused:
         return
     playing = drafts.is_playing()
@@ -263,7 +263,7 @@ def show_all(
 
 
 def follow(depsgraph, scene) -> None:
-    """What rides the seas of a scene is put where it belongs."""
+    """Has floats and spray follow the seas of a scene."""
     for follower in hooks.connected().followers:
         follower(depsgraph, Moment(scene, rendering=False, moving=drafts.allowed))
 
@@ -338,9 +338,9 @@ def finish_draft_job(name: str, job: drafts.Job) -> None:
 
 
 def float_pose(ob, body: tuple[float, ...], moment: Moment):
-    """libocean.FloatPose of one body on the sea of an object; None where there is none."""
+    """Returns the libocean.FloatPose of one body on the sea of an object; None without a sea."""
     sea = sea_of(ob.name_full)
-    if ob.libocean.use_bake:  # nobody else asks the library then
+    if ob.libocean.use_bake:  # live.show does not give it its parameters then
         with contextlib.suppress(libocean.Error):
             sea.follow(current_values(ob.libocean, moment.scene))
     if sea.sea is None:
@@ -349,5 +349,5 @@ def float_pose(ob, body: tuple[float, ...], moment: Moment):
 
 
 def samples_of(settings, own: int) -> int:
-    """Cells of the finest ring of a horizon in a period. own: the sea's map resolution."""
+    """Returns the cells of a horizon's finest ring in a period. own: the sea's map resolution."""
     return max(own, settings.viewport_resolution, settings.render_resolution)

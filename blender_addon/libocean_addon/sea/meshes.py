@@ -15,8 +15,8 @@ from . import ring_nodes
 
 
 def fill(mesh, vertices: np.ndarray, *faces: np.ndarray) -> None:
-    """Makes the mesh that of these vertices (n, 3) and faces, smooth, all new. faces: (m, k), one
-    array for each number of corners k."""
+    """Replaces all of a mesh by these vertices (n, 3) and smooth faces. faces: (m, k), one array
+    for each number of corners k."""
     mesh.clear_geometry()
     mesh.vertices.add(len(vertices))
     mesh.vertices.foreach_set("co", np.ascontiguousarray(vertices, dtype=np.float32).ravel())
@@ -69,7 +69,8 @@ def label_users(mesh, period: float) -> None:
 
 
 def _patch_vertices(size: float, samples: int) -> np.ndarray:
-    """One period around the origin: a vertex on each of samples x samples, and the seam's."""
+    """Returns one period around the origin: a vertex on each of samples x samples, and the
+    seam's."""
     side = samples + 1
     along = (np.arange(side) - samples // 2) * (size / samples)
     vertices = np.zeros((side, side, 3), np.float32)
@@ -85,14 +86,15 @@ def _patch_faces(samples: int) -> np.ndarray:
 
 
 AUTOMATIC = 512
-"""The most samples a side that a mesh follows the maps to without being told: vertices by the
-quarter of a million."""
+"""The max samples per side of a mesh that follows the maps by itself: a quarter of a million
+vertices."""
 MAX_SAMPLES = 4096
 _MADE_OF = "libocean_mesh"  # custom property of a mesh: what it was made of
 
 
 def automatic(own: int) -> int:
-    """Samples a side of a patch's mesh that follows a map of so many."""
+    """Returns the samples per side of a patch's mesh that follows a map of `own` samples per
+    side."""
     return min(own, AUTOMATIC)
 
 
@@ -114,7 +116,8 @@ def is_on_samples(mesh, samples: int) -> bool:
 
 
 def _follow(ob, made_of: str, make) -> None:
-    """make: takes the mesh. Of objects that share one and then differ each gets its own."""
+    """Has make(mesh) fill the mesh of an object, unless it was made of the same. Objects that share
+    a mesh and then differ get one each."""
     if ob.data.get(_MADE_OF) == made_of:
         return
     if ob.data.library is not None:
@@ -127,8 +130,8 @@ def _follow(ob, made_of: str, make) -> None:
 
 
 def _fill_linked(mesh, make) -> None:
-    """Of another file, which goes on having its own: in memory alone. Blender lets nobody set the
-    places of its vertices, but takes all of a BMesh."""
+    """Fills a mesh of another file in memory alone; that file keeps its own. Blender refuses to set
+    the places of its vertices, but accepts a whole BMesh."""
     local = bpy.data.meshes.new(mesh.name)
     make(local)
     all_of_it = bmesh.new()
@@ -139,7 +142,7 @@ def _fill_linked(mesh, make) -> None:
 
 
 def follow_patch(ob, size: float, samples: int) -> None:
-    """Makes a patch's mesh anew where the period or the number of samples is another."""
+    """Makes a patch's mesh again if its period or its samples have changed."""
 
     def make(mesh) -> None:
         before = samples_of(mesh)
@@ -157,7 +160,8 @@ STAND_IN = "stand-in"
 
 
 def fill_stand_in(mesh, size: float) -> None:
-    """One face, for the mesh that will be made where the object is shown."""
+    """Fills a mesh with one face, in place of the mesh that will be made when the object is
+    shown."""
     fill(mesh, _patch_vertices(size, 1), _patch_faces(1))
     mesh[_MADE_OF] = STAND_IN
 
@@ -170,9 +174,10 @@ def is_stand_in(mesh) -> bool:
 
 
 def choose_rings(spacing: float, most_vertices: int, distance: float) -> tuple[int, int]:
-    """Cells along a side of each ring's square, a multiple of eight, and how many rings: out to
-    `distance` from the middle, the first of cells of `spacing`, each of cells twice as large as the
-    one inside it. As few rings as these vertices allow: more cells in each."""
+    """Returns the cells per side of each ring's square, a multiple of eight, and the number of
+    rings: out to `distance` [m] from the middle, the first ring of cells of `spacing` [m], each
+    other one of cells twice as large. The fewest rings that the vertices allow: they have more
+    cells each."""
     rings = 0
     while True:
         rings += 1
@@ -184,9 +189,9 @@ def choose_rings(spacing: float, most_vertices: int, distance: float) -> tuple[i
 
 
 def horizon(spacing: float, cells: int, rings: int):
-    """Vertices, what ring_nodes.RING says of each, quads and pentagons. A ring becomes the next one
-    in the outer quarter of its half width. Where two rings meet, every vertex of the finer one is a
-    corner of the coarser one's faces: there is no crack."""
+    """Returns vertices, the attribute ring_nodes.RING of each, quads and pentagons. A ring becomes
+    the next one in the outer quarter of its half width. Where two rings meet, every vertex of the
+    finer one is a corner of the coarser one's faces: the mesh has no crack."""
     half = cells // 2
     hole = half // 2
     along = np.arange(-half, half + 1)
@@ -234,7 +239,7 @@ def horizon(spacing: float, cells: int, rings: int):
 
 
 def follow_horizon(ob, spacing: float, most_vertices: int, distance: float) -> None:
-    """Makes a horizon's mesh anew where one of these is another."""
+    """Makes a horizon's mesh again if one of these has changed."""
 
     def make(mesh) -> None:
         vertices, ring_of, *faces = horizon(

@@ -163,8 +163,9 @@ class _Flat:
 
 
 def _label(b: Builder, fields, turn: Turn):
-    """Where still water would have what is here, which waves take along: in metres, the same in
-    every frame and for all meshes of a sea. z = 1 tells it from an attribute that is absent."""
+    """Returns the undisplaced coordinate in the world [m], the same in every frame and for all
+    meshes of a sea. z = 1 tells it from an absent attribute and from the mesh's own label, whose z
+    is 0."""
     position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
     begins = b.math("ADD", fields.world_origin(), (0.0, 0.0, 1.0))
     return b.math("MULTIPLY_ADD", position, (1.0, 1.0, 0.0), begins)
@@ -245,7 +246,7 @@ def is_ours(group) -> bool:
 
 
 def is_baked(group) -> bool:
-    """Whether it plays a bake."""
+    """Returns whether a node group plays a bake."""
     return is_ours(group) and _BAKED in group
 
 
@@ -254,7 +255,8 @@ def kind_of(group) -> str:
 
 
 def get(kind: str, *, baked: bool = False):
-    """The group for meshes of one kind: made when there is none. baked: one that plays a bake."""
+    """Returns the group for meshes of one kind, made if it is missing. baked: one that plays a
+    bake."""
     name = f".libocean.v{VERSION} {kind.capitalize()}{' Baked' if baked else ''}"
     for group in bpy.data.node_groups:
         if group.name == name and is_ours(group) and group.library is None:
@@ -271,12 +273,12 @@ def get(kind: str, *, baked: bool = False):
 
 
 def is_old(group) -> bool:
-    """Whether an earlier version of the add-on built it, into this file."""
+    """Returns whether an earlier version of the add-on built a node group into this file."""
     return is_ours(group) and group[MARK] != VERSION and group.library is None
 
 
 def image_inputs(group) -> list[str]:
-    """The names of the inputs that take images."""
+    """Returns the names of the inputs of images."""
     fields = [*FIELDS, *baked_nodes.FIELDS]
     names = {name for field in fields for name in (field, far_image(field))}
     names |= {render_twin(name) for name in names}
@@ -284,7 +286,7 @@ def image_inputs(group) -> list[str]:
 
 
 def all_modifiers(ob) -> list:
-    """The ocean modifiers of an object, those of its library that its own replace among them."""
+    """Returns all ocean modifiers of an object, replaced ones of its library included."""
     return [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
 
 
@@ -297,7 +299,7 @@ def modifiers(ob) -> list:
 
 
 def live_modifiers(ob) -> list:
-    """Those that play no bake."""
+    """Returns the ocean modifiers of an object that play no bake."""
     return [m for m in modifiers(ob) if not is_baked(m.node_group)]
 
 

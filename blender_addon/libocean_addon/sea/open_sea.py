@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seas that are kept open, one for each object: the library's handles, the buffers of their maps,
-and what each image was last filled with.
+"""Open seas, one for each object: the library's handles, the buffers of their maps, and the state
+that each image was last filled with.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from . import atlas, drafts, node_group, sea_text
 CHANNELS = atlas.FINEST
 
 COVER = "cover"  # of foam, which has a past
-NO_COVER = "height"  # in its place where nobody asks for it: a channel that costs nothing
+NO_COVER = "height"  # in its place without foam: a channel that costs nothing
 QUICK = {COVER: "whitecap", NO_COVER: NO_COVER}
-"""What a draft has in its place: whitecaps have no past, and are their own cover."""
+"""The channel of a draft in its place: whitecaps have no past, and are their own cover."""
 
 _LIMITS = ("shortest_wavelength", "longest_wavelength")
 
-_AT_HAND = 3.0  # seconds of the sea that foam goes on for while one waits: sixty of its steps
+_AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits: sixty of its steps
 
 
 def _channels(field: str, cover: str) -> tuple[str, ...]:
@@ -56,7 +56,8 @@ class OpenSea:
         self.pace = drafts.Pace()
 
     def follow(self, values: sea_text.SeaValues) -> None:
-        """Makes it the sea of these values. Raises libocean.Error and stays what it was."""
+        """Makes it the sea of these values; raises libocean.Error and leaves it unchanged
+        otherwise."""
         if values == self.values:
             return
         messages.require_files(values)
@@ -79,8 +80,8 @@ class OpenSea:
         self.sea = opened
 
     def for_points(self):
-        """The same sea in another handle: maps and points at the same time would each undo what
-        the library keeps for the other."""
+        """Returns a second handle of the sea: requests for maps and for points in turn would each
+        discard the library's cache for the other."""
         if self.point_sea is None or self.point_changes != self.changes:
             if self.point_sea is not None:
                 self.point_sea.close()
@@ -89,9 +90,9 @@ class OpenSea:
         return self.point_sea
 
     def buffer(self, name: str, size: int) -> np.ndarray:
-        """What goes into an image for maps of size x size samples."""
+        """Returns the buffer of an image for maps of size x size samples."""
         if (name, size) not in self.buffers:
-            # Of one size for the viewport and one for renders.
+            # One size for the viewport and one for renders is kept.
             kept = {s for _, s in self.buffers} - {size}
             if len(kept) > 1:
                 self.buffers.clear()
@@ -105,15 +106,15 @@ class OpenSea:
         return self.state
 
     def cover_power(self, at: float, size: int, channel: str) -> float:
-        """Of the foam whose cover that channel is: whitecaps are theirs."""
+        """Returns the exponent that turns foam into the cover in that channel; 1 for whitecaps."""
         return self.sea.cover_power(at, size) if channel == COVER else 1.0
 
     def has_limits(self) -> bool:
-        """Whether waves of some lengths are left out."""
+        """Returns whether waves of some lengths are left out."""
         return any(float(self.values.values[name]) > 0.0 for name in _LIMITS)
 
     def share_within_limits(self) -> float:
-        """Its significant wave height, of what it had without limits."""
+        """Returns its significant wave height as a share of the height without limits."""
         if self.share is None:
             height = self.read_state()["significant_wave_height"]["resolved"]
             with self.sea.clone() as free:
@@ -122,10 +123,11 @@ class OpenSea:
             self.share = height / whole if whole > 0.0 else 1.0
         return self.share
 
-    # What is shown --------------------------------------------------------------
+    # Images ---------------------------------------------------------------------
 
     def is_ready(self, at: float, size: int, channel: str) -> bool:
-        """Whether the whole map of this time is there at once: of this sea, foam's past at hand."""
+        """Returns whether the whole map of a time can be made at once: the sea is unchanged and the
+        foam's past is at hand."""
         known = self.ready is not None and self.ready[:3] == (self.changes, size, channel)
         if known and (channel != COVER or 0.0 <= at - self.ready[3] <= _AT_HAND):
             return True
@@ -134,13 +136,13 @@ class OpenSea:
         return self.took[1] * size**2 < drafts.SECONDS / 2
 
     def _costs(self, channel: str) -> tuple:
-        """Where this is the same, a sample costs the same."""
+        """Returns the settings that decide the cost of a sample."""
         values = self.values.values
         return (channel, values["foam_lifetime"], values["foam_step"])
 
     def show(self, at: float, size: int, targets: dict[str, bpy.types.Image], channel: str) -> None:
-        """Fills these images, by the inputs of the node group, with the maps of a time. channel:
-        what is in the place of cover."""
+        """Fills these images, by the inputs of the node group, with the maps of a time [s].
+        channel: the one in the place of cover."""
         with self.lock:
             begun = time.perf_counter()
             known = self.ready is not None and self.ready[:2] == (self.changes, size)
@@ -153,18 +155,20 @@ class OpenSea:
     def show_draft(
         self, at: float, size: int, wanted: int, targets: dict[str, bpy.types.Image], channel: str
     ) -> None:
-        """The same, with what is quick in the place of cover. wanted: samples of the whole."""
+        """Fills these images with a draft, whose cover is the quick channel. wanted: samples per
+        side of the whole map."""
         with self.lock:
             begun = time.perf_counter()
             if self._show(at, size, targets, QUICK[channel]):
                 self.pace.note(size, time.perf_counter() - begun, wanted)
 
     def job(self, at: float, size: int, channel: str, spray: dict | None) -> drafts.Job:
-        """What makes the whole map of a time ready, and its spray where there is any."""
+        """Returns the job that makes the whole map of a time, and its spray if it has any."""
         return drafts.Job(self.sea.clone(), self.changes, at, size, channel, spray)
 
     def take_over(self, job: drafts.Job) -> bool:
-        """Goes on with the handle of a job that has ended. False where it is of no use."""
+        """Replaces the handle by that of a job that has ended. Returns False if the job is of no
+        use."""
         if job.failure is not None or job.changes != self.changes:
             job.sea.close()
             return False
@@ -179,19 +183,19 @@ class OpenSea:
     # Spray ----------------------------------------------------------------------
 
     def spray(self, at: float, settings: dict):
-        """libocean.Spray of a time."""
+        """Returns the libocean.Spray of a time [s]."""
         with self.lock:
             found = self.sea.spray(at, **settings)
             self.spray_ready = (self.changes, settings, at)
         return found
 
     def is_spray_ready(self, at: float, settings: dict) -> bool:
-        """Whether the library has most of it, as from the frame before."""
+        """Returns whether the library has computed most of it, for example for the frame before."""
         known = self.spray_ready is not None and self.spray_ready[:2] == (self.changes, settings)
         return known and abs(at - self.spray_ready[2]) <= _AT_HAND
 
     def _show(self, at: float, size: int, targets: dict, channel: str) -> bool:
-        """Whether anything had to be done."""
+        """Fills stale images. Returns whether there were any."""
         for image in targets.values():
             if images.let_go(image):
                 self.shown.pop(image.name_full, None)
@@ -237,8 +241,8 @@ def sea_of(name: str) -> OpenSea:
 
 
 def forget(names: set[str]) -> None:
-    """After undo and loading: what images hold is not known any more, and of the seas there are
-    those of the objects with these names."""
+    """Forgets, after undo and loading, the content of images, and closes the seas of objects
+    without one of these names."""
     for name in list(_seas):
         if name in names:
             _seas[name].shown.clear()

@@ -35,12 +35,12 @@ def _exact(text: str) -> dict[str, str]:
 
 
 def _shortest(value: float) -> str:
-    """The shortest decimal that is this single-precision number: 12.3, not 12.300000190734863."""
+    """Returns the shortest decimal of a single-precision number: 12.3, not 12.300000190734863."""
     return str(np.float32(value))
 
 
 def _text_of(group, entry: dict[str, Any]) -> str:
-    """A parameter's value as the library reads it."""
+    """Returns a parameter's value as the library reads it."""
     key, kind = entry["key"], entry["type"]
     if sea_text.is_optional(entry) and not getattr(group, f"use_{key}"):
         return sea_text.off_value(entry)
@@ -93,7 +93,7 @@ def _set_texts(group, values: dict[str, str], *, waves: bool) -> None:
 
 
 def values_of(group) -> sea_text.SeaValues:
-    """What the properties say. group: Object.libocean, evaluated or not."""
+    """Returns the values of the properties. group: Object.libocean, evaluated or not."""
     return sea_text.SeaValues(
         {entry["key"]: _text_of(group, entry) for entry in entries(waves=False)},
         [
@@ -108,7 +108,8 @@ def values_of(group) -> sea_text.SeaValues:
 
 
 def switch_on_given(group) -> None:
-    """A file of an add-on for which a parameter was never left out has its value and no switch."""
+    """Switches on the parameters that have a value but no switch: files of add-ons for which they
+    were never left out."""
     for owner, waves in [(group, False), *((system, True) for system in group.waves)]:
         for entry in entries(waves=waves):
             key, switch = entry["key"], f"use_{entry['key']}"

@@ -39,7 +39,8 @@ def _listed(path: str, _changed: float) -> list[dict]:
 
 
 def records_of(path: str) -> list[dict]:
-    """Of a file, read anew when it has changed. Raises libocean.Error, OSError."""
+    """Returns the records of a file, read again when it has changed. Raises libocean.Error,
+    OSError."""
     return _listed(path, os.stat(path).st_mtime)
 
 

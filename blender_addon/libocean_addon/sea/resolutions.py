@@ -27,13 +27,13 @@ def nearest(samples: int) -> int:
 
 
 def _bytes_of(samples: int) -> str:
-    """Of one image."""
+    """Returns the size of one image, in words."""
     size = 16 * samples * samples
     return f"{size / 2**30:.1f} GB" if size >= 2**30 else f"{size / 2**20:.1f} MB"
 
 
 def items(none: str, most: int) -> list[tuple[str, str, str, str, int]]:
-    """What a list offers. none: the name of 0; "": there is no such choice."""
+    """Returns the choices of a list. none: the name of the choice 0; "": without that choice."""
     made = [
         (str(n), str(n), f"{n * n:,} samples, {_bytes_of(n)} an image", "NONE", n)
         for n in SIZES

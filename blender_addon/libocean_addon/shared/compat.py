@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What differs between Blender 3.4 and 5.2, in one place."""
+"""The differences between Blender 3.4 and 5.2, in one place."""
 
 from __future__ import annotations
 
@@ -109,7 +109,8 @@ def set_input(modifier, identifier: str, value) -> None:
 
 
 def let_go(modifier, identifier: str) -> None:
-    """Of the object in an input, before the modifier is removed: 5.2 would count it as a user."""
+    """Clears the object in an input before its modifier is removed: 5.2 would count it as a
+    user."""
     if _INPUTS_ARE_PROPERTIES:
         getattr(modifier.properties.inputs, identifier).value = None
 
@@ -135,18 +136,19 @@ GLOSSY = (
 
 
 def use_nodes(owner) -> None:
-    """Of a material or world: always from 5.0 on, which warns when it is told so."""
+    """Switches the nodes of a material or world on: from 5.0 on they always are, and setting it
+    warns."""
     if VERSION < (5, 0):
         owner.use_nodes = True
 
 
 def has_nodes(owner) -> bool:
-    """Whether a material or world is what its nodes say."""
+    """Returns whether the nodes of a material or world are in use."""
     return owner.node_tree is not None and (VERSION >= (5, 0) or owner.use_nodes)
 
 
 def refract_in_eevee(material) -> None:
-    """What is behind it is seen through it."""
+    """Has Eevee show the objects behind a material through it."""
     if hasattr(material, "use_raytrace_refraction"):  # 4.2
         material.use_raytrace_refraction = True
     else:
@@ -154,13 +156,13 @@ def refract_in_eevee(material) -> None:
 
 
 def fade_in_eevee(material) -> None:
-    """Its transparency is that of each sample; from 4.2 on it always is."""
+    """Has Eevee decide transparency sample by sample, as it always does from 4.2 on."""
     if not hasattr(material, "surface_render_method"):
         material.blend_method = material.shadow_method = "HASHED"
 
 
 def light_nothing(material) -> None:
-    """What it emits is seen, but Cycles counts no triangle of it among the lamps."""
+    """Has Cycles show the emission of a material without counting its triangles as lamps."""
     cycles = getattr(material, "cycles", None)
     if hasattr(cycles, "emission_sampling"):  # 3.5
         cycles.emission_sampling = "NONE"
@@ -169,7 +171,7 @@ def light_nothing(material) -> None:
 
 
 def draws_points(scene) -> bool:
-    """Whether the scene's engine does: Eevee from 4.2 on."""
+    """Returns whether the scene's engine draws points: Eevee does from 4.2 on."""
     return VERSION >= (4, 2) or scene.render.engine != "BLENDER_EEVEE"
 
 
@@ -179,7 +181,7 @@ def shutter(scene) -> tuple[float, float]:
     owners = (scene.render, eevee, cycles)
     if not scene.render.use_motion_blur and not getattr(eevee, "use_motion_blur", False):
         return 0.0, 0.0
-    # Of its settings some are the scene's, in others each engine has its own: the widest counts.
+    # Some of these settings are the scene's, others each engine's own: the widest counts.
     open_for = max(
         float(getattr(owner, name, 0.0))
         for owner, name in ((scene.render, "motion_blur_shutter"), (eevee, "motion_blur_shutter"))
@@ -191,7 +193,8 @@ def shutter(scene) -> tuple[float, float]:
 
 
 def renders_objects(scene) -> bool:
-    """Whether a render of the scene shows its own objects: not where its sequencer has strips."""
+    """Returns whether a render of the scene shows its own objects: not if its sequencer has
+    strips."""
     editor = scene.sequence_editor
     if editor is None or not scene.render.use_sequencer:
         return True
@@ -226,7 +229,7 @@ def add_asset_library(name: str, folder: Path) -> None:
 
 
 def asset_menu():
-    """Of the Asset Browser, for what makes assets."""
+    """Returns the menu of the Asset Browser for operators that make assets."""
     return getattr(bpy.types, "ASSETBROWSER_MT_catalog", None) or bpy.types.ASSETBROWSER_MT_edit
 
 
@@ -259,8 +262,8 @@ if _report_text is None:
 
 
 def tr(text: str, *values) -> str:
-    """What a report says, in the user's language; the values go into its placeholders. Texts of
-    the library come as values: they stay English."""
+    """Returns the text of a report in the user's language, with the values in its placeholders.
+    Texts of the library are passed as values: they stay English."""
     return _report_text(text).format(*values)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What panels have in common: they never fail to draw, and say sentences in lines that fit."""
+"""Helpers of all panels: they never fail to draw, and wrap sentences into lines that fit."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _told: set[str] = set()
 
 
 def never_raises(draw):
-    """A draw function that says in the panel what went wrong: Blender would leave the rest of the
-    panel out, at every redraw anew. The console gets it once."""
+    """Wraps a draw function so that an exception becomes a line of the panel: Blender would leave
+    out the rest of the panel at every redraw. The console gets the traceback once."""
 
     @functools.wraps(draw)
     def drawn(self, context):  # Blender counts the arguments
@@ -34,7 +34,7 @@ def never_raises(draw):
 
 
 def say(layout, text: str, icon: str = "NONE") -> None:
-    """A sentence, in as many lines as it takes."""
+    """Draws a sentence in as many lines as it takes."""
     column = layout.column(align=True)
     for number, line in enumerate(textwrap.wrap(text, _CHARACTERS)):
         mark = icon if number == 0 else "NONE" if icon == "NONE" else "BLANK1"

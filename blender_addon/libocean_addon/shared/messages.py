@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the library says, in the words of the panel: labels of fields where it names parameters by
-their paths.
+"""Sentences of the library in the words of the panel: labels of fields replace the paths of
+parameters.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .native import libocean
 _LABELS = {(entry["section"], entry["key"]): entry["label"] for entry in parameter_values.TABLE}
 _SECTIONS = "|".join(sorted({section for section, _ in _LABELS} - {"waves"}))
 _PATH = re.compile(rf"(?<![^\s(])(?:waves\.\d+|{_SECTIONS})\.[a-z_]+\b")
-"""Of a parameter in prose; in quotes or behind a slash it is of a file's name."""
+"""A parameter's path in prose; in quotes or behind a slash it is a part of a file's name."""
 
 
 def label_of(path: str, systems: int = 1) -> str:
@@ -41,8 +41,8 @@ def in_words(text: str, systems: int = 1) -> str:
 
 
 def of_error(failure: Exception, systems: int = 1) -> str:
-    """What failed; where the value of a field is wrong, put together from the parts that the
-    library gives: label, value, what is wrong with it, and what is allowed."""
+    """Returns the sentence of a failure. If the value of a field is wrong it is put together from
+    the library's parts: label, value, fault and allowed values."""
     parameter = getattr(failure, "parameter", "")
     text = label_of(parameter, systems)
     if text == parameter or not failure.value:
@@ -57,7 +57,7 @@ def of_error(failure: Exception, systems: int = 1) -> str:
 
 
 def of_file(failure: OSError) -> str:
-    """What the system says of a file, without the number of it."""
+    """Returns the system's message about a file, without its number."""
     return f"{failure.filename}: {failure.strerror}" if failure.filename else str(failure)
 
 

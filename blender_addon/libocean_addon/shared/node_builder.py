@@ -12,7 +12,7 @@ _COMPONENTS = ("Red", "Green", "Blue", "Alpha")
 
 
 def _is_so(owner, name: str, value) -> bool:
-    """Whether a property has this value already, to the bit."""
+    """Returns whether a property has this value already, to the bit."""
     now = getattr(owner, name)
     return (tuple(now) if isinstance(value, tuple) else now) == value
 
@@ -129,7 +129,7 @@ class Builder:
         return self.components(color)[3]
 
     def mix_colors(self, from_, to, share):
-        """Of all four components."""
+        """Returns the mix of all four components."""
         first, last = self.alpha(from_), self.alpha(to)
         alpha = self.number("MULTIPLY_ADD", self.number("SUBTRACT", last, first), share, first)
         return self.color(*self.parts(self.mix(from_, to, share)), alpha)

@@ -137,14 +137,14 @@ def _remove(ob, modifier) -> None:
 
 
 def _follow_baked(ob, sea: OpenSea, moment) -> None:
-    """While a bake plays nobody else tells the sea its parameters."""
+    """Gives the sea its parameters while a bake plays; otherwise live.show does."""
     if ob.libocean.use_bake:
         with contextlib.suppress(libocean.Error):
             sea.follow(live.current_values(ob.libocean, moment.scene))
 
 
 def _show(ob, modifier, depsgraph, moment) -> None:
-    """Fills the carrier of an object with what is alive at a moment."""
+    """Fills the carrier of an object with the particles alive at a moment."""
     carrier, sea = _carrier(modifier), sea_of(ob.name_full)
     if carrier is None or carrier.library is not None:
         carrier = _new_carrier(ob, modifier)
@@ -187,7 +187,8 @@ def _show(ob, modifier, depsgraph, moment) -> None:
 
 
 def _modifier(ob):
-    """That of an object which is to have spray; None where none can be made."""
+    """Returns the modifier of an object that has spray, made if it is missing; None for a linked
+    object."""
     modifier = spray_nodes.modifier_of(ob)
     if modifier is None and ob.library is None:
         if ob.libocean.spray_material is None:
@@ -200,7 +201,7 @@ def _modifier(ob):
 
 
 def _own_carriers(oceans: list) -> None:
-    """The copy of an object has points of its own."""
+    """Gives the copy of an object points of its own."""
     owners = {}
     for ob in oceans:
         modifier = spray_nodes.modifier_of(ob)
@@ -210,7 +211,7 @@ def _own_carriers(oceans: list) -> None:
 
 
 def show_all(depsgraph, moment) -> None:
-    """Brings the spray of every ocean up to date; takes away what is not wanted any more."""
+    """Brings the spray of every ocean up to date, and removes spray that is switched off."""
     oceans = [ob for ob in live.ocean_objects() if ob.libocean.use_spray]
     for ob in spray_nodes.users().difference(oceans):
         _remove(ob, spray_nodes.modifier_of(ob))
@@ -233,12 +234,12 @@ def show_all(depsgraph, moment) -> None:
 
 
 def empty_all() -> None:
-    """Before a file is saved: points of one moment, without the add-on, would be of no other."""
+    """Empties all spray before a file is saved: without the add-on its points would stand still."""
     for ob in spray_nodes.users():
         _empty(ob, spray_nodes.modifier_of(ob))
 
 
-# What the panel says --------------------------------------------------------------
+# Lines of the panel ---------------------------------------------------------------
 
 
 def _is_calm(values) -> bool:
@@ -247,7 +248,7 @@ def _is_calm(values) -> bool:
 
 
 def state_of(ob) -> tuple[str, str]:
-    """A sentence on the spray of an ocean, and its icon."""
+    """Returns a sentence on the spray of an ocean, and its icon."""
     modifier, sea = spray_nodes.modifier_of(ob), sea_of(ob.name_full)
     if ob.libocean.spray_problem:
         return ob.libocean.spray_problem, "ERROR"

@@ -28,7 +28,7 @@ ATTRIBUTES = {
     "radius": "FLOAT",  # m, as drawn: Blender's own attribute of points
     "id": "INT",  # Blender's own: what goes by it stays with its particle
 }
-"""Of the points, and their types."""
+"""The attributes of the points, and their types."""
 
 
 def _build(group) -> None:

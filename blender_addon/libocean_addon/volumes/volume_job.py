@@ -5,7 +5,7 @@ in here: it runs in a thread of its own, which may be asked to stop at any time.
 
     frames -> `ocean bake`, or the library's queries -> columns -> OpenVDB's module -> files
 
-Either way the files say the same of themselves, by which they are known again.
+Either way the files have the same headers, by which they are recognised.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ TO_THE_CREST = math.inf
 
 
 class VolumeError(Exception):
-    """Why there is no volume, in a sentence."""
+    """A volume cannot be written; the sentence says why."""
 
 
 class _StoppedError(Exception):
-    """Somebody does not want to wait any longer."""
+    """The user has stopped the job."""
 
 
 def shortest(value: float) -> str:
@@ -83,7 +83,7 @@ class Settings:
         }
 
     def options(self) -> list[str]:
-        """Of `ocean bake`."""
+        """Returns them as options of `ocean bake`."""
         return [f"--{name.replace('_', '-')}={text}" for name, text in self._texts().items()]
 
     def strings(self, sea, frame: Frame) -> dict[str, str]:
@@ -101,7 +101,7 @@ class Settings:
 
 
 def is_there(path: Path, strings: dict[str, str]) -> bool:
-    """Whether the file is whole and says that of itself."""
+    """Returns whether a file is whole and has these strings in its header."""
     try:
         found = read_header(path)
     except (OSError, FileError):
@@ -218,7 +218,7 @@ def _make_surface(module, columns: _Columns):
         part = slice(first, first + step)
         distance = columns.surface_distance(part, lowest, highest)
         np.maximum(distance, columns.box_distance(part), out=distance)
-        # What is that far gets its sign from its neighbours, at the end.
+        # Voxels that far away get their sign from their neighbours, at the end.
         distance[np.abs(distance) >= background] = background
         start = (columns.i[first], columns.j[0], columns.k[0])
         grid.copyFromArray(distance, ijk=tuple(map(int, start)))
@@ -265,7 +265,7 @@ def _make_velocity(module, columns: _Columns, resolution: int):
 
 
 def _run(command: list[str], folder: Path, sea: str, stop: threading.Event) -> list[dict]:
-    """The events that `ocean bake --json` tells of a frame."""
+    """Runs `ocean bake --json` for a frame and returns the events that it reports."""
     with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as told:
         given.write(sea.encode())
         given.seek(0)
@@ -327,7 +327,7 @@ class VolumeJob(Job):
         return True
 
     def arguments(self, sea: str, frames: str) -> list[str]:
-        """Of `ocean`, in the folder."""
+        """Returns the arguments of `ocean`, to be run in the folder."""
         output = ["-o", f"./{self.stem}_####.vdb", "--frames", frames]
         return ["bake", sea, *output, *self.settings.options()]
 

@@ -70,7 +70,7 @@ def sea_to_world(ob) -> Matrix:
 
 
 def _bounds(ob, box) -> tuple[Vector, Vector]:
-    """Of an object, in metres of the sea."""
+    """Returns the corners of an object's bounds in the sea [m]."""
     corners = box.bound_box
     if box.type == "EMPTY":
         size = box.empty_display_size
@@ -82,12 +82,12 @@ def _bounds(ob, box) -> tuple[Vector, Vector]:
 
 
 def _rounded(value: float) -> float:
-    """What somebody typed: a property has it in single precision."""
+    """Returns the number that was typed; a property holds it in single precision."""
     return float(f"{value:.7g}")
 
 
 def _settings(ob, sea) -> volume_job.Settings:
-    """What is asked for, the defaults those of `ocean bake`; raises BakeError."""
+    """Returns the requested settings, with the defaults of `ocean bake`; raises BakeError."""
     asked = ob.libocean.volumes
     period, depth = float(sea.get("patch_size")), float(sea.get("depth"))
     resolution = ob.libocean.render_resolution or sea.map_resolution()
@@ -110,11 +110,11 @@ def _settings(ob, sea) -> volume_job.Settings:
     return volume_job.Settings(low, high, voxel, velocity_voxel, asked.use_half, resolution)
 
 
-# What writes them ---------------------------------------------------------------
+# The command that writes them ---------------------------------------------------
 
 
 def _writes_volumes(command: str) -> bool:
-    """Whether it is libocean's, with OpenVDB."""
+    """Returns whether a command is libocean's and was built with OpenVDB."""
     try:
         told = subprocess.run(
             [command, "bake", "--help"],
@@ -128,8 +128,8 @@ def _writes_volumes(command: str) -> bool:
 
 
 def find_command() -> str | None:
-    """The command `ocean` of the preferences, or else of the system; raises BakeError where the
-    first cannot do it."""
+    """Returns the command `ocean` of the preferences, or else of the system; None without one.
+    Raises BakeError if that of the preferences cannot write volumes."""
     addon = bpy.context.preferences.addons.get(ADDON)
     chosen = addon.preferences.ocean_command if addon else ""
     command = shutil.which(str(paths.absolute(chosen)) if chosen else "ocean")
@@ -141,7 +141,8 @@ def find_command() -> str | None:
 
 
 def _what_to_run(job: volume_job.VolumeJob) -> str:
-    """Elsewhere, so that the frames are there; the sea files that it reads are written."""
+    """Returns the commands that write the frames on another machine; writes the sea files that they
+    read."""
     try:
         lines = _command_lines(job)
     except libocean.Error as failure:
@@ -170,7 +171,7 @@ def _command_lines(job: volume_job.VolumeJob) -> str:
 
 
 def _plan(context, ob, first: int, last: int, base_dir: str | None) -> list[bake_job.Frame]:
-    """Each frame with a sea file in which it has its time."""
+    """Returns each frame with a sea file in which it has its time."""
     frames = []
 
     def add(number: int, at: float, settings) -> None:
@@ -253,11 +254,11 @@ class Volumes(bake_plan.Work):
         return self.told()
 
 
-# What shows them ----------------------------------------------------------------
+# The object that shows them -----------------------------------------------------
 
 
 def _is_of(volume, path: Path) -> bool:
-    """Whether it shows that sequence, whichever its first file is."""
+    """Returns whether a volume shows that sequence, whichever its first file is."""
     shown, digits = paths.absolute(volume.filepath), "0123456789"
     is_named = shown.stem.rstrip(digits) == path.stem.rstrip(digits)
     return is_named and shown.parent == path.parent
