@@ -292,7 +292,8 @@ def follow(ocean, settings, at: float, size: int) -> None:
             image.update()  # else Eevee without a window goes on with what it has
     for image in {*owned, *shown}:
         sea.shown[image.name_full] = state
-    made_of = repr([tuple(band)[1:] for band in found.bands])
+    # The group is built once for these waves: mean_square, which is the frame's, is left out.
+    made_of = repr([band._replace(slope=None, mean_square=None) for band in found.bands])
     if not _is_made_of(group, made_of, shown):
         _build(group, made_of, [band_of(band) for band in found.bands], shown)
     _attach(waters, group)
