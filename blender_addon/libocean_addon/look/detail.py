@@ -293,7 +293,7 @@ def follow(ocean, settings, at: float, size: int) -> None:
     for image in {*owned, *shown}:
         sea.shown[image.name_full] = state
     # The group is built once for these waves: mean_square, which is the frame's, is left out.
-    made_of = repr([band._replace(slope=None, mean_square=None) for band in found.bands])
+    made_of = repr([tuple(band)[1:7] for band in found.bands])
     if not _is_made_of(group, made_of, shown):
         _build(group, made_of, [band_of(band) for band in found.bands], shown)
     _attach(waters, group)
