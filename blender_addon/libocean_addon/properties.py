@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat, live, meshes, parameter_values, resolutions
-from .overrides import overridable
-from .parameter_properties import annotations as parameters
-from .parameter_properties import changed
+from .sea import facts, meshes, parameter_values, resolutions
+from .sea.parameter_properties import annotations as parameters
+from .sea.parameter_properties import changed
+from .shared import compat
+from .shared.overrides import overridable
 
 _EXACT = bpy.props.StringProperty(options={"HIDDEN"})
 
@@ -44,7 +45,7 @@ def _map_resolution(where: str) -> dict:
 
 @overridable
 class OceanBake(bpy.types.PropertyGroup):
-    """Where and what to bake, and the record of the bake that there is"""
+    """The folder and the frames to bake, and the record of the present bake"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
@@ -89,7 +90,7 @@ class OceanBake(bpy.types.PropertyGroup):
 
 @overridable
 class OceanVolumes(bpy.types.PropertyGroup):
-    """What to write as volumes"""
+    """The water to write as volumes"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
@@ -165,7 +166,7 @@ def _set_divisors(settings, wanted: bool) -> None:
     """Begins with those that were chosen."""
     if wanted == _has_divisors(settings):
         return
-    chosen = live.cascade_divisors(settings.id_data) if wanted else []
+    chosen = facts.cascade_divisors(settings.id_data) if wanted else []
     free = parameter_values.DIVISORS - len(chosen)
     settings.cascade_divisors = [*chosen, *[0] * free]
 

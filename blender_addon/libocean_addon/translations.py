@@ -92,7 +92,7 @@ GERMAN = {
         "Donelan banner": "Donelan-Banner",
         "Maximum entropy": "Maximale Entropie",
         "Fourier": "Fourier",
-        # What the sea is.
+        # Facts about the sea.
         "Energy resolved": "Aufgelöste Energie",
         "Shortest wave": "Kürzeste Welle",
         # The range of a bake.
@@ -147,7 +147,7 @@ GERMAN = {
         "There is no spray at this time": "Zu dieser Zeit ist keine Gischt da",
         "A draft; the whole sea: {:.0%}": "Ein Entwurf; die ganze See: {:.0%}",
         "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
-        # What people should know.
+        # Hints and warnings.
         "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
         "Maps: {} x {} samples, {:,.0f} MB": "Karten: {} x {} Stützstellen, {:,.0f} MB",
         "Maps: {} and, rendered, {}, {:,.0f} MB": "Karten: {} und, gerendert, {}, {:,.0f} MB",

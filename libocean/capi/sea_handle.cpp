@@ -48,7 +48,7 @@ std::uint64_t this_process() {
     return process_number() + 1;
 }
 
-/// Of ocean_free, until the thread that is in the sea has left.
+/// The pause of ocean_free between two tries to enter a sea that another thread is in.
 constexpr std::chrono::milliseconds kBetweenTries{1};
 
 std::string folder_of(const char* path) {
@@ -164,8 +164,8 @@ void ocean_free(ocean_sea* sea) {
     const PlainFloats plain;
     std::uint64_t user = 0;
     while (!sea->user.compare_exchange_strong(user, this_process(), std::memory_order_acquire)) {
-        // Of another process: that thread was in the sea at the fork, and is not here to leave it
-        // nor to say what state it is in.
+        // A thread of the parent process was in the sea at the fork. It does not exist here: it can
+        // neither leave the sea nor say in which state it left it.
         if (user != this_process()) return;
         std::this_thread::sleep_for(kBetweenTries);
         user = 0;

@@ -4,39 +4,38 @@
 // The C API of libocean: a sea file in, float maps out, for a host in any language. libocean.so
 // exports these functions and nothing else.
 //
-// Rules that hold for every function:
-// - No exception leaves the library. A function that fails returns a code, leaves its outputs
-//   unchanged and stores a sentence for ocean_last_error() and its parts for
+// These rules hold for every function:
+// - No exception crosses the border. A function that fails returns a code, leaves its outputs
+//   alone and keeps a sentence for ocean_last_error(), and the parts of that sentence for
 //   ocean_last_error_field(). Any function may return OCEAN_INVALID_ARGUMENT, OCEAN_OUT_OF_MEMORY
-//   and OCEAN_INTERNAL; the comment of a function lists its other codes without the prefix OCEAN_.
-// - One thread at a time may use an ocean_sea; several seas run in parallel. A call on a sea that
-//   another thread is using returns OCEAN_BUSY; ocean_free() waits for that thread instead.
-//   Functions without an ocean_sea may be called from any thread.
-// - After fork() the child process may use and free each sea that no thread was using.
-// - The rounding and flush-to-zero modes of the calling thread do not change any bit of a result,
-//   and no call changes these modes.
-// - Times lie within -1e9 .. 1e9 [s]; any other returns OCEAN_INVALID_ARGUMENT or
-//   OCEAN_INVALID_VALUE. Up to 1e8 s, maps are accurate to 2e-6 of their rms; at 1e9 s, heights to
-//   3e-6 and slopes to 1.2e-5.
-// - Texts are UTF-8. Buffers and texts stay the caller's; the library keeps no pointer to them.
-// - A text result goes to `out` and ends in a 0 byte. On entry *size is the capacity of `out` in
-//   bytes; on return it is the size needed, the 0 byte included. If that exceeds the capacity, the
-//   function writes nothing else and returns OCEAN_BUFFER_TOO_SMALL. With out = NULL it only writes
-//   *size and returns OCEAN_OK.
-// - Options and requests begin with struct_size, their sizeof in the caller's program; the sizes of
-//   array elements are members of the request. Members that a shorter struct (of an older header)
-//   lacks have their defaults. A longer struct (of a newer header) is accepted if all bytes that
-//   this library does not know are 0; else the call returns OCEAN_UNSUPPORTED.
-// - Functions, codes, members and enumerators of this header keep their names, numbers and meanings
-//   while OCEAN_ABI_VERSION stays the same. *Not* promised from one version of the library to the
-//   next: the bits of a map or an answer and its error within the stated bound, the sentences of
-//   ocean_last_error(), the order and the set of keys in JSON, how often progress is called, the
-//   memory and the time of a call, the defaults of parameters that a text does not name, and all
-//   C++ headers.
-// - ocean_text() names all parameters that are set, except those that a later version adds: each of
-//   these has a neutral value, at which it changes no sea. The neutral value stays its default for
-//   ever, and ocean_text() leaves it out. So the text of a sea, and every file identified by that
-//   text, stays the same to the byte until the sea uses such a parameter.
+//   and OCEAN_INTERNAL; the comment of a function names its other codes, without OCEAN_.
+// - One thread at a time may use an ocean_sea; several seas run in parallel. While a thread is in a
+//   sea, a call of another thread returns OCEAN_BUSY, and ocean_free waits. Any thread may call the
+//   functions without a sea.
+// - A child process may, after fork(), use and free the seas that no thread was in.
+// - The rounding and flush-to-zero modes of the calling thread change no bit, and no call changes
+//   these modes.
+// - Times range from -1e9 to 1e9 s; others are OCEAN_INVALID_ARGUMENT or OCEAN_INVALID_VALUE. Maps
+//   are within 2e-6 of their rms until 1e8 s; at 1e9 s heights within 3e-6, slopes within 1.2e-5.
+// - Texts are UTF-8. Buffers and texts belong to the caller; the library does not keep them.
+// - A text result goes to `out`, with a final 0. Pass *size = capacity of out [bytes]; *size
+//   becomes the size needed, the final 0 included. If that exceeds the capacity, the function
+//   writes nothing to out and returns OCEAN_BUFFER_TOO_SMALL. With out = NULL it returns the size
+//   alone, and OCEAN_OK.
+// - A struct opens with struct_size, its size where the caller was compiled. In a shorter one (of
+//   an older header) the missing members have their defaults, where they have any; a longer one (of
+//   a newer header) is accepted if the part unknown to this library is all 0, else the call returns
+//   OCEAN_UNSUPPORTED.
+// - Functions, codes, members and enumerators of this header keep their names, numbers and meaning
+//   while OCEAN_ABI_VERSION stays. From one version of the library to the next these may change:
+//   the bits of a map or an answer (their errors stay within the limits given here), the sentences
+//   of ocean_last_error, the order and the set of keys in JSON, how often progress is called, the
+//   memory and time that a call takes, the defaults of parameters that a text does not name, and
+//   everything in the C++ headers.
+// - ocean_text names every parameter that is set, except those that a later version adds: each of
+//   these has a neutral value, at which it changes no sea. That value stays its default for ever,
+//   and ocean_text leaves it out. So the text of a sea stays the same to the byte until the sea
+//   uses such a parameter, and so does every file that is identified by that text.
 #ifndef LIBOCEAN_H
 #define LIBOCEAN_H
 
@@ -55,7 +54,7 @@
 extern "C" {
 #endif
 
-/* Increases when a change to a struct or a meaning breaks compiled callers. */
+/* Increases when a change of a struct or of a meaning breaks compiled callers. */
 #define OCEAN_ABI_VERSION 1
 
 typedef struct ocean_sea ocean_sea;
@@ -64,20 +63,20 @@ typedef int32_t ocean_result;
 enum {
     OCEAN_OK = 0,
     OCEAN_INVALID_ARGUMENT = 1, /* a NULL, a size or a count of this call */
-    OCEAN_INVALID_VALUE = 2,    /* a parameter: unknown, of a wrong type, out of range */
-    OCEAN_BAD_FILE = 3,         /* a file that is missing, unreadable or not what it claims */
+    OCEAN_INVALID_VALUE = 2,    /* a parameter: unknown, of a wrong type or out of range */
+    OCEAN_BAD_FILE = 3,         /* a file that is missing, unreadable or of another format */
     OCEAN_NOT_FOUND = 4,        /* a record or preset that does not exist */
     OCEAN_UNSUPPORTED = 5,      /* a feature of a later version */
     OCEAN_OUTPUT = 6,           /* writing failed */
     OCEAN_OUT_OF_MEMORY = 7,
     OCEAN_BUFFER_TOO_SMALL = 8,
     OCEAN_INTERNAL = 9,   /* a fault of the library: please report it */
-    OCEAN_CANCELLED = 10, /* stopped by the host's own progress function */
-    OCEAN_BUSY = 11       /* another thread is using this sea */
+    OCEAN_CANCELLED = 10, /* the host's own progress function ended the call */
+    OCEAN_BUSY = 11       /* another thread is in this sea */
 };
 
-/* Channels of a map. A label is an undisplaced point; its displaced point is shown at
- * (x + dx, y + dy, height). Offsets and height in [m], derivatives by label, velocity in [m/s]. */
+/* Channels. dx, dy: offsets of the displaced point [m]. Slopes are derivatives by label, the
+ * undisplaced coordinate. Velocities are in [m/s]. */
 enum {
     OCEAN_DX,
     OCEAN_DY,
@@ -93,10 +92,10 @@ enum {
     OCEAN_VX,
     OCEAN_VY,
     OCEAN_VZ,
-    OCEAN_DX_X, /* derivatives of the offset: d dx/dx, d dy/dy, d dx/dy = d dy/dx */
+    OCEAN_DX_X, /* derivatives of the offset by label: d dx/dx; then d dy/dy, d dx/dy = d dy/dx */
     OCEAN_DY_Y,
     OCEAN_DX_Y,
-    OCEAN_COVER /* share of the water that foam hides, 0 .. 1; average it for distant water */
+    OCEAN_COVER /* the share of the water that foam hides; its mean is the foam seen from afar */
 };
 
 /* Axes in which a vector (x, y, z) is stored: (x, y, z), (x, z, -y) or (x, z, y). */
@@ -105,26 +104,27 @@ enum { OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB };
 /* Backends. */
 enum { OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT };
 
-/* Where foam begins. OCEAN_FOAM_SETTLED follows it from as far back as it lives, so that a map does
- * not depend on earlier calls. OCEAN_FOAM_EMPTY begins without foam at the first requested time,
- * for live tools, which must not wait. */
+/* Where the library begins to follow foam. SETTLED: as far back as foam lives, so that a map does
+ * not depend on the maps requested before. EMPTY: without foam at the first time requested, for
+ * live tools, which do not wait. */
 enum { OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY };
 
-/* Progress function of a host. The calling thread calls it about 100 times a second while it works.
- * `done` and `total` are ticks of the foam's clock while foam is followed from its beginning, and 0
- * otherwise. A result other than 0 stops the call, which returns OCEAN_CANCELLED within 50 ms: its
- * outputs are then incomplete, and the sea can still be used. The function must not call functions
- * of this sea. */
+/* The library calls this from the thread that called the library, about a hundred times a second
+ * while it works. While it follows foam from its beginning, done and total are ticks; otherwise
+ * both are 0. A result other than 0 ends the call, which returns OCEAN_CANCELLED within 50 ms.
+ * Outputs of that call are unfinished then; the sea stays usable. The function must not call
+ * functions of this sea. */
 typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
 
-/* Runs jobs on a host's own threads in place of the library's: calls job(work, 0) .. job(work,
- * count - 1), in any order, in parallel or one after the other, and returns when all have returned.
- * The progress function is then called by one of these threads at a time. */
+/* Replaces the library's threads by the host's: runs job(work, 0) .. job(work, count - 1), in any
+ * order, in parallel or one after the other, and returns when all jobs have returned. progress is
+ * then called by one of these threads at a time. */
 typedef void (*ocean_job)(void* work, int32_t index);
 typedef void (*ocean_run_jobs)(void* user, ocean_job job, void* work, int32_t count);
 
-/* Options of a sea. Pass struct_size = sizeof(ocean_options); a NULL pointer to the options means
- * all defaults. */
+/* struct_size = sizeof(ocean_options). threads: 0 = one for each core that this process may use,
+ * else 1 .. 1024, the caller's own included; with run_jobs the max number of jobs that run at once.
+ * backend: OCEAN_CPU; OCEAN_RADIX2 and OCEAN_DFT are the slow references. */
 typedef struct {
     size_t struct_size;
     int32_t threads;         /* 0 = the cores this process may use; else 1 .. 1024, the calling
@@ -138,20 +138,22 @@ typedef struct {
     void* jobs_user;         /* passed to run_jobs */
 } ocean_options;
 
-/* One destination of 1 to 4 interleaved channels of a map of R x R samples. Component c of sample
- * (i, j), which lies i steps east and j steps north, goes to data[j * row_pitch + i * channels +
- * c].
- *
- * `axes` turns whole vectors. Where three neighbouring components are {OCEAN_DX, OCEAN_DY,
+/* One destination of 1 to 4 interleaved channels. Sample (i, j) lies i steps east and j steps north
+ * of the first one; its component c is data[j * row_pitch + i * channels + c]. A map has R x R
+ * samples. row_pitch: floats from row to row, 0 = R * channels. seam: not 0 = each row has one
+ * sample more and the map one row more, which repeat the first ones a period on; R is then one more
+ * everywhere in this comment. count: floats in data, min (R - 1) * row_pitch + R * channels.
+ * channel[c], c < channels, is the channel of component c, in z-up terms; -1 leaves the component
+ * as it is. axes turns whole vectors: where three neighbouring components are {OCEAN_DX, OCEAN_DY,
  * OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX, OCEAN_VY, OCEAN_VZ}, in this order,
- * these three receive, for a vector (x, y, z):
+ * they receive for a vector (x, y, z):
  *
  *     OCEAN_ZUP  (x, y, z)
  *     OCEAN_YUP  (x, z, -y)
  *     OCEAN_TNB  (x, z, y)
  *
- * Every other component is stored unturned. For example, {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT, -1}
- * with OCEAN_YUP stores dx, height, -dy and leaves the fourth component unchanged. */
+ * Every other component is stored unchanged, whatever the axes. So {OCEAN_DX, OCEAN_DY,
+ * OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height, -dy and leaves the fourth component. */
 typedef struct {
     float* data;
     size_t count;       /* floats in data, at least (R - 1) * row_pitch + R * channels */
@@ -164,14 +166,14 @@ typedef struct {
     int32_t reserved;   /* 0 */
 } ocean_output;
 
-/* A request for maps. Pass struct_size = sizeof(ocean_request) and output_size =
- * sizeof(ocean_output); an output_size of 0 means the members that this header has.
- *
- * cascade = 0 requests the whole sea. cascade = 1, 2 ... requests the small map of one cascade over
- * its own period, for hosts that add cascades while they draw: at any point the sum over all
- * cascades, each wrapped at its own period, is the sea's. Only these channels add up: OCEAN_DX, DY,
- * HEIGHT, SLOPE_X, SLOPE_Y, VX, VY, VZ, DX_X, DY_Y, DX_Y; then jacobian = (1 + DX_X) (1 + DY_Y) -
- * DX_Y^2. */
+/* struct_size = sizeof(ocean_request), output_size = sizeof(ocean_output); output_size 0 = the size
+ * in a header whose ocean_request has as many members as the caller's. time [s]. resolution: 0 =
+ * that of ocean_map_resolution, else a power of two, 32 .. 8192. cascade: 0 = the whole sea; 1 .. =
+ * the small map of one cascade over its own period, for hosts that add the cascades while they
+ * draw: at any point the sum over the cascades, each wrapped round its own period, is the sea's
+ * value. These channels add up: OCEAN_DX, DY, HEIGHT, SLOPE_X, SLOPE_Y, VX, VY, VZ, DX_X, DY_Y,
+ * DX_Y; jacobian = (1 + DX_X) (1 + DY_Y) - DX_Y^2. For a cascade, resolution 0 = that of its
+ * lattice. */
 typedef struct {
     size_t struct_size;
     double time;        /* [s] */
@@ -184,142 +186,167 @@ typedef struct {
     int32_t reserved; /* 0 */
 } ocean_request;
 
-/* Returns the OCEAN_ABI_VERSION that the library was built with, to be compared with the header's.
- * Never fails. */
+/* ocean_abi_version returns the OCEAN_ABI_VERSION that the library was built with: compare it with
+ * the header's. Never fails. */
 OCEAN_API uint32_t ocean_abi_version(void);
-/* Returns the release version, such as "0.1.0". The text lives for ever. */
+/* ocean_version returns the library's version, "0.1.0". The text lives for ever. */
 OCEAN_API const char* ocean_version(void);
-/* Returns a sentence that describes the last failed call of this thread; "" before any. The text
- * lives until the next failed call of this thread. */
+/* ocean_last_error returns the sentence of this thread's last failed call; "" before any failure.
+ * The text lives until the next failed call of this thread. */
 OCEAN_API const char* ocean_last_error(void);
 /* The parts of a failure. */
 enum {
     OCEAN_ERROR_WHAT,      /* "is out of range"; the whole sentence if it has no other part */
-    OCEAN_ERROR_PARAMETER, /* "waves.0.fetch"; or a member of a request, or an argument */
-    OCEAN_ERROR_VALUE,     /* "5", spelled as in the sentence */
+    OCEAN_ERROR_PARAMETER, /* "waves.0.fetch"; also a member of a request or an argument */
+    OCEAN_ERROR_VALUE,     /* "5", as the sentence shows it */
     OCEAN_ERROR_ALLOWED    /* "1000 .. 10000000 m" */
 };
-/* Returns one part of the sentence of ocean_last_error(), so that a host can mark a field or write
- * its own message without parsing the sentence. Returns "" if the failure has no such part and for
- * parts of a later version; never NULL. The wording of OCEAN_ERROR_PARAMETER is promised, that of
- * the other parts is not. The text lives until the next failed call of this thread. Never fails. */
+/* ocean_last_error_field returns one part of the sentence of ocean_last_error(), so that a host can
+ * mark a field or use its own words without parsing the sentence. It returns "" if the failure has
+ * no such part, and for a part of a later version; never NULL. The parameter of a failure is
+ * promised, the words of its other parts are not. The text lives until the next failed call of this
+ * thread. Never fails. */
 OCEAN_API const char* ocean_last_error_field(int32_t field);
 
-/* Opens a sea file and writes the new sea to *out, to be freed by ocean_free(). options may be
- * NULL. The sea needs neither the file nor the options afterwards. Codes: BAD_FILE, INVALID_VALUE,
- * NOT_FOUND, UNSUPPORTED. */
+/* ocean_open opens the sea file at `path`. options may be NULL. The caller frees *out by
+ * ocean_free; the sea needs neither the file nor the options after this call. BAD_FILE,
+ * INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
 OCEAN_API ocean_result ocean_open(const char* path, const ocean_options* options, ocean_sea** out);
-/* Opens a sea from the `length` bytes of a sea file's text, which need no final 0, and writes it to
- * *out. A relative `file` or `take` in the text is resolved against base_dir; NULL = the current
- * directory. options may be NULL. Codes: BAD_FILE, INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
+/* ocean_parse opens a sea file from its text of `length` bytes, without a final 0. base_dir: the
+ * folder that a relative `file` in the text starts from, NULL = the current directory. options may
+ * be NULL. The caller frees *out by ocean_free. BAD_FILE, INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
 OCEAN_API ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
                                    const ocean_options* options, ocean_sea** out);
-/* Writes to *out a copy of `sea` that another thread can use. The copy shares all that `sea` has
- * computed, until either is changed. options = NULL keeps the options of `sea`. */
+/* ocean_clone makes a second handle of the same sea, for another thread. Both share the data that
+ * `sea` has built until either is changed. options: NULL = those of `sea`. The caller frees *out by
+ * ocean_free. */
 OCEAN_API ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* options,
                                    ocean_sea** out);
-/* Frees the sea and all memory that it owns. Blocks while a thread is using it. NULL is allowed. */
+/* ocean_free frees the sea and all its memory; waits for a thread that is in it. NULL is allowed.
+ */
 OCEAN_API void ocean_free(ocean_sea* sea);
 
-/* Sets the parameter `name` ("wind_speed", "waves.1.fetch") from text. The sea becomes another sea,
- * foam included; ocean_perform() changes it over time instead. A refused value changes nothing.
- * Setting `file`, `record` or `place` of a measured system reads the spectrum file again. Codes:
- * INVALID_VALUE, UNSUPPORTED; for those three parameters BAD_FILE and NOT_FOUND too. */
+/* ocean_set sets the parameter `name` ("wind_speed", "waves.1.fetch") from text. A refused value
+ * changes nothing. `file`, `record` and `place` of a measured system read the file again.
+ * INVALID_VALUE, UNSUPPORTED; BAD_FILE and NOT_FOUND for those three. */
 OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
-/* Sets the `count` parameters names[i] from the texts values[i] and checks them together, so that
- * values that are valid only in combination can be set at once. Either all are set or none. Codes
- * as ocean_set(). */
+/* ocean_set_all sets several parameters, names[i] from values[i], and checks them together: either
+ * all of them change or none, so that values can change that are only valid together. Codes as
+ * ocean_set. */
 OCEAN_API ocean_result ocean_set_all(ocean_sea* sea, const char* const* names,
                                      const char* const* values, size_t count);
-/* Inserts a wave system with default values at the position that `name` states ("waves.1"). The
- * systems from there on move up by one number, in the sea's take too. A sea has at most 16 wave
- * systems. Code: INVALID_VALUE. */
+/* ocean_add_waves inserts a wave system with default values as `name`, "waves.1". The systems from
+ * that number on are renumbered one higher, also in the sea's take. Max 16 systems. INVALID_VALUE.
+ */
 OCEAN_API ocean_result ocean_add_waves(ocean_sea* sea, const char* name);
-/* Removes the wave system `name` and the events of the sea's take that change it. The last
- * remaining system cannot be removed. Code: INVALID_VALUE. */
+/* ocean_remove_waves removes the wave system `name` and the take's events of it. The last system
+ * cannot be removed. INVALID_VALUE. */
 OCEAN_API ocean_result ocean_remove_waves(ocean_sea* sea, const char* name);
-/* Lets a live parameter glide to `value` from `time` [s] on. The change becomes an event of the
- * sea's own take, which ocean_text() contains, so every frame can be computed again bit by bit.
- * Maps and foam before `time` stay valid and are not computed again. Events of one parameter are at
- * least 1/60 s apart: a value that comes sooner is delayed until then, and the last one replaces
- * the others. INVALID_VALUE, with nothing changed: for a parameter that is not live, a sea with a
- * loop, a time before the last performed event, or a take that is full (32768 events). */
+/* ocean_perform lets the live parameter `name` glide to `value` from `time` [s] on, while the sea
+ * is shown. It adds an event to the sea's own take, which ocean_text then holds, so that every
+ * frame can be made again in every bit. Everything before that time stays, foam included, and is
+ * not computed again. Of values of one parameter that follow each other within 1/60 s the last one
+ * counts, at the end of that interval. ocean_set, in contrast, makes another sea. INVALID_VALUE,
+ * with nothing changed: a parameter that is not live, a sea with a loop, a time before the last
+ * event, a take that is full (32768 events). */
 OCEAN_API ocean_result ocean_perform(ocean_sea* sea, double time, const char* name,
                                      const char* value);
-/* Writes the value of a parameter as text, with a final 0, to out[size]; "" if it is unset. Codes:
- * INVALID_VALUE; BUFFER_TOO_SMALL, and the sentence of ocean_last_error() states the size needed.
- * */
+/* ocean_get writes the value of the parameter `name` as text to out[size], with a final 0; "" for
+ * an optional parameter that is not set. INVALID_VALUE; BUFFER_TOO_SMALL, whose sentence says the
+ * size needed. */
 OCEAN_API ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size);
 
-/* Writes the resolved, self-contained sea file: ocean_parse() of it gives the same sea bit by bit.
- * Codes: BUFFER_TOO_SMALL; INVALID_VALUE while parameters that were set one by one contradict each
- * other. */
+/* ocean_text writes the resolved sea file, which needs no other file: ocean_parse of it gives the
+ * same sea in every bit. BUFFER_TOO_SMALL; INVALID_VALUE while values that ocean_set accepted one
+ * by one contradict each other. */
 OCEAN_API ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size);
-/* Writes the parameter table as a JSON array. Code: BUFFER_TOO_SMALL. */
+/* ocean_values_json writes every parameter of the sea, a JSON object of texts: "grid.resolution":
+ * "512", "waves.0.fetch": "1e+05"; "" for a parameter that is not set. Two kinds of members hold
+ * the lines of tables that the resolved file carries beside its parameters: "[take]" and
+ * "[waves.0.measured_record]". For hosts that keep a sea in properties of their own;
+ * ocean_text_of_values is the inverse. BUFFER_TOO_SMALL; INVALID_VALUE as ocean_text. */
+OCEAN_API ocean_result ocean_values_json(const ocean_sea* sea, char* out, size_t* size);
+/* ocean_text_of_values writes a sea file that sets names[i] to values[i]. Names are those of
+ * ocean_values_json or ocean_set. The file has the order of the parameter table and spells each
+ * value as given, so that equal values give equal bytes. Empty values are left out, and the neutral
+ * values of later parameters. No value is checked: ocean_parse of the text does that.
+ * BUFFER_TOO_SMALL; INVALID_VALUE for an unknown name, a number with a line break, a text that is
+ * not UTF-8. */
+OCEAN_API ocean_result ocean_text_of_values(const char* const* names, const char* const* values,
+                                            size_t count, char* out, size_t* size);
+/* ocean_parameters_json writes the parameter table, a JSON array. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_parameters_json(char* out, size_t* size);
-/* Writes the statistics of the sea that `ocean info --json` prints, as a JSON object. Builds the
- * spectrum if needed. Code: BUFFER_TOO_SMALL. */
+/* ocean_state_json writes the output of `ocean info --json`, a JSON object. Builds the spectrum if
+ * it is not built yet. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size);
-/* Writes the readable records of a spectrum file as a JSON array. Codes: BAD_FILE,
+/* ocean_records_json writes the readable records of a spectrum file, a JSON array. BAD_FILE,
  * BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* size);
-/* Writes the sea file of the preset `name` ("beaufort_6"); with name = NULL a JSON array of all
- * names. Codes: NOT_FOUND, BUFFER_TOO_SMALL. */
+/* ocean_preset writes the sea file of a preset ("beaufort_6"); with name = NULL the names of all
+ * presets, a JSON array. NOT_FOUND, BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
-/* Writes Jerlov's optical types of sea water, clearest first, as a JSON array. Each has name
- * ("jerlov_ii"), label, help, ior; absorption and scattering [1/m] and the albedo of the water
- * below its surface, each a list of red, green, blue of linear Rec. 709; anisotropy, the mean
- * cosine of scattering; foam_albedo. Code: BUFFER_TOO_SMALL. */
+/* ocean_water_types_json writes Jerlov's optical types of sea water, clearest first, a JSON array:
+ * name ("jerlov_ii"), label, help, ior; absorption and scattering [1/m], albedo of the water below
+ * its surface, each a list of red, green, blue of linear Rec. 709; anisotropy, the mean cosine of
+ * scattering; foam_albedo. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_water_types_json(char* out, size_t* size);
 
-/* Writes the samples along a side of a map whose request has resolution = 0: grid.resolution for
- * one cascade, up to four times that for several. */
+/* ocean_time_of_frame stores the sea's time at a frame in *time [s]: start + (frame - first_frame)
+ * / fps, of the sea's parameters. The frame may lie between two whole ones. */
+OCEAN_API ocean_result ocean_time_of_frame(const ocean_sea* sea, double frame, double* time);
+
+/* ocean_map_resolution stores the samples per side of a map whose request has resolution 0:
+ * grid.resolution, and up to four times that for several cascades. */
 OCEAN_API ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution);
-/* Writes the periods of the sea's cascades [m] to periods[0 ..]. On entry *count is the capacity of
- * `periods`; on return it is the number of cascades. If that exceeds the capacity, the function
- * writes nothing else and returns OCEAN_BUFFER_TOO_SMALL. With periods = NULL it only writes
- * *count. */
+/* ocean_cascade_periods stores the periods of the sea's cascades [m] in periods[0 ..]. Pass *count
+ * = room in periods; *count becomes the number of cascades. If that exceeds the room, the function
+ * stores no period and returns OCEAN_BUFFER_TOO_SMALL. periods = NULL requests the count alone. */
 OCEAN_API ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t* count);
-/* Computes all outputs of the request. Blocks. The bits are the same for any number of threads and
- * any order of calls. A request that fails a check writes nothing. OCEAN_FOAM is followed from
- * where it begins, which makes the first map slow, or from the last requested time. Buffers need no
- * alignment; those aligned to 64 bytes are filled fastest. Code: UNSUPPORTED. */
+/* ocean_evaluate computes all outputs of the request together, with the same bits for any number of
+ * threads and any order of calls. Blocks. A request that fails a check writes nothing. For
+ * OCEAN_FOAM the library follows foam from its beginning, which takes a while for the first map, or
+ * from the time of the last request. Buffers need no alignment; the library fills those aligned to
+ * 64 bytes fastest. UNSUPPORTED. */
 OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
-/* Writes to *power the exponent p of OCEAN_COVER = OCEAN_FOAM^p on the map of `resolution` samples
- * (0 = ocean_map_resolution()) at `time` [s], for hosts that compute cover from foam themselves.
- * Takes some tenths of a second after a change of waves or wind. Code: CANCELLED. */
+/* ocean_cover_power stores in *power the exponent that turns foam into cover in a map of `time`
+ * [s]: OCEAN_COVER = OCEAN_FOAM ^ power, for hosts that derive one from the other. resolution: of
+ * the map, 0 = that of ocean_map_resolution. Takes some tenths of a second after a change of waves
+ * or wind. CANCELLED. */
 OCEAN_API ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution,
                                          double* power);
-/* Writes the displayed surface at n world points xy = x0, y0, x1, y1 ... [m], at any distance from
- * the origin. The displacement is inverted; where crests have folded over, the top sheet counts.
- * Point i receives ten floats from samples + i * stride on, the columns of `ocean query`:
- *
- *     x, y, height, normal x y z (unit, up), velocity x y z (of the displayed point [m/s]),
- *     foam (0 .. 1)
- *
- * stride counts floats: 10 or more, or 9 to leave out the foam, whose past takes far longer than
- * all the rest. n = 0 is allowed. A point that is not finite returns INVALID_ARGUMENT. Heights are
- * accurate to 2e-3 of the rms height or better. The bits are the same for any number of threads.
- * Queries of one time are cheapest one after the other: the sea keeps the maps of the last time. */
+/* ocean_query finds the shown surface at n world points, xy = x0, y0, x1, y1 ... [m], at any
+ * distance from the origin. It inverts the displacement; where crests have folded over it takes the
+ * top sheet. Point i receives ten floats from samples + i * stride on, those of `ocean query`:
+ *     x, y, height [m], normal x y z (unit, up), velocity x y z of the shown point [m/s], foam
+ *     (0 .. 1)
+ * stride counts floats, min 10; or 9 to leave out the foam, whose past takes far longer than all
+ * the rest. n = 0 is allowed. Points that are not finite are INVALID_ARGUMENT. Heights are good to
+ * 2e-3 of the rms height or better, with the same bits for any number of threads. Ask for the
+ * points of one time in successive calls: the library keeps what the first of them computes. */
 OCEAN_API ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n,
                                    float* samples, size_t stride);
-/* Flags of an ocean_sample. */
+/* Flags of a point of ocean_query_points. */
 enum {
-    OCEAN_FOLDED = 1,   /* the surface has several sheets here: this is the top one */
-    OCEAN_UNDECIDED = 2 /* the search may have missed a sheet: perhaps not the top one */
+    OCEAN_FOLDED = 1,   /* several sheets lie above the point: this is the top one */
+    OCEAN_UNDECIDED = 2 /* so folded that not all sheets were found: perhaps not the top one */
 };
 typedef struct {
     float height;      /* [m] */
     float normal[3];   /* unit, up */
-    float velocity[3]; /* of the displayed point [m/s] */
-    float foam;        /* 0 .. 1; 0 if not requested */
-    double label[2];   /* undisplaced point of the surface that is displayed here [m] */
+    float velocity[3]; /* of the shown point [m/s] */
+    float foam;        /* 0 .. 1, 0 if it was not requested */
+    double label[2];   /* undisplaced coordinate of the shown point [m] */
     int32_t flags;     /* OCEAN_FOLDED, OCEAN_UNDECIDED */
     int32_t reserved;
 } ocean_sample;
 
-/* A query of points. Pass struct_size = sizeof(ocean_query_request) and sample_size =
- * sizeof(ocean_sample); with a smaller sample_size only the members within it are written. */
+/* struct_size = sizeof(ocean_query_request), sample_size = sizeof(ocean_sample): a smaller one has
+ * fewer members filled. resolution: counts the waves that a map of that resolution holds and no
+ * others, for answers that cost a fraction; 0 = all waves of the sea's own map. refine: 0 or 1, or
+ * 2, 4 ... for smaller errors. exact: not 0 = the sum over all waves in double precision, a hundred
+ * times as slow. foam: not 0 = with foam, whose past takes far longer than all the rest.
+ * height_error: NULL, or receives the rms difference of the heights from the exact sum over all
+ * waves of the sea [m]. */
 typedef struct {
     size_t struct_size;
     double time;      /* [s] */
@@ -336,26 +363,27 @@ typedef struct {
                            * waves of the sea [m]; may be NULL */
 } ocean_query_request;
 
-/* Writes an ocean_sample for each point of the request. Accuracy and bits as ocean_query(). Code:
- * INVALID_VALUE for a `refine` or `resolution` that is not allowed. */
+/* ocean_query_points finds the shown surface at world points, as ocean_query does, and fills every
+ * member of ocean_sample. INVALID_VALUE for a refine or a resolution that is not allowed. */
 OCEAN_API ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* request);
-/* Writes the velocity of the water (x, y, z [m/s]) by linear theory at n fixed world points xy, all
- * at the height z [m] above still water: three floats from velocities + i * stride on, stride 3 or
- * more. Above z = 0 the velocity is that at z = 0; below the bottom it is 0. Points, bits and codes
- * as ocean_query(). */
+/* ocean_orbital_velocity computes the velocity of the water by linear theory at n fixed world
+ * points z metres above still water: three floats x, y, z [m/s] from velocities + i * stride on,
+ * stride min
+ * 3. Above z = 0 the velocity is that of z = 0, below the bottom it is 0. Points, errors and
+ * threads as in ocean_query. */
 OCEAN_API ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z,
                                               const double* xy, size_t n, float* velocities,
                                               size_t stride);
-/* The motion of the water at a fixed point: velocity [m/s] and pressure without the hydrostatic
- * part [Pa], for the sea's water_density. */
+/* The motion of the water at a point: velocity [m/s], and pressure without the hydrostatic part
+ * [Pa], by the sea's water_density. */
 typedef struct {
     float velocity[3];
     float pressure;
 } ocean_water_sample;
 
-/* A query of points in the water. Pass struct_size = sizeof(ocean_water_request) and sample_size =
- * sizeof(ocean_water_sample). Each point has its own z; each further value of z costs two
- * transforms. resolution, refine and exact mean the same as in ocean_query_request. */
+/* struct_size = sizeof(ocean_water_request), sample_size = sizeof(ocean_water_sample). Each point
+ * has its own z; each distinct z costs two transforms. resolution, refine, exact: as in
+ * ocean_query_request. */
 typedef struct {
     size_t struct_size;
     double time;       /* [s] */
@@ -369,26 +397,25 @@ typedef struct {
     int32_t reserved; /* 0 */
 } ocean_water_request;
 
-/* Writes velocity and pressure of the water, by linear theory, at points of any depths. Above z = 0
- * both are those at z = 0; below the bottom they are 0. Codes as ocean_query_points(). */
+/* ocean_water_points computes velocity and pressure of the water at points of any depths, by linear
+ * theory as ocean_orbital_velocity does. INVALID_VALUE for a refine or a resolution that is not
+ * allowed. */
 OCEAN_API ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* request);
-/* Writes the pose of n floating bodies: each lies on the plane that fits the surface below it best.
- * A pose follows the waves; it is not a computation of forces. bodies: five doubles each, x, y [m],
- * heading [degrees counter-clockwise from +x], length along the heading and width [m], 0 .. 100000.
- * Body i receives eleven floats from poses + i * stride on, stride 11 or more:
- *
- *     position x y z [m], up x y z, forward x y z (unit vectors),
- *     pitch (bow up), roll (port side up) [degrees]
- *
- * Bits and codes as ocean_query(). */
+/* ocean_float_pose lays n floating bodies on the sea: each on the plane that best fits the surface
+ * below it. bodies: five doubles each, x, y [m], heading [degrees counter-clockwise from +x],
+ * length along the heading and width [m], 0 .. 100000. Body i receives eleven floats from poses + i
+ * * stride on, stride min 11: position x y z [m], up x y z, forward x y z (units), pitch (bow up),
+ * roll (port side up) [degrees] Errors, threads and times as in ocean_query. */
 OCEAN_API ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                                         float* poses, size_t stride);
 
-/* One band of the waves too short for a map, as a slope map of its own that repeats after `tile`
- * metres. The first band begins at the edge of the square of wavenumbers that the map holds, each
- * other band where the one before it ends, so that no wave appears twice or is missing. The
- * variances are integrals of the spectrum: E[hx^2], E[hy^2], E[hx hy] of the slopes hx = dh/dx, hy
- * = dh/dy by label. */
+/* One band of the waves too short for a map: a slope map of its own over `tile` [m], which holds
+ * the waves of shortest_wave .. longest_wave [m]. The first band begins at the edge of the map's
+ * square of wavenumbers: no wave is in both, none in neither. variance_x, variance_y, covariance:
+ * E[hx^2], E[hy^2], E[hx hy] of its slopes hx = dh/dx, hy = dh/dy by label, the integral of the
+ * spectrum. mean_square: the mean of hx^2 + hy^2 over this frame's map as a bilinear reader finds
+ * it, within some percent of variance_x + variance_y; 0 without an output that holds both slopes.
+ */
 typedef struct {
     double shortest_wave; /* [m] */
     double longest_wave;  /* [m] */
@@ -396,12 +423,14 @@ typedef struct {
     double variance_x;
     double variance_y;
     double covariance;
+    double mean_square;
 } ocean_detail_band;
 
-/* A request for slope maps of short waves. Pass struct_size = sizeof(ocean_detail_request),
- * band_size = sizeof(ocean_detail_band) and output_size = sizeof(ocean_output); with a smaller
- * band_size only the members within it are written. outputs[i] receives OCEAN_SLOPE_X and
- * OCEAN_SLOPE_Y of band i, samples x samples; an output without a channel skips its band. */
+/* struct_size = sizeof(ocean_detail_request), band_size = sizeof(ocean_detail_band): a smaller one
+ * has fewer members filled; output_size = sizeof(ocean_output). resolution: of the map that the
+ * host shows, as in ocean_request. samples: per side of each tile, 0 = 512, else 256, 512 or 1024.
+ * outputs[i]: the map of band i, samples x samples, of OCEAN_SLOPE_X and OCEAN_SLOPE_Y; an output
+ * without a channel leaves its band out. */
 typedef struct {
     size_t struct_size;
     double time;              /* [s] */
@@ -411,37 +440,70 @@ typedef struct {
     size_t band_count;        /* capacity of bands */
     size_t band_size;
     const ocean_output* outputs; /* may be NULL */
-    size_t output_count;         /* at most the number of bands */
+    size_t output_count;         /* max: the number of bands */
     size_t output_size;
 } ocean_detail_request;
 
-/* Computes the waves too short for a map, which carry about half of the sea's slopes, as small
- * periodic slope maps of the same sea at the same time, for materials.
+/* ocean_detail computes the waves too short for a map, about half of the sea's slopes, as small
+ * periodic slope maps of the same sea at the same time, for materials;
  * shaders/wave/slope_tiles.glsl reads them without visible repetition. *count receives the number
- * of bands, 0 to 3, which depends only on the grid and the wavelength limits. If that exceeds
- * band_count, the function writes nothing else and returns OCEAN_BUFFER_TOO_SMALL; with bands =
- * NULL it only writes *count. *residual, if not NULL, receives the mean square slope of the waves
- * shorter than all bands, which are roughness at any distance: map, bands and residual add up to
- * the sea's mean square slope. Like maps, a pure function of sea and time; the bits are the same
- * for any number of threads. Code: INVALID_VALUE for settings out of range. */
+ * of bands, 0 to 3, which follows from the grid and the limits of wavelengths alone. If it exceeds
+ * the room in bands, the function writes nothing else and returns OCEAN_BUFFER_TOO_SMALL; bands =
+ * NULL requests the count alone. *residual, if not NULL, receives the mean square slope of the
+ * waves shorter than all bands, which are roughness at any distance: map, bands and residual
+ * together have the sea's. The maps are a pure function of sea and time, with the same bits for any
+ * number of threads. INVALID_VALUE for settings out of range. */
 OCEAN_API ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request,
                                     size_t* count, double* residual);
 
-/* A particle of spray: a parcel of drops of one size that the wind has torn off a whitecap. It is
- * born within one period of the sea and may then leave it; copies shifted by whole periods are
- * equally valid. */
+/* struct_size = sizeof(ocean_provenance_request), band_size = sizeof(ocean_detail_band). frame: the
+ * number in the file's name. time: of the frame [s], that of ocean_time_of_frame or the host's own.
+ * field: the product in the file, "displacement", "cover", "detail1" ...; NULL = leave out the
+ * strings about a product. axes: OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB, the order of the file's
+ * vectors. The other members describe slope tiles ("detail1" ..): resolution: of the map beside
+ * them, 0 = that of ocean_map_resolution; band: NULL, or the tile's band of ocean_detail; residual:
+ * that of ocean_detail. */
 typedef struct {
-    uint64_t id;        /* the same in every frame of its life, in a loop at every repetition */
+    size_t struct_size;
+    double time;
+    int32_t frame;
+    int32_t axes;
+    const char* field;
+    const ocean_detail_band* band;
+    size_t band_size;
+    double residual;
+    int32_t resolution;
+    int32_t reserved; /* 0 */
+} ocean_provenance_request;
+
+/* ocean_provenance_json writes the strings by which `ocean bake` labels a file of one frame, a JSON
+ * object of texts: ocean:sea (the resolved sea file), frame, time [s], period [m], backend,
+ * version; of a product ocean:axes, field, unit; of a slope tile ocean:map_resolution, and with its
+ * band tile, longest_wave, shortest_wave [m], slope_variance, slope_residual. A host that puts them
+ * into the headers of its own files makes files that all libocean tools read back.
+ * BUFFER_TOO_SMALL; INVALID_VALUE as ocean_text. */
+OCEAN_API ocean_result ocean_provenance_json(const ocean_sea* sea,
+                                             const ocean_provenance_request* request, char* out,
+                                             size_t* size);
+
+/* A particle of spray: a parcel of drops of one size that the wind has torn off where the sea
+ * turned white. It is born within one period of the sea and may leave that period; copies of it a
+ * period away are equally valid. */
+typedef struct {
+    uint64_t id;        /* constant from birth to end, and in every turn of a loop */
     double position[3]; /* [m] */
-    float velocity[3];  /* d/dt of the position [m/s] */
+    float velocity[3];  /* d/dt of position [m/s] */
     float age;          /* since its birth [s] */
-    float life;         /* age at which it ends, fixed at its birth [s] */
+    float life;         /* the age at which it ends [s], known from its birth */
     float radius;       /* of each of its drops [m] */
 } ocean_spray_particle;
 
-/* A request for spray. Pass struct_size = sizeof(ocean_spray_request) and particle_size =
- * sizeof(ocean_spray_particle); with a smaller particle_size only the members within it are
- * written. */
+/* struct_size = sizeof(ocean_spray_request), particle_size = sizeof(ocean_spray_particle): a
+ * smaller one has fewer members filled. lifetime: the max age [s], 0.05 .. 10, in a loop max half
+ * of the loop; 2 is a good default. density: particles per m^2 that turns white, 0 .. 1000; 0.25 is
+ * a good default. Winds below 11 m/s tear off fewer, below 7 m/s none. most: about the max number
+ * alive at once, 1 .. 100 million; a larger number is thinned evenly all over the sea. 1 million is
+ * a good default. */
 typedef struct {
     size_t struct_size;
     double time;      /* [s] */
@@ -457,19 +519,20 @@ typedef struct {
     size_t particle_size;
 } ocean_spray_request;
 
-/* Writes all particles of spray alive at a time, in an unspecified but reproducible order. *count
- * receives their number; if that exceeds particle_count, the function writes nothing else and
- * returns OCEAN_BUFFER_TOO_SMALL. With particles = NULL it only writes *count. The sea keeps the
- * particles for the next call of the same time, which then only copies them. The first call
+/* ocean_spray writes all particles alive at `time`, in an unspecified but reproducible order.
+ * *count receives their number. If it exceeds the room in particles, the function writes nothing
+ * else and returns OCEAN_BUFFER_TOO_SMALL; particles = NULL requests the count alone. The sea keeps
+ * the particles it has counted: the next call, with room for them, copies them. The first call
  * computes a small map for every tick of the foam's clock within the lifetime; a later time
- * computes only the new ticks and returns the same bits. Code: INVALID_VALUE for settings out of
- * range. */
+ * computes the new ticks only, and has the same bits. INVALID_VALUE for settings out of range. */
 OCEAN_API ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request,
                                    size_t* count);
 
-/* A request for a foam texture. Pass struct_size = sizeof(ocean_foam_texture_request). data
- * receives size * size values: texel (i, j), whose centre is ((i + 1/2), (j + 1/2)) / size of the
- * tile, goes to data[j * size + i], j up. */
+/* struct_size = sizeof(ocean_foam_texture_request). kind: "lace" (nets, made for a tile of 12 m),
+ * "bubbles" (1.3 m) or "streaks" (97 m, along x; turn x into the wind). size: texels per side, a
+ * power of two, 64 .. 4096. seed: kinds of one seed are independent of each other. data receives
+ * size * size values: texel (i, j), whose middle is (i + 1/2, j + 1/2) / size of the tile, goes to
+ * data[j * size + i], j up. count: floats in data. */
 typedef struct {
     size_t struct_size;
     const char* kind; /* "lace" (nets, for a tile of 12 m), "bubbles" (1.3 m), "streaks" (97 m,
@@ -480,27 +543,27 @@ typedef struct {
     size_t count; /* floats in data */
 } ocean_foam_texture_request;
 
-/* Computes a texture of foam that tiles, values 0 .. 1: a point is white where the texture is below
- * the cover there. Its bilinear reads are uniformly distributed, so the share c of the area is
- * below c, to 5e-4 (bubbles: 1e-3 with 128 texels along a side, 6e-3 with 64); low values vanish
- * last. *period receives the side of the tile that the texture is made for [m]; it may be NULL.
- * With data = NULL the function only writes *period. options may be NULL; only threads, progress
- * and run_jobs are used. Codes: INVALID_VALUE for a kind or size that is not allowed,
+/* ocean_foam_texture writes a texture of foam that tiles, values 0 .. 1: a place is white where its
+ * value is below the cover at that place. Bilinear reads of it are uniform, so that a share c of
+ * the area is below c, to 5e-4 (bubbles: to 1e-3 with 128 texels per side, to 6e-3 with 64); low
+ * values are the last to vanish. *period receives the side of the tile that the texture is made for
+ * [m]. period may be NULL, and so may data, which requests the period alone. options may be NULL;
+ * its threads, progress and run_jobs count. INVALID_VALUE for a kind or size that is not allowed,
  * BUFFER_TOO_SMALL, CANCELLED. */
 OCEAN_API ocean_result ocean_foam_texture(const ocean_foam_texture_request* request,
                                           const ocean_options* options, double* period);
 
-/* A wave gauge. fixes: four doubles each, time [s], x, y, z [m, z up from still water], ordered by
- * time. The gauge moves straight from one fix to the next; with a single fix it leaves that point
- * at `velocity` [m/s]. */
+/* A wave gauge and its track. fixes: four doubles each, time [s], x, y, z [m, up from still water],
+ * in order of time; the gauge goes straight from one fix to the next. With a single fix it leaves
+ * that place at `velocity` [m/s]. */
 typedef struct {
     const double* fixes;
     size_t fix_count;
     double velocity[2];
 } ocean_gauge;
 
-/* A request for gauge readings at the times start + i / rate up to `end`. Pass struct_size =
- * sizeof(ocean_gauge_request) and gauge_size = sizeof(ocean_gauge). */
+/* struct_size = sizeof(ocean_gauge_request), gauge_size = sizeof(ocean_gauge). Gauges are read at
+ * the times start + i / rate [s, Hz], up to `end`. */
 typedef struct {
     size_t struct_size;
     double start; /* [s] */
@@ -513,15 +576,13 @@ typedef struct {
     size_t value_count; /* doubles in values */
 } ocean_gauge_request;
 
-/* Writes the readings of gauges, summed over all waves in double precision; where crests fold,
- * those of the top sheet. Gauge g at time i receives ten doubles from values + (i * gauge_count +
- * g) * 10 on:
- *
- *     time, x, y, elevation [m], slope x y of the displayed surface, velocity x y z of the water at
- *     the gauge's depth [m/s], pressure there without the hydrostatic part [Pa]
- *
- * *times receives the number of times; with values = NULL the function only writes *times. Codes:
- * BUFFER_TOO_SMALL, INVALID_VALUE. */
+/* ocean_gauges computes the readings of gauges by sums over all waves in double precision; where
+ * crests fold it reads the top sheet. Gauge g at time i receives ten doubles from values + (i *
+ * gauge_count + g) * 10 on:
+ *     time [s], x, y [m], elevation [m], slope x y of the shown surface, velocity of the water at
+ * the gauge's depth x y z [m/s], pressure there without the hydrostatic part [Pa] *times receives
+ * the number of times; values = NULL requests that number alone. BUFFER_TOO_SMALL, INVALID_VALUE.
+ */
 OCEAN_API ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request,
                                     size_t* times);
 

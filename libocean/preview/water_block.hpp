@@ -14,7 +14,7 @@
 namespace ocean::preview {
 
 /// Slope tiles of two seas.
-inline constexpr std::size_t kMaxTiles = 2 * kMostDetailBands;
+inline constexpr std::size_t kMaxTiles = 2 * kMaxDetailBands;
 
 struct WaterBlock {
     glm::vec4 waves{};

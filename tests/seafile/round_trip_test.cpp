@@ -259,5 +259,35 @@ TEST(MeasuredRecord, WithAFaultIsRefusedWithItsLine) {
     }
 }
 
+/// A host keeps the values alone: records of several systems, with a take behind them.
+TEST(SeaFileRoundTrip, ValuesMakeTheSameSea) {
+    Sea sea = buoy_sea();
+    add_wave_system(sea, "waves.0");
+    sea.parameters.waves.push_back(sea.parameters.waves[1]);
+    sea.parameters.time.take = "storm.take";
+    sea.take =
+        parse_take("1 wind_speed 12.5\n2.5 waves.0.fetch 50000\n", "storm.take", sea.parameters);
+    std::vector<NamedValue> values;
+    const std::vector<NamedText> kept = sea_values(sea);
+    for (const NamedText& text : kept) values.push_back({text.name, text.value});
+    const Sea again = parse_sea(text_of_values(values), "values", "/nowhere");
+    EXPECT_EQ(difference(again, sea), "");
+    EXPECT_EQ(write_sea(again), write_sea(sea));
+}
+
+TEST(SeaFileRoundTrip, ValuesKeepTheirSpellingAndLeaveOutTheEmpty) {
+    const std::vector<NamedValue> values = {
+        {"fps", "2.50e1"}, {"depth", ""}, {"waves.0.fetch", "1e5"}, {"resolution", "64"}};
+    EXPECT_EQ(text_of_values(values),
+              "libocean = 1\n\n[grid]\nresolution = 64\n\n[time]\nfps = 2.50e1\n\n[[waves]]\n"
+              "fetch = 1e5\n");
+    for (const ParameterInfo& info : parameter_table()) {
+        if (!info.neutral) continue;
+        const std::string name = info.path();
+        const std::vector<NamedValue> neutral = {{name, *info.neutral}};
+        EXPECT_EQ(text_of_values(neutral).find(info.key), std::string::npos) << name;
+    }
+}
+
 }  // namespace
 }  // namespace ocean::test

@@ -3,7 +3,6 @@
 //
 // Slope tiles as products of image files: a file for each band of the waves that the frame's map is
 // too coarse for.
-#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +13,7 @@
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/provenance.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
@@ -122,23 +122,11 @@ int tile_samples(const TileSettings& settings) {
     return settings.detail.samples;
 }
 
-/// Returns a variance with eight decimals, on which all machines agree.
-std::string variance_text(double variance) {
-    return shortest_text(std::round(variance * 1e8) / 1e8);
-}
-
 std::vector<io::HeaderString> strings(const BakePlan& plan, const TileSettings& settings, int frame,
                                       const Product& product) {
     const DetailBudget budget = settings.budgets->of(plan, frame, settings.detail);
     const DetailBand& band = budget.bands[band_of(product).value()];
-    return {{"ocean:map_resolution", std::to_string(plan.resolution)},
-            {"ocean:tile", shortest_text(band.tile)},
-            {"ocean:longest_wave", shortest_text(band.longest_wave)},
-            {"ocean:shortest_wave", shortest_text(band.shortest_wave)},
-            {"ocean:slope_variance", variance_text(band.variance.x) + "," +
-                                         variance_text(band.variance.y) + "," +
-                                         variance_text(band.variance.xy)},
-            {"ocean:slope_residual", variance_text(budget.residual)}};
+    return slope_tile_strings(band, budget.residual, plan.resolution);
 }
 
 /// Counts two slopes for each band, and those of one band again for its file.

@@ -48,6 +48,24 @@ std::vector<std::string> named_files(const Sea& sea);
 /// breaks a rule between parameters, which parse_sea would refuse.
 std::string write_sea(const Sea& sea);
 
+/// A parameter's name and value, as set_parameter takes them, or a table that a resolved file
+/// carries beside its parameters: "[take]" or "[waves.0.measured_record]" with its lines.
+struct NamedText {
+    std::string name;
+    std::string value;
+};
+struct NamedValue {
+    std::string_view name;
+    std::string_view value;
+};
+/// Returns every parameter of a sea in the order of the table, "" for one that is not set, then the
+/// tables that its file carries. Throws as write_sea.
+std::vector<NamedText> sea_values(const Sea& sea);
+/// Returns the sea file that says these values, each spelled as it is given: a host keeps the text
+/// as long as its values stay. Leaves out empty and neutral ones. Checks no value; throws Error
+/// invalid_value for an unknown name, a text that is not UTF-8 and a number of several lines.
+std::string text_of_values(std::span<const NamedValue> values);
+
 /// Parses a take: lines "SECONDS NAME VALUE" ordered by time, names as in the parameter table; '#'
 /// begins a comment. Throws Error "NAME:LINE: name = value: FAULT; allowed: RANGE".
 Take parse_take(std::string_view text, const std::string& name, const Parameters& parameters);

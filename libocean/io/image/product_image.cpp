@@ -12,8 +12,6 @@
 #include <utility>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
-#include "ocean/version.hpp"
 
 namespace ocean::io {
 namespace {
@@ -121,21 +119,6 @@ class ProductPlanes {
     std::span<const MadeMap> made_;
 };
 
-std::vector<HeaderString> product_strings(std::span<const Product* const> products, Axes axes) {
-    std::string names, units;
-    bool vectors = false;
-    for (const Product* product : products) {
-        const char* separator = names.empty() ? "" : ",";
-        names += separator + std::string(product->name);
-        units += separator + (product->unit.empty() ? "1" : std::string(product->unit));
-        vectors = vectors || product->vector;
-    }
-    // Products that are not vectors are the same in all axes: x east and y north, as in zup.
-    return {{"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))},
-            {"ocean:field", names},
-            {"ocean:unit", units}};
-}
-
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
                  const Provenance& provenance, const Domain& domain, const Surface* surface,
                  std::span<const MadeMap> made = {}) {
@@ -147,7 +130,7 @@ Image make_image(std::span<const Product* const> products, const ProductLayout& 
             .domain = domain,
             .planes = ProductPlanes(layout, surface, made).of(products),
             .provenance = provenance,
-            .strings = product_strings(products, layout.axes)};
+            .strings = product_strings(products, axes_name(layout.axes))};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The provenance of a file, which headers of all formats hold: its subject, frame, time and domain.
+// Reads the provenance of a file back from its header, and writes headers that are made of comments.
 #pragma once
 
 #include <optional>
@@ -10,33 +10,14 @@
 #include <string_view>
 #include <vector>
 
-#include "ocean/domain.hpp"
-#include "ocean/subject_kind.hpp"
+#include "ocean/provenance.hpp"
 
 namespace ocean::io {
 
-/// A named text in a file's header.
-struct HeaderString {
-    std::string name;
-    std::string text;
-};
+using ocean::HeaderString;
+using ocean::Provenance;
+using ocean::provenance_strings;
 
-/// The data from which a file can be made again. Headers hold it as strings (provenance_strings);
-/// members that are not set are left out.
-struct Provenance {
-    std::string kind = {};  // of the subject, "sea"; ocean:sea is then the name of `text`
-    std::string text = {};  // the subject's own file, resolved: it needs no other file
-    std::string id = {};    // a short hash of the subject and its map, for hosts; not in headers
-    std::optional<int> frame = {};
-    std::optional<double> time = {};  // [s]
-    std::optional<Domain> domain = {};
-    std::string backend = {};  // backends differ in the last bits
-};
-
-/// Returns ocean:KIND, frame, time, period (or origin, size, samples and wraps for a domain that
-/// does not wrap), backend and version. Kinds that are not in the list of provenance.cpp
-/// also have ocean:subject = KIND.
-std::vector<HeaderString> provenance_strings(const Provenance& provenance);
 /// Returns the kind of the subject that a header names, "" if it names none.
 std::string subject_kind(std::span<const HeaderString> strings);
 /// Returns the provenance in a header; nothing if the header names no subject. Throws Error
