@@ -219,8 +219,8 @@ std::span<const CascadeTextures> SeaTextures::cascades() const {
 }
 
 CascadeArrays SeaTextures::arrays() const {
-    if (!parts_->arrays) return {};
-    const Arrays& arrays = *parts_->arrays;
+    if (!impl_->arrays) return {};
+    const Arrays& arrays = *impl_->arrays;
     return {arrays.resolution, arrays.displacement.name(), arrays.gradients.name(),
             arrays.moments.name()};
 }
