@@ -234,8 +234,7 @@ class UnitParser {
         double value = 0.0;
         const auto [end, error] = std::from_chars(left_.data(), left_.data() + left_.size(), value);
         if (error != std::errc() || !(value > 1e-12 && value < 1e12)) {
-            throw UnitFault("'" + std::string(left_) +
-                            "' must begin with a number, 1e-12 .. 1e12");
+            throw UnitFault("'" + std::string(left_) + "' must begin with a number, 1e-12 .. 1e12");
         }
         left_.remove_prefix(static_cast<std::size_t>(end - left_.data()));
         return value;
@@ -266,8 +265,7 @@ class UnitParser {
         int value = 0;
         const auto [end, error] = std::from_chars(left_.data(), left_.data() + left_.size(), value);
         if (error != std::errc() || value < 0 || value > kMaxPower) {
-            throw UnitFault("'" + std::string(left_) +
-                            "' must begin with a power of at most 9");
+            throw UnitFault("'" + std::string(left_) + "' must begin with a power of at most 9");
         }
         left_.remove_prefix(static_cast<std::size_t>(end - left_.data()));
         return negative ? -value : value;

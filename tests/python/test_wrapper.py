@@ -33,6 +33,7 @@ def test_struct_fields_and_channels_are_those_of_the_header():
     from libocean import _answers, _library, _surface
 
     header = (ROOT / "libocean/include/libocean.h").read_text()
+    header = re.sub(r"/\*.*?\*/", "", header, flags=re.S)  # comments have semicolons too
     assert int(re.search(r"OCEAN_ABI_VERSION (\d+)", header)[1]) == _library.ABI_VERSION
     channels = re.search(r"enum \{\s*(OCEAN_DX,.*?)\}", header, re.S)[1]
     assert [name.lower() for name in re.findall(r"OCEAN_(\w+)", channels)] == list(

@@ -270,7 +270,8 @@ TEST(Csv, AGridWithAHoleADoubleOrTooFewDirectionsIsRefused) {
     EXPECT_TRUE(hole.says("s.csv:8: ") && hole.says("no row for 0.1 Hz and 90 degrees"))
         << hole.message;
     const Refusal twice = refusal_of([&] { read(text + "0.1,90,1\n"); });
-    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("appear twice in one record")) << twice.message;
+    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("appear twice in one record"))
+        << twice.message;
     const Refusal last = refusal_of([&] { read(text + "0.2,270,1\n"); });
     EXPECT_TRUE(last.says("s.csv:10: ") && last.says("appear twice in one record")) << last.message;
     const Refusal few =

@@ -180,7 +180,8 @@ TEST(Obscape, ReadsWhatTheFileSays) {
 
 TEST(Obscape, BrokenFilesAreRefusedWithTheirLine) {
     const std::tuple<std::string, std::string, std::string> broken[] = {
-        {"0,90,... 270", "0,90,... 271", "o.csv:5: the meaning of '...' in the directions is unclear"},
+        {"0,90,... 270", "0,90,... 271",
+         "o.csv:5: the meaning of '...' in the directions is unclear"},
         {"0,90,... 270", "0,90", "o.csv:5: a directional spectrum needs at least 3"},
         {"0.1,0.2", "0.2,0.1", "o.csv:6: the frequencies do not ascend at bin 2"},
         {"m2/Hz/rad", "m2/Hz", "o.csv:7: units 'm2/Hz'"},

@@ -362,7 +362,7 @@ TEST(Cascades, DivisorsThatMakeNoSenseAreRefused) {
         return std::string();
     };
     EXPECT_EQ(message({1, 5}, 2), "");
-    EXPECT_NE(message({1, 5}, 3).find("must be 3 numbers"), std::string::npos);
+    EXPECT_NE(message({1, 5}, 3).find("must have 3 numbers"), std::string::npos);
     EXPECT_NE(message({2, 5}, 2).find("must begin with 1"), std::string::npos);
     EXPECT_NE(message({1, 1}, 2).find("must ascend"), std::string::npos);
     EXPECT_NE(message({1, 9}, 2).find("too far above"), std::string::npos);

@@ -143,7 +143,7 @@ TEST(Perform, ThinsAKnobThatNeverRestsAndKeepsItsLastValue) {
     EXPECT_EQ(live.sea().at(100.0).waves.front().wind_speed, 15.0);
     EXPECT_EQ(live.sea().at(100.0).surface.choppiness, 0.5 + 0.0005 * (1000 % 7));
     validate(live.sea());
-    // A value that it has already is no event.
+    // A value that the parameter already has adds no event.
     live.perform(10.0, "wind_speed", "15");
     EXPECT_EQ(live.sea().take.events.size(), events.size());
     EXPECT_LE(live.sea().take.events.back().seconds, 6.1);
@@ -153,7 +153,8 @@ TEST(Perform, RefusesWhatATakeCannotHoldAndChangesNothing) {
     Ocean live(played_sea());
     live.perform(5.0, "wind_speed", "12");
     EXPECT_NE(refusal(live, 6.0, "grid.resolution", "128").find("is not live"), std::string::npos);
-    EXPECT_NE(refusal(live, 4.9, "wind_speed", "13").find("is before 5 s"), std::string::npos);
+    EXPECT_NE(refusal(live, 4.9, "wind_speed", "13").find("last performed event, at 5 s"),
+              std::string::npos);
     EXPECT_NE(refusal(live, 6.0, "wind_speed", "76").find("0 .. 75"), std::string::npos);
     EXPECT_NE(refusal(live, 6.0, "wind_speed", ""), "");
     EXPECT_NE(refusal(live, 6.0, "peak_period", "").find("has no value"), std::string::npos);

@@ -105,7 +105,7 @@ BROKEN = [
     ("sections_shuffled", changed(b"AFREQ", b"QUANT"), 9, "'QUANT' where AFREQ or RFREQ"),
     ("quantities_keyword_garbled", changed(b"QUANT", b"QU\xc4NT"), 20, "where QUANT should be"),
     ("time_coding_unknown", changed(b"     1    ", b"     9    "), 4, "9 as time coding option"),
-    ("time_coding_without_date", changed(b"     1    ", b"     4    "), 4, "tells no dates"),
+    ("time_coding_without_date", changed(b"     1    ", b"     4    "), 4, "has no dates"),
     # Locations.
     ("locations_1e9", changed(b"     2    ", b"1000000000"), 6, "1000000000 locations; allowed"),
     ("locations_none", changed(b"     2    ", b"     0    "), 6, "0 locations; allowed: 1"),
