@@ -107,7 +107,7 @@ def test_refusals(ocean, arguments, said):
 
 def test_a_folder_that_cannot_be_written(ocean):
     ocean.write("file", "")
-    assert "no folder" in ocean.bad("foam-texture", "lace", "-o", "file/a.png", code=1)
+    assert "is not a folder" in ocean.bad("foam-texture", "lace", "-o", "file/a.png", code=1)
     assert "/dev/full" in ocean.shell(
         "ln -s /dev/full full.png; $OCEAN foam-texture lace --size 64 -o full.png"
     ).stderr.replace("full.png", "/dev/full")

@@ -80,7 +80,8 @@ TEST(ExrPanorama, ErrorsHaveTheReason) {
     const std::string path = folder.file("a.exr");
     EXPECT_NE(refusal(folder.file("none.exr")).find("cannot open"), std::string::npos);
     write(path, 32, 32);
-    EXPECT_NE(refusal(path).find("32 x 32; one is twice as wide as high"), std::string::npos);
+    EXPECT_NE(refusal(path).find("32 x 32; a panorama is twice as wide as high"),
+              std::string::npos);
     write(path, 6, 3);
     EXPECT_NE(refusal(path).find("6 x 3"), std::string::npos);
     write(path, 64, 32, "RGZ");

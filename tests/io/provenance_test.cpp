@@ -110,7 +110,7 @@ TEST(Provenance, IsAbsentWithoutASubjectAndRefusesBadNumbers) {
         const std::vector<HeaderString> strings = {{"ocean:sea", "x"}, {"ocean:" + name, text}};
         const Refusal refusal = refusal_of([&] { io::find_provenance(strings, "f.exr"); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
-        EXPECT_EQ(refusal.message, "f.exr: its ocean:" + name + " is no number");
+        EXPECT_EQ(refusal.message, "f.exr: its ocean:" + name + " is not a number");
     }
 }
 

@@ -16,13 +16,13 @@ namespace {
 constexpr std::string_view kProducts = "normal,foam,velocity";
 constexpr bool kAll = true;  // unless --products is given
 
-using Settings = std::variant<PlainMesh, SprayPoints>;
+using MeshOrSpray = std::variant<PlainMesh, SprayPoints>;
 
-const SprayPoints* spray_of(const Settings& settings) {
+const SprayPoints* spray_of(const MeshOrSpray& settings) {
     return std::get_if<SprayPoints>(&settings);
 }
 
-const PlainMesh& mesh_of(const Settings& settings) {
+const PlainMesh& mesh_of(const MeshOrSpray& settings) {
     return std::get<PlainMesh>(settings);
 }
 
@@ -33,7 +33,7 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return options;
 }
 
-Settings read_options(const BakeOptions& options, const Catalogue& catalogue) {
+MeshOrSpray read_options(const BakeOptions& options, const Catalogue& catalogue) {
     ProductChoice choice = plain_mesh_products(catalogue, kProducts, kAll);
     choice.alone = &kSprayProduct;
     const ChosenProducts chosen = choose_products(options, choice);
@@ -42,33 +42,33 @@ Settings read_options(const BakeOptions& options, const Catalogue& catalogue) {
     return read_plain_mesh(options, chosen);
 }
 
-std::vector<const Product*> list_products(const BakePlan&, const Settings& settings) {
+std::vector<const Product*> list_products(const BakePlan&, const MeshOrSpray& settings) {
     if (spray_of(settings)) return {&kSprayProduct};
     return mesh_of(settings).products;
 }
 
-FormatPlan<Settings> resolve(const BakePlan& draft, const Settings& requested) {
+FormatPlan<MeshOrSpray> resolve(const BakePlan& draft, const MeshOrSpray& requested) {
     if (spray_of(requested)) return {spray_maps(draft), requested};
     FormatPlan<PlainMesh> mesh = resolve_plain_mesh(draft, mesh_of(requested));
     return {std::move(mesh.maps), std::move(mesh.settings)};
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, const Settings& settings, int frame) {
+std::vector<BakeFile> list_files(const BakePlan& plan, const MeshOrSpray& settings, int frame) {
     if (spray_of(settings)) return list_spray(plan, frame);
     return list_plain_mesh(plan, mesh_of(settings), frame);
 }
 
-std::string recipe(const BakePlan& plan, const Settings& settings, const BakeFile& file) {
+std::string recipe(const BakePlan& plan, const MeshOrSpray& settings, const BakeFile& file) {
     if (const auto* spray = spray_of(settings)) return spray_recipe(plan, *spray, file);
     return plain_mesh_recipe(plan, mesh_of(settings), file);
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan, const Settings& settings) {
+std::uint64_t frame_bytes(const BakePlan& plan, const MeshOrSpray& settings) {
     if (const auto* spray = spray_of(settings)) return spray_frame_bytes(plan, *spray);
     return plain_mesh_bytes(plan, mesh_of(settings));
 }
 
-std::uint64_t max_bytes(const BakePlan& plan, const Settings& settings, const BakeFile&) {
+std::uint64_t max_bytes(const BakePlan& plan, const MeshOrSpray& settings, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
     if (const auto* spray = spray_of(settings)) {
         return comments + io::points_ply_bytes(max_spray_points(plan, *spray));
@@ -77,7 +77,7 @@ std::uint64_t max_bytes(const BakePlan& plan, const Settings& settings, const Ba
                                     plain_mesh_triangles(plan));
 }
 
-void write(const FrameWork& work, const Settings& settings, std::span<const BakeFile> files) {
+void write(const FrameWork& work, const MeshOrSpray& settings, std::span<const BakeFile> files) {
     const std::string& path = files.front().path;
     if (const auto* spray = spray_of(settings)) {
         const io::Points points = make_spray_points(work, *spray);
@@ -95,7 +95,7 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
     adopt_spray(header, options);
 }
 
-constexpr BakeFormatOf<Settings> kOf = {
+constexpr BakeFormatOf<MeshOrSpray> kOf = {
     .name = "ply",
     .extension = ".ply",
     .family = "Mesh files PLY",

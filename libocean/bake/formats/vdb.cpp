@@ -17,13 +17,13 @@
 namespace ocean {
 namespace {
 
-using Settings = std::variant<VolumeSettings, SprayPoints>;
+using VolumesOrSpray = std::variant<VolumeSettings, SprayPoints>;
 
-const SprayPoints* spray_of(const Settings& settings) {
+const SprayPoints* spray_of(const VolumesOrSpray& settings) {
     return std::get_if<SprayPoints>(&settings);
 }
 
-const VolumeSettings& volumes_of(const Settings& settings) {
+const VolumeSettings& volumes_of(const VolumesOrSpray& settings) {
     return std::get<VolumeSettings>(settings);
 }
 
@@ -33,7 +33,7 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return options;
 }
 
-Settings read_options(const BakeOptions& options, const Catalogue&) {
+VolumesOrSpray read_options(const BakeOptions& options, const Catalogue&) {
     ProductChoice choice = volume_choice();
     choice.alone = &kSprayProduct;
     const ChosenProducts chosen = choose_products(options, choice);
@@ -47,23 +47,23 @@ Settings read_options(const BakeOptions& options, const Catalogue&) {
     return read_spray(options);
 }
 
-std::vector<const Product*> list_products(const BakePlan&, const Settings& settings) {
+std::vector<const Product*> list_products(const BakePlan&, const VolumesOrSpray& settings) {
     if (spray_of(settings)) return {&kSprayProduct};
     return volume_products(volumes_of(settings));
 }
 
-FormatPlan<Settings> resolve(const BakePlan& draft, const Settings& requested) {
+FormatPlan<VolumesOrSpray> resolve(const BakePlan& draft, const VolumesOrSpray& requested) {
     if (spray_of(requested)) return {spray_maps(draft), requested};
     const VolumeSettings& volumes = volumes_of(requested);
     return {volume_maps(draft, volumes), resolve_volumes(draft, volumes)};
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, const Settings& settings, int frame) {
+std::vector<BakeFile> list_files(const BakePlan& plan, const VolumesOrSpray& settings, int frame) {
     if (spray_of(settings)) return list_spray(plan, frame);
     return list_volumes(plan, volumes_of(settings), frame);
 }
 
-std::string recipe(const BakePlan& plan, const Settings& settings, const BakeFile& file) {
+std::string recipe(const BakePlan& plan, const VolumesOrSpray& settings, const BakeFile& file) {
     if (const auto* spray = spray_of(settings)) return spray_recipe(plan, *spray, file);
     return volume_recipe(plan, volumes_of(settings), file);
 }
@@ -76,7 +76,7 @@ bool is_baked(const BakeFile& file) {
     }
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan, const Settings& settings) {
+std::uint64_t frame_bytes(const BakePlan& plan, const VolumesOrSpray& settings) {
     const SprayPoints* const spray = spray_of(settings);
     if (spray == nullptr) return volume_frame_bytes(plan, volumes_of(settings));
     return spray_frame_bytes(plan, *spray) + 2 * io::points_bytes(max_spray_points(plan, *spray));
@@ -89,7 +89,7 @@ double cell_of(const BakePlan& plan) {
     return lattice.period / lattice.resolution;
 }
 
-std::uint64_t max_bytes(const BakePlan& plan, const Settings& settings, const BakeFile&) {
+std::uint64_t max_bytes(const BakePlan& plan, const VolumesOrSpray& settings, const BakeFile&) {
     const SprayPoints* const spray = spray_of(settings);
     if (spray == nullptr) return max_volume_bytes(plan, volumes_of(settings));
     // Leaves of the period, and of the margin that the wind carries points into, in four layers.
@@ -102,7 +102,7 @@ std::uint64_t max_bytes(const BakePlan& plan, const Settings& settings, const Ba
                                 static_cast<std::uint64_t>(4.0 * side * side));
 }
 
-void write(const FrameWork& work, const Settings& settings, std::span<const BakeFile> files) {
+void write(const FrameWork& work, const VolumesOrSpray& settings, std::span<const BakeFile> files) {
     const SprayPoints* const spray = spray_of(settings);
     if (spray == nullptr) return write_volumes(work, volumes_of(settings), files);
     const io::VdbGrid points = io::make_points(make_spray_points(work, *spray), cell_of(work.plan));
@@ -122,7 +122,7 @@ void adopt(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
     }
 }
 
-constexpr BakeFormatOf<Settings> kOf = {
+constexpr BakeFormatOf<VolumesOrSpray> kOf = {
     .name = "vdb",
     .extension = ".vdb",
     .family = "Volumes VDB",

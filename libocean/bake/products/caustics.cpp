@@ -23,7 +23,7 @@ namespace {
 constexpr double kDefaultDepth = 10.0;
 constexpr const char* kDefaultSun = "90,0";
 
-struct FamilySettings {
+struct CausticsRequest {
     std::optional<double> depth;  // [m], as given
     CausticsSettings resolved;    // with the depth of the sea
 };
@@ -38,8 +38,8 @@ std::vector<FormatOption> list_options() {
              std::string(kDefaultSun)}};
 }
 
-FamilySettings read(const BakeOptions& options) {
-    FamilySettings settings;
+CausticsRequest read(const BakeOptions& options) {
+    CausticsRequest settings;
     const std::string& depth = options.format_option("caustics-depth");
     const std::string& sun = options.format_option("sun");
     if (!depth.empty()) {
@@ -59,10 +59,10 @@ FamilySettings read(const BakeOptions& options) {
 }
 
 /// The plane lies no deeper than the water.
-MadePlan<FamilySettings> resolve(const BakePlan& draft, const FamilySettings& requested,
-                                 const std::vector<const Product*>& products) {
+MadePlan<CausticsRequest> resolve(const BakePlan& draft, const CausticsRequest& requested,
+                                  const std::vector<const Product*>& products) {
     const double water = sea_of(*draft.subject).parameters.water.depth;
-    FamilySettings settings = requested;
+    CausticsRequest settings = requested;
     settings.resolved.depth = requested.depth.value_or(std::min(water, kDefaultDepth));
     if (settings.resolved.depth > water) {
         throw Error(ErrorKind::invalid_value,
@@ -72,7 +72,7 @@ MadePlan<FamilySettings> resolve(const BakePlan& draft, const FamilySettings& re
     return {products, kCausticsChannels, settings};
 }
 
-std::vector<io::HeaderString> strings(const BakePlan&, const FamilySettings& settings, int,
+std::vector<io::HeaderString> strings(const BakePlan&, const CausticsRequest& settings, int,
                                       const Product&) {
     const CausticsSettings& caustics = settings.resolved;
     return {{"ocean:caustics_depth", shortest_text(caustics.depth)},
@@ -80,11 +80,11 @@ std::vector<io::HeaderString> strings(const BakePlan&, const FamilySettings& set
              shortest_text(caustics.sun_altitude) + "," + shortest_text(caustics.sun_bearing)}};
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan, const FamilySettings&) {
+std::uint64_t frame_bytes(const BakePlan& plan, const CausticsRequest&) {
     return caustics_bytes(plan.resolution);
 }
 
-MadeFrame make(const FrameWork& work, const FamilySettings& settings) {
+MadeFrame make(const FrameWork& work, const CausticsRequest& settings) {
     ThreadPool pool(work.threads);
     return [map = make_caustics(work.maps.front(), settings.resolved, pool)](
                const Product&) mutable { return MadeSamples{.map = std::move(map)}; };
@@ -95,7 +95,7 @@ void adopt(const BakedHeader& header, BakeOptions& options) {
     options.set_default("sun", header.text("sun"));
 }
 
-constexpr MadeProductOf<FamilySettings> kOf = {
+constexpr MadeProductOf<CausticsRequest> kOf = {
     .products = {&kCausticsProduct, 1},
     .options = list_options,
     .read = read,
