@@ -36,7 +36,7 @@ enum class FoamPattern { never, if_visible, always };
 
 class ViewRow {
   public:
-    /// All arguments are required. glsl: an expression of type vec4 in main() of
+    /// All arguments are required. glsl: an expression of type vec4 in shown_view() of
     /// shaders/preview/water.frag, where `state` is the Water of the fragment.
     constexpr ViewRow(View view, ViewUse use, ViewRange range, NearDetail detail,
                       FoamPattern pattern, std::string_view glsl)
