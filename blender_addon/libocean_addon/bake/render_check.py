@@ -242,7 +242,7 @@ def _print(kind: str, text: str) -> None:
 
 
 def _stop(scene) -> None:
-    _print("Error", tr("The render is stopped before this frame: its camera is taken away"))
+    _print("Error", tr("The render stops before this frame: its camera was removed"))
     owners = [scene, *(marker for marker in scene.timeline_markers if marker.camera is not None)]
     _taken.extend((owner, owner.camera) for owner in owners)
     for owner in owners:

@@ -5,7 +5,7 @@ sea when they rest.
 
 A draft has whitecaps in the place of foam, whose past takes longest, and fewer samples where these
 take long. Meanwhile a thread makes the whole sea ready in a handle of its own, which then takes the
-place of the one that drew the draft. Without a window there is nobody who waits: all is whole.
+place of the one that drew the draft. Without a window no user waits: every map is whole.
 
     value set -> draft ... rest -> thread: foam's past -> whole
 """

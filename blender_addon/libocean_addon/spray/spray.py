@@ -258,5 +258,5 @@ def state_of(ob) -> tuple[str, str]:
     if count > 0:
         return tr_label("{:,} points", count), "NONE"
     if _is_calm(sea.values):
-        return tr_label("There is no spray: it takes a wind of more than 7 m/s"), "INFO"
+        return tr_label("There is no spray: it needs a wind above 7 m/s"), "INFO"
     return tr_label("There is no spray at this time"), "INFO"
