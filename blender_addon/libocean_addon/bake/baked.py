@@ -72,8 +72,8 @@ def _remove_unused(images: set) -> None:
 
 
 def _change_group(modifier, *, to_baked: bool) -> None:
-    """Changes the node group of a modifier, and removes the old group's images unless they are in use
-    elsewhere."""
+    """Changes the node group of a modifier, and removes the old group's images unless they are in
+    use elsewhere."""
     images = _clear_inputs(modifier)
     kind = node_group.kind_of(modifier.node_group)
     modifier.node_group = node_group.get(kind, baked=to_baked)
