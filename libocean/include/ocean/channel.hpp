@@ -6,7 +6,7 @@
 // channel is made of (planner, kernel, references, estimates, hosts) asks the table.
 //
 // A new channel is an enumerator and a row here, an enumerator of libocean.h with its line in
-// capi/evaluate.cpp, and a name in python/libocean/_sea.py: what is left out does not compile, or
+// capi/evaluate.cpp, and a name in python/libocean/_surface.py: what is left out does not compile, or
 // fails tests/python/test_wrapper.py. It needs nothing in the kernel, which may have faster code.
 #pragma once
 
