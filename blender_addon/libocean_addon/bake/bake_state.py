@@ -82,7 +82,7 @@ def state(ob, scene) -> list[tuple[str, str]]:
 
 
 def _recipes_now(ob, scene) -> dict[str, str]:
-    """Those of the next bake, as far as the frame that is shown tells."""
+    """Returns the recipes of the next bake, by the frame that is shown."""
     now = bake_record.recipe(ob.libocean, live.current_values(ob.libocean, scene))
     known = json.loads(ob.libocean.bake.recipes or "{}")
     return {str(scene.frame_current): now} if known and "" not in known else {"": now}

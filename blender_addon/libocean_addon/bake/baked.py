@@ -60,8 +60,8 @@ def _clear_inputs(modifier) -> set:
 
 
 def _remove_unused(images: set) -> None:
-    """Those that others show, or override by Blender's count, read their files anew: these may be
-    other ones by now."""
+    """Removes images without users. Image sequences that are in use, or by Blender's count
+    overridden, read their files again: these may be other ones by now."""
     for image in images:
         if image.library is not None:
             continue

@@ -37,7 +37,7 @@ _taken: list[tuple] = []
 
 
 def _collections(scene) -> set:
-    """Those whose objects are rendered, the ones that objects instance included."""
+    """Returns the collections whose objects are rendered, instanced ones included."""
     found = set()
 
     def add(collection) -> None:
@@ -69,7 +69,7 @@ def _collections(scene) -> set:
 
 
 def _rendered(objects: list, scene) -> list:
-    """Those of the objects that a render of the scene shows."""
+    """Returns the objects that a render of the scene shows."""
     if not objects or not compat.renders_objects(scene):
         return []
     shown = {ob for collection in _collections(scene) for ob in collection.objects}

@@ -6,8 +6,9 @@
 // channel is made of (planner, kernel, references, estimates, hosts) asks the table.
 //
 // A new channel is an enumerator and a row here, an enumerator of libocean.h with its line in
-// capi/evaluate.cpp, and a name in python/libocean/_surface.py: what is left out does not compile, or
-// fails tests/python/test_wrapper.py. It needs nothing in the kernel, which may have faster code.
+// capi/evaluate.cpp, and a name in python/libocean/_surface.py: what is left out does not compile,
+// or fails tests/python/test_wrapper.py. It needs nothing in the kernel, which may have faster
+// code.
 #pragma once
 
 #include <algorithm>
