@@ -126,7 +126,7 @@ class Subdivide(bpy.types.Operator):
             return {"CANCELLED"}
         levels = subdivisions(ob, seen)
         if levels == 0:
-            self.report({"ERROR"}, tr("The mesh has the vertices already that its maps ask for"))
+            self.report({"ERROR"}, tr("The mesh already has the vertices that its maps need"))
             return {"CANCELLED"}
         modifier = ob.modifiers.new("Subdivide for Waves", "SUBSURF")
         modifier.subdivision_type = "SIMPLE"

@@ -135,7 +135,7 @@ class AddModifier(bpy.types.Operator):
 
 
 class LoadSea(OnOcean, bpy.types.Operator, ImportHelper):
-    """Take the sea of a sea file"""
+    """Load the sea of a sea file"""
 
     bl_idname = "libocean.load_sea"
     bl_label = "Load Sea"
@@ -188,7 +188,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
 
 
 class LoadPreset(OnOcean, bpy.types.Operator):
-    """Take the sea of a preset"""
+    """Load the sea of a preset"""
 
     bl_idname = "libocean.load_preset"
     bl_label = "Sea Preset"
@@ -203,7 +203,7 @@ class LoadPreset(OnOcean, bpy.types.Operator):
 
 
 class AddWaves(OnOcean, bpy.types.Operator):
-    """Add a wave system: a swell beside a wind sea, say"""
+    """Add a wave system, for example a swell beside a wind sea"""
 
     bl_idname = "libocean.add_waves"
     bl_label = "Add Wave System"

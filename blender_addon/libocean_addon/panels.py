@@ -178,7 +178,7 @@ def _draw_hints(layout, ob, seen) -> None:
 
 
 class WavesPanel(_Panel, bpy.types.Panel):
-    """Its waves, and the water they run on"""
+    """The waves of the sea, and the water they run on"""
 
     bl_idname = "LIBOCEAN_PT_waves"
     bl_parent_id = OceanPanel.bl_idname
@@ -324,7 +324,7 @@ class VolumesPanel(_Panel, bpy.types.Panel):
 
 
 class AdvancedPanel(_Panel, bpy.types.Panel):
-    """Its time, and what few will need"""
+    """The time of the sea, and settings for experts"""
 
     bl_idname = "LIBOCEAN_PT_advanced"
     bl_parent_id = OceanPanel.bl_idname

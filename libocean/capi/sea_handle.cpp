@@ -43,7 +43,7 @@ ThreadPool::RunJobs on_host(ocean_run_jobs run_jobs, void* user) {
     };
 }
 
-/// Never 0, which stands for nobody.
+/// Returns the number of this process, never 0: that stands for no process.
 std::uint64_t this_process() {
     return process_number() + 1;
 }
@@ -109,8 +109,8 @@ OceanOptions ocean::capi::read_options(const ocean_options* given) {
 
 ocean::capi::Visit::Visit(const ocean_sea* sea) : sea_(sea) {
     require(sea, "sea");
-    std::uint64_t nobody = 0;
-    if (!sea->user.compare_exchange_strong(nobody, this_process(), std::memory_order_acquire)) {
+    std::uint64_t no_process = 0;
+    if (!sea->user.compare_exchange_strong(no_process, this_process(), std::memory_order_acquire)) {
         throw CallError(OCEAN_BUSY,
                         "another thread is in this sea; give each thread its own: ocean_clone");
     }

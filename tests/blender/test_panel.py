@@ -11,7 +11,7 @@ import pytest
 from conftest import evaluated_mesh, plane, positions
 from libocean_addon import hints, panels, translations
 from libocean_addon.floating import floating
-from libocean_addon.sea import drafts, facts, live, node_group, parameter_values
+from libocean_addon.sea import drafts, facts, node_group, parameter_values
 from libocean_addon.shared import drawing
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
@@ -112,7 +112,7 @@ def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
         raise ValueError("out of order")
 
     monkeypatch.setattr(Layout, "prop", fail)
-    monkeypatch.setattr(live, "state_of", fail)
+    monkeypatch.setattr(facts, "state_of", fail)
     monkeypatch.setattr(drawing, "_told", set())
     for _ in range(3):
         cls.draw(types.SimpleNamespace(layout=layout), bpy.context)

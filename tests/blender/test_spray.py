@@ -240,7 +240,7 @@ def test_off_means_gone(scene, ocean):
 def test_a_calm_sea_has_none_and_says_why(scene, ocean):
     bpy.ops.libocean.load_preset(preset="beaufort_3")
     assert points(ocean).get("id", np.empty(0)).size == 0
-    assert "more than 7 m/s" in spray.state_of(ocean)[0]
+    assert "above 7 m/s" in spray.state_of(ocean)[0]
     ocean.libocean.waves[0].wind_speed = 20.0
     assert points(ocean)["id"].size > 0
     assert f"{points(ocean)['id'].size:,} points" == spray.state_of(ocean)[0]

@@ -351,7 +351,7 @@ def test_it_lies_where_the_sea_is_and_shows_what_was_written_last(scene, sea, wa
     for seed in (1, 2):
         sea.libocean.seed = seed
         write()
-        told = "Blender shows the files of before" in capfd.readouterr().out
+        told = "Blender shows the previous files" in capfd.readouterr().out
         assert told == (seed == 2 and compat.READS_VOLUMES_ONCE)
         if told:
             break

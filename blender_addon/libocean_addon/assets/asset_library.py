@@ -152,8 +152,8 @@ def make(folder: Path) -> None:
 
 
 class MakeAssetLibrary(bpy.types.Operator):
-    """Make a folder of seas and skies for the Asset Browser, and add it to its libraries. What was
-    made there before is made anew"""
+    """Make a folder of seas and skies for the Asset Browser, and add it to its libraries. Seas and
+    skies that were made there before are made again"""
 
     bl_idname = "libocean.make_asset_library"
     bl_label = "Make Asset Library"

@@ -114,7 +114,7 @@ def _make_sea(asset: Asset, water):
         values = sea_text.read(sea)
         size = float(sea.get("patch_size"))
     ob = bpy.data.objects.new(asset.name, bpy.data.meshes.new(asset.name))
-    with changes.quiet():  # nobody looks at it here
+    with changes.quiet():  # nothing is shown here
         modifier = operators.add_modifier(ob, asset.kind)
         ob.libocean.kind = asset.kind
         parameter_values.assign(ob.libocean, values)

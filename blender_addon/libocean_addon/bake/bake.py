@@ -19,7 +19,7 @@ def _words(failure: Exception) -> str:
     """Returns the sentence about the failure that stopped a job."""
     if isinstance(failure, exr_files.NotWholeError):
         path = failure.args[0]
-        return tr("{} could not be written to its end: is the disk full?", path)
+        return tr("{} could not be written completely: is the disk full?", path)
     if isinstance(failure, bake_job.OtherTilesError):
         return tr(
             "The limits of the wavelength are animated: a bake with near detail has one of each"
@@ -50,18 +50,18 @@ class Frames(_OnOwnOcean):
 
     directory: bpy.props.StringProperty(
         name="Folder",
-        description="Empty: that of the object's settings",
+        description="Empty: the folder of the object's settings",
         subtype="DIR_PATH",
         options=compat.RELATIVE_PATH,
     )
     frame_start: bpy.props.IntProperty(
-        name="First frame", description="-1: that of the object's settings", default=-1, min=-1
+        name="First frame", description="-1: the frame of the object's settings", default=-1, min=-1
     )
     frame_end: bpy.props.IntProperty(
-        name="Last frame", description="-1: that of the object's settings", default=-1, min=-1
+        name="Last frame", description="-1: the frame of the object's settings", default=-1, min=-1
     )
     overwrite: bpy.props.BoolProperty(
-        name="Overwrite", description="Write also the files that are there and of the same sea"
+        name="Overwrite", description="Write existing files of the same sea too"
     )
 
     def begin(self, context, shot: tuple[int, int]) -> Work:
@@ -88,7 +88,7 @@ class Frames(_OnOwnOcean):
             self.report({"ERROR"}, tr("After {} frames: {}", job.done, _words(job.failure)))
             return {"CANCELLED"}
         if job.done < len(job.frames):
-            text = tr("Stopped; {} of {} frames are there", job.done, len(job.frames))
+            text = tr("Stopped; {} of {} frames are finished", job.done, len(job.frames))
             self.report({"WARNING"}, text)
             return {"CANCELLED"}
         try:
@@ -166,7 +166,7 @@ class Frames(_OnOwnOcean):
 
 class BakeOcean(Frames, bpy.types.Operator):
     """Write the sea of each frame as files, and play those: rendering them takes neither the
-    add-on nor the library. Files of the same sea that are there are kept. ESC stops it"""
+    add-on nor the library. Existing files of the same sea are kept. ESC stops it"""
 
     bl_idname = "libocean.bake"
     bl_label = "Bake Ocean"
@@ -183,7 +183,7 @@ class FreeBake(_OnOwnOcean, bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     delete_files: bpy.props.BoolProperty(
-        name="Delete files", description="Remove the files of the bake, which no undo brings back"
+        name="Delete files", description="Remove the files of the bake; undo does not restore them"
     )
 
     @classmethod

@@ -106,7 +106,7 @@ class MapJob(Job):
 
     folder: Path
     stem: str
-    """How the names of the files begin."""
+    """The beginning of the files' names."""
     fields: list[str]
     """The fields of maps; those of slope tiles are added when the first frame is known."""
     use_detail: bool

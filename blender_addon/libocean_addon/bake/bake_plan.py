@@ -194,7 +194,7 @@ class Work:
     def told(self) -> str:
         done, written = self.job.done, self.job.written
         kept = done - written
-        return tr("{} frames in {}: {} written, {} were there", done, self.folder, written, kept)
+        return tr("{} frames in {}: {} written, {} kept", done, self.folder, written, kept)
 
 
 class Bake(Work):

@@ -63,7 +63,7 @@ class Place:
     folder: str
     """As Blender writes paths."""
     stem: str
-    """How the files' names begin."""
+    """The beginning of the files' names."""
     library: object = None
     """The library whose file the folder is relative to."""
 
@@ -90,8 +90,8 @@ def shown_image(ob):
 
 
 def place_of(ob) -> Place:
-    """Where the bake is. Blender moves the paths of images when a file is saved elsewhere, not
-    ours."""
+    """Returns the place of the bake. When a file is saved elsewhere, Blender changes the paths of
+    its images, but not those of the record."""
     record, image = ob.libocean.bake, shown_image(ob)
     stem = record.stem or exr_files.EARLIER_STEM
     if image is None:

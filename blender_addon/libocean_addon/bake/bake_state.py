@@ -27,7 +27,7 @@ def _of_the_bake(ob, scene) -> list[tuple[str, str]]:
     lines = [(tr_label("{} of {} frames, {}", there, count, _bytes(size)), "FILE_CACHE")]
     values = live.current_values(ob.libocean, scene)
     if bake_record.is_other_sea(ob, scene, values):
-        text = tr_label("The bake is of another sea than the parameters say: bake again")
+        text = tr_label("The bake shows another sea than the parameters: bake again")
         lines.append((text, "ERROR"))
     if abs(record.frame_length - bake_record.frame_length(scene)) > 1e-6:
         text = tr_label("The bake is for another time remapping: bake again")
@@ -82,7 +82,7 @@ def state(ob, scene) -> list[tuple[str, str]]:
 
 
 def _recipes_now(ob, scene) -> dict[str, str]:
-    """Those of the next bake, as far as the frame that is shown tells."""
+    """Returns the recipes of the next bake, by the frame that is shown."""
     now = bake_record.recipe(ob.libocean, live.current_values(ob.libocean, scene))
     known = json.loads(ob.libocean.bake.recipes or "{}")
     return {str(scene.frame_current): now} if known and "" not in known else {"": now}

@@ -60,8 +60,8 @@ def _clear_inputs(modifier) -> set:
 
 
 def _remove_unused(images: set) -> None:
-    """Those that others show, or override by Blender's count, read their files anew: these may be
-    other ones by now."""
+    """Removes images without users. Image sequences that are in use, or by Blender's count
+    overridden, read their files again: these may be other ones by now."""
     for image in images:
         if image.library is not None:
             continue
@@ -72,7 +72,8 @@ def _remove_unused(images: set) -> None:
 
 
 def _change_group(modifier, *, to_baked: bool) -> None:
-    """Without the images of the other group: where nobody else shows them they go."""
+    """Changes the node group of a modifier, and removes the old group's images unless they are in
+    use elsewhere."""
     images = _clear_inputs(modifier)
     kind = node_group.kind_of(modifier.node_group)
     modifier.node_group = node_group.get(kind, baked=to_baked)

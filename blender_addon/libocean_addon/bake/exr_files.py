@@ -89,7 +89,7 @@ def path(folder: str | Path, stem: str, field: str, frame: int) -> Path:
 
 @dataclasses.dataclass(frozen=True)
 class Provenance:
-    """Where the files of a frame come from, as their headers say it."""
+    """The origin of a frame's files, as their headers state it."""
 
     sea: object
     """The libocean.Sea of the frame."""

@@ -37,7 +37,7 @@ _taken: list[tuple] = []
 
 
 def _collections(scene) -> set:
-    """Those whose objects are rendered, the ones that objects instance included."""
+    """Returns the collections whose objects are rendered, instanced ones included."""
     found = set()
 
     def add(collection) -> None:
@@ -69,7 +69,7 @@ def _collections(scene) -> set:
 
 
 def _rendered(objects: list, scene) -> list:
-    """Those of the objects that a render of the scene shows."""
+    """Returns the objects that a render of the scene shows."""
     if not objects or not compat.renders_objects(scene):
         return []
     shown = {ob for collection in _collections(scene) for ob in collection.objects}
@@ -242,7 +242,7 @@ def _print(kind: str, text: str) -> None:
 
 
 def _stop(scene) -> None:
-    _print("Error", tr("The render is stopped before this frame: its camera is taken away"))
+    _print("Error", tr("The render stops before this frame: its camera was removed"))
     owners = [scene, *(marker for marker in scene.timeline_markers if marker.camera is not None)]
     _taken.extend((owner, owner.camera) for owner in owners)
     for owner in owners:

@@ -4,7 +4,7 @@
 
 Where an object floats (x, y and heading) stays its own, whatever makes it: keyframes, drivers,
 parents, constraints, paths. The waves move it from there (riding.py). Baked, their motion has
-keyframes and nobody else moves it.
+keyframes, and nothing else moves it.
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ def _free(ob) -> None:
     elif is_baked(ob):
         for frame in range(settings.baked_first, settings.baked_last + 1):
             for path in _OLD_PATHS:
-                with contextlib.suppress(RuntimeError):  # somebody has removed it
+                with contextlib.suppress(RuntimeError):  # the user has removed it
                     ob.keyframe_delete(path, frame=frame)
     settings.property_unset("baked_first")
     settings.property_unset("baked_last")
@@ -150,7 +150,7 @@ class AddFloat(bpy.types.Operator):
     def poll(cls, context) -> bool:
         if any(not node_group.modifiers(ob) for ob in context.selected_objects):
             return True
-        cls.poll_message_set(tr("Select the objects that shall float"))
+        cls.poll_message_set(tr("Select the objects that should float"))
         return False
 
     def _find(self, context):
@@ -191,7 +191,7 @@ class _OnFloating:
 
 
 class RemoveFloat(_OnFloating, bpy.types.Operator):
-    """Let the selected objects float no more; they stay where they are"""
+    """Stop the selected objects from floating; they stay where they are"""
 
     bl_idname = "libocean.remove_float"
     bl_label = "Stop Floating"
@@ -205,8 +205,8 @@ class RemoveFloat(_OnFloating, bpy.types.Operator):
 
 
 class BakeFloat(_OnFloating, bpy.types.Operator):
-    """Key how the selected objects float on each frame of the scene, and one more at each end:
-    they move without the add-on"""
+    """Bake the motion of the selected floats to keyframes, on each frame of the scene and one more
+    at each end: they move without the add-on then"""
 
     bl_idname = "libocean.bake_float"
     bl_label = "Bake Floating"
@@ -236,7 +236,7 @@ class BakeFloat(_OnFloating, bpy.types.Operator):
 
 
 class FreeFloat(bpy.types.Operator):
-    """Remove those keyframes: the waves move the selected objects again"""
+    """Remove the keyframes of baked floating: the waves move the selected objects again"""
 
     bl_idname = "libocean.free_float"
     bl_label = "Free Floating"

@@ -87,7 +87,8 @@ def detach(ob) -> None:
 
 
 def _own_place(ob, seen, motion) -> Matrix:
-    """Where it would be without waves, in the world. seen, motion: as evaluated together."""
+    """Returns the place of a float without waves, in the world. seen, motion: evaluated
+    together."""
     constraint = constraint_of(ob)
     if constraint is None or constraint.mute or constraint.influence == 0.0:
         return seen.matrix_world.copy()

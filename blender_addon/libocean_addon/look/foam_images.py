@@ -48,19 +48,19 @@ def png(values: np.ndarray) -> bytes:
 
 @functools.cache
 def _packed(kind: str) -> bytes:
-    """For all files of a session."""
+    """Returns the packed image of a kind, made once for all files of a session."""
     return png(libocean.foam_texture(kind, size=SIDES[kind]))
 
 
 def _of(kind: str) -> list:
-    """Those of this file, of that kind."""
+    """Returns the images of this file, of one kind."""
     mark = f"{kind} {_VERSION}"
     images = (image for image in bpy.data.images if image.get(MARK) == mark)
     return [image for image in images if image.library is None and image.packed_file is not None]
 
 
 def get(kind: str):
-    """The image of a kind: made when there is none."""
+    """Returns the image of a kind, made if it is missing."""
     for image in _of(kind):
         return image
     image = bpy.data.images.new(f".libocean foam {kind}", 1, 1, is_data=True)
@@ -73,7 +73,8 @@ def get(kind: str):
 
 
 def share() -> None:
-    """Where a file has several, as after an asset was appended, all show the first."""
+    """Has all users show the first image of each kind, if an appended asset brought more of
+    them."""
     for kind in SIDES:
         first, *others = _of(kind) or [None]
         for other in others:

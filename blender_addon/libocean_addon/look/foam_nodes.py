@@ -162,9 +162,9 @@ class Foam:
     """Sockets, and what is where."""
 
     mask: object
-    """How white, 0 .. 1."""
+    """The whiteness, 0 .. 1."""
     thickness: object
-    """Where it is white: 0, thin, .. 1."""
+    """The thickness of white foam: 0, thin, .. 1."""
     height: object
     """m"""
 

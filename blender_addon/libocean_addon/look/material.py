@@ -258,7 +258,7 @@ class AddMaterial(bpy.types.Operator):
     def execute(self, context):
         oceans = [ob for ob in _oceans(context) if ob.data.library is None]
         if not oceans:
-            self.report({"ERROR"}, tr("Linked data takes no other material"))
+            self.report({"ERROR"}, tr("Linked data keeps its material"))
             return {"CANCELLED"}
         material = make(self.water_type, foam=self.foam, underwater=self.underwater)
         put(material, {"Visibility": self.visibility})

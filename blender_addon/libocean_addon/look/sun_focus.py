@@ -122,7 +122,8 @@ def _image(owner: str, name: str, before):
 
 
 def _sun(water) -> tuple[float, float, float]:
-    """Where no sun is, or none above, that of noon."""
+    """Returns the direction to the sun, that of noon without a sun or with one below the
+    horizon."""
     sun = tuple(water.inputs["Sun Direction"].default_value)
     length = math.hypot(*sun)
     if length < 1e-6 or sun[2] < math.sin(math.radians(5.0)) * length:

@@ -5,7 +5,7 @@ sea when they rest.
 
 A draft has whitecaps in the place of foam, whose past takes longest, and fewer samples where these
 take long. Meanwhile a thread makes the whole sea ready in a handle of its own, which then takes the
-place of the one that drew the draft. Without a window there is nobody who waits: all is whole.
+place of the one that drew the draft. Without a window no user waits: every map is whole.
 
     value set -> draft ... rest -> thread: foam's past -> whole
 """
@@ -40,15 +40,16 @@ def is_playing() -> bool:
 
 
 class Pace:
-    """How many samples a draft has: as many as half of the time allows, Blender takes the rest."""
+    """Chooses the samples per side of a draft: it takes half of the time, Blender needs the
+    rest."""
 
     def __init__(self) -> None:
         self.size = _FIRST
         self._last = 0
 
     def note(self, size: int, seconds: float, wanted: int) -> None:
-        """A draft of this size took so long; wanted: samples of the whole. The first of a size pays
-        for what the others find."""
+        """Notes the time of a draft of this size. wanted: samples per side of the whole map. The
+        first draft of a size fills caches for the others, and does not count."""
         first, self._last = size != self._last, size
         if first:
             return

@@ -125,6 +125,8 @@ def shade_smooth(mesh) -> None:
         mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
 
 
+SHARES_LAYERS = VERSION >= (4, 0)
+"""A mesh shares its unchanged layers with its evaluated copies. Before, each frame copied them."""
 LOOP_TOTAL_FOLLOWS = VERSION >= (4, 1)  # MeshPolygon.loop_total is read-only, made of loop_start
 
 

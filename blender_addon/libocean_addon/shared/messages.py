@@ -62,7 +62,7 @@ def of_file(failure: OSError) -> str:
 
 
 def require_files(values: sea_text.SeaValues) -> None:
-    """Raises libocean.Error for a measured spectrum that nobody has measured."""
+    """Raises libocean.Error for a measured spectrum without a file or record."""
     for system in values.waves:
         if system.values["spectrum"] == "measured" and not (system.values["file"] or system.record):
             raise libocean.Error(tr("A measured spectrum needs a file: choose one below"), 0)

@@ -76,7 +76,7 @@ def _region(ob, seen, camera, period: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _lie(settings, seen) -> tuple[np.ndarray, np.ndarray]:
-    """How the object lies in the sea: turn and origin, as its node group has them."""
+    """Returns the turn and the origin of an object in the sea, as its node group has them."""
     if not settings.follow_world:
         return np.eye(3), np.zeros(3)
     matrix = seen.matrix_world
@@ -258,5 +258,5 @@ def state_of(ob) -> tuple[str, str]:
     if count > 0:
         return tr_label("{:,} points", count), "NONE"
     if _is_calm(sea.values):
-        return tr_label("There is no spray: it takes a wind of more than 7 m/s"), "INFO"
+        return tr_label("There is no spray: it needs a wind above 7 m/s"), "INFO"
     return tr_label("There is no spray at this time"), "INFO"

@@ -104,7 +104,7 @@ def _settings(ob, sea) -> volume_job.Settings:
     if asked.box != "PERIOD":
         low, high = (tuple(map(_rounded, corner)) for corner in (low, high))
     if any(a >= b for a, b in zip(low, high, strict=True)):
-        raise BakeError(tr("The box is empty: each end is beyond its beginning"))
+        raise BakeError(tr("The box is empty: its upper corner must exceed its lower corner"))
     voxel = _rounded(asked.voxel) or period / resolution
     velocity_voxel = _rounded(asked.velocity_voxel) or 2.0 * voxel
     return volume_job.Settings(low, high, voxel, velocity_voxel, asked.use_half, resolution)
@@ -250,7 +250,7 @@ class Volumes(bake_plan.Work):
             ob.libocean.volumes.written = self.written
             volume.matrix_world = sea_to_world(ob)
             if job.replaced and compat.READS_VOLUMES_ONCE:
-                job.warning = tr("Until it is started again Blender shows the files of before")
+                job.warning = tr("Blender shows the previous files until it is restarted")
         return self.told()
 
 
@@ -308,7 +308,7 @@ def _play(volume, file_path: str, first: int, last: int) -> None:
 
 class WriteVolumes(bake.Frames, bpy.types.Operator):
     """Write the water in a box as OpenVDB files, its surface as a level set and its velocity, and
-    show them as a volume. Files of the same sea that are there are kept. ESC stops it"""
+    show them as a volume. Existing files of the same sea are kept. ESC stops it"""
 
     bl_idname = "libocean.write_volumes"
     bl_label = "Write Volumes"

@@ -7,7 +7,7 @@
 // tables.
 //
 // A new channel is an enumerator and a row here, an enumerator of libocean.h with its line in
-// capi/evaluate.cpp, and a name in python/libocean/_sea.py. A part that is left out does not
+// capi/evaluate.cpp, and a name in python/libocean/_surface.py. A part that is left out does not
 // compile or fails tests/python/test_wrapper.py. The kernel needs no change, though it may have
 // faster code for a channel.
 #pragma once

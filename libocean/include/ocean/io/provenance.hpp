@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads the provenance of a file back from its header, and writes headers that are made of comments.
+// Reads the provenance of a file back from its header, and writes headers made of comments.
 #pragma once
 
 #include <optional>
