@@ -55,8 +55,9 @@ GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
         }
-        counts.puffs = static_cast<std::uint64_t>(
-            copies * static_cast<double>(max_spray_particles(sea_of(*plan.subject), settings.spray)));
+        counts.puffs =
+            static_cast<std::uint64_t>(copies * static_cast<double>(max_spray_particles(
+                                                    sea_of(*plan.subject), settings.spray)));
     }
     return counts;
 }
