@@ -34,14 +34,14 @@ BUNDLED = f"{NAME}/bundled"
 
 @dataclasses.dataclass(frozen=True)
 class Platform:
-    """What a library is for, in the words of Blender and of Python wheels."""
+    """A platform of a library, in the words of Blender and of Python wheels."""
 
     suffix: str
     blender: str
     wheel: str
 
     def takes(self, tags: str) -> bool:
-        """Whether a wheel of these platform tags is for it."""
+        """Returns whether a wheel of these platform tags runs on it."""
         system, machine = self.wheel.split("_")[0], self.wheel.rpartition("_")[2]
         return any(tag.startswith(system) and tag.endswith(machine) for tag in tags.split("."))
 
@@ -83,7 +83,7 @@ def zipped(files: dict[str, bytes]) -> bytes:
 
 
 def addon_files() -> dict[str, bytes]:
-    there = [*ADDON.glob("*.py"), *ADDON.glob("thumbnails/*.jpg")]
+    there = [*ADDON.rglob("*.py"), *ADDON.glob("thumbnails/*.jpg")]
     files = {path.relative_to(ADDON).as_posix(): path.read_bytes() for path in there}
     for name in ("LICENSE", "README.md"):  # F1 opens the latter
         files[name] = (HERE / name).read_bytes()
@@ -130,7 +130,8 @@ def needed_glibc(library: Path) -> int:
 
 
 def wheel_platform(library: Path) -> str:
-    """What its wheel is tagged with: of a Linux library the glibc that it really needs."""
+    """Returns the platform tag of its wheel: for Linux, of the glibc that the library really
+    needs."""
     tag = platform_of(library).wheel
     oldest = int(re.search(r"manylinux_2_(\d+)", tag)[1]) if "manylinux" in tag else 0
     return tag.replace(f"_2_{oldest}_", f"_2_{max(oldest, needed_glibc(library))}_")

@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import bpy
 
-from . import native, translations
-from .compat import tr_label
+from . import translations
+from .shared import native
+from .shared.compat import tr_label
 
 bl_info = {  # of Blender before 4.2; later ones read blender_manifest.toml
     "name": "Ocean (libocean)",
@@ -34,22 +35,13 @@ def parts() -> list:
     """The modules that have something to register, in that order."""
     if native.libocean is None:
         return [translations]
-    from . import (
-        asset_library,
-        bake,
-        first_view,
-        floating,
-        handlers,
-        hints,
-        manual,
-        material,
-        operators,
-        panels,
-        properties,
-        records,
-        spray,
-        volumes,
-    )
+    from . import handlers, hints, manual, operators, panels, properties
+    from .assets import asset_library
+    from .bake import bake
+    from .floating import floating
+    from .look import first_view, material
+    from .sea import records
+    from .volumes import volumes
 
     return [
         translations,
@@ -63,9 +55,8 @@ def parts() -> list:
         hints,
         panels,
         asset_library,
-        handlers,
         floating,
-        spray,
+        handlers,
         manual,
     ]
 

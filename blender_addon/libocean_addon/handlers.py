@@ -7,24 +7,19 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from . import (
-    changes,
-    compat,
-    foam_images,
-    live,
-    meshes,
-    node_group,
-    open_sea,
-    render_check,
-    spray,
-    versions,
-)
+from . import versions
+from .bake import render_check
+from .floating import floating
+from .look import foam_images
+from .sea import live, meshes, node_group, open_sea
+from .shared import compat, hooks
+from .spray import spray
 
 _locked_by_us: set[str] = set()  # scenes
 
 
 def _own_images(oceans: list[bpy.types.Object]) -> None:
-    """A copy of an object shows images of its own."""
+    """Gives a copy of an object images of its own."""
     owners: dict[str, str] = {}
     for ob in oceans:
         for modifier in node_group.live_modifiers(ob):
@@ -48,14 +43,14 @@ def _frame_changed(scene, depsgraph=None) -> None:
 def _depsgraph_updated(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
         return
-    # Of a collection, or the whole scene: something came or went.
+    # A collection or the scene changes when an object comes or goes.
     kinds = (bpy.types.Object, bpy.types.Collection, bpy.types.Scene)
     if any(isinstance(update.id, kinds) for update in depsgraph.updates):
         oceans = live.ocean_objects()
         _own_images(oceans)
         live.show_all(oceans, scene, depsgraph)
         for ob in oceans:
-            if meshes.is_stand_in(ob):  # out of the asset library
+            if meshes.is_stand_in(ob.data):  # out of the asset library
                 live.follow_mesh(ob)
                 foam_images.share()
 
@@ -88,7 +83,8 @@ def _before_frame(scene, *_) -> None:
 
 @persistent
 def _lock_interface(scene, *_) -> None:
-    """Blender may not draw what a render in another thread rewrites."""
+    """Locks the interface: Blender must not draw images that a render in another thread
+    rewrites."""
     render_check.begin()
     if live.ocean_objects() and not scene.render.use_lock_interface:
         scene.render.use_lock_interface = True
@@ -127,11 +123,18 @@ def _remove_handlers() -> None:
 def register() -> None:
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
-    changes.listener = live.parameters_changed
+    hooks.connect(
+        hooks.Hooks(
+            property_changed=live.parameters_changed,
+            make_draft_job=live.make_draft_job,
+            finish_draft_job=live.finish_draft_job,
+            followers=(floating.ride_all, spray.show_all),
+        )
+    )
     compat.remove_handlers_at_exit(_remove_handlers)
 
 
 def unregister() -> None:
     _remove_handlers()
-    changes.listener = None
+    hooks.disconnect()
     open_sea.close_all()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What people should know of an object's sea before they wonder: how large it is, and what of its
-settings does something else than it seems to.
+"""Hints about an object's sea before a user wonders: its size, and settings that do something else
+than they seem to.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ import math
 
 import bpy
 
-from . import live, meshes, node_group, open_sea
-from .compat import tr, tr_label
+from .sea import facts, meshes, node_group, open_sea
+from .shared.compat import tr, tr_label
 
 _EVEN = 1e-4  # of scales that are meant to be one
 
@@ -21,15 +21,15 @@ def of_size(ob) -> list[str]:
     lines = []
     if ob.type == "MESH":
         lines.append(tr_label("Mesh: {:,} vertices", len(ob.data.vertices)))
-    sizes = live.map_sizes(ob)
+    sizes = facts.map_sizes(ob)
     if sizes is None:
         return lines
-    megabytes = live.image_bytes(ob) / 1e6
+    megabytes = facts.image_bytes(ob) / 1e6
     text = tr_label("Maps: {} x {} samples, {:,.0f} MB", sizes[0], sizes[0], megabytes)
     if sizes[0] != sizes[1]:
         text = tr_label("Maps: {} and, rendered, {}, {:,.0f} MB", sizes[0], sizes[1], megabytes)
     lines.append(text)
-    made_for = meshes.samples_of(ob)
+    made_for = meshes.samples_of(ob.data)
     if made_for is not None and made_for < min(sizes) and ob.libocean.kind == "PATCH":
         lines.append(
             tr_label("The mesh shows one in {} of their samples", (sizes[0] // made_for) ** 2)
@@ -57,7 +57,7 @@ def _of_mask(ob, seen) -> str:
 
 
 def _of_limits(ob) -> str:
-    share = live.share_within_limits(ob)
+    share = facts.share_within_limits(ob)
     if share is None or share > 0.995:  # which a whole number of percent does not show
         return ""
     return tr_label("The limits of the wavelength leave {:.0%} of the wave height", share)
@@ -72,8 +72,8 @@ def spacing(ob, seen) -> float | None:
 
 
 def is_too_coarse(ob, seen) -> bool:
-    """Whether waves pass between the vertices: two of them a wave are the least that show it."""
-    between, wave = spacing(ob, seen), live.peak_wavelength(ob)
+    """Returns whether waves pass between the vertices: a wave needs at least two."""
+    between, wave = spacing(ob, seen), facts.peak_wavelength(ob)
     return between is not None and wave is not None and between > wave / 2.0
 
 
@@ -86,7 +86,7 @@ def of_object(ob, seen) -> list[str]:
         text = tr_label(
             "{:.0f} m between vertices are too far for waves of {:.0f} m",
             spacing(ob, seen),
-            live.peak_wavelength(ob),
+            facts.peak_wavelength(ob),
         )
         said.append(text)
     return [text for text in said if text]
@@ -95,8 +95,8 @@ def of_object(ob, seen) -> list[str]:
 def subdivisions(ob, seen) -> int:
     """How often a coarse mesh is to be divided for the samples of its maps, or as many vertices as
     a patch has by itself; 0 for one that has them."""
-    sea = open_sea.sea_of(ob)
-    samples = live.map_resolution(ob) or meshes.AUTOMATIC
+    sea = open_sea.sea_of(ob.name_full)
+    samples = facts.map_resolution(ob) or meshes.AUTOMATIC
     wanted = float(sea.values.values["patch_size"]) / samples
     most = math.log(meshes.AUTOMATIC**2 / len(seen.data.polygons), 4.0)
     return max(0, min(math.ceil(math.log2(spacing(ob, seen) / wanted)), math.floor(most), 11))
@@ -121,12 +121,12 @@ class Subdivide(bpy.types.Operator):
     def execute(self, context):
         ob = context.object
         seen = ob.evaluated_get(context.evaluated_depsgraph_get())
-        if spacing(ob, seen) is None or live.map_resolution(ob) is None:
+        if spacing(ob, seen) is None or facts.map_resolution(ob) is None:
             self.report({"ERROR"}, tr("The active object is no mesh with an ocean"))
             return {"CANCELLED"}
         levels = subdivisions(ob, seen)
         if levels == 0:
-            self.report({"ERROR"}, tr("The mesh has the vertices already that its maps ask for"))
+            self.report({"ERROR"}, tr("The mesh already has the vertices that its maps need"))
             return {"CANCELLED"}
         modifier = ob.modifiers.new("Subdivide for Waves", "SUBSURF")
         modifier.subdivision_type = "SIMPLE"

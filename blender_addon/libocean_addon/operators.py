@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be done, by menu, by button and by script: bpy.ops.libocean."""
+"""The operators of menus, buttons and scripts: bpy.ops.libocean."""
 
 from __future__ import annotations
 
@@ -8,22 +8,12 @@ import bpy
 from bpy_extras import object_utils
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from . import (
-    changes,
-    compat,
-    live,
-    material,
-    meshes,
-    messages,
-    node_group,
-    parameter_values,
-    paths,
-    resolutions,
-    sea_text,
-    translations,
-)
-from .compat import tr
-from .native import libocean
+from . import translations
+from .look import material
+from .sea import live, meshes, node_group, parameter_values, resolutions, sea_text
+from .shared import changes, compat, messages, paths
+from .shared.compat import tr
+from .shared.native import libocean
 
 DEFAULT_PRESET = "beaufort_5"
 
@@ -36,7 +26,7 @@ PRESETS = [
 
 def take_over(ob, sea) -> None:
     """Puts an open sea into an object."""
-    parameter_values.assign(ob.libocean, sea_text.read(parameter_values.TABLE, sea))
+    parameter_values.assign(ob.libocean, sea_text.read(sea))
 
 
 def add_modifier(ob, kind: str = "MESH"):
@@ -56,7 +46,7 @@ def _start_sea(ob, preset: str) -> None:
 
 
 class OnOcean:
-    """Of operators on the active object's sea."""
+    """Base of operators on the active object's sea."""
 
     @classmethod
     def poll(cls, context) -> bool:
@@ -105,7 +95,7 @@ class AddOcean(bpy.types.Operator, object_utils.AddObjectHelper):
 
     def execute(self, context):
         with libocean.preset(self.preset) as sea:
-            values = sea_text.read(parameter_values.TABLE, sea)
+            values = sea_text.read(sea)
         mesh = bpy.data.meshes.new("Ocean")
         ob = object_utils.object_data_add(context, mesh, operator=self)
         add_modifier(ob, self.kind)
@@ -145,7 +135,7 @@ class AddModifier(bpy.types.Operator):
 
 
 class LoadSea(OnOcean, bpy.types.Operator, ImportHelper):
-    """Take the sea of a sea file"""
+    """Load the sea of a sea file"""
 
     bl_idname = "libocean.load_sea"
     bl_label = "Load Sea"
@@ -184,7 +174,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
     def execute(self, context):
         values = live.current_values(context.object.libocean, context.scene)
         try:
-            with libocean.parse(sea_text.write(parameter_values.TABLE, values)) as sea:
+            with libocean.parse(values.text()) as sea:
                 text = sea.text
             with open(paths.absolute(self.filepath), "w", encoding="utf-8") as file:
                 file.write(text)
@@ -198,7 +188,7 @@ class SaveSea(OnOcean, bpy.types.Operator, ExportHelper):
 
 
 class LoadPreset(OnOcean, bpy.types.Operator):
-    """Take the sea of a preset"""
+    """Load the sea of a preset"""
 
     bl_idname = "libocean.load_preset"
     bl_label = "Sea Preset"
@@ -213,7 +203,7 @@ class LoadPreset(OnOcean, bpy.types.Operator):
 
 
 class AddWaves(OnOcean, bpy.types.Operator):
-    """Add a wave system: a swell beside a wind sea, say"""
+    """Add a wave system, for example a swell beside a wind sea"""
 
     bl_idname = "libocean.add_waves"
     bl_label = "Add Wave System"

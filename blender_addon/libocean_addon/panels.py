@@ -9,26 +9,14 @@ from __future__ import annotations
 
 import bpy
 
-from . import (
-    bake,
-    bake_state,
-    baked,
-    drafts,
-    hints,
-    live,
-    material,
-    node_group,
-    operators,
-    parameter_values,
-    records,
-    resolutions,
-    sea_text,
-    spray,
-    translations,
-    volumes,
-)
-from .compat import tr_label
-from .drawing import never_raises, say
+from . import hints, operators, translations
+from .bake import bake, bake_record, bake_state
+from .look import material
+from .sea import drafts, facts, node_group, parameter_values, records, resolutions, sea_text
+from .shared.compat import tr_label
+from .shared.drawing import never_raises, say
+from .spray import spray
+from .volumes import volumes
 
 SHORT = {
     "peak_enhancement": "Enhancement",
@@ -41,7 +29,7 @@ SHORT = {
     "render_resolution": "Render",
     "mesh_resolution": "Mesh",
 }
-"""What a panel of the usual width shows of labels that are longer than it."""
+"""Short labels for fields whose label does not fit a panel of default width."""
 
 # Parameters by the panel that shows them; every other one is in Advanced.
 SEA = ("patch_size", "depth", "seed")
@@ -67,7 +55,7 @@ _ONLY_IF = {
 
 
 def is_used(group, entry) -> bool:
-    """Whether a parameter applies: to the spectrum, say, that is chosen."""
+    """Returns whether a parameter applies, for example to the chosen spectrum."""
     chosen = {
         getattr(group, other["key"])
         for other in parameter_values.TABLE
@@ -153,7 +141,7 @@ class OceanPanel(_Panel, bpy.types.Panel):
         row.operator_menu_enum(operators.LoadPreset.bl_idname, "preset", text="Preset")
         row.operator(operators.LoadSea.bl_idname, text="Load", icon="IMPORT")
         row.operator(operators.SaveSea.bl_idname, text="Save", icon="EXPORT")
-        playing = ob.libocean.use_bake and baked.exists(ob)
+        playing = ob.libocean.use_bake and bake_record.exists(ob)
         problems = bake_state.faults(ob) if playing else [ob.libocean.problem]
         for text in filter(None, problems):
             say(layout, text, "ERROR")
@@ -164,11 +152,11 @@ class OceanPanel(_Panel, bpy.types.Panel):
 
 
 def _draw_state(layout, ob) -> None:
-    """What the sea is, how far it is, and how large."""
+    """Draws the state of the sea and the progress of a draft."""
     share = drafts.progress(ob.name_full)
     if share is not None:
         say(layout, tr_label("A draft; the whole sea: {:.0%}", share), "SORTTIME")
-    state = live.state_of(ob)
+    state = facts.state_of(ob)
     if state is None:
         return
     box = layout.box().column(align=True)
@@ -178,7 +166,7 @@ def _draw_state(layout, ob) -> None:
         row.label(text=text, translate=False)
     for text in hints.of_size(ob):
         say(box, text)
-    for warning in live.warnings_of(ob):
+    for warning in facts.warnings_of(ob):
         say(box, warning, "ERROR")
 
 
@@ -190,7 +178,7 @@ def _draw_hints(layout, ob, seen) -> None:
 
 
 class WavesPanel(_Panel, bpy.types.Panel):
-    """Its waves, and the water they run on"""
+    """The waves of the sea, and the water they run on"""
 
     bl_idname = "LIBOCEAN_PT_waves"
     bl_parent_id = OceanPanel.bl_idname
@@ -254,7 +242,7 @@ class LookPanel(_Panel, bpy.types.Panel):
 
 
 class SprayPanel(_Panel, bpy.types.Panel):
-    """What the wind tears off"""
+    """Drops that the wind tears off"""
 
     bl_idname = "LIBOCEAN_PT_spray"
     bl_parent_id = OceanPanel.bl_idname
@@ -289,7 +277,7 @@ class BakePanel(_Panel, bpy.types.Panel):
         layout, ob = self.layout, context.object
         settings = ob.libocean
         layout.use_property_split = True
-        if baked.exists(ob):
+        if bake_record.exists(ob):
             layout.prop(settings, "use_bake")
         layout.prop(settings.bake, "directory")
         layout.prop(settings.bake, "use_custom_range")
@@ -299,7 +287,7 @@ class BakePanel(_Panel, bpy.types.Panel):
             column.prop(settings.bake, "frame_end", text="To", text_ctxt=translations.SEA)
         row = layout.row(align=True)
         row.operator(bake.BakeOcean.bl_idname, text="Bake", icon="RENDER_ANIMATION")
-        if baked.exists(ob):
+        if bake_record.exists(ob):
             row.operator(bake.FreeBake.bl_idname, text="Free")
             row.operator(bake.FreeBake.bl_idname, text="", icon="TRASH").delete_files = True
         for text, icon in bake_state.state(ob, context.scene):
@@ -336,7 +324,7 @@ class VolumesPanel(_Panel, bpy.types.Panel):
 
 
 class AdvancedPanel(_Panel, bpy.types.Panel):
-    """Its time, and what few will need"""
+    """The time of the sea, and settings for experts"""
 
     bl_idname = "LIBOCEAN_PT_advanced"
     bl_parent_id = OceanPanel.bl_idname

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import bpy
 
-from . import compat, live, meshes, parameter_values, resolutions
-from .overrides import overridable
-from .parameter_properties import annotations as parameters
-from .parameter_properties import changed
+from .sea import facts, meshes, parameter_values, resolutions
+from .sea.parameter_properties import annotations as parameters
+from .sea.parameter_properties import changed
+from .shared import compat
+from .shared.overrides import overridable
 
 _EXACT = bpy.props.StringProperty(options={"HIDDEN"})
 
@@ -44,7 +45,7 @@ def _map_resolution(where: str) -> dict:
 
 @overridable
 class OceanBake(bpy.types.PropertyGroup):
-    """Where and what to bake, and the record of the bake that there is"""
+    """The folder and the frames to bake, and the record of the present bake"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
@@ -89,7 +90,7 @@ class OceanBake(bpy.types.PropertyGroup):
 
 @overridable
 class OceanVolumes(bpy.types.PropertyGroup):
-    """What to write as volumes"""
+    """The water to write as volumes"""
 
     directory: bpy.props.StringProperty(
         name="Folder",
@@ -100,7 +101,7 @@ class OceanVolumes(bpy.types.PropertyGroup):
     )
     box: bpy.props.EnumProperty(
         name="Box",
-        description="Of which water",
+        description="The water to write",
         items=[
             (
                 "PERIOD",
@@ -118,7 +119,7 @@ class OceanVolumes(bpy.types.PropertyGroup):
     )
     box_low: bpy.props.FloatVectorProperty(
         name="Lower corner",
-        description="Of the sea's world, the height from still water",
+        description="In the sea's world, heights from still water",
         subtype="XYZ",
         unit="LENGTH",
         default=(0.0, 0.0, -10.0),
@@ -126,7 +127,7 @@ class OceanVolumes(bpy.types.PropertyGroup):
     )
     box_high: bpy.props.FloatVectorProperty(
         name="Upper corner",
-        description="Of the sea's world, the height from still water",
+        description="In the sea's world, heights from still water",
         subtype="XYZ",
         unit="LENGTH",
         default=(100.0, 100.0, 10.0),
@@ -134,21 +135,21 @@ class OceanVolumes(bpy.types.PropertyGroup):
     )
     voxel: bpy.props.FloatProperty(
         name="Voxel",
-        description="Of the surface; 0: the distance of the samples of the map",
+        description="Voxel size of the surface; 0: the distance between samples of the map",
         min=0.0,
         unit="LENGTH",
         options=set(),
     )
     velocity_voxel: bpy.props.FloatProperty(
         name="Velocity voxel",
-        description="Of the velocity; 0: twice the voxel",
+        description="Voxel size of the velocity; 0: twice that of the surface",
         min=0.0,
         unit="LENGTH",
         options=set(),
     )
     use_half: bpy.props.BoolProperty(
         name="Half precision",
-        description="Numbers of 16 bits in the files, which are smaller then",
+        description="Write numbers of 16 bits, for smaller files",
         options=set(),
     )
 
@@ -165,7 +166,7 @@ def _set_divisors(settings, wanted: bool) -> None:
     """Begins with those that were chosen."""
     if wanted == _has_divisors(settings):
         return
-    chosen = live.cascade_divisors(settings.id_data) if wanted else []
+    chosen = facts.cascade_divisors(settings.id_data) if wanted else []
     free = parameter_values.DIVISORS - len(chosen)
     settings.cascade_divisors = [*chosen, *[0] * free]
 
@@ -186,7 +187,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "kind": bpy.props.EnumProperty(
             name="Kind",
-            description="What the object's mesh is",
+            description="The kind of the object's mesh",
             items=[
                 ("MESH", "Mesh", "A mesh of its own, displaced as it is"),
                 ("PATCH", "Patch", "One period, a vertex on each sample"),
@@ -196,8 +197,8 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "use_cascade_divisors": bpy.props.BoolProperty(
             name="Own divisors",
-            description="Say by what the period of the patch is divided for each cascade, instead "
-            "of having it chosen",
+            description="Set the divisor of the patch's period for each cascade, instead of having "
+            "it chosen",
             get=_has_divisors,
             set=_set_divisors,
             options=set(),
@@ -213,7 +214,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "horizon_vertices": bpy.props.IntProperty(
             name="Vertices",
-            description="At most so many: more of them, and the finest ring reaches farther",
+            description="Max number of vertices; with more of them the finest ring reaches farther",
             min=5000,
             max=1500000,
             soft_min=50000,
@@ -244,7 +245,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "custom_time": bpy.props.FloatProperty(
             name="Time",
-            description="Seconds of the sea that are shown",
+            description="The sea's time that is shown, in seconds",
             unit="TIME_ABSOLUTE",
             update=changed,
         ),
@@ -294,7 +295,7 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "spray_lifetime": bpy.props.FloatProperty(
             name="Lifetime",
-            description="Greatest age of a point of spray, in a loop at most half of the loop",
+            description="Max age of a point of spray; in a loop max half of the loop",
             min=0.05,
             max=10.0,
             default=2.0,
@@ -313,8 +314,8 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "spray_most": bpy.props.IntProperty(
             name="At most",
-            description="Points that are alive at once in one period of the sea, about: where "
-            "there would be more they are thinner, all over the sea alike",
+            description="About the max number of points alive at once in one period of the sea; a "
+            "larger number is thinned evenly all over the sea",
             min=1,
             max=100000000,
             soft_min=1000,
@@ -324,8 +325,8 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "spray_size": bpy.props.FloatProperty(
             name="Size",
-            description="A point is drawn so many times as large as the drops that it stands for, "
-            "which have radii of 0.02 to 0.6 mm",
+            description="Factor by which a point is drawn larger than the drops that it stands "
+            "for, whose radii are 0.02 to 0.6 mm",
             min=0.0,
             soft_min=1.0,
             soft_max=1000.0,
@@ -334,13 +335,13 @@ class OceanSettings(bpy.types.PropertyGroup):
         ),
         "spray_material": bpy.props.PointerProperty(
             name="Material",
-            description="Of the points of spray",
+            description="Material of the points of spray",
             type=bpy.types.Material,
             update=changed,
         ),
         "spray_problem": bpy.props.StringProperty(
             name="Problem of the spray",
-            description="Why spray is not shown as asked",
+            description="Why spray is not shown as requested",
             options={"HIDDEN"},
         ),
         "use_bake": bpy.props.BoolProperty(
@@ -350,13 +351,13 @@ class OceanSettings(bpy.types.PropertyGroup):
             update=changed,
         ),
         "bake": bpy.props.PointerProperty(
-            type=OceanBake, name="Bake", description="What to bake, and the bake that there is"
+            type=OceanBake, name="Bake", description="The next bake and the present one"
         ),
         "volumes": bpy.props.PointerProperty(
-            type=OceanVolumes, name="Volumes", description="What to write as volumes"
+            type=OceanVolumes, name="Volumes", description="The water to write as volumes"
         ),
         "problem": bpy.props.StringProperty(
-            name="Problem", description="Why the sea is not shown as asked", options={"HIDDEN"}
+            name="Problem", description="Why the sea is not shown as requested", options={"HIDDEN"}
         ),
     }
 

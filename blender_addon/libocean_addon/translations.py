@@ -92,7 +92,7 @@ GERMAN = {
         "Donelan banner": "Donelan-Banner",
         "Maximum entropy": "Maximale Entropie",
         "Fourier": "Fourier",
-        # What the sea is.
+        # Facts about the sea.
         "Energy resolved": "Aufgelöste Energie",
         "Shortest wave": "Kürzeste Welle",
         # The range of a bake.
@@ -141,13 +141,13 @@ GERMAN = {
         "At most": "Höchstens",
         "Size": "Größe",
         "{:,} points": "{:,} Punkte",
-        "There is no spray: it takes a wind of more than 7 m/s": (
+        "There is no spray: it needs a wind above 7 m/s": (
             "Keine Gischt: dazu braucht es mehr als 7 m/s Wind"
         ),
         "There is no spray at this time": "Zu dieser Zeit ist keine Gischt da",
         "A draft; the whole sea: {:.0%}": "Ein Entwurf; die ganze See: {:.0%}",
         "This cannot be shown: {}": "Das kann nicht gezeigt werden: {}",
-        # What people should know.
+        # Hints and warnings.
         "Mesh: {:,} vertices": "Mesh: {:,} Punkte",
         "Maps: {} x {} samples, {:,.0f} MB": "Karten: {} x {} Stützstellen, {:,.0f} MB",
         "Maps: {} and, rendered, {}, {:,.0f} MB": "Karten: {} und, gerendert, {}, {:,.0f} MB",
@@ -251,7 +251,7 @@ GERMAN = {
         "The bake is for another time remapping: bake again": (
             "Gebacken für eine andere Zeitneuzuordnung: neu backen"
         ),
-        "The bake is of another sea than the parameters say: bake again": (
+        "The bake shows another sea than the parameters: bake again": (
             "Gebacken ist eine andere See als die der Parameter: neu backen"
         ),
         # Volumes.
@@ -291,7 +291,7 @@ GERMAN = {
             "Keines der gewählten Objekte hat gebackenes Schwimmen"
         ),
         "No object is the box: choose one": "Kein Objekt ist der Quader: wählen Sie eines",
-        "The box is empty: each end is beyond its beginning": (
+        "The box is empty: its upper corner must exceed its lower corner": (
             "Der Quader ist leer: jedes Ende liegt jenseits seines Anfangs"
         ),
         "This Blender has no OpenVDB module, and there is no command ocean. Where there is one, "
@@ -302,17 +302,17 @@ GERMAN = {
         "{}, of the preferences, is no command that writes volumes": (
             "{} aus den Einstellungen ist kein Befehl, der Volumen schreibt"
         ),
-        "Until it is started again Blender shows the files of before": (
+        "Blender shows the previous files until it is restarted": (
             "Bis zu seinem nächsten Start zeigt Blender die Dateien von vorher"
         ),
         "No ocean is selected": "Kein Ozean ist gewählt",
-        "Select the objects that shall float": "Wählen Sie die Objekte, die schwimmen sollen",
+        "Select the objects that should float": "Wählen Sie die Objekte, die schwimmen sollen",
         "The active object has no bake": "Vom aktiven Objekt ist nichts gebacken",
         "The active object has no ocean modifier": "Das aktive Objekt hat keinen Ozean-Modifikator",
         "The active object has an ocean: add wave systems to it": (
             "Das aktive Objekt hat einen Ozean: fügen Sie ihm Wellensysteme hinzu"
         ),
-        "The mesh has the vertices already that its maps ask for": (
+        "The mesh already has the vertices that its maps need": (
             "Das Mesh hat schon die Punkte, die seine Karten verlangen"
         ),
         "The active object is no mesh with an ocean": ("Das aktive Objekt ist kein Mesh mit Ozean"),
@@ -336,7 +336,7 @@ GERMAN = {
             "{}: gebackene Dateien sagen nicht, welche See sie zeigen: {}"
         ),
         "The render is stopped": "Das Rendern ist angehalten",
-        "The render is stopped before this frame: its camera is taken away": (
+        "The render stops before this frame: its camera was removed": (
             "Das Rendern ist vor diesem Bild angehalten: ihm ist die Kamera genommen"
         ),
         # Reports.
@@ -354,23 +354,23 @@ GERMAN = {
         "A measured spectrum needs a file: choose one below": (
             "Ein gemessenes Spektrum braucht eine Datei: wählen Sie unten eine"
         ),
-        "{} could not be written to its end: is the disk full?": (
+        "{} could not be written completely: is the disk full?": (
             "{} konnte nicht zu Ende geschrieben werden: ist der Datenträger voll?"
         ),
         "{} files removed": "{} Dateien entfernt",
-        "{} frames in {}: {} written, {} were there": (
+        "{} frames in {}: {} written, {} kept": (
             "{} Bilder in {}: {} geschrieben, {} waren schon da"
         ),
         "{} is gone; its files are in {}": "{} gibt es nicht mehr; die Dateien sind in {}",
         "A bake of {} is under way": "{} wird gerade gebacken",
         "A sea has at least one wave system": "Eine See hat mindestens ein Wellensystem",
         "After {} frames: {}": "Nach {} Bildern: {}",
-        "Linked data takes no other material": "Verknüpfte Daten nehmen kein anderes Material an",
+        "Linked data keeps its material": "Verknüpfte Daten nehmen kein anderes Material an",
         "Not all files could be removed: {}": "Nicht alle Dateien konnten entfernt werden: {}",
         "Save the blend file first: the bake's folder is relative to it": (
             "Speichern Sie zuerst die Blend-Datei: der Ordner ist relativ zu ihr"
         ),
-        "Stopped; {} of {} frames are there": "Angehalten; {} von {} Bildern sind da",
+        "Stopped; {} of {} frames are finished": "Angehalten; {} von {} Bildern sind da",
         "The bake of {} is in {}: choose another folder": (
             "{} ist schon nach {} gebacken: wählen Sie einen anderen Ordner"
         ),

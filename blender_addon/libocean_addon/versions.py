@@ -4,11 +4,14 @@
 
 from __future__ import annotations
 
-from . import baked, changes, meshes, parameter_values, resolutions
+from .bake import baked
+from .sea import meshes, parameter_values, resolutions
+from .shared import changes
 
 
 def upgrade(ob) -> None:
-    """What an object says is said as today; nothing happens to one that does already."""
+    """Rewrites the settings of an object as today's version has them; leaves those of today
+    alone."""
     if ob.library is not None:
         return
     settings = ob.libocean
@@ -18,7 +21,7 @@ def upgrade(ob) -> None:
         for name in ("viewport_resolution", "render_resolution"):
             setattr(settings, name, resolutions.nearest(getattr(settings, name)))
         # A patch had a vertex on each sample of its maps, up to 1024 a side.
-        side = meshes.samples_of(ob)
+        side = meshes.samples_of(ob.data)
         if settings.mesh_resolution == 0 and side is not None and side > meshes.AUTOMATIC:
             settings.mesh_resolution = side
     baked.upgrade(ob)

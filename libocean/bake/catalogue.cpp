@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tables of what the library bakes; see catalogue.hpp. A new format or
-// made product is one line here.
+// The library's own tables; see catalogue.hpp. A new format or family of made products is one line
+// here.
 #include "ocean/bake/catalogue.hpp"
 
 #include "formats/formats.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files that are there already; see complete_file.hpp.
+// See complete_file.hpp.
 #include "complete_file.hpp"
 
 #include <filesystem>
@@ -33,9 +33,8 @@ void hash_file(const BakeFile& file, ManifestEntry& entry) {
     entry.sha256 = hash.hex();
 }
 
-/// "" for a file that is no image.
+/// Returns "" for a file that is not an image.
 std::string hash_pixels(const BakePlan& plan, const BakeFile& file, int threads) {
-    if (plan.format->read_pixels == nullptr) return "";
     Sha256 hash;
     const bool image = plan.format->read_pixels(
         plan, file, threads, [&hash](std::string_view bytes) { hash.add(bytes); });
@@ -49,7 +48,7 @@ bool is_regular(const BakeFile& file) {
     return std::filesystem::is_regular_file(native(file), error);
 }
 
-void require_own_files(const BakePlan& plan, const Manifest& manifest) {
+void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& manifest) {
     for (const BakeFile& file : all_files(plan)) {
         io::refuse_to_replace_foreign_file(file.path, "a bake", [&] {
             return plan.format->is_baked(file) ||
@@ -77,12 +76,12 @@ ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads) {
 std::optional<ManifestEntry> find_complete(const BakePlan& plan, const BakeFile& file,
                                            const Manifest& manifest, int threads) {
     const ManifestEntry* listed = manifest.find(native(file).filename().string());
-    const bool speaks_for_itself = plan.format->tells_its_recipe;
-    if (!is_regular(file) || (listed == nullptr && !speaks_for_itself)) return std::nullopt;
+    const bool header_proves_recipe = plan.format->header_proves_recipe;
+    if (!is_regular(file) || (listed == nullptr && !header_proves_recipe)) return std::nullopt;
     try {
         ManifestEntry entry = inspect(plan, file, threads);
         if (listed != nullptr && listed->sha256 != entry.sha256) return std::nullopt;
-        if (!speaks_for_itself && listed->recipe != entry.recipe) return std::nullopt;
+        if (!header_proves_recipe && listed->recipe != entry.recipe) return std::nullopt;
         return entry;
     } catch (const Error&) {
         return std::nullopt;

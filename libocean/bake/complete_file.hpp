@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files that are there already: what they hold, and whether a plan would write the same.
+// Files that exist before a bake: reads them and decides whether the plan would write the same.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@
 
 namespace ocean {
 
-/// A device or a pipe has nothing to keep, and nothing to read back.
+/// Returns false for devices and pipes, which cannot be kept or read back.
 bool is_regular(const BakeFile& file);
 
-/// Throws Error invalid_value for a file of the plan that is there and was not baked, which is then
-/// the user's: neither the manifest lists it nor does it look so.
-void require_own_files(const BakePlan& plan, const Manifest& manifest);
+/// Throws Error invalid_value if one of the plan's files exists and is the user's: the manifest
+/// does not list it, and it does not look like a baked file.
+void refuse_to_overwrite_foreign_files(const BakePlan& plan, const Manifest& manifest);
 
-/// Writes into the entry what a plan says of a file before it is read: name, frame, time, product
-/// and recipe.
+/// Sets the members of an entry that follow from the plan alone: name, frame, time, product and
+/// recipe.
 void describe(const BakePlan& plan, const BakeFile& file, ManifestEntry& entry);
 
-/// Reads all of a file, and its pixels. Throws Error bad_file if it is damaged or none of this
-/// plan.
+/// Returns the entry of a file, with the hashes of its bytes and of its pixels. Throws Error
+/// bad_file if it is damaged or not the plan's.
 ManifestEntry inspect(const BakePlan& plan, const BakeFile& file, int threads);
 
-/// What is to be said of a file that is whole and what this plan would write; nothing for any
-/// other. A file that tells its recipe must agree with the manifest if that lists it; other files
-/// need the manifest.
+/// Returns the entry of a file that is complete and that this plan would write; nothing for any
+/// other file. A file whose header proves its recipe must agree with the manifest if that lists it;
+/// any other file must be listed.
 std::optional<ManifestEntry> find_complete(const BakePlan& plan, const BakeFile& file,
                                            const Manifest& manifest, int threads);
 

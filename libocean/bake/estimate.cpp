@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a bake will take; see estimate.hpp.
+// See estimate.hpp.
 #include "ocean/bake/estimate.hpp"
 
 #include <algorithm>
@@ -18,19 +18,19 @@
 namespace ocean {
 namespace {
 
-/// The program and its libraries, before there is a sea [measured].
+/// The program and its libraries without a sea [bytes], measured.
 #ifdef OCEAN_HAVE_OPENVDB
-constexpr std::uint64_t kProgramBytes = 58 << 20;  // of 56 MB of OpenVDB more than half is touched
+constexpr std::uint64_t kProgramBytes = 58 << 20;  // more than half of OpenVDB's 56 MB is touched
 #else
 constexpr std::uint64_t kProgramBytes = 24 << 20;
 #endif
 
-/// Its maps, what makes them, and what the format makes of them.
+/// Returns the memory of a frame: its maps, the work of making them, and the format's part [bytes].
 std::uint64_t frame_bytes(const BakePlan& plan) {
-    std::uint64_t bytes = plan.format->frame_bytes == nullptr ? 0 : plan.format->frame_bytes(plan);
+    std::uint64_t bytes = plan.format->frame_bytes(plan);
     const int maps = plan.maps.channels.size() + (plan.follows_foam() ? kFoamMaps : 0);
-    const auto add = [&](int resolution, int maps_there, ChannelSet channels) {
-        bytes += maps_bytes(resolution, maps_there) +
+    const auto add = [&](int resolution, int map_count, ChannelSet channels) {
+        bytes += maps_bytes(resolution, map_count) +
                  plan.subject->work_bytes({.backend = plan.backend, .channels = plan.channels},
                                           channels, resolution);
     };
@@ -53,8 +53,8 @@ WorkShare share_work(const BakePlan& plan) {
                    format_text("a bake of %d x %d samples", plan.finest(), plan.finest()));
     const int all = plan.threads > 0 ? plan.threads : available_cores();
     const int frames = static_cast<int>(plan.frames.size());
-    int at_a_time = plan.has_past() ? 1 : std::clamp(frames, 1, all);
-    // Half of what is there: the disk's cache and the neighbours want some too.
+    int at_a_time = plan.is_sequential() ? 1 : std::clamp(frames, 1, all);
+    // Uses half of the available memory: the disk's cache and other programs need some too.
     while (at_a_time > 1 && bake_memory_bytes(plan, at_a_time) > available_memory() / 2) {
         --at_a_time;
     }
@@ -64,7 +64,7 @@ WorkShare share_work(const BakePlan& plan) {
 BakeForecast forecast_bake(const BakePlan& plan) {
     const WorkShare share = share_work(plan);
     const Manifest manifest(plan.pattern.manifest());
-    require_own_files(plan, manifest);
+    refuse_to_overwrite_foreign_files(plan, manifest);
     io::require_folder(plan.pattern.folder());
     BakeForecast forecast;
     const auto add = [&](const std::vector<BakeFile>& files) {
@@ -74,10 +74,10 @@ BakeForecast forecast_bake(const BakePlan& plan) {
             });
         for (const BakeFile& file : files) {
             forecast.files.push_back({file.path, keep});
-            if (!keep) forecast.bytes += plan.format->most_bytes(plan, file);
+            if (!keep) forecast.bytes += plan.format->max_bytes(plan, file);
         }
     };
-    if (plan.format->shared_files != nullptr) add(plan.format->shared_files(plan));
+    if (plan.format->has_shared_files) add(plan.format->shared_files(plan));
     for (const int frame : plan.frames) add(plan.format->files(plan, frame));
     forecast.free_bytes = io::free_bytes(plan.pattern.folder());
     forecast.memory_bytes = bake_memory_bytes(plan, share.frames_at_a_time);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One frame; see frame_baker.hpp. A file is read back as soon as it is written: its hashes are
-// those of what the disk holds, and a disk that lies is found out.
+// See frame_baker.hpp. A file is read back as soon as it is written, so that its hashes are those
+// of the disk's content and a faulty disk is detected.
 #include "frame_baker.hpp"
 
 #include <array>
@@ -39,7 +39,7 @@ void FrameBaker::make(const std::vector<BakeFile>& files, int frame) {
     const std::vector<Surface> maps = make_maps(bake_.plan.subject->time_of(frame));
     bake_.plan.format->write({bake_.plan, frame, maps, *source_, threads_,
                               [this](const BakeFile& file, const std::function<void()>& write) {
-                                  put_file(bake_, file, threads_, write);
+                                  write_and_verify(bake_, file, threads_, write);
                               },
                               [this](const std::string& message) { bake_.host.warning(message); }},
                              files);
@@ -68,7 +68,7 @@ std::vector<Surface> FrameBaker::make_maps(double time) {
     return surfaces;
 }
 
-/// What a frame's name points to may be another frame: the frame takes the place of the link.
+/// Removes a symbolic link in the place of a frame: it may point to another frame.
 static void remove_link(const BakeFile& file) {
     std::error_code ignored;
     const std::filesystem::path path = utf8_path(file.path);
@@ -77,8 +77,8 @@ static void remove_link(const BakeFile& file) {
     }
 }
 
-void put_file_held(const Bake& bake, const BakeFile& file, int threads,
-                   const std::function<void()>& write) {
+void write_and_verify_uninterrupted(const Bake& bake, const BakeFile& file, int threads,
+                                    const std::function<void()>& write) {
     remove_link(file);
     write();
     if (!is_regular(file)) return;
@@ -91,9 +91,10 @@ void put_file_held(const Bake& bake, const BakeFile& file, int threads,
     }
 }
 
-void put_file(const Bake& bake, const BakeFile& file, int threads,
-              const std::function<void()>& write) {
-    bake.host.whole([&] { put_file_held(bake, file, threads, write); });
+void write_and_verify(const Bake& bake, const BakeFile& file, int threads,
+                      const std::function<void()>& write) {
+    bake.host.run_uninterrupted(
+        [&] { write_and_verify_uninterrupted(bake, file, threads, write); });
 }
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One frame of a bake after another: computed, written, read back.
+// Bakes one frame after the other: computes, writes and reads it back.
 #pragma once
 
 #include <memory>
@@ -14,28 +14,30 @@
 
 namespace ocean {
 
-/// What all frames of a bake share.
+/// The objects that all frames of a bake share.
 struct Bake {
     const BakePlan& plan;
-    const SubjectMaps& source;  // with what its frames share
+    const SubjectMaps& source;  // with the data that its frames share
     Manifest& manifest;
     BakeHost& host;
 };
 
-/// Writes a file, undisturbed by an interrupt, and reads it back for the manifest.
-void put_file(const Bake& bake, const BakeFile& file, int threads,
-              const std::function<void()>& write);
+/// Runs `write` with interrupts deferred, then reads the file back, verifies it and enters its
+/// hashes into the manifest. Throws Error output if it does not read back.
+void write_and_verify(const Bake& bake, const BakeFile& file, int threads,
+                      const std::function<void()>& write);
 
-/// Writes a file within a `whole` of the host that the caller has begun: they do not nest.
-void put_file_held(const Bake& bake, const BakeFile& file, int threads,
-                   const std::function<void()>& write);
+/// The part of write_and_verify() without deferring interrupts, for callers that are inside the
+/// host's run_uninterrupted() already: calls of it do not nest.
+void write_and_verify_uninterrupted(const Bake& bake, const BakeFile& file, int threads,
+                                    const std::function<void()>& write);
 
-/// Several of them bake side by side.
+/// One worker of a bake. Several of them work in parallel.
 class FrameBaker {
   public:
     FrameBaker(const Bake& bake, int threads);
 
-    /// Enters the files into the manifest and returns true if all of them are complete.
+    /// Enters the files into the manifest and returns true, if all of them are complete.
     bool keep(const std::vector<BakeFile>& files);
     /// Computes the frame, writes its files, and reads them back for the manifest.
     void make(const std::vector<BakeFile>& files, int frame);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frames side by side; see frame_workers.hpp.
+// See frame_workers.hpp.
 #include "frame_workers.hpp"
 
 #include <condition_variable>
@@ -16,7 +16,7 @@ class Workers {
   public:
     Workers(int count, int workers, const std::function<bool(int, int)>& job)
         : count_(count),
-          most_ahead_(2 * workers),
+          max_ahead_(2 * workers),
           finished_(static_cast<std::size_t>(count), false) {
         for (int worker = 0; worker < workers; ++worker) {
             threads_.emplace_back([this, worker, &job] { work(worker, job); });
@@ -29,7 +29,7 @@ class Workers {
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
-    /// Waits for the job `index`; false if it will never be begun.
+    /// Blocks until the job `index` is finished; returns false if it will never be started.
     bool wait_for(int index) {
         std::unique_lock lock(mutex_);
         const auto done = [&] { return finished_[static_cast<std::size_t>(index)]; };
@@ -56,7 +56,7 @@ class Workers {
             {
                 std::unique_lock lock(mutex_);
                 changed_.wait(lock, [this] {
-                    return stopped_ || next_ == count_ || next_ - delivered_ < most_ahead_;
+                    return stopped_ || next_ == count_ || next_ - delivered_ < max_ahead_;
                 });
                 if (stopped_ || next_ == count_) return;
                 index = next_++;
@@ -70,7 +70,7 @@ class Workers {
     }
 
     const int count_;
-    const int most_ahead_;
+    const int max_ahead_;
     std::mutex mutex_;
     std::condition_variable changed_;
     int next_ = 0;

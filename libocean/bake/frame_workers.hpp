@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frames side by side: computed in any order, reported in theirs.
+// Runs jobs in parallel and delivers their results in order.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 namespace ocean {
 
 /// Calls job(worker, index) for the indices [0, count) on `workers` threads, then deliver(index) in
-/// the order of the indices on the calling thread. No job is begun more than two for each worker
-/// ahead of what was delivered: who does not read holds the work up. After a job that returned
-/// false no other is begun; those in hand are finished and delivered. Jobs must not throw; what
-/// deliver throws comes out here when the jobs in hand are done.
+/// the order of the indices on the calling thread. At most two jobs for each
+/// worker are started ahead of the last delivered one, so that a slow deliver() holds up the work.
+/// After a job that returned false no other is started; running jobs are finished and delivered.
+/// Jobs must not throw; an exception of deliver() is thrown when the running jobs are finished.
 void run_in_order(int count, int workers, const std::function<bool(int worker, int index)>& job,
                   const std::function<void(int index)>& deliver);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frame numbers and file names; see frames.hpp.
+// See frames.hpp.
 #include "ocean/bake/frames.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace ocean {
 namespace {
 
-constexpr std::size_t kMostFrames = 1000000;
+constexpr std::size_t kMaxFrames = 1000000;
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ErrorKind::invalid_value, message);
@@ -29,15 +29,15 @@ constexpr std::size_t kMostFrames = 1000000;
            "; allowed are FIRST, FIRST-LAST and FIRST-LASTxSTEP in comma lists, such as 1-250x2");
 }
 
-/// Takes an integer from the front of `rest`; false if there is none or it does not fit.
-bool take_int(std::string_view& rest, int& value) {
+/// Removes an integer from the front of `rest`; returns false if it has none or it does not fit.
+bool read_int(std::string_view& rest, int& value) {
     const auto [stop, code] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     if (code != std::errc()) return false;
     rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
     return true;
 }
 
-bool take_char(std::string_view& rest, char c) {
+bool read_char(std::string_view& rest, char c) {
     if (rest.empty() || rest.front() != c) return false;
     rest.remove_prefix(1);
     return true;
@@ -52,15 +52,15 @@ struct FrameRange {
 FrameRange parse_range(std::string_view part) {
     std::string_view rest = part;
     FrameRange range{0, 0, 1};
-    if (!take_int(rest, range.first)) refuse_frames(part, "not a frame number");
+    if (!read_int(rest, range.first)) refuse_frames(part, "not a frame number");
     range.last = range.first;
-    if (take_char(rest, '-')) {
-        if (!take_int(rest, range.last)) refuse_frames(part, "the range has no end");
-        if (take_char(rest, 'x') && (!take_int(rest, range.step) || range.step < 1)) {
+    if (read_char(rest, '-')) {
+        if (!read_int(rest, range.last)) refuse_frames(part, "the range has no end");
+        if (read_char(rest, 'x') && (!read_int(rest, range.step) || range.step < 1)) {
             refuse_frames(part, "the step must be a whole number, at least 1");
         }
     }
-    // y, : and fractions mean other things in other tools: better refused than misread.
+    // y, : and fractions have other meanings in other tools: refused, lest they are misread.
     if (!rest.empty()) refuse_frames(part, "'" + std::string(rest) + "' is not supported");
     if (range.last < range.first) refuse_frames(part, "the last frame comes before the first");
     return range;
@@ -76,7 +76,7 @@ std::vector<int> parse_frames(std::string_view text) {
         for (long long frame = range.first; frame <= range.last; frame += range.step) {
             const int number = static_cast<int>(frame);
             if (!seen.insert(number).second) continue;
-            if (frames.size() == kMostFrames) refuse_frames(part, "more than a million frames");
+            if (frames.size() == kMaxFrames) refuse_frames(part, "more than a million frames");
             frames.push_back(number);
         }
     }
@@ -84,18 +84,18 @@ std::vector<int> parse_frames(std::string_view text) {
 }
 
 std::string frames_text(const std::vector<int>& frames) {
-    constexpr std::size_t kEnough = 200;
-    constexpr std::size_t kFewSteps = 6;
+    constexpr std::size_t kMaxBytes = 200;
+    constexpr std::size_t kMinSteppedFrames = 6;
     std::string text;
     for (std::size_t i = 0; i < frames.size();) {
-        if (text.size() > kEnough) return text + " ... " + std::to_string(frames.back());
+        if (text.size() > kMaxBytes) return text + " ... " + std::to_string(frames.back());
         std::size_t last = std::min(i + 1, frames.size() - 1);
         const long long step = static_cast<long long>(frames[last]) - frames[i];
         while (last + 1 < frames.size() &&
                static_cast<long long>(frames[last + 1]) - frames[last] == step) {
             ++last;
         }
-        if (step < 1 || (step > 1 && last - i + 1 < kFewSteps)) last = i;
+        if (step < 1 || (step > 1 && last - i + 1 < kMinSteppedFrames)) last = i;
         text += (text.empty() ? "" : ", ") + std::to_string(frames[i]);
         if (last > i) text += "-" + std::to_string(frames[last]);
         if (last > i && step > 1) text += "x" + std::to_string(step);
@@ -122,8 +122,8 @@ std::vector<int> Shard::of(const std::vector<int>& frames) const {
 Shard parse_shard(std::string_view text) {
     Shard shard;
     std::string_view rest = text;
-    const bool numbers = take_int(rest, shard.number) && take_char(rest, '/') &&
-                         take_int(rest, shard.count) && rest.empty();
+    const bool numbers = read_int(rest, shard.number) && read_char(rest, '/') &&
+                         read_int(rest, shard.count) && rest.empty();
     if (!numbers || shard.number < 1 || shard.number > shard.count) {
         refuse("--shard " + std::string(text) +
                ": allowed is I/N, the I-th of N parts, from 1/N to N/N");
@@ -139,7 +139,7 @@ OutputPattern::OutputPattern(const std::string& path) {
     static const std::regex folder_token("##+|%0?[0-9]*d|\\$F");
     if (std::smatch match; std::regex_search(folder_, match, folder_token)) {
         refuse("-o '" + path + "': " + match.str() +
-               " stands in a folder's name; frames are numbered in the names of files alone");
+               " is in the name of a folder; only names of files may contain a frame number");
     }
     if (name.empty()) refuse("-o '" + path + "': the name of a file is missing");
 
@@ -160,13 +160,13 @@ OutputPattern::OutputPattern(const std::string& path) {
     before_ = match.prefix();
     after_ = match.suffix();
     if (match[0].str().front() == '#') {
-        // Some tools read # as four digits, others as one: a lone # means 4, #### is 4 for all.
+        // Some tools read # as four digits, others as one: a lone # is 4, and #### is 4 everywhere.
         width_ = match[0].length() == 1 ? 4 : static_cast<int>(match[0].length());
     } else {
         const std::string digits = match[1].matched ? match[1].str() : match[2].str();
         std::string_view rest = digits;
         width_ = 1;
-        if (!digits.empty() && (!take_int(rest, width_) || width_ < 1 || width_ > 20)) {
+        if (!digits.empty() && (!read_int(rest, width_) || width_ < 1 || width_ > 20)) {
             refuse("-o '" + path + "': 1 to 20 digits are allowed for a frame number");
         }
     }
@@ -210,7 +210,7 @@ std::optional<int> OutputPattern::number_in(std::string_view name) const {
     int number = 0;
     if (!has_token() || !name.starts_with(before_)) return std::nullopt;
     name.remove_prefix(before_.size());
-    if (!take_int(name, number)) return std::nullopt;
+    if (!read_int(name, number)) return std::nullopt;
     return number;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reading, merging and writing of the manifest's file; see manifest.hpp.
+// Reads, merges and writes the manifest's file; see manifest.hpp.
 #include "manifest.hpp"
 
 #include <filesystem>
@@ -16,16 +16,16 @@
 namespace ocean {
 namespace {
 
-constexpr std::uintmax_t kLargestManifest = std::uintmax_t{256} << 20;  // some 500 000 files
+constexpr std::uintmax_t kMaxManifestBytes = std::uintmax_t{256} << 20;  // some 500 000 files
 
-/// "" if there is no such file.
+/// Returns the text of a file, "" if it does not exist.
 std::string read_text(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) return "";
     const auto refuse = [](const char* reason) { throw Error(ErrorKind::bad_file, reason); };
     if (!std::filesystem::is_regular_file(path, error)) refuse("it is not a file");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || size > kLargestManifest) refuse("it is larger than 256 MiB");
+    if (error || size > kMaxManifestBytes) refuse("it is larger than 256 MiB");
     std::string text(size, '\0');
     std::ifstream file(path, std::ios::binary);
     file.read(text.data(), static_cast<std::streamsize>(size));
@@ -54,11 +54,11 @@ Manifest::Manifest(std::string path) : path_(std::move(path)) {
     } catch (const Error& error) {
         if (text.find(kManifestKey) == std::string::npos) {
             throw Error(ErrorKind::invalid_value, "'" + path_ +
-                                                      "' is there and no manifest of a "
-                                                      "bake: it is not replaced; move it or choose "
-                                                      "another --output");
+                                                      "' exists and is not a manifest "
+                                                      "of a bake: it is not replaced; move it or "
+                                                      "choose another --output");
         }
-        distrust_ = path_ + " is damaged: " + error.what();
+        load_error_ = path_ + " is damaged: " + error.what();
     }
 }
 
@@ -87,11 +87,11 @@ void Manifest::set_missing(std::vector<int> frames) {
     missing_ = std::move(frames);
 }
 
-void Manifest::save(const std::function<void()>& before_it) {
+void Manifest::save(const std::function<void()>& before_merge) {
     std::filesystem::path folder = utf8_path(path_).parent_path();
     if (folder.empty()) folder = ".";
     const io::FolderLock lock(text::to_utf8(folder));
-    if (before_it) before_it();
+    if (before_merge) before_merge();
     ManifestEntries fresh, saved;
     std::vector<int> missing;
     {
@@ -107,9 +107,9 @@ void Manifest::save(const std::function<void()>& before_it) {
         before = read_text(utf8_path(path_));
         if (!before.empty()) merged.merge(parse_manifest(before));
     } catch (const Error&) {
-        // Replaced, as the run has warned at its start.
+        // It is replaced; the run has warned of that at its start.
     }
-    merged.merge(saved);  // a file that was lost since has them no more
+    merged.merge(saved);  // the file may have been lost since
     drop_missing_files(merged, folder);
     const std::string text = manifest_text(merged, missing);
     if (text != before) io::write_file_atomically(path_, text);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The manifest as JSON, a file a line. The reader takes exactly what the writer writes: it stops at
-// the first thing that is not of our form, so that no text makes it allocate more than its own
-// size.
+// The manifest as JSON, one line for each file. The reader accepts only the form that the writer
+// writes and stops at the first deviation, so that no text makes it allocate more than the text's
+// own size.
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -99,7 +99,7 @@ class ManifestReader final : public nlohmann::json_sax<json> {
 
     template <typename Whole>
     bool number(Whole value) {
-        if (place_ == Place::missing) return true;  // it is found out anew
+        if (place_ == Place::missing) return true;  // each run determines them anew
         if (place_ == Place::top && key_ == kManifestKey) {
             version_known = value == static_cast<Whole>(kManifestVersion);
             return version_known || refuse("it is of another version");
@@ -132,7 +132,7 @@ std::string manifest_text(const ManifestEntries& entries, std::span<const int> m
                                        {"bytes", entry.bytes}, {"sha256", entry.sha256}};
         if (!entry.pixels_sha256.empty()) line["pixels_sha256"] = entry.pixels_sha256;
         line["recipe"] = entry.recipe;
-        // A name that is not UTF-8 is no JSON: its entry will not be found again.
+        // JSON cannot hold a name that is not UTF-8: its entry will not be found again.
         text += separator + line.dump(-1, ' ', false, json::error_handler_t::replace);
         separator = ",\n";
     }
@@ -147,8 +147,7 @@ ManifestEntries parse_manifest(std::string_view text) {
     ManifestReader reader;
     const bool whole = json::sax_parse(text.begin(), text.end(), &reader);
     if (!whole || !reader.version_known) {
-        throw Error(ErrorKind::bad_file,
-                    reader.fault.empty() ? "it names no version" : reader.fault);
+        throw Error(ErrorKind::bad_file, reader.fault.empty() ? "it has no version" : reader.fault);
     }
     return std::move(reader.entries);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a bake is asked to do; see plan.hpp.
+// See plan.hpp.
 #include "ocean/bake/plan.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
     throw Error(ErrorKind::invalid_value, message);
 }
 
-/// "24000/1001" as the number that it is, the rate of film on television.
+/// Returns "24000/1001", the rate of film on television, as a decimal number.
 std::string decimal_rate(const std::string& text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string::npos) return text;
@@ -47,12 +47,12 @@ std::string decimal_rate(const std::string& text) {
 }
 
 std::vector<FormatOption> options_of(const BakeFormat& format, const Catalogue& catalogue) {
-    return format.options == nullptr ? std::vector<FormatOption>{} : format.options(catalogue);
+    return format.options(catalogue);
 }
 
-/// An option that the format would ignore is a misunderstanding.
-void refuse_foreign(const BakeOptions& options, const BakeFormat& format,
-                    const Catalogue& catalogue) {
+/// Refuses options that only other formats have, and options whose companion is missing.
+void refuse_foreign_options(const BakeOptions& options, const BakeFormat& format,
+                            const Catalogue& catalogue) {
     const std::vector<FormatOption> known = options_of(format, catalogue);
     const auto knows = [&](const std::string& name) {
         return std::any_of(known.begin(), known.end(),
@@ -69,43 +69,43 @@ void refuse_foreign(const BakeOptions& options, const BakeFormat& format,
                 refuse(typed + "needs --" + option.needs);
             }
             if (!knows(option.name)) {
-                refuse(typed + "only files of type " + std::string(home->extension) + " know it");
+                refuse(typed + "only files of type " + std::string(home->extension) + " have it");
             }
         }
     }
 }
 
-[[noreturn]] void refuse_foreign_subject(const std::string& what, std::string_view owner,
+[[noreturn]] void refuse_foreign_subject(const std::string& option, std::string_view owner,
                                          const Subject& subject) {
-    throw Error(ErrorKind::unsupported, what + ": only " + io::subject_words(owner).noun +
+    throw Error(ErrorKind::unsupported, option + ": only " + io::subject_words(owner).noun +
                                             " has it, and this is " +
                                             io::subject_words(subject.kind()).noun);
 }
 
 /// Refuses options and products that only another kind of subject has.
 void refuse_foreign_subject(const BakeOptions& options, const Catalogue& catalogue,
-                            const BakePlan& begun) {
+                            const BakePlan& draft) {
     const auto is_foreign = [&](std::string_view owner) {
-        return !owner.empty() && owner != begun.subject->kind();
+        return !owner.empty() && owner != draft.subject->kind();
     };
-    for (const FormatOption& option : options_of(*begun.format, catalogue)) {
+    for (const FormatOption& option : options_of(*draft.format, catalogue)) {
         if (!is_foreign(option.subject) || options.format_option(option.name).empty()) continue;
-        refuse_foreign_subject("--" + option.name, option.subject, *begun.subject);
+        refuse_foreign_subject("--" + option.name, option.subject, *draft.subject);
     }
-    if (begun.format->products == nullptr) return;
-    for (const Product* product : begun.format->products(begun)) {
+    for (const Product* product : draft.format->products(draft)) {
         if (!is_foreign(product->subject)) continue;
         refuse_foreign_subject("--products " + std::string(product->name), product->subject,
-                               *begun.subject);
+                               *draft.subject);
     }
 }
 
-/// Refuses maps of channels that the subject does not have. Those of hosts are made of others.
+/// Refuses maps of channels that the subject does not have. Channels of hosts are computed from
+/// those of the library.
 void require_channels(const BakePlan& plan) {
-    const ChannelSet there = plan.subject->channels();
+    const ChannelSet available = plan.subject->channels();
     for (int c = 0; c < kChannelCount; ++c) {
         const auto channel = static_cast<Channel>(c);
-        if (!plan.maps.channels.contains(channel) || there.contains(channel)) continue;
+        if (!plan.maps.channels.contains(channel) || available.contains(channel)) continue;
         throw Error(ErrorKind::unsupported, "a " + std::string(plan.subject->kind()) + " has no " +
                                                 std::string(channel_info(channel).name));
     }
@@ -115,12 +115,12 @@ const Backend& backend_by_name(const Catalogue& catalogue, const std::string& na
     for (const Backend& backend : catalogue.backends) {
         if (backend.name == name) return backend;
     }
-    if (name == "gl") find_backend(name);  // says why it is not there
+    if (name == "gl") find_backend(name);  // throws the reason why it is unavailable
     refuse("unknown backend '" + name + "'; known: " + catalogue.backend_names());
 }
 
-/// Of the backends that may be faster than cpu, the first that is. Each is asked once: that may
-/// take a context of a GPU.
+/// Sets the first backend that is faster than cpu, else cpu. Queries each backend once, because
+/// that may create a GPU context.
 void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& plan) {
     plan.backend = Backend::cpu;
     plan.backend_note = "backend cpu";
@@ -137,8 +137,9 @@ void choose_fast_backend(const Catalogue& catalogue, int resolution, BakePlan& p
     }
 }
 
-/// For the largest of the plan's maps. Throws Error no_gpu for one that does not run here.
-void settle_backend(const Catalogue& catalogue, const std::string& name, BakePlan& plan) {
+/// Sets the backend for the largest of the plan's maps. Throws Error no_gpu for one that does not
+/// run on this machine.
+void resolve_backend(const Catalogue& catalogue, const std::string& name, BakePlan& plan) {
     const int resolution = std::max(plan.maps.finer, std::ranges::max(plan.maps.resolutions));
     if (name == kAutoBackend) return choose_fast_backend(catalogue, resolution, plan);
     plan.backend = backend_by_name(catalogue, name.empty() ? "cpu" : name);
@@ -152,7 +153,7 @@ int find_resolution(const BakeOptions& options, const Subject& subject) {
     const std::string& text = options.resolution;
     if (text.empty()) {
         const int shown = subject.default_resolution();
-        return options.largest_map > 0 ? std::min(shown, options.largest_map) : shown;
+        return options.max_resolution > 0 ? std::min(shown, options.max_resolution) : shown;
     }
     const int resolution = parse_whole_number(text, "--resolution", kMinResolution, kMaxResolution);
     if (!is_resolution(resolution)) {
@@ -162,8 +163,8 @@ int find_resolution(const BakeOptions& options, const Subject& subject) {
     return resolution;
 }
 
-/// Gives the names room for the frame number and the product where several files need it.
-void settle_names(const FormatPlan& files, BakePlan& plan) {
+/// Adds the frame number and the product to the names of files if there are several.
+void resolve_names(const FormatPlan<ErasedSettings>& files, BakePlan& plan) {
     const bool several = plan.frames.size() > 1 || files.named_products.size() > 1;
     if (several) plan.pattern = plan.pattern.with_token();
     plan.product_in_name = !files.named_products.empty() && plan.pattern.has_token();
@@ -173,12 +174,12 @@ void settle_names(const FormatPlan& files, BakePlan& plan) {
 
 const std::string& BakeOptions::format_option(const std::string& name) const {
     static const std::string not_given;
-    const auto found = of_format.find(name);
-    return found == of_format.end() ? not_given : found->second;
+    const auto found = format_options.find(name);
+    return found == format_options.end() ? not_given : found->second;
 }
 
-void BakeOptions::take(const std::string& name, std::string_view value) {
-    std::string& option = of_format[name];
+void BakeOptions::set_default(const std::string& name, std::string_view value) {
+    std::string& option = format_options[name];
     if (option.empty()) option = value;
 }
 
@@ -189,8 +190,7 @@ std::vector<std::string> output_paths(const BakePlan& plan) {
 }
 
 std::vector<BakeFile> all_files(const BakePlan& plan) {
-    std::vector<BakeFile> files;
-    if (plan.format->shared_files != nullptr) files = plan.format->shared_files(plan);
+    std::vector<BakeFile> files = plan.format->shared_files(plan);
     for (const int frame : plan.frames) {
         std::ranges::move(plan.format->files(plan, frame), std::back_inserter(files));
     }
@@ -237,15 +237,13 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     if (plan.format == nullptr) {
         refuse_extension(catalogue, options.output, plan.pattern.extension());
     }
-    refuse_foreign(options, *plan.format, catalogue);
-    if (plan.format->read_options != nullptr) {
-        plan.settings = plan.format->read_options(options, catalogue);
-    }
+    refuse_foreign_options(options, *plan.format, catalogue);
+    plan.settings = plan.format->read_options(options, catalogue);
     plan.skip_existing = options.skip_existing;
     plan.keep_going = options.keep_going;
     plan.threads = options.threads;
     plan.channels = catalogue.channels;
-    // A wrong name is told before the sea is read.
+    // A wrong name is refused before the sea is read.
     if (!options.backend.empty() && options.backend != kAutoBackend) {
         backend_by_name(catalogue, options.backend);
     }
@@ -258,12 +256,12 @@ BakePlan make_bake_plan(const BakeOptions& typed, const Catalogue& catalogue) {
     plan.all_frames = plan.frames;
     plan.resolution = find_resolution(options, *plan.subject);
     refuse_foreign_subject(options, catalogue, plan);
-    FormatPlan settled = plan.format->settle(plan);
-    settle_names(settled, plan);
-    plan.maps = std::move(settled.maps);
+    FormatPlan<ErasedSettings> resolved = plan.format->resolve(plan);
+    resolve_names(resolved, plan);
+    plan.maps = std::move(resolved.maps);
     require_channels(plan);
-    plan.settings = std::move(settled.settings);
-    settle_backend(catalogue, options.backend, plan);
+    plan.settings = std::move(resolved.settings);
+    resolve_backend(catalogue, options.backend, plan);
     plan.shard = options.shard;
     if (!options.shard.empty()) plan.frames = parse_shard(options.shard).of(plan.frames);
     plan.subject_text = plan.subject->text();

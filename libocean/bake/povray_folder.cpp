@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies around the frames of a folder for POV-Ray; see povray_folder.hpp.
+// See povray_folder.hpp.
 #include "ocean/bake/povray_folder.hpp"
 
 #include <algorithm>
@@ -24,8 +24,8 @@
 namespace ocean {
 namespace {
 
-/// Which frames POV-Ray counts, and its clock. A frame has the number that it has in the sea, and
-/// the clock is its time.
+/// Returns the settings of POV-Ray's frame counter and clock. A frame has its number in the sea,
+/// and the clock is its time [s].
 std::string frame_settings(const Sea& sea, const std::vector<int>& frames) {
     const auto lines = [&](const char* names, int first, int last) {
         return format_text(names, first, last, sea.time_of(first), sea.time_of(last));
@@ -40,7 +40,7 @@ std::string frame_settings(const Sea& sea, const std::vector<int>& frames) {
     }
     if (count == 0) return "";
     const int first = *shown, last = frames.back();
-    if (count == 1) {  // of an animation of one frame the clock is no number
+    if (count == 1) {  // in an animation of one frame the clock is not a number
         return lines("Initial_Frame=%d\nFinal_Frame=%d\nInitial_Clock=%.9g\nFinal_Clock=%.9g\n",
                      first, first + 1) +
                format_text("Subset_End_Frame=%d\n", first);
@@ -73,7 +73,7 @@ std::string animation_settings(const Sea& sea, const std::vector<int>& frames) {
     return text + frame_settings(sea, frames);
 }
 
-/// The same in all folders, for all frames: 3 MB. Texels of lace are of 12 mm.
+/// Returns the same PNG for all folders and frames: 3 MB. A texel of lace measures 12 mm.
 std::string foam_image(FoamTextureKind kind, ThreadPool& pool) {
     const FoamTextureSettings settings{kind, kind == FoamTextureKind::lace ? 1024 : 512};
     const std::vector<float> texture = make_foam_texture(settings, pool);
@@ -87,13 +87,13 @@ std::string foam_image(FoamTextureKind kind, ThreadPool& pool) {
 }  // namespace
 
 std::string FolderFile::opening() const {
-    // Signature, size, depth and colour of an image; of a text the first line, up to what it
-    // counts.
+    // Signature, size, depth and colour of an image; the first line of a text, up to its first
+    // number.
     if (name.ends_with(".png")) return text.substr(0, 33);
     return text.substr(0, text.find_first_of("\n0123456789"));
 }
 
-FramesThere povray_frames_there(const BakePlan& plan) {
+ExistingFrames povray_existing_frames(const BakePlan& plan) {
     return find_frames(plan, [&plan](std::span<const BakeFile> files) {
         constexpr std::size_t kHead = 4096;  // the declarations begin the file
         return std::ranges::all_of(files, is_regular) &&
@@ -117,7 +117,7 @@ std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState
     files.push_back(
         {"sea.toml", "# The sea of this folder, by `ocean povray`.\n" + plan.subject_text});
     files.push_back({"scene.pov", std::string(kScenePov), true});
-    // Of larger maps the macros make them: the text would be 220 MB at 2048.
+    // The macros make the faces of larger maps: the text would be 220 MB at 2048 samples.
     if (plan.format->name == "df3" && plan.resolution <= 1024) {
         files.push_back({"faces.inc", io::povray_faces(io::patch_triangles(plan.resolution))});
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Baking the frames of a plan. A frame's time comes from the sea alone, so that frames may be baked
-// in any order, on any machine, and baked again after a crash with the same bytes.
+// See run.hpp. The time of a frame depends on the subject alone, so that frames may be baked in any
+// order, on any machine, and baked again after a crash with the same bytes.
 #include "ocean/bake/run.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "complete_file.hpp"
 #include "frame_baker.hpp"
 #include "frame_workers.hpp"
-#include "ocean/bake/frames_there.hpp"
+#include "ocean/bake/existing_frames.hpp"
 #include "ocean/error.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/subject.hpp"
@@ -25,16 +25,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What became of one frame.
-struct Outcome {
+/// The result of one frame.
+struct FrameOutcome {
     bool skipped = false;
     double seconds = 0.0;
     std::vector<std::string> files;
     std::optional<Error> error;
 };
 
-Outcome bake_frame(const BakePlan& plan, FrameBaker& baker, int frame) {
-    Outcome outcome;
+FrameOutcome bake_frame(const BakePlan& plan, FrameBaker& baker, int frame) {
+    FrameOutcome outcome;
     const Clock::time_point started = Clock::now();
     try {
         const std::vector<BakeFile> files = plan.format->files(plan, frame);
@@ -52,22 +52,23 @@ Outcome bake_frame(const BakePlan& plan, FrameBaker& baker, int frame) {
     return outcome;
 }
 
-/// Keeps the manifest on the disk not far behind the files, at a twentieth of the time at most.
-class ManifestKeeper {
+/// Saves the manifest every few seconds while files are written, and spends at most a twentieth of
+/// the time on it.
+class ManifestSaver {
   public:
-    explicit ManifestKeeper(const Bake& bake) : bake_(bake) {}
+    explicit ManifestSaver(const Bake& bake) : bake_(bake) {}
 
-    void save(const std::function<void()>& before_it = {}) {
+    void save(const std::function<void()>& before_merge = {}) {
         const Clock::time_point started = Clock::now();
-        bake_.host.whole([&] { bake_.manifest.save(before_it); });
+        bake_.host.run_uninterrupted([&] { bake_.manifest.save(before_merge); });
         saved_ = Clock::now();
         pause_ = std::max<Clock::duration>(std::chrono::seconds(5), 20 * (saved_ - started));
     }
-    void save_now_and_then() {
+    void save_if_due() {
         if (Clock::now() - saved_ > pause_) save();
     }
-    /// When something else went wrong, which is what the user must hear.
-    void save_if_possible() noexcept {
+    /// Saves while another error is on its way to the user, which an error of saving must not hide.
+    void try_save() noexcept {
         try {
             save();
         } catch (const std::exception&) {
@@ -80,21 +81,21 @@ class ManifestKeeper {
     Clock::duration pause_ = std::chrono::seconds(5);
 };
 
-/// Reports each frame as it is delivered; throws what ends the run.
-class Report {
+/// Reports the frames to the host, in their order; end() throws the error that ends the run.
+class FrameReporter {
   public:
-    Report(const BakePlan& plan, BakeHost& host) : plan_(plan), host_(host) {}
+    FrameReporter(const BakePlan& plan, BakeHost& host) : plan_(plan), host_(host) {}
 
-    void frame(int number, const Outcome& outcome) {
+    void frame(int number, const FrameOutcome& outcome) {
         if (outcome.error) {
-            host_.frame_failed(number, outcome.error->what(), goes_on());
+            host_.frame_failed(number, outcome.error->what(), continues());
             if (!first_error_) first_error_ = outcome.error;
             failed_.push_back(number);
             return;
         }
-        ++whole_;
+        ++complete_;
         if (outcome.skipped) {
-            host_.frame_kept(number, outcome.files);
+            host_.frame_skipped(number, outcome.files);
         } else {
             host_.note(
                 format_text("frame %d is at %.9g s", number, plan_.subject->time_of(number)));
@@ -104,84 +105,84 @@ class Report {
 
     void end() {
         const std::size_t total = plan_.frames.size();
-        if (failed_.empty() || goes_on()) host_.end();
+        if (failed_.empty() || continues()) host_.end();
         if (failed_.empty()) return;
         if (total == 1) throw *first_error_;
-        if (goes_on()) {
+        if (continues()) {
             throw Error(ErrorKind::output,
                         format_text("%zu of %zu frames failed: ", failed_.size(), total) +
                             frames_text(failed_));
         }
         throw Error(first_error_->kind(),
                     std::string(first_error_->what()) +
-                        format_text("; %d of %zu frames are whole", whole_, total));
+                        format_text("; %d of %zu frames are complete", complete_, total));
     }
 
   private:
-    /// A lone frame's error says all there is to say.
-    bool goes_on() const { return plan_.keep_going && plan_.frames.size() > 1; }
+    /// The error of a bake of one frame ends it, and needs no count of frames.
+    bool continues() const { return plan_.keep_going && plan_.frames.size() > 1; }
 
     const BakePlan& plan_;
     BakeHost& host_;
-    int whole_ = 0;
+    int complete_ = 0;
     std::vector<int> failed_;
     std::optional<Error> first_error_;
 };
 
-FramesThere frames_of_folder(const BakePlan& plan) {
+ExistingFrames existing_frames(const BakePlan& plan) {
     return find_frames(plan, [&plan](std::span<const BakeFile> files) {
-        return plan.format->is_of_plan(plan, files.front());
+        return plan.format->matches_plan(plan, files.front());
     });
 }
 
-void put_shared(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
-    put_file_held({plan, bake.source, bake.manifest, bake.host}, file, plan.threads,
-                  [&] { plan.format->write_shared(plan, file); });
+void write_shared(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
+    write_and_verify_uninterrupted({plan, bake.source, bake.manifest, bake.host}, file,
+                                   plan.threads, [&] { plan.format->write_shared(plan, file); });
 }
 
-/// The stage and the like, which are there before the first frame.
+/// Writes the shared files, such as a USD stage, before the first frame.
 void bake_shared(const Bake& bake) {
     BakePlan plan = bake.plan;
     std::vector<BakeFile> files = plan.format->shared_files(plan);
     if (plan.format->frame_lists > 0) {
-        const FramesThere there = frames_of_folder(plan);
-        plan.all_frames = united(plan.all_frames, there.of_plan);
+        const ExistingFrames existing = existing_frames(plan);
+        plan.all_frames = united(plan.all_frames, existing.of_plan);
         files = plan.format->shared_files(plan);
         const std::string warning =
-            foreign_frames_warning(there, plan.all_frames, files.front().path);
+            foreign_frames_warning(existing, plan.all_frames, files.front().path);
         if (!warning.empty()) bake.host.warning(warning);
     }
     for (const BakeFile& file : files) {
-        auto there = plan.skip_existing ? find_complete(plan, file, bake.manifest, plan.threads)
-                                        : std::nullopt;
-        if (there) {
-            bake.manifest.add(std::move(*there));
+        auto complete = plan.skip_existing ? find_complete(plan, file, bake.manifest, plan.threads)
+                                           : std::nullopt;
+        if (complete) {
+            bake.manifest.add(std::move(*complete));
         } else {
-            put_shared(bake, plan, file);
+            write_shared(bake, plan, file);
         }
     }
 }
 
-/// Of a format whose readers do not tell: the frames within the folder's that are not there, or
-/// not of this sea.
-void tell_gaps(const Bake& bake, const std::vector<int>& listed, const std::vector<int>& there) {
+/// Warns of the frames between the first and the last listed one that are missing or of another
+/// subject, for a format whose readers silently interpolate them.
+void warn_of_gaps(const Bake& bake, const std::vector<int>& listed,
+                  const std::vector<int>& existing) {
     std::vector<int> missing;
     const int step = common_step(listed);
     for (long long frame = listed.front(); frame <= listed.back(); frame += step) {
         const int number = static_cast<int>(frame);
-        if (!std::ranges::binary_search(there, number)) missing.push_back(number);
+        if (!std::ranges::binary_search(existing, number)) missing.push_back(number);
     }
     bake.manifest.set_missing(missing);
     if (missing.empty()) return;
     bake.host.warning(
-        "frames that are not there yet, which readers fill with a mean of their "
-        "neighbours: " +
+        "frames that do not exist yet, which readers interpolate from their neighbours: " +
         frames_text(missing));
 }
 
-/// Gives the entry of a shared file the frame that a plan names: the file is the same for all
-/// chunks, and each of them entered it with the first frame that it knew of.
-void describe_anew(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
+/// Updates the frame in the entry of a shared file: the file is the same for all chunks, but each
+/// of them entered it with the first frame that it knew of.
+void update_entry(const Bake& bake, const BakePlan& plan, const BakeFile& file) {
     ManifestEntry entry;
     describe(plan, file, entry);
     const std::optional<ManifestEntry> known = bake.manifest.added(entry.name);
@@ -192,20 +193,22 @@ void describe_anew(const Bake& bake, const BakePlan& plan, const BakeFile& file)
     bake.manifest.add(std::move(entry));
 }
 
-/// Lists the frames anew: another chunk may have made some meanwhile.
+/// Writes the lists of frames again: another chunk may have baked some meanwhile.
 void update_frame_lists(const Bake& bake) {
     BakePlan plan = bake.plan;
-    const FramesThere there = frames_of_folder(plan);
-    plan.all_frames = united(plan.all_frames, there.of_plan);
+    const ExistingFrames existing = existing_frames(plan);
+    plan.all_frames = united(plan.all_frames, existing.of_plan);
     const std::vector<BakeFile> files = plan.format->shared_files(plan);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const bool lists_frames = i < plan.format->frame_lists;
-        lists_frames ? put_shared(bake, plan, files[i]) : describe_anew(bake, plan, files[i]);
+        lists_frames ? write_shared(bake, plan, files[i]) : update_entry(bake, plan, files[i]);
     }
-    if (plan.format->hides_gaps) tell_gaps(bake, plan.all_frames, there.of_plan);
+    if (plan.format->interpolates_missing_frames)
+        warn_of_gaps(bake, plan.all_frames, existing.of_plan);
 }
 
-/// Passes on what the subject warns of, in a take at the first frame that has some.
+/// Passes on the subject's warnings; of a subject that plays a take those of the first frame that
+/// has some.
 void warn_of_subject(const BakePlan& plan, BakeHost& host) {
     const bool plays = plan.subject->plays_take();
     for (const int frame : plan.frames) {
@@ -217,14 +220,14 @@ void warn_of_subject(const BakePlan& plan, BakeHost& host) {
     }
 }
 
-void bake_frames(const Bake& bake, const WorkShare& share, ManifestKeeper& keeper) {
+void bake_frames(const Bake& bake, const WorkShare& share, ManifestSaver& saver) {
     const BakePlan& plan = bake.plan;
     std::vector<std::unique_ptr<FrameBaker>> bakers;
     for (int worker = 0; worker < share.frames_at_a_time; ++worker) {
         bakers.push_back(std::make_unique<FrameBaker>(bake, share.threads_each));
     }
-    std::vector<Outcome> outcomes(plan.frames.size());
-    Report report(plan, bake.host);
+    std::vector<FrameOutcome> outcomes(plan.frames.size());
+    FrameReporter report(plan, bake.host);
     run_in_order(
         static_cast<int>(plan.frames.size()), share.frames_at_a_time,
         [&](int worker, int index) {
@@ -236,16 +239,16 @@ void bake_frames(const Bake& bake, const WorkShare& share, ManifestKeeper& keepe
         [&](int index) {
             const auto i = static_cast<std::size_t>(index);
             report.frame(plan.frames[i], std::exchange(outcomes[i], {}));
-            keeper.save_now_and_then();
+            saver.save_if_due();
         });
     report.end();
 }
 
-/// While it lives an interrupt saves the manifest before the process ends.
-class InterruptedManifest {
+/// Makes an interrupt save the manifest before the process ends, as long as this object lives.
+class ManifestOnInterrupt {
   public:
-    InterruptedManifest(Manifest& manifest, BakeHost& host) : host_(host) {
-        host.if_interrupted([&manifest, &host] {
+    ManifestOnInterrupt(Manifest& manifest, BakeHost& host) : host_(host) {
+        host.set_interrupt_handler([&manifest, &host] {
             try {
                 manifest.save();
             } catch (const std::exception& error) {
@@ -253,9 +256,9 @@ class InterruptedManifest {
             }
         });
     }
-    ~InterruptedManifest() { host_.if_interrupted({}); }
-    InterruptedManifest(const InterruptedManifest&) = delete;
-    InterruptedManifest& operator=(const InterruptedManifest&) = delete;
+    ~ManifestOnInterrupt() { host_.set_interrupt_handler({}); }
+    ManifestOnInterrupt(const ManifestOnInterrupt&) = delete;
+    ManifestOnInterrupt& operator=(const ManifestOnInterrupt&) = delete;
 
   private:
     BakeHost& host_;
@@ -270,10 +273,10 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
         return host.end();
     }
     Manifest manifest(plan.pattern.manifest());
-    if (!manifest.distrust().empty()) {
-        host.warning(manifest.distrust() + "; it will be replaced");
+    if (!manifest.load_error().empty()) {
+        host.warning(manifest.load_error() + "; it will be replaced");
     }
-    require_own_files(plan, manifest);
+    refuse_to_overwrite_foreign_files(plan, manifest);
     io::make_folder(plan.pattern.folder());
     io::remove_abandoned_temporaries(plan.pattern.folder());
     host.begin(plan, share);
@@ -283,16 +286,16 @@ void run_bake(const BakePlan& plan, BakeHost& host) {
     warn_of_subject(plan, host);
     const auto source = plan.subject->open({.threads = plan.threads});  // once, for all workers
     const Bake bake{plan, *source, manifest, host};
-    ManifestKeeper keeper(bake);
-    const InterruptedManifest last_act(manifest, host);
+    ManifestSaver saver(bake);
+    const ManifestOnInterrupt on_interrupt(manifest, host);
     try {
-        if (plan.format->shared_files != nullptr) keeper.save([&] { bake_shared(bake); });
-        bake_frames(bake, share, keeper);
-        keeper.save([&] {
+        if (plan.format->has_shared_files) saver.save([&] { bake_shared(bake); });
+        bake_frames(bake, share, saver);
+        saver.save([&] {
             if (plan.format->frame_lists > 0) update_frame_lists(bake);
         });
     } catch (...) {
-        keeper.save_if_possible();
+        saver.try_save();
         throw;
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// SHA-256 of bytes that come in pieces.
+// SHA-256 of bytes that arrive in pieces.
 #pragma once
 
 #include <memory>
@@ -18,12 +18,12 @@ class Sha256 {
     Sha256& operator=(const Sha256&) = delete;
 
     void add(std::string_view bytes);
-    /// 64 digits in lower case. Once.
+    /// Returns 64 hexadecimal digits in lower case. Call it once, after the last add().
     std::string hex();
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 std::string sha256_hex(std::string_view bytes);

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From the header of a baked file back to the options that made it; see source.hpp. What a header
-// says becomes text in the place of an option that was not typed, so that it is checked as if it
-// had been.
+// See source.hpp. Values of the header become the texts of options that were not given, so that
+// they are checked as if they had been typed.
 #include "source.hpp"
 
 #include <algorithm>
@@ -17,11 +16,12 @@
 namespace ocean {
 namespace {
 
-void take(std::string& option, std::string_view value) {
+void set_default(std::string& option, std::string_view value) {
     if (option.empty()) option = value;
 }
 
-/// A file whose time is not its frame's was not baked, and would not come out again.
+/// Refuses a file whose time is not that of its frame: it was not baked, and could not be baked
+/// again.
 void check_time(const Subject& subject, const BakedHeader& header, const std::string& path) {
     if (subject.time_of(header.whole_number("frame")) == header.number("time")) return;
     refuse_source(path, "its ocean:time is not that of its ocean:frame");
@@ -45,9 +45,10 @@ void refuse_source(const std::string& path, const std::string& reason) {
 
 BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : path_(path) {
     const BakeFormat* format = catalogue.find_format_of_frame(OutputPattern(path).extension());
-    if (format == nullptr) format = &kExrFormat;  // which says what is wrong
+    if (format == nullptr) format = &kExrFormat;  // its reader explains what is wrong
     if (format->read_header == nullptr) {
-        refuse_source(path, "a file of type " + std::string(format->extension) + " says no sea");
+        refuse_source(
+            path, "a file of type " + std::string(format->extension) + " does not name its sea");
     }
     for (io::HeaderString& string : format->read_header(path)) {
         strings_[string.name] = std::move(string.text);
@@ -56,7 +57,7 @@ BakedHeader::BakedHeader(const std::string& path, const Catalogue& catalogue) : 
 }
 
 int BakedHeader::resolution() const {
-    // A slope tile lies beside a map of another.
+    // The map beside a slope tile has a resolution of its own.
     if (has("map_resolution")) return whole_number("map_resolution");
     return layout_ ? layout_->resolution : whole_number("resolution");
 }
@@ -74,7 +75,7 @@ Number BakedHeader::read(const std::string& name) const {
     const char* end = digits.data() + digits.size();
     const auto [stop, code] = std::from_chars(digits.data(), end, value);
     if (code != std::errc() || stop != end) {
-        refuse_source(path_, "its ocean:" + name + " is no number");
+        refuse_source(path_, "its ocean:" + name + " is not a number");
     }
     return value;
 }
@@ -96,14 +97,14 @@ BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const B
     const BakedHeader header(options.from, catalogue);
     const auto subject = subject_of(header, catalogue, options.from);
     check_time(*subject, header, options.from);
-    take(options.frames, std::to_string(header.whole_number("frame")));
-    // Where the sea's own resolution was used, a changed sea may change it.
+    set_default(options.frames, std::to_string(header.whole_number("frame")));
+    // The subject's own resolution stays a default, which a changed subject may change.
     const int resolution = header.resolution();
     if (resolution != subject->default_resolution()) {
-        take(options.resolution, std::to_string(resolution));
+        set_default(options.resolution, std::to_string(resolution));
     }
-    if (header.has("backend")) take(options.backend, header.text("backend"));
-    if (format != nullptr && format->adopt != nullptr) format->adopt(header, catalogue, options);
+    if (header.has("backend")) set_default(options.backend, header.text("backend"));
+    if (format != nullptr) format->adopt(header, catalogue, options);
     return options;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// --from: a baked file says how it was made.
+// --from: the options of a bake from the header of a baked file.
 #pragma once
 
 #include <map>
@@ -13,23 +13,23 @@
 
 namespace ocean {
 
-/// Throws Error bad_file: "--from PATH: reason".
+/// Throws Error bad_file, "--from PATH: reason".
 [[noreturn]] void refuse_source(const std::string& path, const std::string& reason);
 
-/// What a baked file says of itself.
+/// The header of a baked file.
 class BakedHeader {
   public:
     /// Throws Error bad_file.
     BakedHeader(const std::string& path, const Catalogue& catalogue);
 
-    /// Of ocean:NAME. Throws Error bad_file where it is missing, or no number.
+    /// Return the value of ocean:NAME. Throw Error bad_file if it is missing or not a number.
     const std::string& text(const std::string& name) const;
     double number(const std::string& name) const;
     int whole_number(const std::string& name) const;
     bool has(const std::string& name) const { return strings_.contains("ocean:" + name); }
-    /// Samples along a side of the sea's map.
+    /// Returns the samples along a side of the subject's map.
     int resolution() const;
-    /// Of an EXR file.
+    /// Returns the layout of an EXR file.
     const io::ExrLayout& layout() const { return *layout_; }
 
   private:
@@ -41,10 +41,10 @@ class BakedHeader {
     std::optional<io::ExrLayout> layout_;
 };
 
-/// The options with SEA or --from settled. With --from those that are not given are taken from the
-/// file's header, so that the same bytes come out again. Throws Error invalid_value unless exactly
-/// one of the two is given, and bad_file or unsupported for a file that does not say enough.
-/// `format`: of the output; null if it is unknown.
+/// Returns the options with a source. With --from, options that were not given get the values of
+/// the file's header, so that the same bytes are baked again. `format` is that of the output, null
+/// if it is unknown. Throws Error invalid_value unless exactly one of SEA and --from is given, and
+/// bad_file or unsupported for a file whose header lacks something.
 BakeOptions with_source(BakeOptions options, const Catalogue& catalogue, const BakeFormat* format);
 
 }  // namespace ocean

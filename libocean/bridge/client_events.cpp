@@ -10,8 +10,8 @@ namespace {
 
 using Kind = ClientEvent::Kind;
 
-/// What an owner that does not look keeps of lines; of values it keeps them all, once.
-constexpr std::size_t kMostLines = 1000;
+/// Lines that are kept for a program that does not take them; values are not limited.
+constexpr std::size_t kMaxLines = 1000;
 
 bool is_value(const ClientEvent& event, const std::string& name) {
     return event.kind == Kind::value && event.name == name;
@@ -21,7 +21,7 @@ bool is_value(const ClientEvent& event, const std::string& name) {
 
 std::vector<ClientEvent> ClientEvents::take() {
     value_at_.clear();
-    turned_.clear();
+    rewritten_.clear();
     line_count_ = 0;
     return std::exchange(events_, {});
 }
@@ -32,10 +32,10 @@ void ClientEvents::drop_values(const std::string& name) {
     index_values();
 }
 
-/// Of what two writers have made of a value in turn the latest of each.
+/// Keeps the latest of a name's values, so that with the next one two writers have one each.
 void ClientEvents::keep_one_of(const std::string& name) {
-    const auto of_it = [&](const ClientEvent& event) { return is_value(event, name); };
-    const auto first = std::ranges::find_if(events_, of_it);
+    const auto is_its_value = [&](const ClientEvent& event) { return is_value(event, name); };
+    const auto first = std::ranges::find_if(events_, is_its_value);
     if (first == events_.begin() + static_cast<std::ptrdiff_t>(value_at_.at(name))) return;
     events_.erase(first);
     index_values();
@@ -50,9 +50,9 @@ void ClientEvents::index_values() {
 
 void ClientEvents::add(ClientEvent event) {
     if (event.kind == Kind::value) {
-        const bool turned = turned_.erase(event.name) > 0;
+        const bool was_rewritten = rewritten_.erase(event.name) > 0;
         if (const auto found = value_at_.find(event.name); found != value_at_.end()) {
-            if (!turned) {
+            if (!was_rewritten) {
                 events_[found->second].text = std::move(event.text);
                 return;
             }
@@ -60,8 +60,8 @@ void ClientEvents::add(ClientEvent event) {
         }
         value_at_[event.name] = events_.size();
     } else {
-        if (event.kind == Kind::writer) turned_.insert(event.name);
-        if (++line_count_ > kMostLines) {
+        if (event.kind == Kind::writer) rewritten_.insert(event.name);
+        if (++line_count_ > kMaxLines) {
             const auto oldest = std::ranges::find_if(
                 events_, [](const ClientEvent& old) { return old.kind != Kind::value; });
             events_.erase(oldest);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a bridge has said and the owner of the client has not taken yet: every line, but of each
-// value the latest alone. No threads and no sockets.
+// The events of a line client that its program has not taken yet: every line, and the latest change
+// of each value. No threads and no sockets.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace ocean::bridge {
 class ClientEvents {
   public:
     bool empty() const { return events_.empty(); }
-    /// Hands over all, in order.
+    /// Removes and returns all events, in order.
     std::vector<ClientEvent> take();
-    /// A value takes the place of the one before it, unless another writer has come between them:
-    /// then the latest of both writers stays. Of other lines the oldest goes where there are too
-    /// many.
+    /// Adds an event. A value replaces the value before it, unless its writer has changed in
+    /// between: then the latest value of each writer is kept. Beyond a limit the oldest other line
+    /// is dropped.
     void add(ClientEvent event);
     /// Removes the values of a name.
     void drop_values(const std::string& name);
@@ -32,8 +32,8 @@ class ClientEvents {
     void index_values();
 
     std::vector<ClientEvent> events_;
-    std::map<std::string, std::size_t> value_at_;  // of events_, the latest of a name
-    std::set<std::string> turned_;                 // names that have another writer since that
+    std::map<std::string, std::size_t> value_at_;  // index in events_ of a name's latest value
+    std::set<std::string> rewritten_;  // names whose writer has changed since their latest value
     std::size_t line_count_ = 0;
 };
 

@@ -11,14 +11,14 @@
 namespace ocean::bridge {
 namespace {
 
-/// Replies that wait; with more of them no further command is read.
-constexpr std::size_t kMostReplies = std::size_t{16} << 10;
-/// Pushed events that wait; with more of them the client is given up.
-constexpr std::size_t kMostWaiting = std::size_t{256} << 10;
-/// In the system's hands, where a value can grow old.
-constexpr int kSendBuffer = 32 << 10;
-constexpr int kMostGuesses = 3;
-constexpr auto kAfterWrongGuess = std::chrono::seconds(1);
+/// Bytes of answers that wait to be written; beyond it no further command is read.
+constexpr std::size_t kMaxAnswerBytes = std::size_t{16} << 10;
+/// Bytes of answers and events that wait to be written; beyond it the connection ends.
+constexpr std::size_t kMaxOutputBytes = std::size_t{256} << 10;
+/// Bytes in the system's buffer, which cannot be replaced by newer values.
+constexpr int kSendBufferBytes = 32 << 10;
+constexpr int kMaxGuesses = 3;
+constexpr auto kPauseAfterWrongGuess = std::chrono::seconds(1);
 
 std::string_view code_of(ErrorKind kind) {
     switch (kind) {
@@ -34,7 +34,7 @@ std::string_view code_of(ErrorKind kind) {
 std::string text_of(const asio::ip::tcp::socket& socket) {
     asio::error_code gone;
     const auto remote = socket.remote_endpoint(gone);
-    if (gone) return "somebody";
+    if (gone) return "an unknown client";
     return Endpoint{remote.address().to_string(), remote.port()}.text();
 }
 
@@ -51,9 +51,9 @@ Connection::Connection(Socket socket, const Host& host)
     asio::error_code ignored;
     socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
     socket_.set_option(asio::socket_base::keep_alive(true), ignored);
-    // Telnet's Synch sends its Data Mark as urgent: out of band it would be missing behind its IAC.
+    // Telnet's Synch sends its Data Mark as urgent data: out of band it would be missing after IAC.
     socket_.set_option(asio::socket_base::out_of_band_inline(true), ignored);
-    socket_.set_option(asio::socket_base::send_buffer_size(kSendBuffer), ignored);
+    socket_.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), ignored);
 }
 
 void Connection::begin() {
@@ -62,12 +62,12 @@ void Connection::begin() {
     read();
 }
 
-void Connection::end(std::string_view why) {
+void Connection::end(std::string_view reason) {
     if (!std::exchange(open_, false)) return;
     asio::error_code ignored;
     socket_.close(ignored);
     pause_.cancel();
-    host_.log(peer_ + " ended" + (why.empty() ? "" : ": " + std::string(why)));
+    host_.log(peer_ + " ended" + (reason.empty() ? "" : ": " + std::string(reason)));
     host_.ended(*this);
 }
 
@@ -84,7 +84,7 @@ void Connection::read() {
                                                       asio::error_code error, std::size_t count) {
         if (!open_) return;
         if (error == asio::error::eof) {
-            // Nothing more is asked, as at the end of a pipe; what was, is answered.
+            // The client sends no more, as at the end of a pipe; its commands are still answered.
             leaving_ = true;
             return flush();
         }
@@ -94,7 +94,7 @@ void Connection::read() {
     });
 }
 
-/// Works off what was read, as far as the client keeps to the limits; reads on when all is done.
+/// Handles the lines that were read, as far as the client's limits allow; then reads on.
 void Connection::work() {
     input_ = Input::working;
     while (open_ && !leaving_ && input_ == Input::working) {
@@ -104,7 +104,7 @@ void Connection::work() {
             std::min(rate, tokens_ + rate * std::chrono::duration<double>(now - counted_).count());
         counted_ = now;
         if (tokens_ < 1.0) return pause(std::chrono::milliseconds(100));
-        if (out_.size() > kMostReplies) {
+        if (out_.size() > kMaxAnswerBytes) {
             input_ = Input::waits_for_room;
             return;
         }
@@ -118,9 +118,9 @@ void Connection::work() {
     }
 }
 
-void Connection::pause(Clock::duration how_long) {
+void Connection::pause(Clock::duration time) {
     input_ = Input::waits_for_time;
-    pause_.expires_after(how_long);
+    pause_.expires_after(time);
     pause_.async_wait([this, self = shared_from_this()](asio::error_code error) {
         if (!error && open_) work();
     });
@@ -131,12 +131,12 @@ void Connection::handle(const LineSplitter::Line& line) {
     if (!line.fault.empty()) {
         host_.log(peer_ + ": " + std::string(line.fault));
         return refuse(line.fault, line.fault == "TOO-LONG" ? "a line has at most 1024 bytes"
-                                                           : "lines are UTF-8 text");
+                                                           : "a line must be UTF-8 text");
     }
     const auto parsed = parse_request(line.text);
     const Request* request = parsed ? std::get_if<Request>(&*parsed) : nullptr;
     const bool secret = request != nullptr && request->verb == Verb::auth;
-    host_.log(peer_ + ": " + (secret ? "AUTH ..." : text::printable(line.text, kLongestLine)));
+    host_.log(peer_ + ": " + (secret ? "AUTH ..." : text::printable(line.text, kMaxLineBytes)));
     if (!parsed) return;
     if (request == nullptr) return put(refusal_line(std::get<Refusal>(*parsed)));
     try {
@@ -150,13 +150,13 @@ void Connection::handle(const LineSplitter::Line& line) {
 void Connection::answer(const Request& request) {
     const std::vector<std::string>& arguments = request.arguments;
     Hub& hub = host_.hub;
-    const bool open_to_all = request.verb == Verb::help || request.verb == Verb::ping ||
-                             request.verb == Verb::auth || request.verb == Verb::quit;
-    if (!trusted_ && !open_to_all) return refuse("AUTH", "AUTH TOKEN comes first");
+    const bool needs_no_token = request.verb == Verb::help || request.verb == Verb::ping ||
+                                request.verb == Verb::auth || request.verb == Verb::quit;
+    if (!trusted_ && !needs_no_token) return refuse("AUTH", "send AUTH TOKEN first");
     const auto number = [&](const std::string& word) {
         const auto value = text::parse_number(word);
         if (value && *value > -1e9 && *value < 1e9) return *value;
-        throw Error(ErrorKind::invalid_value, "'" + text::printable(word) + "' is no number");
+        throw Error(ErrorKind::invalid_value, "'" + text::printable(word) + "' is not a number");
     };
     switch (request.verb) {
         case Verb::help:
@@ -198,16 +198,16 @@ void Connection::answer(const Request& request) {
     put("OK");
 }
 
-/// Who shows the sea says with app.* how it stands. What it says before it was told of another's
-/// wish is older than the wish, and must not take its place.
+/// The program that shows the sea reports the state of app.*. A report that it sends before it has
+/// received the value that another client requested is older than the request, and is dropped.
 void Connection::set(const std::string& name, const std::string& value) {
     Hub& hub = host_.hub;
     const std::size_t entry = hub.values().find(name);
     const ValueEntry& now = hub.values()[entry];
     const Subscription& subscription = subscriptions_[entry];
     const bool knows = subscription.name.empty() || now.writer == peer_ ||
-                       std::max(now.taken, now.changed) <= subscription.told;
-    if (knows || !hub.is_told_by(entry, peer_)) hub.set(name, value, peer_);
+                       std::max(now.taken, now.changed) <= subscription.sent;
+    if (knows || !hub.is_owned_by(entry, peer_)) hub.set(name, value, peer_);
 }
 
 void Connection::authenticate(const std::string& guess) {
@@ -215,26 +215,27 @@ void Connection::authenticate(const std::string& guess) {
         trusted_ = true;
         return put("OK");
     }
-    if (++guesses_ == kMostGuesses) leaving_ = true;
-    refuse("AUTH", "this is not the token");
-    if (!leaving_) pause(kAfterWrongGuess);
+    if (++guesses_ == kMaxGuesses) leaving_ = true;
+    refuse("AUTH", "wrong token");
+    if (!leaving_) pause(kPauseAfterWrongGuess);
 }
 
 void Connection::subscribe(const std::vector<std::string>& names, bool wanted) {
     const ValueTable& values = host_.hub.values();
-    std::vector<std::pair<std::size_t, std::string>> asked;
-    for (const std::string& name : names) asked.emplace_back(values.find(name), name);
+    std::vector<std::pair<std::size_t, std::string>> requested;
+    for (const std::string& name : names) requested.emplace_back(values.find(name), name);
     if (names.empty()) {
-        for (std::size_t i = 0; i < subscriptions_.size(); ++i)
-            asked.emplace_back(i, values[i].name);
+        for (std::size_t i = 0; i < subscriptions_.size(); ++i) {
+            requested.emplace_back(i, values[i].name);
+        }
     }
     put("OK");
-    for (const auto& [entry, name] : asked) {
+    for (const auto& [entry, name] : requested) {
         Subscription& subscription = subscriptions_[entry];
-        listens_to_ -= subscription.name.empty() ? 0 : 1;
+        subscription_count_ -= subscription.name.empty() ? 0 : 1;
         subscription = {wanted ? name : "", values.revision()};
         if (!wanted) continue;
-        ++listens_to_;
+        ++subscription_count_;
         if (!values[entry].writer.empty()) {
             put(event_line("WRITER " + name + ' ' + values[entry].writer));
         }
@@ -261,24 +262,24 @@ void Connection::help() {
 }
 
 void Connection::update() {
-    if (!open_ || !writing_.empty()) return;  // flush() comes back
+    if (!open_ || !writing_.empty()) return;  // flush() calls update() again
     const ValueTable& values = host_.hub.values();
-    if (std::exchange(looked_at_, values.revision()) == values.revision()) return;
+    if (std::exchange(updated_, values.revision()) == values.revision()) return;
     for (std::size_t i = 0; i < subscriptions_.size(); ++i) {
         Subscription& subscription = subscriptions_[i];
         if (subscription.name.empty()) continue;
         const ValueEntry& entry = values[i];
-        const std::uint64_t told = std::exchange(subscription.told, values.revision());
-        if (entry.taken > told && !entry.writer.empty()) {
+        const std::uint64_t sent = std::exchange(subscription.sent, values.revision());
+        if (entry.taken > sent && !entry.writer.empty()) {
             put(event_line("WRITER " + subscription.name + ' ' + entry.writer));
         }
-        if (entry.changed > told) put(update_line(subscription.name, entry.text));
+        if (entry.changed > sent) put(update_line(subscription.name, entry.text));
     }
     flush();
 }
 
-void Connection::tell(std::string_view event) {
-    if (!open_ || listens_to_ == 0) return;
+void Connection::send_event(std::string_view event) {
+    if (!open_ || subscription_count_ == 0) return;
     put(event_line(event));
     flush();
 }
@@ -289,9 +290,9 @@ void Connection::put(std::string_view line) {
 
 void Connection::put_bytes(std::string_view bytes) {
     out_ += bytes;
-    if (out_.size() > kMostWaiting) return end("it takes nothing of what it is sent");
+    if (out_.size() > kMaxOutputBytes) return end("it does not read its answers");
     if (!writing_.empty() || std::exchange(flush_posted_, true)) return;
-    // After what is being done now: lines that come together leave together.
+    // Runs after the current handler, so that its lines are written together.
     asio::post(socket_.get_executor(), [this, self = shared_from_this()] {
         flush_posted_ = false;
         flush();
@@ -308,7 +309,7 @@ void Connection::flush() {
     wrote_ = Clock::now();
     asio::async_write(
         socket_, asio::buffer(writing_),
-        // Also after each part, which shows that somebody reads.
+        // Called after each part, too: then the client reads.
         [this](asio::error_code error, std::size_t) -> std::size_t {
             wrote_ = Clock::now();
             return error ? 0 : writing_.size();
@@ -319,16 +320,16 @@ void Connection::flush() {
             if (error) return end("");
             flush();
             update();
-            if (input_ == Input::waits_for_room && out_.size() <= kMostReplies) work();
+            if (input_ == Input::waits_for_room && out_.size() <= kMaxAnswerBytes) work();
         });
 }
 
-void Connection::look_around(Clock::time_point now) {
+void Connection::end_if_idle(Clock::time_point now) {
     if (!writing_.empty() && now - wrote_ > host_.options.stalled) {
         return end("it reads nothing");
     }
-    if (listens_to_ == 0 && now - heard_ > host_.options.idle) {
-        leave(refusal_line({"IDLE", "nothing was said for too long"}));
+    if (subscription_count_ == 0 && now - heard_ > host_.options.idle) {
+        leave(refusal_line({"IDLE", "no command for too long"}));
     }
 }
 

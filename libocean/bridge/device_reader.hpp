@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A [[device]] of the map: which keys there are is the driver's business.
+// Reads one [[device]] of a control map.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "ocean/bridge/map_file.hpp"
+#include "ocean/bridge/device.hpp"
 #include "ocean/internal/toml_sections.hpp"
 
 namespace ocean::bridge {
 
-/// `before` are the devices above it in the file. Throws Error bad_file "FILE:LINE: ...".
+/// Returns the board of the section. `before` are the boards of the sections above it, whose ids
+/// this board may not have. Throws Error bad_file that begins with `file` and a line.
 DeviceRule read_device(const TomlSection& section, const std::string& file,
                        const std::vector<DeviceRule>& before);
 

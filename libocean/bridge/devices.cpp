@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ocean/bridge/devices.hpp"
 
-#include <utility>
+#include <algorithm>
+#include <iterator>
 
-#include "ocean/bridge/firmata_source.hpp"
+#include "drivers.hpp"
 #include "ocean/bridge/k8055_source.hpp"
 #include "ocean/bridge/midi_source.hpp"
+#include "ocean/error.hpp"
 
 namespace ocean::bridge {
 
-std::vector<DeviceRule> usual_devices() {
+std::vector<DeviceRule> default_devices() {
     std::vector<DeviceRule> devices;
 #ifdef OCEAN_HAVE_LIBUSB
     for (int address = 0; address < kK8055Addresses; ++address) {
@@ -21,7 +23,7 @@ std::vector<DeviceRule> usual_devices() {
 }
 
 std::vector<DeviceRule> devices_to_learn() {
-    std::vector<DeviceRule> devices = usual_devices();
+    std::vector<DeviceRule> devices = default_devices();
 #ifdef OCEAN_HAVE_RTMIDI
     devices.push_back({"midi0", MidiDevice{}});
 #endif
@@ -30,18 +32,18 @@ std::vector<DeviceRule> devices_to_learn() {
 
 std::vector<std::unique_ptr<Source>> make_sources(std::span<const DeviceRule> devices) {
     std::vector<std::unique_ptr<Source>> sources;
-    std::vector<K8055Board> k8055_boards;  // one thread of libusb serves them all
-    for (const DeviceRule& rule : devices) {
-        if (const auto* k8055 = std::get_if<K8055Device>(&rule.device)) {
-            k8055_boards.push_back({rule.id, *k8055});
-        } else if (const auto* midi = std::get_if<MidiDevice>(&rule.device)) {
-            sources.push_back(make_midi_source(rule.id, *midi));
-        } else {
-            sources.push_back(make_firmata_source(rule.id, std::get<FirmataDevice>(rule.device)));
-        }
+    std::size_t driven = 0;
+    for (const NamedDriver& row : drivers()) {
+        std::vector<DeviceRule> boards;
+        std::ranges::copy_if(devices, std::back_inserter(boards), [&](const DeviceRule& rule) {
+            return row.driver.drives(rule.device);
+        });
+        if (boards.empty()) continue;
+        driven += boards.size();
+        for (auto& source : row.driver.make(boards)) sources.push_back(std::move(source));
     }
-    if (!k8055_boards.empty()) sources.push_back(make_k8055_source(std::move(k8055_boards)));
-    return sources;
+    if (driven == devices.size()) return sources;
+    throw Error(ErrorKind::unsupported, "a board has settings of no driver of this build");
 }
 
 }  // namespace ocean::bridge

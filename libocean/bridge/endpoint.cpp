@@ -40,17 +40,18 @@ bool Endpoint::is_loopback() const {
     return host == "localhost";
 }
 
-Endpoint parse_endpoint(std::string_view text, const std::string& what, unsigned short usual_port) {
-    constexpr std::size_t kLongestHost = 255;
+Endpoint parse_endpoint(std::string_view text, const std::string& what,
+                        unsigned short default_port) {
+    constexpr std::size_t kMaxHostBytes = 255;
     const auto refused = [&] {
         const std::string given = text::printable(text);
         const std::string allowed = "HOST:PORT, such as " +
-                                    Endpoint{"127.0.0.1", usual_port}.text() + " or " +
-                                    Endpoint{"::1", usual_port}.text();
-        return Error(ErrorKind::invalid_value, what + " " + given + ": allowed is " + allowed,
+                                    Endpoint{"127.0.0.1", default_port}.text() + " or " +
+                                    Endpoint{"::1", default_port}.text();
+        return Error(ErrorKind::invalid_value, what + " " + given + ": allowed: " + allowed,
                      {.parameter = what, .value = given, .allowed = allowed});
     };
-    Endpoint endpoint{.port = usual_port};
+    Endpoint endpoint{.port = default_port};
     std::string_view rest = text;
     if (rest.starts_with('[')) {
         const std::size_t end = rest.find(']');
@@ -65,7 +66,7 @@ Endpoint parse_endpoint(std::string_view text, const std::string& what, unsigned
     }
     const bool plain =
         std::ranges::all_of(endpoint.host, [](char c) { return c > ' ' && c < 127; });
-    if (endpoint.host.empty() || endpoint.host.size() > kLongestHost || !plain) throw refused();
+    if (endpoint.host.empty() || endpoint.host.size() > kMaxHostBytes || !plain) throw refused();
     if (rest.empty()) return endpoint;
     if (!rest.starts_with(':')) throw refused();
     try {
@@ -102,8 +103,8 @@ std::vector<std::string> network_interfaces() {
 }
 
 std::string read_token(const std::string& path) {
-    constexpr std::size_t kShortest = 16;
-    constexpr std::size_t kLongest = 256;
+    constexpr std::size_t kMinBytes = 16;
+    constexpr std::size_t kMaxBytes = 256;
     const auto refused = [&](const std::string& why) {
         return text::error_at(ErrorKind::bad_file, path, 0, why);
     };
@@ -111,12 +112,13 @@ std::string read_token(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) == 0 && (status.st_mode & 077u) != 0) {
         throw refused(
-            "others may read this token; allowed is a file of its owner's alone, mode 600");
+            "other users may read this token; allowed: a file that only its owner reads, mode 600");
     }
     while (token.ends_with('\n') || token.ends_with('\r')) token.pop_back();
     const bool plain = std::ranges::all_of(token, [](char c) { return c > ' ' && c < 127; });
-    if (!plain || token.size() < kShortest || token.size() > kLongest) {
-        throw refused("is no token; allowed: one line of 16 .. 256 ASCII characters, no blanks");
+    if (!plain || token.size() < kMinBytes || token.size() > kMaxBytes) {
+        throw refused(
+            "is not a token; allowed: one line of 16 .. 256 ASCII characters without blanks");
     }
     return token;
 }
@@ -131,7 +133,7 @@ bool same_token(std::string_view guess, std::string_view token) {
 }
 
 void require_descriptors(std::size_t count) {
-    constexpr rlim_t kOthers = 64;  // what a program has open besides
+    constexpr rlim_t kOthers = 64;  // other open descriptors of the program
     rlimit limit{};
     if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
     const rlim_t needed = static_cast<rlim_t>(count) + kOthers;
@@ -142,7 +144,7 @@ void require_descriptors(std::size_t count) {
     throw Error(ErrorKind::unsupported,
                 std::to_string(count) + " clients need " + std::to_string(needed) +
                     " descriptors; this system allows " + std::to_string(allowed) +
-                    " (ulimit -Hn), which is for " +
+                    " (ulimit -Hn), enough for " +
                     std::to_string(allowed > kOthers ? allowed - kOthers : 0) + " clients");
 }
 

@@ -14,14 +14,14 @@ constexpr std::uint8_t kSetPinMode = 0xF4;
 constexpr std::uint8_t kSetPin = 0xF5;
 constexpr std::uint8_t kSysexEnd = 0xF7;
 constexpr std::uint8_t kVersion = 0xF9;
-// Of sysex.
+// Kinds of sysex.
 constexpr std::uint8_t kExtendedAnalog = 0x6F;
 constexpr std::uint8_t kFirmware = 0x79;
 constexpr std::uint8_t kSamplingInterval = 0x7A;
 
-constexpr int kShortPins = 16;  // those that a command byte can name
+constexpr int kShortPins = 16;  // pins that a command byte can name
 
-/// The command without the number that it holds.
+/// Returns the command without the number in its low bits.
 constexpr std::uint8_t kind_of(std::uint8_t command) {
     return command < kSysex ? command & 0xF0 : command;
 }

@@ -16,10 +16,10 @@
 namespace ocean::bridge {
 
 enum class FirmataKind {
-    analog,    // number: of the input A0 .., value: 14 bits
-    digital,   // number: of the port, value: a bit for each of its 8 pins
+    analog,    // number: analog input, 0 for A0; value: 14 bits
+    digital,   // number: port; value: a bit for each of its 8 pins
     version,   // number: major, value: minor
-    firmware,  // the program has just begun
+    firmware,  // the board's program has just started
 };
 
 struct FirmataReport {
@@ -32,7 +32,7 @@ struct FirmataReport {
 
 inline constexpr int kFirmataPortPins = 8;
 
-/// Takes a stream that may be cut anywhere; what is not of the protocol counts for nothing.
+/// Parses a stream in pieces of any size and skips bytes that are not of the protocol.
 class FirmataParser {
   public:
     std::vector<FirmataReport> feed(std::span<const std::uint8_t> bytes);
@@ -42,14 +42,14 @@ class FirmataParser {
     std::optional<FirmataReport> begin(std::uint8_t command);
     FirmataReport report() const;
 
-    std::uint8_t command_ = 0;  // 0: data bytes belong to nothing
+    std::uint8_t command_ = 0;  // 0: data bytes are skipped
     std::array<std::uint8_t, 2> data_{};
     std::size_t count_ = 0;
 };
 
 enum class PinMode : std::uint8_t { input = 0x00, output = 0x01, pwm = 0x03, pullup = 0x0B };
 
-/// Messages for the board, one after the other.
+/// Collects messages for the board.
 class FirmataWriter {
   public:
     void request_version();
@@ -58,12 +58,12 @@ class FirmataWriter {
     void report_analog(int input);
     void report_digital(int port);
     void write_digital(int pin, bool on);
-    /// 0 .. 255.
+    /// `value` is 0 .. 255.
     void write_pwm(int pin, int value);
 
     std::span<const std::uint8_t> bytes() const { return bytes_; }
     bool empty() const { return bytes_.empty(); }
-    /// The first `count` have been sent.
+    /// Removes the first `count` bytes, which have been sent.
     void drop(std::size_t count);
 
   private:

@@ -10,33 +10,35 @@
 #include <optional>
 #include <set>
 #include <system_error>
-#include <thread>
 #include <utility>
 
+#include "drivers.hpp"
 #include "firmata_protocol.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "serial_port.hpp"
+#include "source_thread.hpp"
 
 namespace ocean::bridge {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// How often a board that is not there is looked for: soon after it went, then less often.
-constexpr auto kFirstLook = 50ms;
-constexpr auto kLook = 1000ms;
-/// Opening the line resets most boards, which then take about two seconds.
-constexpr auto kAskAgain = 500ms;
-constexpr auto kAnswer = 5s;
-constexpr int kSamplingInterval = 10;  // ms
-/// At the end a board that takes nothing is given up.
-constexpr auto kLastWords = 200ms;
+/// The interval at which a board that is away is searched: short after a loss, then doubled up to
+/// the maximum.
+constexpr auto kMinSearchInterval = 50ms;
+constexpr auto kMaxSearchInterval = 1000ms;
+/// Opening the line resets most boards, which then need about two seconds.
+constexpr auto kVersionRequestInterval = 500ms;
+constexpr auto kAnswerTimeout = 5s;
+constexpr int kSamplingInterval = 10;  // [ms]
+/// The time that a board has at the end to accept its last outputs.
+constexpr auto kShutdownGrace = 200ms;
 
-/// One input as the messages name it.
+/// An input by the numbers that messages give it.
 struct Input {
     FirmataKind kind;
-    int number;  // of the analog input or of the port
-    int bit;
+    int number;  // analog input, or port
+    int bit;     // in the port
 };
 
 struct Output {
@@ -68,37 +70,29 @@ int timeout_until(Clock::time_point time) {
     return static_cast<int>(std::max<std::chrono::milliseconds::rep>(left.count(), 0));
 }
 
-class FirmataSource : public Source {
+class FirmataWorker {
   public:
-    FirmataSource(const std::string& id, const FirmataDevice& device)
-        : id_(id),
+    FirmataWorker(BoardHost& host, const std::string& id, const FirmataDevice& device)
+        : host_(host),
+          id_(id),
           device_(device),
           channels_(firmata_channels(id, device)),
           inputs_(inputs_of(device)),
           outputs_(outputs_of(device)),
           wanted_(outputs_.size()) {}
-    ~FirmataSource() override { stop(); }
 
-    std::vector<Channel> channels() const override {
-        const std::lock_guard lock(mutex_);
-        return there_ ? channels_ : std::vector<Channel>();
-    }
-
-    void start(Listener listener) override {
-        listener_ = std::move(listener);
-        thread_ = std::thread([this] { run(); });
-    }
-
-    void stop() override {
-        {
-            const std::lock_guard lock(mutex_);
-            stopped_ = true;
+    void run() {
+        auto interval = kMinSearchInterval;
+        while (!host_.is_stopped()) {
+            if (serve_board()) interval = kMinSearchInterval;
+            rest(interval);
+            interval = std::min(2 * interval, kMaxSearchInterval);
         }
-        bell_.ring();
-        if (thread_.joinable()) thread_.join();
     }
 
-    void put(const std::string& name, double value) override {
+    void wake() const { bell_.ring(); }
+
+    void put(const std::string& name, double value) {
         const std::size_t output = output_index(channels_, name, value) - inputs_.size();
         {
             const std::lock_guard lock(mutex_);
@@ -108,32 +102,18 @@ class FirmataSource : public Source {
     }
 
   private:
-    bool stopped() const {
-        const std::lock_guard lock(mutex_);
-        return stopped_;
-    }
-
-    void run() {
-        auto wait = kFirstLook;
-        while (!stopped()) {
-            if (meet()) wait = kFirstLook;
-            rest(wait);
-            wait = std::min(2 * wait, kLook);
-        }
-    }
-
-    /// Until the time is over or stop() is called.
-    void rest(Clock::duration time) {
+    /// Blocks until the time is over or the source stops.
+    void rest(Clock::duration time) const {
         const Clock::time_point end = Clock::now() + time;
-        while (!stopped() && Clock::now() < end) {
+        while (!host_.is_stopped() && Clock::now() < end) {
             pollfd waits{bell_.descriptor(), POLLIN, 0};
             ::poll(&waits, 1, timeout_until(end));
-            bell_.quiet();
+            bell_.silence();
         }
     }
 
-    /// Talks to the board if it is there until it goes. False if it is not.
-    bool meet() {
+    /// Talks to the board until it is lost or the source stops. Returns false if it is away.
+    bool serve_board() {
         std::optional<SerialPort> line;
         try {
             line.emplace(device_.port, device_.baud);
@@ -144,34 +124,25 @@ class FirmataSource : public Source {
         try {
             talk(*line);
         } catch (const std::system_error&) {
-            // It went.
+            // The line is gone.
         }
-        line.reset();  // nothing of it is open when that is told
-        be_there(false);
-        if (std::exchange(connected_, false)) listener_.event({BoardEvent::Kind::lost, id_});
+        line.reset();  // closed before the loss is reported
+        if (std::exchange(connected_, false)) host_.lost(id_);
         return true;
-    }
-
-    void be_there(bool whether) {
-        const std::lock_guard lock(mutex_);
-        there_ = whether;
     }
 
     void cannot_open(const std::error_code& why) {
         for (const int absent : {ENOENT, ENODEV, ENXIO, EIO}) {
-            if (why.value() == absent) return trouble_.clear();
+            if (why.value() == absent) return host_.no_longer_busy(id_);
         }
         std::string hint;
-        if (why.value() == EACCES) hint = "; members of the group dialout may";
+        if (why.value() == EACCES) hint = "; members of the group dialout may open it";
         if (why.value() == EBUSY) hint = ": another program has it";
-        complain(why.message() + hint);
+        report_busy(why.message() + hint);
     }
 
-    /// Says what is wrong with the line, once.
-    void complain(const std::string& trouble) {
-        if (std::exchange(trouble_, trouble) == trouble) return;
-        listener_.event(
-            {BoardEvent::Kind::busy, id_, text::printable(device_.port) + ": " + trouble});
+    void report_busy(const std::string& reason) {
+        host_.busy(id_, text::printable(device_.port) + ": " + reason);
     }
 
     void talk(const SerialPort& line) {
@@ -179,22 +150,22 @@ class FirmataSource : public Source {
         writer_ = {};
         connected_ = false;
         const Clock::time_point begin = Clock::now();
-        Clock::time_point next_question = begin;
-        while (!stopped()) {
-            if (!connected_ && Clock::now() >= next_question) {
-                if (Clock::now() - begin >= kAnswer) {
-                    complain("nothing answers as Firmata at " + std::to_string(device_.baud) +
-                             " baud");
+        Clock::time_point next_request = begin;
+        while (!host_.is_stopped()) {
+            if (!connected_ && Clock::now() >= next_request) {
+                if (Clock::now() - begin >= kAnswerTimeout) {
+                    report_busy("nothing answers as Firmata at " + std::to_string(device_.baud) +
+                                " baud");
                 }
                 if (writer_.empty()) writer_.request_version();
-                next_question = Clock::now() + kAskAgain;
+                next_request = Clock::now() + kVersionRequestInterval;
             }
             send(line);
             if (connected_ && writer_.empty()) write_outputs();
-            wait_for(line, connected_ ? -1 : timeout_until(next_question));
+            wait_for(line, connected_ ? -1 : timeout_until(next_request));
             read_from(line);
         }
-        if (connected_) put_out(line);
+        if (connected_) switch_outputs_off(line);
         connected_ = false;
     }
 
@@ -205,31 +176,29 @@ class FirmataSource : public Source {
         pollfd waits[] = {{bell_.descriptor(), POLLIN, 0},
                           {line.descriptor(), static_cast<short>(POLLIN | writable), 0}};
         ::poll(waits, std::size(waits), timeout);
-        bell_.quiet();
+        bell_.silence();
     }
 
     void read_from(const SerialPort& line) {
         std::uint8_t buffer[1024];
         for (const FirmataReport& report : parser_.feed(line.read(buffer))) {
             if (report.kind == FirmataKind::version) {
-                if (!connected_) welcome(report);
+                if (!connected_) connect(report);
             } else if (report.kind == FirmataKind::firmware) {
-                if (connected_) configure();  // it was reset
+                if (connected_) configure();  // the board was reset
             } else if (connected_) {
-                tell_of(report);
+                forward(report);
             }
         }
     }
 
-    void welcome(const FirmataReport& version) {
+    void connect(const FirmataReport& version) {
         connected_ = true;
-        trouble_.clear();
-        places_.assign(inputs_.size(), std::nullopt);
-        be_there(true);
-        listener_.event({BoardEvent::Kind::connected, id_,
-                         "Firmata " + std::to_string(version.number) + "." +
-                             std::to_string(version.value) + " at " +
-                             text::printable(device_.port)});
+        reported_.assign(inputs_.size(), std::nullopt);
+        host_.connected(id_,
+                        "Firmata " + std::to_string(version.number) + "." +
+                            std::to_string(version.value) + " at " + text::printable(device_.port),
+                        channels_);
         configure();
     }
 
@@ -250,18 +219,18 @@ class FirmataSource : public Source {
         }
     }
 
-    void tell_of(const FirmataReport& report) {
+    void forward(const FirmataReport& report) {
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
             const Input& input = inputs_[i];
             if (input.kind != report.kind || input.number != report.number) continue;
             const int value =
                 input.kind == FirmataKind::analog ? report.value : report.value >> input.bit & 1;
-            if (std::exchange(places_[i], value) == value) continue;
-            listener_.report({Clock::now(), channels_[i].name, static_cast<double>(value)});
+            if (std::exchange(reported_[i], value) == value) continue;
+            host_.report({Clock::now(), channels_[i].name, static_cast<double>(value)});
         }
     }
 
-    /// The latest of each, when the line has taken what was before.
+    /// Sends the latest value of each output. Called when the line has accepted all earlier bytes.
     void write_outputs() {
         const std::lock_guard lock(mutex_);
         for (std::size_t i = 0; i < outputs_.size(); ++i) {
@@ -278,47 +247,106 @@ class FirmataSource : public Source {
         }
     }
 
-    void put_out(const SerialPort& line) {
+    void switch_outputs_off(const SerialPort& line) {
         for (const Output& output : outputs_) write_output(output, 0);
-        const Clock::time_point end = Clock::now() + kLastWords;
+        const Clock::time_point end = Clock::now() + kShutdownGrace;
         while (!writer_.empty() && Clock::now() < end) {
             send(line);
             pollfd waits{line.descriptor(), POLLOUT, 0};
             if (!writer_.empty()) ::poll(&waits, 1, timeout_until(end));
         }
-        line.drain(kLastWords);
+        line.drain(kShutdownGrace);
     }
 
+    BoardHost& host_;
     const std::string id_;
     const FirmataDevice device_;
     const std::vector<Channel> channels_;  // inputs, then outputs
     const std::vector<Input> inputs_;
     const std::vector<Output> outputs_;
     const Bell bell_;
-    Listener listener_;
-    mutable std::mutex mutex_;
-    bool stopped_ = false;
-    bool there_ = false;
-    std::vector<std::optional<int>> wanted_;  // by output
-    // Of the thread.
+    std::mutex mutex_;
+    std::vector<std::optional<int>> wanted_;  // by output; under the mutex
+    // Used by the source's thread alone.
     FirmataParser parser_;
     FirmataWriter writer_;
     bool connected_ = false;
-    std::string trouble_;                     // that was said
-    std::vector<std::optional<int>> places_;  // by input
-    std::vector<std::optional<int>> sent_;    // by output
-    std::thread thread_;
+    std::vector<std::optional<int>> reported_;  // by input
+    std::vector<std::optional<int>> sent_;      // by output
 };
+
+/// Reads the [[device]] of an Arduino.
+class FirmataReader {
+  public:
+    explicit FirmataReader(DeviceSection& section) : section_(section) {}
+
+    FirmataDevice device() {
+        FirmataDevice device;
+        while (section_.next()) read_key(device);
+        if (device.port.empty()) {
+            throw section_.fail("port is missing; allowed: such as /dev/ttyACM0");
+        }
+        require_distinct_pins(device);
+        return device;
+    }
+
+  private:
+    void read_key(FirmataDevice& device) const {
+        if (section_.key() == "port") {
+            device.port = section_.text();
+        } else if (section_.key() == "baud") {
+            device.baud = baud();
+        } else if (section_.key() == "analog") {
+            device.analog = section_.whole_list(0, kFirmataAnalogs - 1);
+        } else if (section_.key() == "inputs") {
+            device.inputs = pins();
+        } else if (section_.key() == "pullups") {
+            device.pullups = pins();
+        } else if (section_.key() == "outputs") {
+            device.outputs = pins();
+        } else if (section_.key() == "pwm") {
+            device.pwm = pins();
+        } else {
+            throw section_.unknown("port, baud, analog, inputs, pullups, outputs, pwm");
+        }
+    }
+    std::vector<int> pins() const { return section_.whole_list(0, kFirmataPins - 1); }
+    int baud() const {
+        const int baud = section_.whole(0, 1'000'000);
+        if (std::ranges::find(kFirmataBauds, baud) != kFirmataBauds.end()) return baud;
+        std::string allowed;
+        for (const int each : kFirmataBauds) {
+            allowed += (allowed.empty() ? "" : ", ") + std::to_string(each);
+        }
+        throw section_.refused(allowed);
+    }
+    void require_distinct_pins(const FirmataDevice& device) const {
+        std::set<int> seen;
+        for (const auto* pins : {&device.inputs, &device.pullups, &device.outputs, &device.pwm}) {
+            for (const int pin : *pins) {
+                if (seen.insert(pin).second) continue;
+                throw section_.fail("pin " + std::to_string(pin) +
+                                    " is used twice; allowed: one of inputs, pullups, outputs and "
+                                    "pwm");
+            }
+        }
+    }
+
+    DeviceSection& section_;
+};
+
+FirmataDevice read_firmata(DeviceSection& section) {
+    return FirmataReader(section).device();
+}
 
 }  // namespace
 
 std::vector<Channel> firmata_channels(const std::string& board, const FirmataDevice& device) {
     std::vector<Channel> channels;
-    const auto add = [&](const std::string& letters, const std::vector<int>& numbers,
-                         double highest, bool output) {
+    const auto add = [&](const std::string& letters, const std::vector<int>& numbers, double max,
+                         bool output) {
         for (const int number : numbers) {
-            channels.push_back(
-                {board + "/" + letters + std::to_string(number), 0.0, highest, output});
+            channels.push_back({board + "/" + letters + std::to_string(number), 0.0, max, output});
         }
     };
     add("a", device.analog, 1023.0, false);
@@ -330,7 +358,11 @@ std::vector<Channel> firmata_channels(const std::string& board, const FirmataDev
 }
 
 std::unique_ptr<Source> make_firmata_source(const std::string& id, const FirmataDevice& device) {
-    return std::make_unique<FirmataSource>(id, device);
+    return std::make_unique<ThreadedSource<FirmataWorker>>(id, id, device);
+}
+
+Driver DriverTable::firmata() {
+    return {read_firmata, make_firmata_source};
 }
 
 }  // namespace ocean::bridge

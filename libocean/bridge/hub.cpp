@@ -24,7 +24,7 @@ Error refused(const std::string& message) {
 void require_take_name(const std::string& name) {
     if (is_take_name(name)) return;
     throw refused("'" + text::printable(name) +
-                  "' is no name for a take; allowed: letters, digits, '_', '-' and '.', no folder");
+                  "' cannot name a take; allowed: letters, digits, '_', '-' and '.', no folder");
 }
 
 }  // namespace
@@ -38,11 +38,11 @@ bool TakeRecorder::add(const ParameterRef& parameter, const ParameterValue& valu
         return other.parameter.same_as(parameter);
     });
     if (before != events.rend()) {
-        if (before->seconds > event.seconds) {  // it waits for its turn
+        if (before->seconds > event.seconds) {  // that event is still to come
             before->value = value;
             return true;
         }
-        event.seconds = std::max(event.seconds, before->seconds + kLeastEventDistance);
+        event.seconds = std::max(event.seconds, before->seconds + kMinEventSpacing);
     }
     const std::size_t bytes = bytes_ + take_line(event).size() + 1;
     if (events.size() >= kMaxTakeEvents || bytes > kMaxTakeBytes) return false;
@@ -64,20 +64,21 @@ Hub::Hub(HubOptions options, std::vector<std::unique_ptr<Source>> sources)
       record_(values_.find("app.record")),
       frame_rate_(values_.find("app.frame_rate")) {
     if (!options_.map.empty()) options_.map_text = read_map_text(options_.map);
-    MapFile file =
-        parse_map(options_.map_text, options_.map.empty() ? "the map" : options_.map, values_);
+    ControlMapFile file = parse_control_map(
+        options_.map_text, options_.map.empty() ? "the map" : options_.map, values_);
     const auto& devices = file.devices.empty() ? options_.devices : file.devices;
     for (const DeviceRule& device : devices) {
         for (const Channel& channel : channels()) {
             if (!channel.name.starts_with(device.id + "/")) continue;
-            throw refused("two boards are named " + device.id + ": one by the map's [[device]]");
+            throw refused("two boards are named " + device.id +
+                          ": one of them in the map's [[device]]");
         }
     }
     for (auto& source : make_sources(devices)) {
         sources_.push_back(std::move(source));
     }
     map_devices_ = file.devices;
-    mapping_ = std::make_unique<Mapping>(std::move(file), values_);
+    control_map_ = std::make_unique<ControlMap>(std::move(file), values_);
 }
 
 Hub::~Hub() {
@@ -86,7 +87,7 @@ Hub::~Hub() {
 
 void Hub::start(const Source::Listener& listener) {
     for (const auto& source : sources_) source->start(listener);
-    light_lamps();
+    update_outputs();
 }
 
 void Hub::stop() {
@@ -107,30 +108,27 @@ std::vector<std::string> Hub::events() {
 }
 
 void Hub::set(std::string_view name, std::string_view value, std::string_view writer) {
-    store(values_.find(name), value, writer, Clock::now());
-    light_lamps();
+    const std::size_t entry = values_.find(name);
+    if (values_.set(entry, value, writer)) after_change(entry, Clock::now());
+    update_outputs();
 }
 
-void Hub::store(std::size_t entry, std::string_view value, std::string_view writer,
-                Clock::time_point now) {
-    if (!values_.set(entry, value, writer)) return;
-    if (entry == record_) {
-        follow_recording(now);
-    } else if (recorder_) {
-        const ParameterRef ref = values_.ref(entry);
-        if (ref.info == nullptr || ref.info->change != ParameterClass::live) return;
-        const ParameterValue stored = value_of(values_.parameters(), ref);
-        if (to_text(stored).empty() || recorder_->add(ref, stored, now)) return;
-        say("TAKE is full and ends here");
-        values_.set(record_, "0", "bridge");
-        follow_recording(now);
-    }
+void Hub::after_change(std::size_t entry, Clock::time_point now) {
+    if (entry == record_) return follow_recording(now);
+    if (!recorder_) return;
+    const ParameterRef ref = values_.ref(entry);
+    if (ref.info == nullptr || ref.info->change != ParameterClass::live) return;
+    const ParameterValue stored = value_of(values_.parameters(), ref);
+    if (to_text(stored).empty() || recorder_->add(ref, stored, now)) return;
+    add_event("TAKE is full and ends here");
+    values_.set(record_, 0.0, "bridge");
+    follow_recording(now);
 }
 
 void Hub::out(const std::string& channel, double value) {
     for (const auto& source : sources_) {
-        if (find_channel(source->channels(), channel) != nullptr)
-            return source->put(channel, value);
+        if (find_channel(source->channels(), channel) == nullptr) continue;
+        return source->put(channel, value);
     }
     throw Error(ErrorKind::not_found, "no board has '" + text::printable(channel) + "'");
 }
@@ -153,26 +151,27 @@ void Hub::follow_recording(Clock::time_point now) {
     const bool wanted = values_.number(record_) == 1.0;
     const std::string name = take_name_.empty() ? "-" : take_name_;
     if (!wanted) {
-        say("RECORD STOP " + name);
+        add_event("RECORD STOP " + name);
         save_take();
         take_name_.clear();
         return;
     }
-    const std::string& shower = values_[frame_rate_].writer;
+    const std::string& shower = values_[frame_rate_].writer;  // the program that shows the sea
     if (shower.empty()) recorder_.emplace(options_.sea.parameters.time.start, now);
-    say("RECORD START " + name +
-        (shower.empty() ? " by the bridge on its own clock"
-                        : " by " + shower + " in its sea time"));
+    add_event("RECORD START " + name +
+              (shower.empty() ? " by the bridge on its own clock"
+                              : " by " + shower + " in its sea time"));
 }
 
-std::string Hub::free_take_name(const std::string& asked) const {
+std::string Hub::free_take_name(const std::string& requested) const {
     const std::filesystem::path folder = utf8_path(options_.take_folder);
     std::error_code ignored;
-    std::string name = asked;
+    std::string name = requested;
     for (int number = 1; name.empty() || std::filesystem::exists(folder / name, ignored);
          ++number) {
-        // What is there is nobody's to write over.
-        const std::string stem = asked.empty() ? "take" : asked.substr(0, asked.find('.'));
+        // An existing file is never overwritten.
+        const std::string stem =
+            requested.empty() ? "take" : requested.substr(0, requested.find('.'));
         name = stem + "_" + std::to_string(number) + ".take";
     }
     return (folder / name).string();
@@ -184,9 +183,9 @@ void Hub::save_take() {
     try {
         const std::string path = free_take_name(take_name_);
         io::write_file_atomically(path, text);
-        say("TAKE " + path);
+        add_event("TAKE " + path);
     } catch (const Error& error) {
-        say("TAKE is lost: " + std::string(error.what()));
+        add_event("TAKE is lost: " + std::string(error.what()));
     }
 }
 
@@ -195,72 +194,74 @@ void Hub::finish() {
 }
 
 void Hub::report(const Report& report) {
-    apply(mapping_->report(report, values_), report.time);
+    apply(control_map_->report(report, values_), report.time);
 }
 
-void Hub::board_event(const BoardEvent& event) {
-    say(event_text(event));
+void Hub::on_board_event(const BoardEvent& event) {
+    add_event(event_text(event));
     switch (event.kind) {
         case BoardEvent::Kind::connected:
-            mapping_->board_connected(event.board);
-            return light_lamps();
+            control_map_->board_connected(event.board);
+            return update_outputs();
         case BoardEvent::Kind::lost:
-            return apply(mapping_->board_lost(event.board), Clock::now());
+            return apply(control_map_->board_lost(event.board), Clock::now());
         case BoardEvent::Kind::busy:
             return;
     }
 }
 
 void Hub::advance(Clock::time_point now) {
-    apply(mapping_->advance(now, values_), now);
+    apply(control_map_->advance(now, values_), now);
 }
 
 void Hub::apply(const std::vector<Setting>& settings, Clock::time_point now) {
     for (const Setting& setting : settings) {
         try {
-            store(setting.entry, plain_text(setting.value), setting.writer, now);
+            if (values_.set(setting.entry, setting.value, setting.writer)) {
+                after_change(setting.entry, now);
+            }
         } catch (const Error& error) {
             const std::string refusal = setting.writer + ": " + error.what();
-            if (std::exchange(last_refusal_, refusal) != refusal) say(refusal);
+            if (std::exchange(last_refusal_, refusal) != refusal) add_event(refusal);
         }
     }
-    if (!settings.empty()) light_lamps();
+    if (!settings.empty()) update_outputs();
 }
 
-void Hub::light_lamps() {
-    for (const Lamp& lamp : mapping_->lamps(values_)) {
+void Hub::update_outputs() {
+    for (const OutputValue& output : control_map_->changed_outputs(values_)) {
         try {
-            out(lamp.channel, lamp.value);
+            out(output.channel, output.value);
         } catch (const Error&) {
-            // The board is not there now; it is told again when it comes.
+            // The board is not connected; board_connected() makes the value new again.
         }
     }
 }
 
-void Hub::look_around() {
+void Hub::poll_map_file() {
     if (options_.map.empty()) return;
     std::error_code gone;
     const auto time = std::filesystem::last_write_time(utf8_path(options_.map), gone);
     if (gone || time == map_time_) return;
-    // Two writes in one tick of the file system's clock have one time: it is read until that is
-    // old.
+    // Two writes within one tick of the file system's clock have the same time, so the file is read
+    // until its time is old.
     const auto age = std::filesystem::file_time_type::clock::now() - time;
     if (age > std::chrono::seconds(2)) map_time_ = time;
     try {
         std::string text = read_map_text(options_.map);
         if (text == options_.map_text) return;
         options_.map_text = std::move(text);
-        MapFile file = parse_map(options_.map_text, options_.map, values_);
-        say("MAP " + options_.map + " is read again" +
-            (file.devices == map_devices_ ? "" : "; its boards are others from the next start on"));
-        mapping_ = std::make_unique<Mapping>(std::move(file), values_);
-        light_lamps();
+        ControlMapFile file = parse_control_map(options_.map_text, options_.map, values_);
+        add_event("MAP " + options_.map + " is read again" +
+                  (file.devices == map_devices_ ? "" : "; its changed boards need a restart"));
+        control_map_ = std::make_unique<ControlMap>(std::move(file), values_);
+        update_outputs();
     } catch (const Error& error) {
-        say("MAP stays as it was: " + std::string(error.what()));
+        add_event("MAP stays as it was: " + std::string(error.what()));
     }
 }
 
-bool Hub::is_told_by(std::size_t entry, std::string_view client) const {
+bool Hub::is_owned_by(std::size_t entry, std::string_view client) const {
     return values_.ref(entry).info == nullptr && values_[frame_rate_].writer == client;
 }
 

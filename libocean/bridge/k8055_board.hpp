@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A K8055 as a source keeps it: its outputs, and the two transfers that libusb has of it.
+// One K8055 with its two USB transfers: reports come in by one, outputs go out by the other.
 #pragma once
 
 #include <array>
@@ -17,51 +17,57 @@
 
 namespace ocean::bridge {
 
-/// One configured address. What libusb holds of it belongs to the thread of the source.
-struct Board {
+/// A board of the control map, open or not. Members that are not marked belong to the source's
+/// thread.
+struct UsbBoard {
     std::string id;
     int address = 0;
     std::vector<Channel> channels;
-    K8055Outputs told{};  // under the source's lock
-    bool there = false;   // so is this
-    std::atomic<bool> to_tell = false;
+    K8055Outputs pending_outputs{};           // under the source's mutex
+    std::atomic<bool> outputs_dirty = false;  // true until pending_outputs are sent
 
-    libusb_device* device = nullptr;  // a reference, while it is open
+    libusb_device* device = nullptr;  // a reference, while the board is open
     libusb_device_handle* handle = nullptr;
     int interface = 0;
     libusb_transfer* in = nullptr;
     libusb_transfer* out = nullptr;
     std::vector<std::uint8_t> in_bytes;
     std::array<std::uint8_t, kK8055Bytes> out_bytes{};
-    bool in_flies = false;
-    bool out_flies = false;
-    std::optional<Fault> fault;  // why it is to be closed
+    bool in_transfer_pending = false;
+    bool out_transfer_pending = false;
+    std::optional<CloseReason> close_reason;  // set when the board must be closed
     std::optional<K8055Inputs> reported;
-    std::string complaint;  // last one, said once
+
+    bool is_open() const { return handle != nullptr; }
 };
 
-/// The functions that libusb calls when a transfer ends, and their user_data.
-struct TransferEnds {
+/// The functions that libusb calls at the end of a transfer, and their user_data.
+struct TransferCallbacks {
     libusb_transfer_cb_fn in;
     libusb_transfer_cb_fn out;
     void* user;
 };
 
-/// Takes a reference of the device, and makes the transfers of a board whose handle is open. Leaves
-/// alone what is under the source's lock.
-void prepare(Board& board, const Wiring& wiring, libusb_device* device, const TransferEnds& ends);
+/// Opens the device and claims its interface. Returns 0, or an error of libusb after which the
+/// board is not open.
+int open_device(UsbBoard& board, const Endpoints& endpoints, libusb_device* device);
 
-/// Frees the transfers, none of which flies, and closes the handle. The reference of the device
-/// stays.
-void release(Board& board);
+/// Takes a reference of the device and allocates the transfers of an open board. Leaves the members
+/// under the source's mutex as they are.
+void prepare(UsbBoard& board, const Endpoints& endpoints, libusb_device* device,
+             const TransferCallbacks& callbacks);
 
-/// Notes why the board is to be closed: the first fault is the cause of those that follow.
-void fail(Board& board, Fault fault);
+/// Frees the transfers, neither of which may be pending, and closes the handle. Keeps the reference
+/// of the device.
+void release(UsbBoard& board);
 
-/// Submits the transfer of the inputs. The board fails where libusb refuses it.
-void listen(Board& board);
+/// Requests that the board is closed. The first reason is kept: it causes the others.
+void fail(UsbBoard& board, CloseReason reason);
 
-/// Submits the transfer of `out_bytes`. The board fails where libusb refuses it.
-void send(Board& board);
+/// Submits the transfer of the inputs. Calls fail() if libusb refuses it.
+void receive_report(UsbBoard& board);
+
+/// Submits the transfer of `out_bytes`. Calls fail() if libusb refuses it.
+void send_outputs(UsbBoard& board);
 
 }  // namespace ocean::bridge

@@ -6,9 +6,9 @@ namespace ocean::bridge {
 
 std::vector<Channel> k8055_channels(const std::string& board) {
     std::vector<Channel> channels;
-    const auto add = [&](const std::string& letters, int count, double highest, bool output) {
+    const auto add = [&](const std::string& letters, int count, double max, bool output) {
         for (int i = 1; i <= count; ++i) {
-            channels.push_back({board + "/" + letters + std::to_string(i), 0.0, highest, output});
+            channels.push_back({board + "/" + letters + std::to_string(i), 0.0, max, output});
         }
     };
     add("a", 2, 255.0, false);

@@ -6,7 +6,7 @@ namespace ocean::bridge {
 
 std::optional<K8055Inputs> decode_k8055_report(std::span<const std::uint8_t> bytes) {
     if (bytes.size() != kK8055Bytes) return std::nullopt;
-    constexpr std::array<int, 5> kDigitalBits = {4, 5, 0, 6, 7};  // of I1 .. I5
+    constexpr std::array<int, 5> kDigitalBits = {4, 5, 0, 6, 7};  // bits of I1 .. I5
     K8055Inputs inputs{};
     std::size_t next = 0;
     inputs[next++] = bytes[2];

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ocean/bridge/mapping.hpp"
+#include "ocean/bridge/control_map.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
@@ -15,15 +15,16 @@
 namespace ocean::bridge {
 namespace {
 
-/// A hand that does nothing for so long has done what it wanted.
-constexpr auto kRest = std::chrono::milliseconds(400);
-constexpr std::size_t kMostValues = 512;
-/// A knob is moved on purpose by an eighth of its way; a 64th is no noise.
-constexpr double kMoved = 1.0 / 8.0;
+/// A control that does not move for this time has come to rest.
+constexpr auto kRestTime = std::chrono::milliseconds(400);
+constexpr std::size_t kMaxValues = 512;
+/// A knob is moved on purpose if it travels an eighth of its range. A step above a 64th is not
+/// noise.
+constexpr double kMinTravel = 1.0 / 8.0;
 constexpr double kNoise = 1.0 / 64.0;
-/// Endless knobs say at most so many steps at once, and the same number again and again.
-constexpr int kMostSteps = 16;
-constexpr std::size_t kLeastRepeats = 2;
+/// Endless knobs report few steps at once, and often repeat the same number.
+constexpr int kMaxSteps = 16;
+constexpr std::size_t kMinRepeats = 2;
 constexpr int kPairs = 32;
 
 std::string_view wire_of(std::string_view channel) {
@@ -44,7 +45,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
     return std::ranges::find(words, word) != words.end();
 }
 
-/// Letters that no other board has.
+/// Returns true for channels whose letters only MIDI controllers have.
 bool is_midi(std::string_view channel) {
     return is_one_of(letters_of(channel), {"cc", "n", "pb", "pair", "nrpn", "rpn"});
 }
@@ -53,9 +54,9 @@ std::array<double, 2> range_of(std::string_view channel, const Channel* known) {
     const std::string_view letters = letters_of(channel);
     if (letters == "cc") return {0.0, 127.0};
     if (is_one_of(letters, {"pb", "pair", "nrpn", "rpn"})) return {0.0, 16383.0};
-    // A replay does not know more than the channel's name.
-    constexpr double kWidest = 1e6;
-    if (known != nullptr && known->highest < kWidest) return {known->lowest, known->highest};
+    // A replay knows the channel's name, but not its range.
+    constexpr double kMaxRange = 1e6;
+    if (known != nullptr && known->max < kMaxRange) return {known->min, known->max};
     return letters == "c" ? std::array{0.0, 65535.0} : std::array{0.0, 255.0};
 }
 
@@ -65,7 +66,7 @@ std::size_t repeats(const std::vector<double>& values) {
     return count;
 }
 
-/// Whether all values may be steps of a code, and go both ways.
+/// The fit of a code: all values may be its steps, and they go in both directions.
 struct CodeFit {
     bool fits = false;
     bool both_ways = false;
@@ -75,7 +76,7 @@ CodeFit fit_of(RelativeCode code, const std::vector<double>& values) {
     bool down = false;
     for (const double value : values) {
         const int steps = relative_steps(code, value);
-        if (steps == 0 || std::abs(steps) > kMostSteps) return {};
+        if (steps == 0 || std::abs(steps) > kMaxSteps) return {};
         (steps > 0 ? up : down) = true;
     }
     return {true, up && down};
@@ -90,29 +91,29 @@ std::string as_knob(const std::array<double, 2>& range, bool is_exact) {
     return is_exact ? in + "hysteresis = 0\ntakeover = \"pickup\"\n" : in;
 }
 
-/// The lines of a controller of 7 bits; nothing while it may be another thing.
+/// A controller of 7 bits that has been identified: a button, or a knob with these lines.
 struct SevenBits {
     bool is_button = false;
     std::string lines;
 };
 std::optional<SevenBits> seven_bits(const std::vector<double>& values) {
     const auto [low, high] = std::ranges::minmax(values);
-    const bool two = std::ranges::all_of(
+    const bool has_two_values = std::ranges::all_of(
         values, [low = low, high = high](double x) { return x == low || x == high; });
-    if (two && low == 0.0 && high > 0.0) return SevenBits{true, ""};
+    if (has_two_values && low == 0.0 && high > 0.0) return SevenBits{true, ""};
     bool may_turn = false;
     for (std::size_t i = 0; i < kEnumWords<RelativeCode>.size(); ++i) {
         const auto code = static_cast<RelativeCode>(i);
         const CodeFit fit = fit_of(code, values);
-        if (fit.both_ways && repeats(values) >= kLeastRepeats) {
+        if (fit.both_ways && repeats(values) >= kMinRepeats) {
             const std::string word(word_of(code));
             return SevenBits{false, "mode = \"relative\"\ncode = \"" + word + "\"\n"};
         }
         may_turn = may_turn || fit.fits;
     }
-    constexpr std::array kWhole = {0.0, 127.0};
-    if (may_turn || high - low < kMoved * kWhole[1]) return std::nullopt;
-    return SevenBits{false, as_knob(kWhole, true)};
+    constexpr std::array kFullRange = {0.0, 127.0};
+    if (may_turn || high - low < kMinTravel * kFullRange[1]) return std::nullopt;
+    return SevenBits{false, as_knob(kFullRange, true)};
 }
 
 }  // namespace
@@ -121,13 +122,14 @@ Learner::Learner(const ValueTable& values, const std::string& to) {
     const auto target = [&](const std::string& name) -> Target {
         const std::size_t entry = values.find(name);
         if (!values.is_number(entry)) {
-            throw Error(ErrorKind::invalid_value, name + " is no number that a knob may turn");
+            throw Error(ErrorKind::invalid_value,
+                        name + " is not a number, which a knob could set");
         }
         if (const ParameterInfo* info = values.parameter(entry)) {
             return {name, {info->soft_min, info->soft_max}};
         }
         const auto app = std::ranges::find(app_values(), values[entry].name, &AppValue::name);
-        return {name, {app->lowest, app->highest}};
+        return {name, {app->min, app->max}};
     };
     knob_ = target(to.empty() ? "wind_speed" : to);
     button_ = target(to.empty() ? "app.pause" : to);
@@ -154,13 +156,13 @@ void Learner::report(const Report& report, const Channel* channel) {
         if (gesture.values.empty()) gesture.values.push_back(before);
         gesture.rest = report.value;
     }
-    if (gesture.values.size() == kMostValues) {
-        gesture.values.erase(gesture.values.begin(), gesture.values.begin() + kMostValues / 2);
+    if (gesture.values.size() == kMaxValues) {
+        gesture.values.erase(gesture.values.begin(), gesture.values.begin() + kMaxValues / 2);
     }
     gesture.values.push_back(report.value);
     group.moved = report.time;
     if (letters_of(report.channel) != "cc") return;
-    const std::string before = std::exchange(group.latest, report.channel);
+    const std::string before = std::exchange(group.latest_controller, report.channel);
     if (letters_of(before) != "cc" || number_of(before) >= kPairs ||
         number_of(before) + kPairs != number_of(report.channel)) {
         return;
@@ -172,8 +174,8 @@ void Learner::report(const Report& report, const Channel* channel) {
 std::optional<Clock::time_point> Learner::next() const {
     std::optional<Clock::time_point> earliest;
     for (const auto& [name, group] : groups_) {
-        if (group.moved && (!earliest || *group.moved + kRest < *earliest)) {
-            earliest = *group.moved + kRest;
+        if (group.moved && (!earliest || *group.moved + kRestTime < *earliest)) {
+            earliest = *group.moved + kRestTime;
         }
     }
     return earliest;
@@ -182,7 +184,7 @@ std::optional<Clock::time_point> Learner::next() const {
 std::vector<Lesson> Learner::advance(Clock::time_point now) {
     std::vector<Lesson> lessons;
     for (auto& [name, group] : groups_) {
-        if (!group.moved || now < *group.moved + kRest) continue;
+        if (!group.moved || now < *group.moved + kRestTime) continue;
         group.moved.reset();
         learn(group, lessons);
     }
@@ -190,10 +192,10 @@ std::vector<Lesson> Learner::advance(Clock::time_point now) {
 }
 
 void Learner::learn(Group& group, std::vector<Lesson>& lessons) {
-    const auto tell = [&](const std::string& map) {
-        if (std::exchange(told_, map) != map) lessons.push_back({true, map});
+    const auto add_map = [&](const std::string& map) {
+        if (std::exchange(last_map_, map) != map) lessons.push_back({true, map});
     };
-    // NRPN and RPN come with the controllers that select and carry them.
+    // NRPN and RPN come together with the controllers that select and carry them.
     const bool has_number = std::ranges::any_of(group.gestures, [](const auto& gesture) {
         return is_one_of(letters_of(gesture.first), {"nrpn", "rpn"});
     });
@@ -203,27 +205,29 @@ void Learner::learn(Group& group, std::vector<Lesson>& lessons) {
         if (has_number && (number == 6 || number == 38 || (number >= 98 && number <= 101))) {
             continue;
         }
-        if (number >= kPairs && gesture.coarse_then_fine > 0) continue;  // its coarse one tells
+        if (number >= kPairs && gesture.coarse_then_fine > 0)
+            continue;  // learnt with its coarse controller
         const std::size_t coarse = gesture.values.size();
         if (gesture.coarse_then_fine >= 2 && 3 * gesture.coarse_then_fine >= 2 * coarse) {
             const std::string board = channel.substr(0, channel.find('/'));
-            tell(lines(board + "/pair" + std::to_string(number), knob_,
-                       as_knob({0.0, 16383.0}, true)));
+            add_map(lines(board + "/pair" + std::to_string(number), knob_,
+                          as_knob({0.0, 16383.0}, true)));
             continue;
         }
         if (const auto map = map_of(channel, gesture)) {
-            tell(*map);
+            add_map(*map);
         } else if (!gesture.values.empty()) {
             if (!std::exchange(gesture.hinted, true)) {
-                lessons.push_back({false, channel + " = " + plain_text(gesture.values.back()) +
-                                              ": move it further, an endless knob both ways"});
+                lessons.push_back(
+                    {false, channel + " = " + plain_text(gesture.values.back()) +
+                                ": move it further, an endless knob in both directions"});
             }
             open.emplace(channel, std::move(gesture));
         } else if (gesture.rest) {
             open.emplace(channel, std::move(gesture));
         }
     }
-    // A board goes on from where its controls are.
+    // A board with positions continues from the present ones.
     for (auto& [channel, gesture] : group.gestures) {
         if (gesture.rest && !open.contains(channel)) {
             open[channel].rest = gesture.rest;
@@ -254,9 +258,9 @@ std::optional<std::string> Learner::map_of(const std::string& channel,
                      turns ? found->lines + "step = " + step_ + "\n" : found->lines);
     }
     const auto [low, high] = std::ranges::minmax(values);
-    if (high - low < kMoved * (gesture.range[1] - gesture.range[0])) return std::nullopt;
+    if (high - low < kMinTravel * (gesture.range[1] - gesture.range[0])) return std::nullopt;
     std::array<double, 2> range = gesture.range;
-    // A device that never sends the fine byte ends before the end of 14 bits.
+    // The range of a device that never sends the fine byte ends below the max of 14 bits.
     constexpr double kCoarse = 128.0;
     const bool is_coarse =
         is_one_of(letters, {"nrpn", "rpn"}) && std::ranges::all_of(values, [](double value) {

@@ -5,20 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <asio.hpp>
-#include <condition_variable>
-#include <deque>
-#include <map>
-#include <mutex>
-#include <set>
 #include <thread>
 #include <utility>
 
-#include "client_events.hpp"
+#include "client_queues.hpp"
 #include "ocean/bridge/line_protocol.hpp"
 #include "ocean/bridge/source.hpp"
-#include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
-#include "ocean/parameter_table.hpp"
 
 namespace ocean::bridge {
 namespace {
@@ -26,109 +19,47 @@ namespace {
 using asio::ip::tcp;
 using Kind = ClientEvent::Kind;
 
-constexpr auto kFirstRetry = std::chrono::milliseconds(100);
-constexpr auto kLastRetry = std::chrono::milliseconds(3000);
-constexpr auto kConnectLimit = std::chrono::seconds(5);
-constexpr auto kLook = std::chrono::seconds(2);      // a PING when nothing came for so long
-constexpr auto kSilence = std::chrono::seconds(10);  // then the line is dead
-/// Lines of an owner that wait to be sent.
-constexpr std::size_t kMostLines = 1000;
-
-/// Owner and bridge may spell a parameter in two ways.
-std::string full_name(const std::string& name) {
-    if (name.starts_with("app.")) return name;
-    try {
-        const ParameterRef ref = find_parameter(name);
-        return ref.info->path(ref.item);
-    } catch (const Error&) {
-        return name;  // of a bridge that knows more
-    }
-}
+constexpr auto kMinRetryInterval = std::chrono::milliseconds(100);
+constexpr auto kMaxRetryInterval = std::chrono::milliseconds(3000);
+constexpr auto kConnectTimeout = std::chrono::seconds(5);
+/// After this silence a PING is sent; after kSilenceTimeout the connection is lost.
+constexpr auto kPingInterval = std::chrono::seconds(2);
+constexpr auto kSilenceTimeout = std::chrono::seconds(10);
 
 }  // namespace
 
-class LineClient::Core {
+/// The connection. All members but queues_ and the two functions above `private` belong to the
+/// connection's own thread.
+class LineClient::Impl {
   public:
-    explicit Core(LineClientOptions options)
-        : options_(std::move(options)), socket_(io_), resolver_(io_), retry_(io_), look_(io_) {
-        look();
+    explicit Impl(LineClientOptions options)
+        : options_(std::move(options)),
+          socket_(io_),
+          resolver_(io_),
+          retry_timer_(io_),
+          ping_timer_(io_) {
+        check_silence();
         connect();
         thread_ = std::thread([this] { io_.run(); });
     }
 
-    ~Core() {
+    ~Impl() {
         asio::post(io_, [this] { io_.stop(); });
         thread_.join();
     }
 
-    bool connected() const {
-        const std::lock_guard lock(mutex_);
-        return greeted_;
-    }
-
-    std::vector<ClientEvent> events() {
-        const std::lock_guard lock(mutex_);
-        return events_.take();
-    }
-
-    std::vector<ClientEvent> wait(std::chrono::milliseconds longest) {
-        std::unique_lock lock(mutex_);
-        arrived_.wait_for(lock, longest, [this] { return !events_.empty(); });
-        return events_.take();
-    }
-
-    void set(const std::string& given, const std::string& value, bool as_wish) {
-        if (given.empty() || (given + value).find_first_of("\r\n") != std::string::npos) return;
-        const std::string name = full_name(given);
-        const std::lock_guard lock(mutex_);
-        wanted_[name] = value;
-        if (as_wish) {
-            reported_.erase(name);
-            events_.drop_values(name);
-        } else {
-            reported_.insert(name);
-        }
-        wake();
-    }
-
-    void send(const std::string& line) {
-        const std::lock_guard lock(mutex_);
-        if (!greeted_) return;
-        lines_.push_back(line);
-        if (lines_.size() > kMostLines) lines_.pop_front();
-        wake();
-    }
-
-  private:
-    // ---- what its owner sees; all of it under the lock
-
-    void deliver(ClientEvent event) {
-        const std::lock_guard lock(mutex_);
-        const bool overtaken =
-            event.kind == Kind::value && (wanted_.contains(event.name) || on_its_way(event.name));
-        if (overtaken && !reported_.contains(event.name)) return;
-        events_.add(std::move(event));
-        arrived_.notify_all();
-    }
-    bool on_its_way(const std::string& name) const {
-        return std::ranges::find(asked_, name, &Asked::what) != asked_.end();
-    }
+    ClientQueues& queues() { return queues_; }
     void wake() {
-        if (std::exchange(woken_, true)) return;
         asio::post(io_, [this] {
-            {
-                const std::lock_guard lock(mutex_);
-                woken_ = false;
-            }
+            queues_.woken();
             flush();
         });
     }
 
-    // ---- the connection; the thread alone
-
+  private:
     void connect() {
         const std::size_t attempt = ++attempt_;
-        heard_ = Clock::now();
+        last_byte_ = Clock::now();
         resolver_.async_resolve(
             options_.server.host, std::to_string(options_.server.port),
             [this, attempt](asio::error_code error, const tcp::resolver::results_type& found) {
@@ -146,30 +77,21 @@ class LineClient::Core {
             });
     }
 
-    void lose(const std::string& why) {
+    void lose(const std::string& reason) {
         ++attempt_;
         asio::error_code ignored;
         socket_.close(ignored);
         resolver_.cancel();
         writing_.clear();
-        pending_.clear();
-        bool had_it = false;
-        {
-            const std::lock_guard lock(mutex_);
-            had_it = std::exchange(greeted_, false);
-            // What nobody has confirmed is said again, but for what was set since.
-            for (const Asked& asked : asked_) {
-                if (!asked.value.empty()) wanted_.try_emplace(asked.what, asked.value);
-            }
-            asked_.clear();
-            lines_.clear();
-        }
-        if (had_it || why != last_loss_) deliver({Kind::lost, "", why});
-        last_loss_ = why;
-        if (had_it) delay_ = kFirstRetry;
-        retry_.expires_after(delay_);
-        delay_ = std::min<std::chrono::milliseconds>(2 * delay_, kLastRetry);
-        retry_.async_wait([this](asio::error_code stopped) {
+        unsent_.clear();
+        const bool was_connected = queues_.disconnected();
+        if (was_connected || reason != last_loss_) queues_.deliver({Kind::lost, "", reason});
+        last_loss_ = reason;
+        if (was_connected) retry_interval_ = kMinRetryInterval;
+        retry_timer_.expires_after(retry_interval_);
+        retry_interval_ =
+            std::min<std::chrono::milliseconds>(2 * retry_interval_, kMaxRetryInterval);
+        retry_timer_.async_wait([this](asio::error_code stopped) {
             if (!stopped) connect();
         });
     }
@@ -179,105 +101,78 @@ class LineClient::Core {
                                 [this, attempt = attempt_](asio::error_code error, std::size_t n) {
                                     if (attempt != attempt_) return;
                                     if (error) return lose(error.message());
-                                    heard_ = Clock::now();
+                                    last_byte_ = Clock::now();
                                     std::string_view bytes(block_.data(), n);
                                     while (attempt == attempt_) {
                                         const auto line = splitter_.next(bytes);
                                         if (!line) break;
-                                        if (line->fault.empty()) hear(line->text);
+                                        if (line->fault.empty()) receive(line->text);
                                     }
                                     if (attempt == attempt_) read();
                                 });
     }
 
-    void hear(const std::string& line) {
+    void receive(const std::string& line) {
         ServerLine parts = parse_server_line(line);
-        if (!greeted_) return greet(parts, line);
+        if (!queues_.is_connected()) return greet(parts, line);
         if (parts.word == "UPD" || parts.word == "VAL") {
-            deliver({Kind::value, full_name(parts.name), std::move(parts.rest)});
+            queues_.deliver({Kind::value, full_name(parts.name), std::move(parts.rest)});
         } else if (parts.word == "EVT" && parts.name == "WRITER") {
             const std::size_t blank = parts.rest.find(' ');
             if (blank == std::string::npos) return;
-            deliver({Kind::writer, full_name(parts.rest.substr(0, blank)),
-                     parts.rest.substr(blank + 1)});
+            queues_.deliver({Kind::writer, full_name(parts.rest.substr(0, blank)),
+                             parts.rest.substr(blank + 1)});
         } else if (parts.word == "EVT") {
-            deliver({Kind::notice, "", line.substr(4)});
+            queues_.deliver({Kind::notice, "", line.substr(4)});
         } else if (parts.word == "OK" || parts.word == "ERR") {
-            answered(line);
+            receive_answer(line);
         } else {
-            deliver({Kind::reply, "", line});
+            queues_.deliver({Kind::reply, "", line});
         }
     }
 
     void greet(const ServerLine& parts, const std::string& line) {
         if (parts.word != "OBP" || parts.name != std::to_string(kProtocolVersion)) {
-            return lose("it says: " + text::printable(line));
+            return lose("not a bridge; it answers: " + text::printable(line));
         }
-        {
-            const std::lock_guard lock(mutex_);
-            greeted_ = true;
-        }
-        delay_ = kFirstRetry;
+        queues_.connected();
+        retry_interval_ = kMinRetryInterval;
         last_loss_.clear();
         asio::error_code gone;
         const tcp::endpoint own = socket_.local_endpoint(gone);
-        deliver({Kind::connected, Endpoint{own.address().to_string(), own.port()}.text(), line});
-        if (!options_.token.empty()) ask("AUTH " + options_.token, kSilent);
-        // What was set while nobody listened goes first: the snapshot has it.
+        queues_.deliver(
+            {Kind::connected, Endpoint{own.address().to_string(), own.port()}.text(), line});
+        if (!options_.token.empty()) send_silently("AUTH " + options_.token);
+        // Values set before the connection go first, so that the snapshot has them.
         flush();
-        std::string line_out = "SUBSCRIBE";
-        for (const std::string& name : options_.names) line_out += ' ' + name;
-        if (options_.subscribe) ask(line_out, kSilent);
+        std::string subscribe = "SUBSCRIBE";
+        for (const std::string& name : options_.names) subscribe += ' ' + name;
+        if (options_.subscribe) send_silently(subscribe);
         flush();
     }
 
-    /// Each line that asks for one is answered in its turn by OK or ERR, or by a block of lines.
-    void answered(const std::string& line) {
-        std::string what;
-        {
-            const std::lock_guard lock(mutex_);
-            if (!asked_.empty()) {
-                what = std::move(asked_.front().what);
-                asked_.pop_front();
-            }
-        }
+    /// Each line but GET, LIST and HELP is answered in its turn by OK or ERR.
+    void receive_answer(const std::string& line) {
+        const bool is_visible = queues_.answered();
         flush();
         if (line.starts_with("ERR ")) {
-            deliver({Kind::refused, "", line.substr(4)});
-        } else if (what == kSpoken) {
-            deliver({Kind::reply, "", line});
+            queues_.deliver({Kind::refused, "", line.substr(4)});
+        } else if (is_visible) {
+            queues_.deliver({Kind::reply, "", line});
         }
     }
 
-    void ask(const std::string& line, const std::string& what) {
-        pending_ += line + "\r\n";
-        const std::lock_guard lock(mutex_);
-        asked_.push_back({what, ""});
+    /// Queues a line of the client's own, whose answer is not delivered.
+    void send_silently(const std::string& line) {
+        unsent_ += line + "\r\n";
+        queues_.expect_silent_answer();
     }
 
     void flush() {
         if (!writing_.empty()) return;
-        {
-            const std::lock_guard lock(mutex_);
-            if (!greeted_) return;
-        }
-        {
-            const std::lock_guard lock(mutex_);
-            // One of a name at a time: a bridge that has more to do gets the latest, not them all.
-            std::erase_if(wanted_, [this](const auto& wanted) {
-                const auto& [name, value] = wanted;
-                if (on_its_way(name)) return false;
-                pending_ += "SET " + name + ' ' + value + "\r\n";
-                asked_.push_back({name, value});
-                return true;
-            });
-            for (const std::string& line : std::exchange(lines_, {})) {
-                pending_ += line + "\r\n";
-                if (expects_answer(line)) asked_.push_back({kSpoken, ""});
-            }
-        }
-        if (pending_.empty()) return;
-        writing_.swap(pending_);
+        unsent_ += queues_.take_lines();
+        if (unsent_.empty() || !queues_.is_connected()) return;
+        writing_.swap(unsent_);
         asio::async_write(socket_, asio::buffer(writing_),
                           [this, attempt = attempt_](asio::error_code error, std::size_t) {
                               if (attempt != attempt_) return;
@@ -287,100 +182,68 @@ class LineClient::Core {
                           });
     }
 
-    /// GET, LIST and HELP are answered by what they ask for.
-    static bool expects_answer(const std::string& line) {
-        const auto parsed = parse_request(line);
-        if (!parsed) return false;
-        const Request* request = std::get_if<Request>(&*parsed);
-        if (request == nullptr) return true;
-        return request->verb != Verb::get && request->verb != Verb::list &&
-               request->verb != Verb::help;
-    }
-
-    void look() {
-        look_.expires_after(kLook);
-        look_.async_wait([this](asio::error_code stopped) {
+    void check_silence() {
+        ping_timer_.expires_after(kPingInterval);
+        ping_timer_.async_wait([this](asio::error_code stopped) {
             if (stopped) return;
-            const auto silent = Clock::now() - heard_;
-            bool greeted = false;
-            {
-                const std::lock_guard lock(mutex_);
-                greeted = greeted_;
-            }
-            if (socket_.is_open() &&
-                silent > (greeted ? Clock::duration(kSilence) : kConnectLimit)) {
+            const auto silence = Clock::now() - last_byte_;
+            const bool is_connected = queues_.is_connected();
+            const auto limit = is_connected ? Clock::duration(kSilenceTimeout) : kConnectTimeout;
+            if (socket_.is_open() && silence > limit) {
                 lose("it does not answer");
-            } else if (greeted && silent > kLook) {
-                ask("PING", kSilent);
+            } else if (is_connected && silence > kPingInterval) {
+                send_silently("PING");
                 flush();
             }
-            look();
+            check_silence();
         });
     }
 
-    // What asked_ holds beside names of values: no name has a blank.
-    inline static const std::string kSilent = " ";
-    inline static const std::string kSpoken = "  ";
-
     const LineClientOptions options_;
+    ClientQueues queues_;
     asio::io_context io_{1};
     tcp::socket socket_;
     tcp::resolver resolver_;
-    asio::steady_timer retry_;
-    asio::steady_timer look_;
-    std::size_t attempt_ = 0;  // what an earlier one still brings is nothing
-    std::chrono::milliseconds delay_ = kFirstRetry;
+    asio::steady_timer retry_timer_;
+    asio::steady_timer ping_timer_;
+    std::size_t attempt_ = 0;  // handlers of an earlier attempt do nothing
+    std::chrono::milliseconds retry_interval_ = kMinRetryInterval;
     std::string last_loss_;
-    Clock::time_point heard_{};
+    Clock::time_point last_byte_{};
     std::array<char, 8192> block_{};
     LineSplitter splitter_;
-    std::string pending_;
-    std::string writing_;
-
-    mutable std::mutex mutex_;
-    std::condition_variable arrived_;
-    bool greeted_ = false;
-    bool woken_ = false;
-    ClientEvents events_;
-    std::set<std::string> reported_;             // names that were reported last, not set
-    std::map<std::string, std::string> wanted_;  // to be sent
-    std::deque<std::string> lines_;
-    struct Asked {
-        std::string what;
-        std::string value;  // of a name
-    };
-    std::deque<Asked> asked_;  // without an answer yet
-
+    std::string unsent_;
+    std::string writing_;  // "" if no write is pending
     std::thread thread_;
 };
 
 LineClient::LineClient(LineClientOptions options)
-    : core_(std::make_unique<Core>(std::move(options))) {}
+    : impl_(std::make_unique<Impl>(std::move(options))) {}
 
 LineClient::~LineClient() = default;
 
 bool LineClient::connected() const {
-    return core_->connected();
+    return impl_->queues().is_connected();
 }
 
 std::vector<ClientEvent> LineClient::events() {
-    return core_->events();
+    return impl_->queues().events();
 }
 
-std::vector<ClientEvent> LineClient::wait(std::chrono::milliseconds longest) {
-    return core_->wait(longest);
+std::vector<ClientEvent> LineClient::wait(std::chrono::milliseconds limit) {
+    return impl_->queues().wait(limit);
 }
 
 void LineClient::set(const std::string& name, const std::string& value) {
-    core_->set(name, value, true);
+    if (impl_->queues().set(name, value, true)) impl_->wake();
 }
 
 void LineClient::report(const std::string& name, const std::string& value) {
-    core_->set(name, value, false);
+    if (impl_->queues().set(name, value, false)) impl_->wake();
 }
 
 void LineClient::send(const std::string& line) {
-    core_->send(line);
+    if (impl_->queues().send(line)) impl_->wake();
 }
 
 }  // namespace ocean::bridge

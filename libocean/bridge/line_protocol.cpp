@@ -15,16 +15,19 @@ namespace ocean::bridge {
 namespace {
 
 constexpr std::array kCommands = {
-    CommandForm{Verb::help, "HELP", "", "these commands", 0, 0},
-    CommandForm{Verb::list, "LIST", "", "every name and its value", 0, 0},
-    CommandForm{Verb::get, "GET", "NAME", "the value of a name", 1, 1},
-    CommandForm{Verb::set, "SET", "NAME VALUE", "another value", 2, 2},
+    CommandForm{Verb::help, "HELP", "", "lists the commands", 0, 0},
+    CommandForm{Verb::list, "LIST", "", "lists every name and its value", 0, 0},
+    CommandForm{Verb::get, "GET", "NAME", "shows the value of a name", 1, 1},
+    CommandForm{Verb::set, "SET", "NAME VALUE", "sets a value", 2, 2},
     CommandForm{Verb::subscribe, "SUBSCRIBE", "[NAME ...]",
-                "the values now, and each change from now on; without names of all", 0, kAnyNumber},
-    CommandForm{Verb::unsubscribe, "UNSUBSCRIBE", "[NAME ...]", "no more of them", 0, kAnyNumber},
-    CommandForm{Verb::out, "OUT", "CHANNEL VALUE", "an output of a board takes the value", 2, 2},
-    CommandForm{Verb::record, "RECORD", "START|STOP [FILE]", "a take is recorded", 1, 2},
-    CommandForm{Verb::ping, "PING", "", "OK, if the line lives", 0, 0},
+                "sends the values now and each later change; without names, of all values", 0,
+                kAnyNumber},
+    CommandForm{Verb::unsubscribe, "UNSUBSCRIBE", "[NAME ...]",
+                "ends subscriptions; without names, all of them", 0, kAnyNumber},
+    CommandForm{Verb::out, "OUT", "CHANNEL VALUE", "sets an output of a board", 2, 2},
+    CommandForm{Verb::record, "RECORD", "START|STOP [FILE]",
+                "starts or stops the recording of a take", 1, 2},
+    CommandForm{Verb::ping, "PING", "", "answers OK", 0, 0},
     CommandForm{Verb::auth, "AUTH", "TOKEN", "opens a guarded bridge", 1, 1},
     CommandForm{Verb::quit, "QUIT", "", "ends the connection", 0, 0},
 };
@@ -81,7 +84,7 @@ std::span<const CommandForm> command_forms() {
 }
 
 std::optional<std::variant<Request, Refusal>> parse_request(std::string_view line) {
-    const std::string_view word = take_word(line);
+    const std::string_view word = next_word(line);
     if (word.empty()) return std::nullopt;
     const auto form = std::ranges::find_if(
         kCommands, [&](const CommandForm& known) { return same_word(word, known.word); });
@@ -90,16 +93,16 @@ std::optional<std::variant<Request, Refusal>> parse_request(std::string_view lin
     }
     Request request{form->verb, {}};
     if (form->verb == Verb::set) {
-        request.arguments.emplace_back(take_word(line));
+        request.arguments.emplace_back(next_word(line));
         request.arguments.emplace_back(trimmed(line));
         if (request.arguments.back().empty()) request.arguments.clear();
     } else {
-        for (std::string_view next = take_word(line); !next.empty(); next = take_word(line)) {
+        for (std::string_view next = next_word(line); !next.empty(); next = next_word(line)) {
             request.arguments.emplace_back(next);
         }
     }
     const std::size_t count = request.arguments.size();
-    if (count < form->least || count > form->most) {
+    if (count < form->min_arguments || count > form->max_arguments) {
         const std::string usage = std::string(form->word) + ' ' + std::string(form->arguments);
         return Refusal{"USAGE", std::string(trimmed(usage))};
     }
@@ -116,7 +119,7 @@ LineSplitter::Byte LineSplitter::take_telnet(unsigned char byte, std::string* re
             return take_command(byte, replies);
         case Telnet::option:
             telnet_ = Telnet::text;
-            // WON'T and DON'T need no answer, or two that refuse would do so for ever.
+            // WON'T and DON'T get no answer, or two programs would refuse each other for ever.
             if (replies != nullptr && (command_ == kDo || command_ == kWill)) {
                 *replies += static_cast<char>(kIac);
                 *replies += static_cast<char>(command_ == kDo ? kWont : kDont);
@@ -126,17 +129,17 @@ LineSplitter::Byte LineSplitter::take_telnet(unsigned char byte, std::string* re
         case Telnet::sub:
             if (byte == kIac) {
                 telnet_ = Telnet::sub_command;
-            } else if (++sub_size_ > kLongestLine) {
-                // It has lost its end, which must not swallow all that follows.
+            } else if (++sub_size_ > kMaxLineBytes) {
+                // Its end is missing; the lines that follow must not be part of it.
                 telnet_ = Telnet::text;
                 too_long_ = true;
             }
             break;
         case Telnet::sub_command:
             if (byte == kIac) {
-                telnet_ = Telnet::sub;  // an escaped 255 of the option's own
+                telnet_ = Telnet::sub;  // an escaped 255 in the option's data
             } else {
-                return take_command(byte, replies);  // SE, or one that breaks it off
+                return take_command(byte, replies);  // SE, or a command that breaks it off
             }
             break;
     }
@@ -171,14 +174,15 @@ LineSplitter::Byte LineSplitter::take_command(unsigned char byte, std::string* r
         case kEraseLine:
             return Byte::erase_line;
         default:
-            break;  // No Operation, Data Mark, Go Ahead, Abort Output and what has no meaning here
+            break;  // No Operation, Data Mark, Go Ahead, Abort Output and commands without a
+                    // meaning here
     }
     return Byte::none;
 }
 
 void LineSplitter::add(char byte) {
     line_ += byte;
-    if (line_.size() <= kLongestLine) return;
+    if (line_.size() <= kMaxLineBytes) return;
     too_long_ = true;
     line_.clear();
 }
@@ -264,16 +268,16 @@ std::string update_line(std::string_view name, std::string_view value) {
 }
 
 std::string event_line(std::string_view text) {
-    return "EVT " + text::printable(text, kLongestLine / 2);
+    return "EVT " + text::printable(text, kMaxLineBytes / 2);
 }
 
 std::string refusal_line(const Refusal& refusal) {
-    return joined("ERR", refusal.code, text::printable(refusal.text, kLongestLine / 2));
+    return joined("ERR", refusal.code, text::printable(refusal.text, kMaxLineBytes / 2));
 }
 
 bool is_take_name(std::string_view name) {
-    constexpr std::size_t kLongestName = 64;
-    return name.size() <= kLongestName && !name.starts_with('.') &&
+    constexpr std::size_t kMaxNameBytes = 64;
+    return name.size() <= kMaxNameBytes && !name.starts_with('.') &&
            std::ranges::all_of(name, [](char c) {
                return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                       c == '_' || c == '-' || c == '.';
@@ -282,8 +286,8 @@ bool is_take_name(std::string_view name) {
 
 ServerLine parse_server_line(std::string_view line) {
     ServerLine parts;
-    parts.word = take_word(line);
-    parts.name = take_word(line);
+    parts.word = next_word(line);
+    parts.name = next_word(line);
     parts.rest = trimmed(line);
     return parts;
 }

@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <asio.hpp>
 #include <atomic>
-#include <deque>
-#include <iterator>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "address.hpp"
+#include "board_queue.hpp"
 #include "connection.hpp"
 #include "ocean/error.hpp"
 #include "osc_port.hpp"
@@ -25,27 +23,25 @@ namespace {
 
 using asio::ip::tcp;
 
-/// Changes that come faster go out together: a board of 1000 reports a second is 500 lines a second
-/// for each client. Far below the 10 ms between the reports of common boards, so that it does not
-/// beat against them.
-constexpr auto kLeastUpdateInterval = std::chrono::milliseconds(2);
-constexpr auto kLookAround = std::chrono::milliseconds(500);
-/// What clients have to take the last line in; the end waits for those alone that do not read.
-constexpr auto kLastWords = std::chrono::milliseconds(500);
-constexpr auto kAcceptAgain = std::chrono::milliseconds(100);
-constexpr std::size_t kMostClients = 100'000;
-/// A report, or an event. Their order counts.
-using BoardNews = std::variant<Report, BoardEvent>;
-/// Of boards, while this thread is busy.
-constexpr std::size_t kMostReports = 65536;
+/// Changes that come faster are sent together: a board with 1000 reports per second makes 500 lines
+/// per second for each client. The interval is far below the 10 ms between the reports of common
+/// boards, with which it would otherwise beat.
+constexpr auto kMinUpdateInterval = std::chrono::milliseconds(2);
+/// The interval at which the map's file and idle clients are checked.
+constexpr auto kPollInterval = std::chrono::milliseconds(500);
+/// The time that clients have at the end to read the last line. The end waits for clients that do
+/// not read, and for no others.
+constexpr auto kShutdownGrace = std::chrono::milliseconds(500);
+constexpr auto kAcceptRetryInterval = std::chrono::milliseconds(100);
+constexpr std::size_t kMaxClients = 100'000;
 
 const ServerOptions& checked(const ServerOptions& options) {
     if (!options.listen.is_loopback() && options.token.empty()) {
-        const std::string what = "others than this machine may come there only with --token-file";
+        const std::string what = "other machines may connect only with --token-file";
         throw Error(ErrorKind::invalid_value, "--listen " + options.listen.text() + ": " + what,
                     {.what = what, .parameter = "--listen", .value = options.listen.text()});
     }
-    if (options.clients < 1 || options.clients > kMostClients) {
+    if (options.clients < 1 || options.clients > kMaxClients) {
         const std::string given = std::to_string(options.clients);
         throw Error(ErrorKind::invalid_value, "--clients " + given + ": allowed: 1 .. 100000",
                     {.parameter = "--clients", .value = given, .allowed = "1 .. 100000"});
@@ -57,9 +53,9 @@ const ServerOptions& checked(const ServerOptions& options) {
 
 }  // namespace
 
-class LineServer::Core {
+class LineServer::Impl {
   public:
-    Core(ServerOptions options, Hub& hub)
+    Impl(ServerOptions options, Hub& hub)
         : options_(std::move(options)),
           hub_(hub),
           host_{checked(options_), hub_, [this](std::string line) { log(std::move(line)); },
@@ -67,19 +63,19 @@ class LineServer::Core {
           acceptor_(io_),
           update_timer_(io_),
           advance_timer_(io_),
-          second_timer_(io_),
+          poll_timer_(io_),
           accept_timer_(io_),
-          last_timer_(io_) {
+          shutdown_timer_(io_) {
         listen();
         open_osc();
         accept();
-        look_around();
-        hub_.start({[this](Report report) { take(std::move(report)); },
-                    [this](BoardEvent event) { take(std::move(event)); }});
+        poll();
+        hub_.start({[this](Report report) { enqueue(std::move(report)); },
+                    [this](BoardEvent event) { enqueue(std::move(event)); }});
         thread_ = std::thread([this] { io_.run(); });
     }
 
-    ~Core() { stop(); }
+    ~Impl() { stop(); }
 
     Endpoint endpoint() const { return endpoint_; }
     std::optional<Endpoint> osc_endpoint() const { return osc_ ? osc_->endpoint() : std::nullopt; }
@@ -128,8 +124,8 @@ class LineServer::Core {
         acceptor_.async_accept([this](asio::error_code error, tcp::socket socket) {
             if (!acceptor_.is_open()) return;
             if (error) {
-                // Without descriptors left, say: that passes, and must not be a busy loop.
-                accept_timer_.expires_after(kAcceptAgain);
+                // Such as no descriptor left, which passes. A retry at once would be a busy loop.
+                accept_timer_.expires_after(kAcceptRetryInterval);
                 accept_timer_.async_wait([this](asio::error_code stopped) {
                     if (!stopped) accept();
                 });
@@ -142,8 +138,9 @@ class LineServer::Core {
                 connection->begin();
             } else {
                 log(connection->peer() + " refused: " + std::to_string(options_.clients) +
-                    " clients are there");
-                connection->leave(refusal_line({"BUSY", "no more clients are taken"}));
+                    " clients are connected");
+                connection->leave(
+                    refusal_line({"BUSY", "the bridge has its max number of clients"}));
             }
             accept();
         });
@@ -153,58 +150,52 @@ class LineServer::Core {
         hub_.client_left(gone.peer());
         connections_.erase(gone.shared_from_this());
         count_ = connections_.size();
-        if (ending_ && connections_.empty()) last_timer_.cancel();
+        if (ending_ && connections_.empty()) shutdown_timer_.cancel();
         changed();
     }
 
-    /// A copy: whoever is told something may end.
+    /// Returns a copy, because a connection that is sent a line may end.
     std::vector<std::shared_ptr<Connection>> all() const {
         return {connections_.begin(), connections_.end()};
     }
 
-    // From the boards' threads.
-    void take(BoardNews news) {
-        const std::lock_guard lock(mutex_);
-        if (news_.size() < kMostReports) news_.push_back(std::move(news));
-        if (std::exchange(woken_, true)) return;
-        asio::post(io_, [this] { work_off(); });
+    /// Runs in the boards' threads.
+    void enqueue(BoardMessage message) {
+        if (board_queue_.enqueue(std::move(message))) wake();
+    }
+    void wake() {
+        asio::post(io_, [this] { drain_queue(); });
     }
 
-    /// Some of it: between them clients are heard and told, however fast a board reports.
-    void work_off() {
+    /// Processes some messages at a time, so that clients are served in between, however fast a
+    /// board reports.
+    void drain_queue() {
         constexpr std::size_t kAtOnce = 64;
-        std::vector<BoardNews> some;
-        {
-            const std::lock_guard lock(mutex_);
-            const auto end =
-                news_.begin() + static_cast<std::ptrdiff_t>(std::min(news_.size(), kAtOnce));
-            some.assign(std::move_iterator(news_.begin()), std::move_iterator(end));
-            news_.erase(news_.begin(), end);
-            woken_ = !news_.empty();
-            if (woken_) asio::post(io_, [this] { work_off(); });
-        }
-        for (BoardNews& news : some) {
-            if (const auto* report = std::get_if<Report>(&news)) {
+        const BoardQueue::Batch batch = board_queue_.take(kAtOnce);
+        if (batch.has_more) wake();
+        for (const BoardMessage& message : batch.messages) {
+            if (const auto* report = std::get_if<Report>(&message)) {
                 hub_.report(*report);
             } else {
-                hub_.board_event(std::get<BoardEvent>(news));
+                hub_.on_board_event(std::get<BoardEvent>(message));
             }
         }
         changed();
     }
 
-    void tell(const std::string& event) {
+    void send_event(const std::string& event) {
         log(event);
-        for (const auto& connection : all()) connection->tell(event);
+        for (const auto& connection : all()) connection->send_event(event);
     }
 
-    /// Something may be new: for the clients, and of when the map is to be looked at again.
+    /// Sends new events, and schedules update(). Called after everything that may change a value,
+    /// an event, or the time of the next Hub::advance().
     void changed() {
         if (ending_) return;
-        for (const std::string& event : hub_.events()) tell(event);
+        for (const std::string& event : hub_.events()) send_event(event);
         if (std::exchange(update_due_, true)) return;
         const auto now = Clock::now();
-        update_timer_.expires_at(std::max(now, updated_ + kLeastUpdateInterval));
+        update_timer_.expires_at(std::max(now, updated_ + kMinUpdateInterval));
         if (update_timer_.expiry() <= now) {
             asio::post(io_, [this] { update(); });
         } else {
@@ -217,7 +208,7 @@ class LineServer::Core {
     void update() {
         if (ending_) return;
         update_due_ = false;
-        if (std::exchange(told_, hub_.values().revision()) != hub_.values().revision()) {
+        if (std::exchange(sent_revision_, hub_.values().revision()) != hub_.values().revision()) {
             updated_ = Clock::now();
             for (const auto& connection : all()) connection->update();
         }
@@ -232,16 +223,16 @@ class LineServer::Core {
         });
     }
 
-    void look_around() {
-        second_timer_.expires_after(kLookAround);
-        second_timer_.async_wait([this](asio::error_code stopped) {
+    void poll() {
+        poll_timer_.expires_after(kPollInterval);
+        poll_timer_.async_wait([this](asio::error_code stopped) {
             if (stopped || ending_) return;
-            hub_.look_around();
+            hub_.poll_map_file();
             const auto now = Clock::now();
-            for (const auto& connection : all()) connection->look_around(now);
-            if (osc_) osc_->look_around(now);
+            for (const auto& connection : all()) connection->end_if_idle(now);
+            if (osc_) osc_->end_subscriptions(now);
             changed();
-            look_around();
+            poll();
         });
     }
 
@@ -250,7 +241,7 @@ class LineServer::Core {
         asio::error_code ignored;
         acceptor_.close(ignored);
         for (asio::steady_timer* timer :
-             {&update_timer_, &advance_timer_, &second_timer_, &accept_timer_}) {
+             {&update_timer_, &advance_timer_, &poll_timer_, &accept_timer_}) {
             timer->cancel();
         }
         if (osc_) osc_->close();
@@ -258,12 +249,12 @@ class LineServer::Core {
         hub_.stop();
         hub_.finish();
         for (const std::string& event : hub_.events()) log(event);
-        // From now on: saving a take may need longer than that.
-        last_timer_.expires_after(kLastWords);
-        last_timer_.async_wait([this](asio::error_code) {
+        // Begins after the take is saved, which may need longer than the grace itself.
+        shutdown_timer_.expires_after(kShutdownGrace);
+        shutdown_timer_.async_wait([this](asio::error_code) {
             for (const auto& connection : all()) connection->end("");
         });
-        if (connections_.empty()) last_timer_.cancel();
+        if (connections_.empty()) shutdown_timer_.cancel();
     }
 
     const ServerOptions options_;
@@ -273,9 +264,9 @@ class LineServer::Core {
     tcp::acceptor acceptor_;
     asio::steady_timer update_timer_;
     asio::steady_timer advance_timer_;
-    asio::steady_timer second_timer_;
+    asio::steady_timer poll_timer_;
     asio::steady_timer accept_timer_;
-    asio::steady_timer last_timer_;
+    asio::steady_timer shutdown_timer_;
     std::optional<OscPort> osc_;
     std::set<std::shared_ptr<Connection>> connections_;
     std::atomic<std::size_t> count_ = 0;
@@ -283,35 +274,32 @@ class LineServer::Core {
     bool update_due_ = false;
     bool ending_ = false;
     Clock::time_point updated_{};
-    std::uint64_t told_ = 0;
-
-    std::mutex mutex_;  // of what boards brought
-    std::deque<BoardNews> news_;
-    bool woken_ = false;
+    std::uint64_t sent_revision_ = 0;
+    BoardQueue board_queue_;
 
     std::mutex stop_mutex_;
     std::thread thread_;
 };
 
 LineServer::LineServer(ServerOptions options, Hub& hub)
-    : core_(std::make_unique<Core>(std::move(options), hub)) {}
+    : impl_(std::make_unique<Impl>(std::move(options), hub)) {}
 
 LineServer::~LineServer() = default;
 
 Endpoint LineServer::endpoint() const {
-    return core_->endpoint();
+    return impl_->endpoint();
 }
 
 std::optional<Endpoint> LineServer::osc_endpoint() const {
-    return core_->osc_endpoint();
+    return impl_->osc_endpoint();
 }
 
 std::size_t LineServer::clients() const {
-    return core_->clients();
+    return impl_->clients();
 }
 
 void LineServer::stop() {
-    core_->stop();
+    impl_->stop();
 }
 
 }  // namespace ocean::bridge

@@ -36,7 +36,7 @@ std::optional<MidiReport> MidiJoiner::Value::take_coarse(int byte,
 std::optional<MidiReport> MidiJoiner::Value::take_fine(int byte) {
     has_fine_ = true;
     due_.reset();
-    if (!coarse_) return std::nullopt;  // where it stands nobody has said
+    if (!coarse_) return std::nullopt;  // the position is unknown
     report_.value = *coarse_ * 128 + byte;
     return report_;
 }
@@ -53,7 +53,7 @@ std::optional<MidiReport> MidiJoiner::select(ChannelState& state, MidiKind kind,
     Number& number = kind == MidiKind::nrpn ? state.nrpn : state.rpn;
     (coarse ? number.coarse : number.fine) = byte;
     state.selected = kind;
-    return state.entry.take_alone();  // nothing fine comes to it any more
+    return state.entry.take_alone();  // its fine byte can no longer come
 }
 
 std::optional<int> MidiJoiner::selected_number(const ChannelState& state) {
@@ -114,12 +114,12 @@ std::vector<MidiReport> MidiJoiner::advance(Clock::time_point now) {
 
 std::optional<Clock::time_point> MidiJoiner::next() const {
     std::optional<Clock::time_point> earliest;
-    const auto look = [&](const Value& value) {
+    const auto compare = [&](const Value& value) {
         if (value.due() && (!earliest || *value.due() < *earliest)) earliest = value.due();
     };
     for (const ChannelState& state : channels_) {
-        std::ranges::for_each(state.pairs, look);
-        look(state.entry);
+        std::ranges::for_each(state.pairs, compare);
+        compare(state.entry);
     }
     return earliest;
 }

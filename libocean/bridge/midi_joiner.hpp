@@ -15,31 +15,33 @@
 
 namespace ocean::bridge {
 
-/// Joins the bytes of each MIDI channel. The coarse byte alone is never told, or the value would
-/// jump between the two: it waits for the fine one, which is 0 where it does not come in time
-/// [MIDI 1.0, "Control Change", p. 12]. A fine byte alone is a small step from the coarse byte of
-/// before. A pair is one from its first fine byte on, so that a controller of 7 bits is none.
+/// Joins the bytes of each MIDI channel. A coarse byte waits for its fine byte, since a value of
+/// the coarse byte alone would jump; a fine byte that does not come in time is 0 [MIDI 1.0,
+/// "Control Change", p. 12]. A fine byte without a new coarse byte is a small step from the last
+/// coarse byte. Two controllers become a pair at their first fine byte, so a controller of 7 bits
+/// never does.
 class MidiJoiner {
   public:
-    /// Both bytes of a message take 2 ms on the slowest cable.
+    /// The time to wait for a fine byte. Two messages take 2 ms on the slowest cable.
     static constexpr auto kFineWait = std::chrono::milliseconds(10);
 
-    /// Returns the values that a report completes, each a whole one. Their order counts.
+    /// Returns the complete values that a report makes, in order.
     std::vector<MidiReport> take(const MidiReport& report, Clock::time_point now);
     /// Returns the values whose fine byte has not come in time.
     std::vector<MidiReport> advance(Clock::time_point now);
-    /// When to advance next; nothing while no value waits.
+    /// Returns when to call advance(), or nothing while no value waits.
     std::optional<Clock::time_point> next() const;
 
   private:
     class Value {
       public:
-        /// Forgets the bytes of another number.
+        /// Assigns a number, and forgets the bytes if it is another one.
         void become(MidiKind kind, int channel, int number);
-        /// Returns the value of before, if that still waits.
+        /// Stores a coarse byte. Returns the value before it if that still waits.
         std::optional<MidiReport> take_coarse(int byte, std::optional<Clock::time_point> due);
+        /// Returns the value with this fine byte, or nothing before the first coarse byte.
         std::optional<MidiReport> take_fine(int byte);
-        /// Returns the value without its fine byte, if it waits.
+        /// Returns a waiting value with the fine byte 0, or nothing if none waits.
         std::optional<MidiReport> take_alone();
         bool has_fine() const { return has_fine_; }
         std::optional<Clock::time_point> due() const { return due_; }
@@ -56,7 +58,7 @@ class MidiJoiner {
     };
     struct ChannelState {
         std::array<Value, kMidiPairs> pairs;
-        Value entry;  // of the parameter that is selected
+        Value entry;  // of the selected parameter
         Number nrpn;
         Number rpn;
         std::optional<MidiKind> selected;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// MIDI 1.0 as bytes: what controllers, keys and the pitch wheel say, and what lights their lamps.
-// Nothing of a system here.
+// MIDI 1.0 as bytes: the messages of controllers, keys and the pitch wheel, and those that light
+// lamps. Independent of the system.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace ocean::bridge {
 
-inline constexpr int kMidiNumbers = 128;   // of controllers and of notes
-inline constexpr int kMidiHighest = 127;   // value of a controller
-inline constexpr int kMidiPairs = 32;      // coarse controllers 0 .. 31, each with a fine one
-inline constexpr int kMidiWidest = 16383;  // 14 bits; of the pitch wheel 8192 is the middle
+inline constexpr int kMidiNumbers = 128;  // controllers, or notes
+inline constexpr int kMidiMax = 127;      // max value of a controller
+inline constexpr int kMidiPairs = 32;     // coarse controllers 0 .. 31, each with a fine one
+inline constexpr int kMidiMax14 = 16383;  // max value of 14 bits; the pitch wheel rests at 8192
 
-/// The last three are joined from controllers (midi_joiner.hpp).
+/// The kinds pair, nrpn and rpn are joined from controllers (midi_joiner.hpp).
 enum class MidiKind { controller, note, bend, pair, nrpn, rpn };
 
-/// A message of a channel, 1 .. 16. A note's value is 1 while it is held.
+/// A message of a channel, 1 .. 16. The value of a note is 1 while the key is held, else 0.
 struct MidiReport {
     MidiKind kind = MidiKind::controller;
     int channel = 1;
@@ -32,9 +32,8 @@ struct MidiReport {
     bool operator==(const MidiReport&) const = default;
 };
 
-/// Takes a stream that may be cut anywhere. Running status holds; real-time bytes may stand
-/// anywhere and count for nothing; of system messages and of what began before the stream nothing
-/// is left.
+/// Parses a stream in pieces of any size. It keeps the running status, ignores real-time bytes
+/// anywhere, and skips system messages and a message that began before the stream.
 class MidiParser {
   public:
     std::vector<MidiReport> feed(std::span<const std::uint8_t> bytes);
@@ -43,7 +42,7 @@ class MidiParser {
     std::optional<MidiReport> take(std::uint8_t byte);
     std::optional<MidiReport> report() const;
 
-    std::uint8_t status_ = 0;  // 0: data bytes belong to nothing
+    std::uint8_t status_ = 0;  // 0: data bytes are skipped
     std::array<std::uint8_t, 2> data_{};
     std::size_t count_ = 0;
 };
@@ -51,7 +50,7 @@ class MidiParser {
 using MidiMessage = std::array<std::uint8_t, 3>;
 
 MidiMessage control_change(int channel, int controller, int value);
-/// A velocity of 0 ends the note.
+/// Returns a note on; the velocity 0 ends the note.
 MidiMessage note_on(int channel, int note, int velocity);
 
 }  // namespace ocean::bridge

@@ -4,194 +4,176 @@
 
 #include <algorithm>
 #include <array>
-#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include "drivers.hpp"
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
 #include "midi_source_of_ports.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
+#include "source_thread.hpp"
 
 namespace ocean::bridge {
 namespace {
 
 using namespace std::chrono_literals;
 
-// Where the outputs begin among midi_channels().
+// Indices in midi_channels() at which the two kinds of outputs begin.
 constexpr std::size_t kLeds = 2 * kMidiNumbers + 1 + kMidiPairs;
 constexpr std::size_t kLamps = kLeds + kMidiNumbers;
 
-/// "cc7" of controller 7.
+/// Returns the channel without its board: "cc7" for controller 7.
 std::string channel_of(const MidiReport& report) {
     constexpr std::array<std::string_view, 6> kLetters = {"cc", "n", "pb", "pair", "nrpn", "rpn"};
     return std::string(kLetters[static_cast<std::size_t>(report.kind)]) +
            std::to_string(report.number);
 }
 
-/// Ports that are no controllers: the kernel's own loop, and bridges.
+/// Returns true for ports that are not controllers: the kernel's own loop, and bridges.
 bool is_software(const std::string& port) {
     return port.starts_with("Midi Through") || port.starts_with("ocean-bridge");
 }
 
-std::string small(std::string text) {
+std::string lower_case(std::string text) {
     for (char& c : text) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     }
     return text;
 }
 
-class MidiSource : public Source {
+class MidiWorker {
   public:
-    MidiSource(std::string id, MidiDevice device, std::unique_ptr<MidiPorts> ports,
-               Clock::duration look)
-        : id_(std::move(id)),
+    MidiWorker(BoardHost& host, std::string id, MidiDevice device, std::unique_ptr<MidiPorts> ports,
+               Clock::duration poll_interval)
+        : host_(host),
+          id_(std::move(id)),
           device_(std::move(device)),
-          look_(look),
+          poll_interval_(poll_interval),
           channels_(midi_channels(id_)),
           ports_(std::move(ports)) {}
-    ~MidiSource() override { stop(); }
-
-    std::vector<Channel> channels() const override {
-        const std::lock_guard lock(mutex_);
-        return there_ ? channels_ : std::vector<Channel>();
-    }
-
-    void start(Listener listener) override {
-        listener_ = std::move(listener);
-        thread_ = std::thread([this] { run(); });
-    }
-
-    void stop() override {
-        {
-            const std::lock_guard lock(mutex_);
-            stopped_ = true;
-        }
-        changed_.notify_all();
-        if (thread_.joinable()) thread_.join();
-    }
-
-    void put(const std::string& name, double value) override {
-        const std::size_t index = output_index(channels_, name, value);
-        {
-            const std::lock_guard lock(mutex_);
-            orders_[index] = static_cast<int>(value + 0.5);
-        }
-        changed_.notify_all();
-    }
-
-  private:
-    using Orders = std::map<std::size_t, int>;  // by the output's index
 
     void run() {
-        Clock::time_point next_look = Clock::now();
-        std::unique_lock lock(mutex_);
-        while (!stopped_) {
-            const Orders orders = std::exchange(orders_, {});
-            const bool is_due = due_ && Clock::now() >= *due_;
-            lock.unlock();
-            for (const auto& [index, value] : orders) tell(index, value);
-            if (is_due) report_late();
-            if (Clock::now() >= next_look) {
-                look_around();
-                next_look = Clock::now() + look_;
+        Clock::time_point next_poll = Clock::now();
+        while (!host_.is_stopped()) {
+            send_requested();
+            if (is_due()) report_late();
+            if (Clock::now() >= next_poll) {
+                poll_ports();
+                next_poll = Clock::now() + poll_interval_;
             }
-            lock.lock();
-            if (stopped_ || !orders_.empty()) continue;
-            changed_.wait_until(lock, due_ ? std::min(*due_, next_look) : next_look);
+            host_.wait_until(std::min(due(), next_poll));
         }
-        lock.unlock();
-        if (!open_.empty()) put_out();
+        if (!port_.empty()) switch_outputs_off();
         ports_->close();
     }
 
-    void look_around() {
-        try {
-            const std::vector<std::string> names = ports_->inputs();
-            if (!open_.empty() && !ports_->is_still_there()) leave();
-            if (open_.empty()) join(names);
-            trouble_.clear();
-        } catch (const Error& error) {
-            if (!open_.empty()) leave();
-            const std::string trouble = error.what();
-            if (std::exchange(trouble_, trouble) == trouble) return;
-            listener_.event({BoardEvent::Kind::busy, id_, trouble});
+    void wake() const { host_.wake(); }
+
+    void put(const std::string& name, double value) {
+        const std::size_t index = output_index(channels_, name, value);
+        {
+            const std::lock_guard lock(mutex_);
+            requested_[index] = static_cast<int>(value + 0.5);
         }
+        host_.wake();
     }
 
-    void be_there(bool whether) {
+  private:
+    using Outputs = std::map<std::size_t, int>;  // values by the output's index
+
+    /// Returns the time at which a value that waits for its fine byte is late.
+    Clock::time_point due() {
         const std::lock_guard lock(mutex_);
-        there_ = whether;
+        return due_.value_or(Clock::time_point::max());
+    }
+    bool is_due() { return Clock::now() >= due(); }
+
+    void poll_ports() {
+        try {
+            const std::vector<std::string> names = ports_->inputs();
+            if (!port_.empty() && !ports_->is_still_connected()) leave();
+            if (port_.empty()) join(names);
+            host_.no_longer_busy(id_);
+        } catch (const Error& error) {
+            if (!port_.empty()) leave();
+            host_.busy(id_, error.what());
+        }
     }
 
     void leave() {
         ports_->close();
         {
-            const std::lock_guard hearing(hearing_);
+            const std::lock_guard lock(parsing_);
             parser_ = {};
             joiner_ = {};
         }
-        open_.clear();
-        be_there(false);
-        listener_.event({BoardEvent::Kind::lost, id_});
+        port_.clear();
+        host_.lost(id_);
     }
 
     void join(const std::vector<std::string>& names) {
         const auto port = std::ranges::find_if(names, [this](const std::string& name) {
             if (device_.port.empty()) return !is_software(name);
-            return small(name).find(small(device_.port)) != std::string::npos;
+            return lower_case(name).find(lower_case(device_.port)) != std::string::npos;
         });
         if (port == names.end()) return;
         if (!ports_->open(*port, [this](auto bytes) { receive(bytes); })) return;
-        open_ = *port;
-        be_there(true);
-        listener_.event({BoardEvent::Kind::connected, id_, text::printable(open_)});
-        for (const auto& [index, value] : told_) send(index, value);
+        port_ = *port;
+        host_.connected(id_, text::printable(port_), channels_);
+        for (const auto& [index, value] : outputs_) send(index, value);
     }
 
-    /// In the ports' thread, which lives between open() and close(). Each message is told, also one
-    /// that says the same as that before: of an endless knob that is a step.
+    /// Runs in the thread of the ports, which exists between open() and close(). Reports each
+    /// message, also one that repeats the one before: for an endless knob it is a step.
     void receive(std::span<const std::uint8_t> bytes) {
-        const std::lock_guard hearing(hearing_);
+        const std::lock_guard lock(parsing_);
         const Clock::time_point now = Clock::now();
         for (const MidiReport& report : parser_.feed(bytes)) {
             if (device_.channel != 0 && report.channel != device_.channel) continue;
             report_all(std::span(&report, 1), now);
             report_all(joiner_.take(report, now), now);
         }
-        set_due();
+        update_due();
     }
+    /// Reports values whose fine byte has not come in time.
     void report_late() {
-        const std::lock_guard hearing(hearing_);
+        const std::lock_guard lock(parsing_);
         const Clock::time_point now = Clock::now();
         report_all(joiner_.advance(now), now);
-        set_due();
+        update_due();
     }
     void report_all(std::span<const MidiReport> reports, Clock::time_point now) const {
         for (const MidiReport& report : reports) {
-            listener_.report(
+            host_.report(
                 {now, id_ + "/" + channel_of(report), static_cast<double>(report.value), true});
         }
     }
-    void set_due() {
+    void update_due() {
         const auto due = joiner_.next();
         {
             const std::lock_guard lock(mutex_);
             if (std::exchange(due_, due) == due) return;
         }
-        changed_.notify_all();
+        host_.wake();
     }
 
-    void tell(std::size_t index, int value) {
-        told_[index] = value;
-        if (!open_.empty()) send(index, value);
+    void send_requested() {
+        Outputs requested;
+        {
+            const std::lock_guard lock(mutex_);
+            requested.swap(requested_);
+        }
+        for (const auto& [index, value] : requested) {
+            outputs_[index] = value;
+            if (!port_.empty()) send(index, value);
+        }
     }
-    void put_out() {
-        for (const auto& [index, value] : told_) {
+    void switch_outputs_off() {
+        for (const auto& [index, value] : outputs_) {
             if (value != 0) send(index, 0);
         }
     }
@@ -202,56 +184,71 @@ class MidiSource : public Source {
                          : note_on(channel, static_cast<int>(index - kLamps), value));
     }
 
+    BoardHost& host_;
     const std::string id_;
     const MidiDevice device_;
-    const Clock::duration look_;
+    const Clock::duration poll_interval_;
     const std::vector<Channel> channels_;
-    Listener listener_;
-    mutable std::mutex mutex_;
-    std::condition_variable changed_;
-    bool stopped_ = false;
-    bool there_ = false;
-    Orders orders_;                         // not told yet
+    std::mutex mutex_;                      // guards the two members below
+    Outputs requested_;                     // not sent yet
     std::optional<Clock::time_point> due_;  // of a value that waits for its fine byte
-    // Of the source's thread.
+    // Used by the source's thread alone.
     std::unique_ptr<MidiPorts> ports_;
-    std::string open_;     // the port's name
-    std::string trouble_;  // that was said
-    Orders told_;
-    // Held while something is reported, so that nothing overtakes what came before it.
-    std::mutex hearing_;
+    std::string port_;  // name of the open port; "" if none is open
+    Outputs outputs_;
+    // Held during reports, so that they keep the order of the messages.
+    std::mutex parsing_;
     MidiParser parser_;
     MidiJoiner joiner_;
-    std::thread thread_;
 };
+
+MidiDevice read_midi(DeviceSection& section) {
+    MidiDevice device;
+    while (section.next()) {
+        if (section.key() == "port") {
+            device.port = section.text();
+        } else if (section.key() == "channel") {
+            device.channel = section.whole(1, 16);
+        } else {
+            throw section.unknown("port, channel");
+        }
+    }
+    return device;
+}
 
 }  // namespace
 
 std::vector<Channel> midi_channels(const std::string& board) {
     std::vector<Channel> channels;
-    const auto add = [&](const std::string& letters, double highest, bool output) {
+    const auto add = [&](const std::string& letters, double max, bool output) {
         for (int i = 0; i < kMidiNumbers; ++i) {
-            channels.push_back({board + "/" + letters + std::to_string(i), 0.0, highest, output});
+            channels.push_back({board + "/" + letters + std::to_string(i), 0.0, max, output});
         }
     };
-    add("cc", kMidiHighest, false);
+    add("cc", kMidiMax, false);
     add("n", 1.0, false);
-    channels.push_back({board + "/pb1", 0.0, kMidiWidest, false});
+    channels.push_back({board + "/pb1", 0.0, kMidiMax14, false});
     for (int i = 0; i < kMidiPairs; ++i) {
-        channels.push_back({board + "/pair" + std::to_string(i), 0.0, kMidiWidest, false});
+        channels.push_back({board + "/pair" + std::to_string(i), 0.0, kMidiMax14, false});
     }
-    add("led", kMidiHighest, true);
-    add("lamp", kMidiHighest, true);
+    add("led", kMidiMax, true);
+    add("lamp", kMidiMax, true);
     return channels;
 }
 
 std::unique_ptr<Source> make_midi_source(std::string id, MidiDevice device,
-                                         std::unique_ptr<MidiPorts> ports, Clock::duration look) {
-    return std::make_unique<MidiSource>(std::move(id), std::move(device), std::move(ports), look);
+                                         std::unique_ptr<MidiPorts> ports,
+                                         Clock::duration poll_interval) {
+    return std::make_unique<ThreadedSource<MidiWorker>>(id, id, std::move(device), std::move(ports),
+                                                        poll_interval);
 }
 
 std::unique_ptr<Source> make_midi_source(const std::string& id, const MidiDevice& device) {
     return make_midi_source(id, device, system_midi_ports(), 1s);
+}
+
+Driver DriverTable::midi() {
+    return {read_midi, make_midi_source};
 }
 
 }  // namespace ocean::bridge

@@ -28,7 +28,7 @@ std::string osc_text(const OscArgument& argument) {
     if (const auto* whole = std::get_if<std::int64_t>(&argument)) return std::to_string(*whole);
     if (const auto* yes = std::get_if<bool>(&argument)) return *yes ? "1" : "0";
     if (const auto* number = std::get_if<double>(&argument)) return plain_text(*number);
-    // 0.1f is meant as 0.1, not as the double of its bits.
+    // A sender of 0.1f means 0.1, not the double with the same value.
     const std::string digits = shortest_text(std::get<float>(argument));
     const auto number = text::parse_number(digits);
     return number ? plain_text(*number) : digits;
@@ -51,23 +51,23 @@ std::string osc_address(std::string_view name) {
 namespace {
 
 constexpr std::string_view kBundleTag{"#bundle\0", 8};
-constexpr std::string_view kAtOnce{"\0\0\0\0\0\0\0\1", 8};
-constexpr std::size_t kBundleHead = kBundleTag.size() + kAtOnce.size();
-/// Ethernet's 1500 bytes without the heads of IPv6 and UDP, and some to spare for tunnels.
-constexpr std::size_t kOnePiece = 1400;
+constexpr std::string_view kImmediately{"\0\0\0\0\0\0\0\1", 8};
+constexpr std::size_t kBundleHead = kBundleTag.size() + kImmediately.size();
+/// Ethernet's 1500 bytes minus the headers of IPv6 and UDP, with a reserve for tunnels.
+constexpr std::size_t kMaxBundleBytes = 1400;
 
 struct FreeMessage {
     void operator()(lo_message message) const { lo_message_free(message); }
 };
 using Message = std::unique_ptr<void, FreeMessage>;
 
-Error refused(const std::string& why) {
-    return Error(ErrorKind::invalid_value, why);
+Error refused(const std::string& reason) {
+    return Error(ErrorKind::invalid_value, reason);
 }
 
-/// The type tags of a message, which stand behind its address. liblo 0.31 reads the length of a
-/// blob before it knows that four bytes are left (lo_validate_blob): types that are not taken do
-/// not get there, nor does a message whose length they do not tell.
+/// Returns the type tags of a message, which follow its address. liblo 0.31 reads the length of a
+/// blob without a check that four bytes are left (lo_validate_blob), so messages with types that
+/// are not supported never reach it. Throws Error for them.
 std::string_view checked_types(const std::string& address, std::string_view bytes) {
     constexpr std::string_view kTaken = "ihfdsSTF";
     const std::string_view types = bytes.substr(0, bytes.find('\0'));
@@ -75,17 +75,17 @@ std::string_view checked_types(const std::string& address, std::string_view byte
         throw refused(address + ": the types of its arguments are missing");
     }
     if (types.find_first_not_of(kTaken, 1) != std::string_view::npos) {
-        throw refused(address + ": its arguments are of the types " +
-                      text::printable(types.substr(1), kMostOscArguments) +
+        throw refused(address + ": its arguments have the types " +
+                      text::printable(types.substr(1), kMaxOscArguments) +
                       "; allowed: i, h, f, d, s, S, T, F");
     }
-    if (types.size() > 1 + kMostOscArguments) {
+    if (types.size() > 1 + kMaxOscArguments) {
         throw refused(address + ": it has too many arguments");
     }
     return types.substr(1);
 }
 
-/// Arguments stand at multiples of four, where a lo_arg may not.
+/// Copies an argument: it is aligned to four bytes, a lo_arg may need eight.
 template <typename Value>
 Value read(const lo_arg* argument) {
     Value value;
@@ -108,7 +108,7 @@ OscArgument argument_of(char type, const lo_arg* argument) {
             return type == LO_TRUE;
         default: {
             std::string text(reinterpret_cast<const char*>(argument));
-            if (text.size() > kLongestOscText) throw refused("its text is too long");
+            if (text.size() > kMaxOscTextBytes) throw refused("its text is too long");
             return text;
         }
     }
@@ -116,16 +116,16 @@ OscArgument argument_of(char type, const lo_arg* argument) {
 
 OscMessage parse_message(std::string_view bytes) {
     const std::size_t end = bytes.find('\0');
-    if (!bytes.starts_with('/') || end == std::string_view::npos || end > kLongestOscAddress) {
-        throw refused("no message of OSC begins so: " + text::printable(bytes.substr(0, end)));
+    if (!bytes.starts_with('/') || end == std::string_view::npos || end > kMaxOscAddressBytes) {
+        throw refused("not a message of OSC: " + text::printable(bytes.substr(0, end)));
     }
     OscMessage message{std::string(bytes.substr(0, end)), {}};
     const std::string_view rest = bytes.substr(std::min(end / 4 * 4 + 4, bytes.size()));
-    if (rest.empty()) return message;  // old senders have no types where they have no arguments
+    if (rest.empty()) return message;  // old senders omit the types if there are no arguments
     const std::string_view types = checked_types(message.address, rest);
     std::string copy(bytes);
     const Message parsed(lo_message_deserialise(copy.data(), copy.size(), nullptr));
-    if (!parsed) throw refused(message.address + ": its bytes are not what its types say");
+    if (!parsed) throw refused(message.address + ": its bytes do not fit its types");
     lo_arg* const* arguments = lo_message_get_argv(parsed.get());
     for (const char type : types) message.arguments.push_back(argument_of(type, *arguments++));
     return message;
@@ -139,9 +139,9 @@ std::size_t take_size(std::string_view& bytes) {
     return size;
 }
 
-/// The elements of a bundle by their sizes alone, whatever is in them.
+/// Returns the elements of a bundle by their sizes, without a look at their content.
 std::vector<std::string_view> elements_of(std::string_view bundle) {
-    if (bundle.size() < kBundleHead) throw refused("a bundle ends in its time");
+    if (bundle.size() < kBundleHead) throw refused("a bundle ends within its time tag");
     bundle.remove_prefix(kBundleHead);
     std::vector<std::string_view> elements;
     while (!bundle.empty()) {
@@ -162,15 +162,15 @@ std::size_t size_of(const OscPacket& packet) {
     return packet.messages.size() + packet.left_out.size();
 }
 
-/// Adds a message, or all of a bundle that can be read, up to one message too many.
+/// Adds a message, or the readable elements of a bundle. Stops at one element more than allowed.
 void parse_element(std::string_view bytes, int depth, OscPacket& packet) {
     if (!bytes.starts_with(kBundleTag)) {
         packet.messages.push_back(parse_message(bytes));
         return;
     }
-    if (depth == kDeepestOscBundle) throw refused("its bundles are too deep");
+    if (depth == kMaxOscBundleDepth) throw refused("its bundles are nested too deeply");
     for (const std::string_view element : elements_of(bytes)) {
-        if (size_of(packet) > kMostOscMessages) return;
+        if (size_of(packet) > kMaxOscMessages) return;
         try {
             parse_element(element, depth + 1, packet);
         } catch (const Error& error) {
@@ -203,10 +203,10 @@ void add(lo_message message, const OscArgument& argument) {
 void require_osc() {}
 
 OscPacket parse_osc_packet(std::string_view bytes) {
-    if (bytes.size() % 4 != 0) throw refused("its length is no multiple of four");
+    if (bytes.size() % 4 != 0) throw refused("its length is not a multiple of four");
     OscPacket packet;
     parse_element(bytes, 0, packet);
-    if (size_of(packet) > kMostOscMessages) throw refused("it has too many messages");
+    if (size_of(packet) > kMaxOscMessages) throw refused("it has too many messages");
     return packet;
 }
 
@@ -223,8 +223,8 @@ std::vector<std::string> osc_bundles(std::span<const OscMessage> messages) {
     std::vector<std::string> bundles;
     for (const OscMessage& message : messages) {
         const std::string bytes = osc_packet(message);
-        if (bundles.empty() || bundles.back().size() + 4 + bytes.size() > kOnePiece) {
-            bundles.emplace_back(kBundleTag) += kAtOnce;
+        if (bundles.empty() || bundles.back().size() + 4 + bytes.size() > kMaxBundleBytes) {
+            bundles.emplace_back(kBundleTag) += kImmediately;
         }
         bundles.back() += size_bytes(bytes.size()) + bytes;
     }

@@ -13,27 +13,27 @@
 namespace ocean::bridge {
 namespace {
 
-constexpr std::size_t kLargestPacket = 65536;
-constexpr std::size_t kMostSubscribers = 16;
-constexpr std::size_t kMostFirstTimes = 64;
+constexpr std::size_t kMaxPacketBytes = 65536;
+constexpr std::size_t kMaxSubscribers = 16;
+constexpr std::size_t kMaxFirstAddresses = 64;
 constexpr std::string_view kSubscribe = "/ocean/subscribe";
-/// 60 times a second.
-constexpr auto kLeastInterval = std::chrono::microseconds(16'667);
-/// Complaints wait so long after one that was said, and twice as long after each that follows.
-constexpr auto kShortestQuiet = std::chrono::seconds(1);
-constexpr auto kLongestQuiet = std::chrono::seconds(60);
+/// 60 bundles per second.
+constexpr auto kMinInterval = std::chrono::microseconds(16'667);
+/// The pause after a logged problem, doubled after each further one up to the maximum.
+constexpr auto kMinQuiet = std::chrono::seconds(1);
+constexpr auto kMaxQuiet = std::chrono::seconds(60);
 
-Error refused(const std::string& why) {
-    return Error(ErrorKind::invalid_value, why);
+Error refused(const std::string& reason) {
+    return Error(ErrorKind::invalid_value, reason);
 }
 
-/// An address of IPv4 that comes to a socket of IPv6 is one of IPv4.
+/// Returns an IPv4 address that an IPv6 socket has mapped as the IPv4 address.
 asio::ip::address plain(const asio::ip::address& address) {
     if (!address.is_v6() || !address.to_v6().is_v4_mapped()) return address;
     return asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6());
 }
 
-/// Without the port: a tablet sends from another one than it listens at.
+/// Returns the name without a port: a tablet sends from another port than it listens at.
 std::string writer_name(const asio::ip::address& address) {
     return "osc:" + plain(address).to_string();
 }
@@ -61,18 +61,18 @@ void require_valid(const OscOptions& options) {
     require_osc();
     if (options.listen) udp_endpoint(*options.listen, "--osc");
     for (const Endpoint& to : options.to) udp_endpoint(to, "--osc-to");
-    const bool is_anybody = addresses_of(options.allow).empty();
-    if (!options.listen && !is_anybody) {
-        throw refused("--osc-allow says who may send to --osc; there is none");
+    const bool allows_all = addresses_of(options.allow).empty();
+    if (!options.listen && !allows_all) {
+        throw refused("--osc-allow names senders to --osc; add --osc, or drop --osc-allow");
     }
-    if (options.listen && !options.listen->is_loopback() && is_anybody) {
+    if (options.listen && !options.listen->is_loopback() && allows_all) {
         throw refused("--osc " + options.listen->text() +
-                      ": others than this machine may send there only with --osc-allow ADDRESS");
+                      ": other machines may send only with --osc-allow ADDRESS");
     }
 }
 
-bool OscPort::FirstTimes::is_first(const asio::ip::address& address) {
-    return seen_.size() < kMostFirstTimes && seen_.insert(address).second;
+bool OscPort::FirstAddresses::add(const asio::ip::address& address) {
+    return seen_.size() < kMaxFirstAddresses && seen_.insert(address).second;
 }
 
 OscPort::OscPort(asio::io_context& io, const OscOptions& options, Host host)
@@ -106,7 +106,7 @@ void OscPort::listen(const Endpoint& wanted) {
     std::string from;
     for (const auto& address : allowed_) from += ' ' + address.to_string();
     host_.log("osc on " + endpoint_->text() + ", from" + (from.empty() ? " this machine" : from));
-    packet_.resize(kLargestPacket);
+    packet_.resize(kMaxPacketBytes);
     receive();
 }
 
@@ -114,7 +114,7 @@ void OscPort::receive() {
     in_.async_receive_from(asio::buffer(packet_), sender_,
                            [this](asio::error_code error, std::size_t size) {
                                if (!in_.is_open()) return;
-                               if (!error) take({packet_.data(), size});
+                               if (!error) handle_packet({packet_.data(), size});
                                receive();
                            });
 }
@@ -123,44 +123,44 @@ bool OscPort::is_allowed(const asio::ip::address& address) const {
     return allowed_.empty() || allowed_.contains(address);
 }
 
-void OscPort::take(std::string_view packet) {
+void OscPort::handle_packet(std::string_view packet) {
     const asio::ip::address from = plain(sender_.address());
     if (!is_allowed(from)) {
         ++dropped_;
-        if (!strangers_.is_first(from)) return;
+        if (!strangers_.add(from)) return;
         return host_.log("osc " + from.to_string() + " is not allowed; its packets are dropped");
     }
-    if (senders_.is_first(from)) host_.log("osc " + text_of(sender_) + " sends");
+    if (senders_.add(from)) host_.log("osc " + text_of(sender_) + " sends");
     writer_ = writer_name(from);
     try {
         const OscPacket parsed = parse_osc_packet(packet);
-        for (const OscMessage& message : parsed.messages) obey(message);
-        for (const std::string& why : parsed.left_out) complain(why);
+        for (const OscMessage& message : parsed.messages) handle(message);
+        for (const std::string& problem : parsed.left_out) log_problem(problem);
     } catch (const Error& error) {
-        complain(error.what());
+        log_problem(error.what());
     }
     host_.changed();
 }
 
-void OscPort::obey(const OscMessage& message) {
+void OscPort::handle(const OscMessage& message) {
     try {
         if (message.address == kSubscribe) return subscribe(message);
         const auto name = osc_name(message.address);
-        if (!name) throw refused("only /ocean/... is the sea's");
+        if (!name) throw refused("names of the sea begin with /ocean/");
         const ValueTable& values = host_.hub.values();
         const std::size_t entry = values.find(*name);
         if (message.arguments.empty()) {
             asio::error_code ignored;
             return send(osc_packet({message.address, {argument_of(entry)}}), sender_, ignored);
         }
-        if (message.arguments.size() > 1) throw refused("a value is one argument");
-        // Who sets it is asked to record, and is taken to be gone when its connection ends.
+        if (message.arguments.size() > 1) throw refused("a value must be one argument");
+        // Its writer records, and a client's record ends with its connection; UDP has none.
         if (values[entry].name == "app.frame_rate") {
-            throw refused("programs that show the sea say it, over TCP");
+            throw refused("only a program that shows the sea sets it, over TCP");
         }
         host_.hub.set(*name, osc_text(message.arguments[0]), writer_);
     } catch (const Error& error) {
-        complain(message.address + ": " + error.what());
+        log_problem(message.address + ": " + error.what());
     }
 }
 
@@ -178,35 +178,35 @@ void OscPort::subscribe(const OscMessage& message) {
     }
     const auto subscribers = std::ranges::count_if(
         targets_, [](const Target& target) { return target.expires.has_value(); });
-    if (static_cast<std::size_t>(subscribers) >= kMostSubscribers) {
-        throw refused("no more subscribers are taken");
+    if (static_cast<std::size_t>(subscribers) >= kMaxSubscribers) {
+        throw refused("the max number of subscribers is " + std::to_string(kMaxSubscribers));
     }
     targets_.push_back({endpoint, writer_, expires});
     host_.log("osc " + text_of(endpoint) + " subscribes");
 }
 
-void OscPort::complain(const std::string& why) {
+void OscPort::log_problem(const std::string& problem) {
     const auto now = Clock::now();
     if (now < quiet_until_) {
-        ++unsaid_;
+        ++unlogged_;
         return;
     }
-    quiet_ = now - quiet_until_ > kLongestQuiet
-                 ? kShortestQuiet
-                 : std::clamp<Clock::duration>(2 * quiet_, kShortestQuiet, kLongestQuiet);
+    quiet_ = now - quiet_until_ > kMaxQuiet
+                 ? kMinQuiet
+                 : std::clamp<Clock::duration>(2 * quiet_, kMinQuiet, kMaxQuiet);
     quiet_until_ = now + quiet_;
     const std::string more =
-        unsaid_ > 0 ? " (and " + std::to_string(unsaid_) + " more before)" : "";
-    unsaid_ = 0;
-    constexpr std::size_t kLongestReason = 300;
-    host_.log("osc " + text_of(sender_) + ": " + text::printable(why, kLongestReason) + more);
+        unlogged_ > 0 ? " (and " + std::to_string(unlogged_) + " more before)" : "";
+    unlogged_ = 0;
+    constexpr std::size_t kMaxProblemBytes = 300;
+    host_.log("osc " + text_of(sender_) + ": " + text::printable(problem, kMaxProblemBytes) + more);
 }
 
 OscArgument OscPort::argument_of(std::size_t entry) const {
     const ValueTable& values = host_.hub.values();
     const std::string& text = values[entry].text;
     const auto number = values.is_number(entry) ? text::parse_number(text) : std::nullopt;
-    if (!number) return text;  // a word, and of numbers "unset"
+    if (!number) return text;  // a word, or an unset number
     if (values.is_whole(entry)) return static_cast<std::int64_t>(*number);
     return static_cast<float>(*number);
 }
@@ -232,13 +232,13 @@ void OscPort::send(std::string_view packet, const Udp::endpoint& to, asio::error
     socket_for(to).send_to(asio::buffer(packet), to, 0, error);
 }
 
-bool OscPort::tell(Target& target) {
+bool OscPort::send_changes(Target& target) {
     const ValueTable& values = host_.hub.values();
     std::vector<OscMessage> messages;
     for (std::size_t i = 0; i < values.entries().size(); ++i) {
         const ValueEntry& entry = values[i];
-        const bool is_news = entry.changed > target.told && entry.writer != target.writer;
-        if (is_news || !target.has_snapshot) {
+        const bool is_new = entry.changed > target.sent && entry.writer != target.writer;
+        if (is_new || !target.has_snapshot) {
             messages.push_back({osc_address(entry.name), {argument_of(i)}});
         }
     }
@@ -248,36 +248,36 @@ bool OscPort::tell(Target& target) {
     }
     if (!messages.empty()) sent_ = Clock::now();
     if (error && !target.fails) {
-        host_.log("osc " + text_of(target.endpoint) + " cannot be told: " + error.message());
+        host_.log("osc " + text_of(target.endpoint) + " cannot be reached: " + error.message());
     }
     target.fails = static_cast<bool>(error);
     return !error;
 }
 
-void OscPort::tell_all() {
+void OscPort::send_changes() {
     for (Target& target : targets_) {
-        if (!tell(target)) continue;  // all of it once more, with the next change or in a while
-        target.told = host_.hub.values().revision();
+        if (!send_changes(target)) continue;  // the next call sends all of it again
+        target.sent = host_.hub.values().revision();
         target.has_snapshot = true;
     }
 }
 
 void OscPort::update() {
-    if (waits_ || targets_.empty()) return;
-    const auto due = sent_ + kLeastInterval;
-    if (Clock::now() >= due) return tell_all();
-    waits_ = true;
+    if (is_waiting_ || targets_.empty()) return;
+    const auto due = sent_ + kMinInterval;
+    if (Clock::now() >= due) return send_changes();
+    is_waiting_ = true;
     timer_.expires_at(due);
     timer_.async_wait([this](asio::error_code stopped) {
-        waits_ = false;
-        if (!stopped) tell_all();
+        is_waiting_ = false;
+        if (!stopped) send_changes();
     });
 }
 
-void OscPort::look_around(Clock::time_point now) {
+void OscPort::end_subscriptions(Clock::time_point now) {
     std::erase_if(targets_, [&](const Target& target) {
         const bool is_over = target.expires && now > *target.expires;
-        if (is_over) host_.log("osc " + text_of(target.endpoint) + " subscribes no more");
+        if (is_over) host_.log("osc " + text_of(target.endpoint) + "'s subscription has ended");
         return is_over;
     });
 }
@@ -286,9 +286,10 @@ void OscPort::close() {
     asio::error_code ignored;
     in_.close(ignored);
     timer_.cancel();
-    if (dropped_ + unsaid_ == 0) return;
-    host_.log("osc: " + std::to_string(dropped_) + " packets of others were dropped, " +
-              std::to_string(unsaid_) + " complaints not said");
+    if (dropped_ + unlogged_ == 0) return;
+    host_.log("osc: " + std::to_string(dropped_) +
+              " packets of addresses that are not allowed were dropped, " +
+              std::to_string(unlogged_) + " problems were not logged");
 }
 
 }  // namespace ocean::bridge

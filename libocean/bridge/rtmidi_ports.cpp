@@ -24,8 +24,8 @@ namespace {
 
 constexpr char kClient[] = "ocean-bridge";
 
-/// RtMidi and ALSA's library write to standard error where there is no sequencer, so it is tried
-/// first by hand.
+/// Throws Error if the system has no sequencer. Without this check RtMidi and ALSA's library would
+/// write to standard error.
 void require_sequencer() {
     constexpr char kSequencer[] = "/dev/snd/seq";
     const int descriptor = ::open(kSequencer, O_RDWR | O_NONBLOCK | O_CLOEXEC);
@@ -33,16 +33,16 @@ void require_sequencer() {
         ::close(descriptor);
         return;
     }
-    const int why = errno;
+    const int error = errno;
     throw Error(ErrorKind::not_found,
                 std::string("no ALSA sequencer: ") + kSequencer + ": " +
-                    std::generic_category().message(why) +
-                    (why == EACCES ? "; members of the group audio may" : ""));
+                    std::generic_category().message(error) +
+                    (error == EACCES ? "; members of the group audio may open it" : ""));
 }
 
-/// Which node of the system a sound card has, by the port's name "CLIENT:PORT 20:0": ALSA numbers
-/// the clients of a card from 16 + 4 * card on, and a card that comes back has another node.
-/// Nothing for a program's port.
+/// Returns the inode of a sound card from the port's name "CLIENT:PORT 20:0", or nothing for the
+/// port of a program. ALSA numbers the clients of a card from 16 + 4 * card on, and a card that is
+/// plugged in again has another inode.
 std::optional<ino_t> card_node(const std::string& port) {
     constexpr int kFirstCard = 16;
     constexpr int kClientsOfCard = 4;
@@ -56,7 +56,8 @@ std::optional<ino_t> card_node(const std::string& port) {
     return status.st_ino;
 }
 
-/// Else RtMidi prints its errors, and throws some of them. What matters shows in what it can do.
+/// Replaces RtMidi's default, which prints errors and throws some of them. A failure shows in the
+/// state of the port.
 void ignore_error(RtMidiError::Type, const std::string&, void*) {}
 
 std::vector<std::string> names_of(RtMidi& direction) {
@@ -97,7 +98,7 @@ class RtMidiPorts : public MidiPorts {
         return true;
     }
 
-    bool is_still_there() override {
+    bool is_still_connected() override {
         const std::vector<std::string> names = inputs();
         return std::ranges::find(names, name_) != names.end() && card_node(name_) == node_;
     }

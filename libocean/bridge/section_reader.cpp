@@ -11,7 +11,7 @@
 namespace ocean::bridge {
 namespace {
 
-constexpr double kLargest = 1e9;
+constexpr double kMaxNumber = 1e9;
 
 }  // namespace
 
@@ -62,40 +62,40 @@ bool SectionReader::flag() const {
     return *flag;
 }
 
-double SectionReader::number(double lowest, double highest) const {
+double SectionReader::number(double min, double max) const {
     const double* number = std::get_if<double>(&key_->value);
-    if (number == nullptr || !(*number >= lowest && *number <= highest)) {
-        throw refused(plain_text(lowest) + " .. " + plain_text(highest));
+    if (number == nullptr || !(*number >= min && *number <= max)) {
+        throw refused(plain_text(min) + " .. " + plain_text(max));
     }
     return *number;
 }
 
-int SectionReader::whole(int lowest, int highest) const {
-    const double value = number(lowest, highest);
+int SectionReader::whole(int min, int max) const {
+    const double value = number(min, max);
     if (value == std::round(value)) return static_cast<int>(value);
-    throw refused("whole numbers " + std::to_string(lowest) + " .. " + std::to_string(highest));
+    throw refused("whole numbers " + std::to_string(min) + " .. " + std::to_string(max));
 }
 
 std::array<double, 2> SectionReader::range(bool rising) const {
     const auto* list = std::get_if<std::vector<double>>(&key_->value);
     if (list == nullptr || list->size() != 2 ||
-        !std::ranges::all_of(*list, [](double x) { return std::abs(x) <= kLargest; })) {
+        !std::ranges::all_of(*list, [](double x) { return std::abs(x) <= kMaxNumber; })) {
         throw refused("two numbers within -1e9 .. 1e9, such as [0, 30]");
     }
     if (rising && (*list)[0] >= (*list)[1]) throw refused("[LOWEST, HIGHEST]");
     return {(*list)[0], (*list)[1]};
 }
 
-std::vector<int> SectionReader::whole_list(int lowest, int highest) const {
+std::vector<int> SectionReader::whole_list(int min, int max) const {
     const auto refusal = [&] {
-        return refused("a list of whole numbers " + std::to_string(lowest) + " .. " +
-                       std::to_string(highest) + ", each once");
+        return refused("a list of whole numbers " + std::to_string(min) + " .. " +
+                       std::to_string(max) + ", each once");
     };
     const auto* list = std::get_if<std::vector<double>>(&key_->value);
     if (list == nullptr) throw refusal();
     std::vector<int> numbers;
     for (const double value : *list) {
-        if (!(value >= lowest && value <= highest) || value != std::round(value)) throw refusal();
+        if (!(value >= min && value <= max) || value != std::round(value)) throw refusal();
         const int number = static_cast<int>(value);
         if (std::ranges::find(numbers, number) != numbers.end()) throw refusal();
         numbers.push_back(number);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Goes through the keys of a section of the map and takes their values, or says at which line which
-// key is wrong and what is allowed.
+// Reads the keys of one section of a control map. Its errors name the line, the key and the values
+// that are allowed.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace ocean::bridge {
 
-/// What all words of an Enum are, for messages.
+/// Returns all words of an Enum for a message: "range, toggle, momentary".
 template <typename Enum>
 std::string words_of() {
     std::string words;
@@ -29,32 +29,33 @@ std::string words_of() {
 
 class SectionReader {
   public:
-    /// Both outlive it.
+    /// `section` and `file` must outlive the reader.
     SectionReader(const TomlSection& section, const std::string& file)
         : section_(section), file_(file) {}
 
-    /// Goes on to a key; false after the last.
+    /// Goes to the next key, first to the first one. Returns false after the last key.
     bool next();
     const std::string& key() const { return key_->name; }
-    /// Back before the first key.
-    void rewind() { next_ = 0; }
 
-    /// "FILE:LINE: message" of the section.
+    /// Returns the error "FILE:LINE: message", with the line of the section.
     Error fail(const std::string& message) const;
-    /// Of the key.
+    /// Returns the error "FILE:LINE: key = value: message", with the line of the current key.
     Error fail_here(const std::string& message) const;
+    /// Returns fail_here() for a value that is not among `allowed`.
     Error refused(const std::string& allowed) const;
+    /// Returns the error for a current key that is not among the keys `allowed`.
     Error unknown(const std::string& allowed) const;
 
-    // The key's value. Throw Error bad_file for one of another kind, or out of range.
+    // Return the value of the current key. They throw Error bad_file for a value of another type or
+    // out of range.
     const std::string& text() const;
     bool flag() const;
-    double number(double lowest, double highest) const;
-    int whole(int lowest, int highest) const;
-    /// Two numbers, the second larger if `rising`.
+    double number(double min, double max) const;
+    int whole(int min, int max) const;
+    /// Returns two numbers; if `rising`, the second is larger.
     std::array<double, 2> range(bool rising) const;
-    /// Whole numbers, none of them twice.
-    std::vector<int> whole_list(int lowest, int highest) const;
+    /// Returns distinct whole numbers.
+    std::vector<int> whole_list(int min, int max) const;
     template <typename Enum>
     Enum word() const {
         const auto& words = kEnumWords<Enum>;
@@ -70,6 +71,22 @@ class SectionReader {
     const std::string& file_;
     std::size_t next_ = 0;
     const TomlKey* key_ = nullptr;
+};
+
+/// A [[device]] without its keys `id` and `driver`, which are read before its driver is known.
+class DeviceSection : public SectionReader {
+  public:
+    using SectionReader::SectionReader;
+
+    bool next() {
+        while (SectionReader::next()) {
+            if (key() != "id" && key() != "driver") return true;
+        }
+        return false;
+    }
+    Error unknown(const std::string& allowed) const {
+        return SectionReader::unknown("id, driver, " + allowed);
+    }
 };
 
 }  // namespace ocean::bridge

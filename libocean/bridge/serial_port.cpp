@@ -56,11 +56,11 @@ std::array<Descriptor, 2> Bell::make_pipe() {
 }
 
 void Bell::ring() const {
-    // A pipe that is full rings already.
+    // A full pipe already rings.
     [[maybe_unused]] const ssize_t written = ::write(ends_[1].number(), "", 1);
 }
 
-void Bell::quiet() const {
+void Bell::silence() const {
     char rings[64];
     while (::read(ends_[0].number(), rings, sizeof rings) > 0) continue;
 }
@@ -80,18 +80,18 @@ SerialPort::SerialPort(const std::string& path, int baud)
     require(::cfsetispeed(&line, speed_of(baud)) == 0 &&
             ::cfsetospeed(&line, speed_of(baud)) == 0 &&
             ::tcsetattr(descriptor(), TCSANOW, &line) == 0);
-    ::tcflush(descriptor(), TCIOFLUSH);  // what another program left
+    ::tcflush(descriptor(), TCIOFLUSH);  // bytes that another program left
 }
 
 SerialPort::~SerialPort() {
-    ::ioctl(descriptor(), TIOCNXCL);  // a pseudo-terminal would stay ours
+    ::ioctl(descriptor(), TIOCNXCL);  // a pseudo-terminal would stay locked
     if (!is_sending()) return;
-    // For a board that takes nothing the system waits half a minute in close(); then it waits in a
-    // thread of its own, whose function has nothing to do but to hold the line.
+    // close() blocks for half a minute while a board accepts nothing, so a thread that only holds
+    // the line closes it.
     try {
         std::thread([line = std::move(descriptor_)] {}).detach();
     } catch (const std::system_error&) {
-        // No thread: the wait was here.
+        // Without a thread the line was closed here.
     }
 }
 
@@ -110,9 +110,9 @@ std::size_t SerialPort::write(std::span<const std::uint8_t> bytes) const {
     return 0;
 }
 
-void SerialPort::drain(std::chrono::milliseconds most) const {
+void SerialPort::drain(std::chrono::milliseconds limit) const {
     constexpr std::chrono::milliseconds kStep{2};
-    for (auto waited = kStep; waited <= most && is_sending(); waited += kStep) {
+    for (auto waited = kStep; waited <= limit && is_sending(); waited += kStep) {
         std::this_thread::sleep_for(kStep);
     }
 }

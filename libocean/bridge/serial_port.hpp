@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a source needs of the system to talk to a board at a serial line: the line, and a bell that
-// ends a wait.
+// A serial line, and a bell that ends a wait for the line.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace ocean::bridge {
 
-/// A file descriptor that is closed once.
+/// Owns a file descriptor and closes it.
 class Descriptor {
   public:
     explicit Descriptor(int number = -1) : number_(number) {}
@@ -28,14 +27,14 @@ class Descriptor {
     int number_;
 };
 
-/// A thread that waits in poll() for `descriptor` is woken by ring(), from any thread.
+/// Wakes a thread that waits in poll() for descriptor(). ring() may be called from any thread.
 class Bell {
   public:
     /// Throws std::system_error.
     Bell();
     void ring() const;
-    /// What was rung is over.
-    void quiet() const;
+    /// Forgets all rings so far.
+    void silence() const;
     int descriptor() const { return ends_[0].number(); }
 
   private:
@@ -43,7 +42,7 @@ class Bell {
     const std::array<Descriptor, 2> ends_;
 };
 
-/// A line of its own, raw, 8N1, that nobody else opens meanwhile.
+/// A serial line in raw mode, 8N1, locked against other programs while it is open.
 class SerialPort {
   public:
     /// Throws std::system_error.
@@ -53,13 +52,14 @@ class SerialPort {
     SerialPort& operator=(const SerialPort&) = delete;
 
     int descriptor() const { return descriptor_.number(); }
-    /// What has come, into `buffer`; nothing if nothing has. Throws std::system_error when the line
-    /// is gone.
+    /// Reads the bytes that are available into `buffer` and returns them; empty if there are none.
+    /// Throws std::system_error when the line is gone.
     std::span<const std::uint8_t> read(std::span<std::uint8_t> buffer) const;
-    /// How many bytes the line has taken. Throws likewise.
+    /// Returns the number of bytes that the line has accepted. Throws std::system_error when the
+    /// line is gone.
     std::size_t write(std::span<const std::uint8_t> bytes) const;
-    /// Waits until what was written is sent, and no longer than that.
-    void drain(std::chrono::milliseconds most) const;
+    /// Blocks until all written bytes are sent, or the time is over.
+    void drain(std::chrono::milliseconds limit) const;
 
   private:
     bool is_sending() const;

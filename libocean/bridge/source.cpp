@@ -10,14 +10,14 @@
 namespace ocean::bridge {
 
 bool is_channel_name(std::string_view name) {
-    constexpr std::size_t kLongestPart = 32;
+    constexpr std::size_t kMaxPartBytes = 32;
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
     const auto letter = [](char c) { return c >= 'a' && c <= 'z'; };
     const std::size_t slash = name.find('/');
     if (slash == std::string_view::npos) return false;
     const std::string_view board = name.substr(0, slash);
     const std::string_view wire = name.substr(slash + 1);
-    if (board.empty() || board.size() > kLongestPart || wire.size() > kLongestPart) return false;
+    if (board.empty() || board.size() > kMaxPartBytes || wire.size() > kMaxPartBytes) return false;
     const auto end = std::ranges::find_if_not(wire, letter);
     return std::ranges::all_of(board, [&](char c) { return digit(c) || letter(c) || c == '_'; }) &&
            end != wire.begin() && end != wire.end() && std::all_of(end, wire.end(), digit);
@@ -44,9 +44,9 @@ const Channel* find_channel(const std::vector<Channel>& channels, std::string_vi
 }
 
 void require_in_range(const Channel& channel, double value) {
-    if (value >= channel.lowest && value <= channel.highest) return;
+    if (value >= channel.min && value <= channel.max) return;
     const std::string given = plain_text(value);
-    const std::string allowed = plain_text(channel.lowest) + " .. " + plain_text(channel.highest);
+    const std::string allowed = plain_text(channel.min) + " .. " + plain_text(channel.max);
     throw Error(ErrorKind::invalid_value, channel.name + " = " + given + ": allowed: " + allowed,
                 {.parameter = channel.name, .value = given, .allowed = allowed});
 }
@@ -55,7 +55,8 @@ std::size_t output_index(const std::vector<Channel>& channels, const std::string
                          double value) {
     const Channel* channel = find_channel(channels, name);
     if (channel == nullptr || !channel->output) {
-        throw Error(ErrorKind::invalid_value, {.what = "cannot be told", .parameter = name});
+        throw Error(ErrorKind::invalid_value,
+                    {.what = "is not an output of the board", .parameter = name});
     }
     require_in_range(*channel, value);
     return static_cast<std::size_t>(channel - channels.data());

@@ -16,14 +16,14 @@ namespace ocean::bridge {
 namespace {
 
 constexpr std::array kAppValues = {
-    AppValue{"app.pause", 0, 1, 0, true, "1 while the sea's clock stands"},
-    AppValue{"app.speed", 0, 100, 1, false, "seconds of the sea a second"},
-    AppValue{"app.time", -kLatestTime, kLatestTime, 0, false, "time of the sea, s"},
+    AppValue{"app.pause", 0, 1, 0, true, "1 while the sea's clock is paused"},
+    AppValue{"app.speed", 0, 100, 1, false, "seconds of the sea per second"},
+    AppValue{"app.time", -kLatestTime, kLatestTime, 0, false, "time of the sea [s]"},
     AppValue{"app.record", 0, 1, 0, true, "1 while a take is recorded"},
-    AppValue{"app.frame_rate", 0, 1e6, 0, false, "frames that are shown a second"},
+    AppValue{"app.frame_rate", 0, 1e6, 0, false, "frames shown per second"},
 };
 
-/// Names of files are for those who own the machine.
+/// Returns true for a name of a file, which only the owner of the machine may set.
 bool names_a_file(const ParameterSpec& spec) {
     return spec.type() == "text";
 }
@@ -53,8 +53,9 @@ ValueTable::ValueTable(Parameters parameters) : parameters_(std::move(parameters
         }
     }
     for (const AppValue& value : kAppValues) {
-        entries_.push_back({std::string(value.name), plain_text(value.start), "", 0, 0});
+        entries_.push_back({std::string(value.name), plain_text(value.initial), "", 0, 0});
         refs_.push_back({});
+        app_numbers_.push_back(value.initial);
     }
 }
 
@@ -84,7 +85,7 @@ std::size_t ValueTable::find(std::string_view name) const {
                     (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?"));
 }
 
-/// They stand behind the parameters.
+/// The app values are the last entries.
 const AppValue& ValueTable::app_value(std::size_t entry) const {
     return kAppValues[entry + kAppValues.size() - entries_.size()];
 }
@@ -96,63 +97,86 @@ bool ValueTable::is_number(std::size_t entry) const {
 
 bool ValueTable::is_whole(std::size_t entry) const {
     if (refs_[entry].info != nullptr) return refs_[entry].info->type() == "int";
-    return app_value(entry).whole;
+    return app_value(entry).is_whole;
 }
 
 double ValueTable::number(std::size_t entry) const {
-    if (const auto number = text::parse_number(entries_[entry].text)) return *number;
-    const ParameterInfo& info = *refs_[entry].info;
-    return info.key == "wind_speed" ? kDefaultWind : std::max(info.soft_min, 0.0);
+    const ParameterInfo* info = refs_[entry].info;
+    if (info == nullptr) return app_numbers_[entry + kAppValues.size() - entries_.size()];
+    const ParameterValue value = value_of(parameters_, refs_[entry]);
+    if (const auto* real = std::get_if<double>(&value)) return *real;
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+    return info->key == "wind_speed" ? kDefaultWind : std::max(info->soft_min, 0.0);
 }
 
 std::string ValueTable::allowed(std::size_t entry) const {
     if (refs_[entry].info != nullptr) return allowed_values(*refs_[entry].info);
     const AppValue& app = app_value(entry);
-    if (app.whole) return plain_text(app.lowest) + " or " + plain_text(app.highest);
-    return plain_text(app.lowest) + " .. " + plain_text(app.highest);
+    return plain_text(app.min) + (app.is_whole ? " or " : " .. ") + plain_text(app.max);
 }
 
-std::string ValueTable::checked_app_value(std::size_t entry, std::string_view value) const {
+void ValueTable::require_app_value(std::size_t entry, std::optional<double> value,
+                                   std::string_view text) const {
     const AppValue& app = app_value(entry);
-    const std::optional<double> number = text::parse_number(value);
-    if (!number || !(*number >= app.lowest && *number <= app.highest) ||
-        (app.whole && *number != std::floor(*number))) {
-        throw Error(ErrorKind::invalid_value, std::string(app.name) + " = " +
-                                                  text::printable(value) +
-                                                  ": allowed: " + allowed(entry));
+    if (value && *value >= app.min && *value <= app.max &&
+        (!app.is_whole || *value == std::floor(*value))) {
+        return;
     }
-    return plain_text(*number);
+    throw Error(ErrorKind::invalid_value, std::string(app.name) + " = " + text::printable(text) +
+                                              ": allowed: " + allowed(entry));
 }
 
 bool ValueTable::set(std::size_t entry, std::string_view value, std::string_view writer) {
-    ValueEntry& target = entries_[entry];
     const ParameterRef& ref = refs_[entry];
-    std::string text;
     if (ref.info == nullptr) {
-        text = checked_app_value(entry, value);
-    } else {
-        if (names_a_file(*ref.info)) {
-            throw Error(ErrorKind::unsupported,
-                        target.name + ": names of files are not set from outside");
-        }
-        Parameters changed = parameters_;
-        set_parameter(changed, target.name, value == kUnset ? "" : value);
-        validate(changed);
-        text = wire_text(*ref.info, value_of(changed, ref));
-        parameters_ = std::move(changed);
+        const std::optional<double> number = text::parse_number(value);
+        require_app_value(entry, number, value);
+        return set_app_value(entry, *number, writer);
     }
-    const bool another_writer = target.writer != writer;
-    const bool another_value = target.text != text;
-    if (another_writer || another_value) ++revision_;
-    if (another_writer) {
+    if (names_a_file(*ref.info)) {
+        throw Error(ErrorKind::unsupported,
+                    entries_[entry].name + ": names of files cannot be set by clients");
+    }
+    return set_parameter_value(
+        entry, parse_value(*ref.info, ref.item, value == kUnset ? "" : value), writer);
+}
+
+bool ValueTable::set(std::size_t entry, double value, std::string_view writer) {
+    if (refs_[entry].info != nullptr) return set_parameter_value(entry, value, writer);
+    require_app_value(entry, value, plain_text(value));
+    return set_app_value(entry, value, writer);
+}
+
+bool ValueTable::set_app_value(std::size_t entry, double value, std::string_view writer) {
+    app_numbers_[entry + kAppValues.size() - entries_.size()] = value;
+    return note_change(entry, plain_text(value), writer);
+}
+
+bool ValueTable::set_parameter_value(std::size_t entry, const ParameterValue& value,
+                                     std::string_view writer) {
+    const ParameterRef& ref = refs_[entry];
+    Parameters changed = parameters_;
+    assign(changed, ref, value);
+    validate(changed);
+    std::string text = wire_text(*ref.info, value_of(changed, ref));
+    parameters_ = std::move(changed);
+    return note_change(entry, std::move(text), writer);
+}
+
+bool ValueTable::note_change(std::size_t entry, std::string text, std::string_view writer) {
+    ValueEntry& target = entries_[entry];
+    const bool is_another_writer = target.writer != writer;
+    const bool is_another_value = target.text != text;
+    if (is_another_writer || is_another_value) ++revision_;
+    if (is_another_writer) {
         target.writer = writer;
         target.taken = revision_;
     }
-    if (another_value) {
+    if (is_another_value) {
         target.text = std::move(text);
         target.changed = revision_;
     }
-    return another_value;
+    return is_another_value;
 }
 
 }  // namespace ocean::bridge

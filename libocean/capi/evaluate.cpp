@@ -26,6 +26,8 @@ namespace {
 
 constexpr int kMaxComponents = 4;
 constexpr int kUntouched = -1;
+/// The bytes of a band that has its mean_square.
+constexpr std::size_t kMeanSquareEnd = sizeof(ocean_detail_band);
 
 /// The channels of libocean.h, with the names that they have in core's table.
 struct NamedChannel {
@@ -68,7 +70,8 @@ std::string c_name(int channel) {
     return name;
 }
 
-/// Of the least buffer. Throws CallError where no buffer could be so large.
+/// Returns the floats of the smallest buffer that holds the map. Throws CallError if no buffer can
+/// be so large.
 std::size_t needed_floats(const MapOutput& map, int resolution, const std::string& name) {
     const std::size_t width = map.width(resolution);
     const std::size_t rows = width / static_cast<std::size_t>(map.components);
@@ -105,13 +108,13 @@ void check_output(const ocean_output& output, const std::string& name) {
     }
 }
 
-/// What one component of an output receives.
+/// The channel that one component of an output receives, and its sign.
 struct Source {
     int channel;
     float sign;
 };
 
-/// Whether three components are the x, y and z of a vector.
+/// Returns true if three components are the x, y and z of a vector.
 bool is_vector(std::span<const std::int32_t, 3> channels) {
     return std::ranges::any_of(kProducts, [channels](const Product& product) {
         return product.vector &&
@@ -188,9 +191,52 @@ int map_resolution(int asked, int shown) {
     return asked;
 }
 
-ocean_detail_band band_of(const DetailBand& from) {
-    return {from.shortest_wave, from.longest_wave, from.tile,
-            from.variance.x,    from.variance.y,   from.variance.xy};
+/// Returns the mean square of the slopes that a reader finds between the samples of a periodic map,
+/// 0 for a map without both slopes. With weights 1 - t and t along each side the mean over all
+/// places is (2, 1) / 3 of the covariance at lags 0 and 1:
+///     (4 C(0,0) + 2 (C(1,0) + C(0,1)) + (C(1,1) + C(1,-1)) / 2) / 9
+double read_mean_square(const MapOutput& map, int samples) {
+    const auto component = [&map](Channel channel) {
+        const auto used = map.used();
+        return static_cast<std::size_t>(
+            std::ranges::find(used, Quantity(channel), &MapOutput::Component::quantity) -
+            used.begin());
+    };
+    const std::array<std::size_t, 2> slopes = {component(Channel::slope_x),
+                                               component(Channel::slope_y)};
+    if (std::max(slopes[0], slopes[1]) >= map.used().size()) return 0.0;
+    const auto n = static_cast<std::size_t>(samples);
+    const auto at = [&](std::size_t i, std::size_t j) {
+        const float* const sample = map.data + (j % n) * map.pitch(samples) +
+                                    (i % n) * static_cast<std::size_t>(map.components);
+        return std::array<double, 2>{sample[slopes[0]], sample[slopes[1]]};
+    };
+    double sum = 0.0;
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto here = at(i, j);
+            const auto east = at(i + 1, j);
+            const auto north = at(i, j + 1);
+            const auto east_north = at(i + 1, j + 1);
+            const auto west_north = at(i + n - 1, j + 1);
+            for (std::size_t c = 0; c < 2; ++c) {
+                sum += here[c] * (4.0 * here[c] + 2.0 * (east[c] + north[c]) +
+                                  0.5 * (east_north[c] + west_north[c]));
+            }
+        }
+    }
+    return sum / 9.0 / static_cast<double>(n * n);
+}
+
+/// mean_square is that of `map`, nullptr: 0.
+ocean_detail_band band_of(const DetailBand& from, const MapOutput* map, int samples) {
+    return {.shortest_wave = from.shortest_wave,
+            .longest_wave = from.longest_wave,
+            .tile = from.tile,
+            .variance_x = from.variance.x,
+            .variance_y = from.variance.y,
+            .covariance = from.variance.xy,
+            .mean_square = map == nullptr ? 0.0 : read_mean_square(*map, samples)};
 }
 
 }  // namespace
@@ -308,8 +354,12 @@ ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request, s
         if (residual != nullptr) *residual = budget.residual;
         if (asked.bands == nullptr) return;
         auto* out = reinterpret_cast<unsigned char*>(asked.bands);
-        for (const DetailBand& from : budget.bands) {
-            const ocean_detail_band band = band_of(from);
+        const std::size_t drawn = asked.outputs == nullptr || asked.band_size < kMeanSquareEnd
+                                      ? 0
+                                      : sea->map_outputs.size();
+        for (std::size_t i = 0; i < budget.bands.size(); ++i) {
+            const ocean_detail_band band = band_of(
+                budget.bands[i], i < drawn ? &sea->map_outputs[i] : nullptr, settings.samples);
             std::memcpy(out, &band, std::min(asked.band_size, sizeof(band)));
             out += asked.band_size;
         }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What gauges read: the request checked, the series copied out.
+// Wave gauges: checks the request and copies their series out.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

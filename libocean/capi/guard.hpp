@@ -81,7 +81,8 @@ void copy_text(std::string_view text, char* out, std::size_t* size);
 /// Largest struct_size that is believed to be one.
 inline constexpr std::size_t kMaxStructSize = 4096;
 
-/// Of a struct in the caller's memory; `member` holds it.
+/// Throws CallError for a size that no version of a struct has had. `member` is the member or
+/// argument that holds the size.
 inline void require_struct_size(std::size_t size, std::size_t minimum, const std::string& member,
                                 const std::string& name, std::size_t here) {
     if (size >= minimum && size <= kMaxStructSize && size % alignof(std::int32_t) == 0) return;

@@ -43,12 +43,12 @@ ThreadPool::RunJobs on_host(ocean_run_jobs run_jobs, void* user) {
     };
 }
 
-/// Never 0, which stands for nobody.
+/// Returns the number of this process, never 0: that stands for no process.
 std::uint64_t this_process() {
     return process_number() + 1;
 }
 
-/// Of ocean_free, until the thread that is in the sea has left.
+/// The pause of ocean_free between two tries to enter a sea that another thread is in.
 constexpr std::chrono::milliseconds kBetweenTries{1};
 
 std::string folder_of(const char* path) {
@@ -109,8 +109,8 @@ OceanOptions ocean::capi::read_options(const ocean_options* given) {
 
 ocean::capi::Visit::Visit(const ocean_sea* sea) : sea_(sea) {
     require(sea, "sea");
-    std::uint64_t nobody = 0;
-    if (!sea->user.compare_exchange_strong(nobody, this_process(), std::memory_order_acquire)) {
+    std::uint64_t no_process = 0;
+    if (!sea->user.compare_exchange_strong(no_process, this_process(), std::memory_order_acquire)) {
         throw CallError(OCEAN_BUSY,
                         "another thread is in this sea; give each thread its own: ocean_clone");
     }
@@ -164,8 +164,8 @@ void ocean_free(ocean_sea* sea) {
     const PlainFloats plain;
     std::uint64_t user = 0;
     while (!sea->user.compare_exchange_strong(user, this_process(), std::memory_order_acquire)) {
-        // Of another process: that thread was in the sea at the fork, and is not here to leave it
-        // nor to say what state it is in.
+        // A thread of the parent process was in the sea at the fork. It does not exist here: it can
+        // neither leave the sea nor say in which state it left it.
         if (user != this_process()) return;
         std::this_thread::sleep_for(kBetweenTries);
         user = 0;

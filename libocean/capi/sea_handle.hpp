@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands behind the opaque ocean_sea of libocean.h.
+// The struct behind the opaque ocean_sea of libocean.h.
 #pragma once
 
 #include <atomic>

@@ -29,7 +29,8 @@ ocean_spray_particle particle_of(const SprayParticle& from) {
             static_cast<float>(from.radius)};
 }
 
-/// What was counted and not taken, or made now.
+/// Returns the particles that an earlier call counted and that were not copied yet, or makes them
+/// now.
 std::vector<SprayParticle> spray_of(ocean_sea& sea, double time, const SpraySettings& settings) {
     const std::uint64_t revision = sea.ocean->revision();
     if (auto counted = std::exchange(sea.counted_spray, std::nullopt);

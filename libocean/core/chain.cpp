@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chain of one time; see chain.hpp. What a stage makes carries the revision it was made for.
+// The chain of one time; see chain.hpp. A result carries the revision of its stage.
 #include "chain.hpp"
 
 #include <string>
@@ -15,12 +15,12 @@
 
 namespace ocean {
 
-void Chain::stand_for(Parameters parameters, Lasts lasts) {
+void Chain::set_parameters(Parameters parameters, Reuse reuse) {
     const bool first_time = !revisions_.front();
     const auto first = first_time ? Stage::spectrum : first_dirty_stage(parameters_, parameters);
     if (first) dirty(*first);
     parameters_ = std::move(parameters);
-    lasts_ = lasts;
+    reuse_ = reuse;
 }
 
 void Chain::dirty(Stage first) {
@@ -54,9 +54,9 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
     const DirectionalSpectrum& spectrum = this->spectrum(pool, runs);
     ++runs.modes;
     const bool same_lattice = modes_.get() != nullptr && lattice_->is_of(parameters_);
-    // The first modes of a lattice are mostly the last: what only rebuilds need is kept from the
-    // second on, or where others are expected.
-    const bool keep = same_lattice || lasts_ == Lasts::one_time;
+    // Most lattices get modes only once: data that only rebuilds need is kept from the second build
+    // on, or if the sea is animated.
+    const bool keep = same_lattice || reuse_ == Reuse::animated;
     const Grid& grid = parameters_.grid;
     if (!same_lattice) {
         modes_ = nullptr;
@@ -82,7 +82,7 @@ void Chain::make_modes(ThreadPool& pool, StageRuns& runs) {
 
 const SurfaceSettings& Chain::shown_settings(int resolution, ThreadPool& pool, StageRuns& runs) {
     const Modes& modes = this->modes(pool, runs);
-    Made<SurfaceSettings>& shown = shown_[resolution];
+    Cached<SurfaceSettings>& shown = shown_[resolution];
     if (shown.revision != revision(Stage::foam)) {
         ++runs.threshold;
         shown.value = with_threshold(parameters_.surface, modes, resolution);
@@ -92,7 +92,7 @@ const SurfaceSettings& Chain::shown_settings(int resolution, ThreadPool& pool, S
 }
 
 double Chain::shown_cover_power(int resolution, ThreadPool& pool, StageRuns& runs) {
-    Made<double>& power = cover_powers_[resolution];
+    Cached<double>& power = cover_powers_[resolution];
     if (power.revision != revision(Stage::foam)) {
         Parameters shown = parameters_;
         shown.surface = shown_settings(resolution, pool, runs);

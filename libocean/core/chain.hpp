@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chain of one time: parameters -> spectrum -> modes -> settings of the shown surface, each
-// made when it is asked for and kept while nothing dirties it.
+// The chain of one time: parameters -> spectrum -> modes -> settings of the displayed surface. Each
+// stage is computed when it is first needed and kept until a parameter dirties it.
 //
-// Every stage has a revision, another one whenever its parameters change; what was made for
-// another revision is made again. Modes that a change has made wrong stay: their arrays are filled
-// again, unless a copy of the chain has them too.
+// Every stage has a revision, which changes whenever its parameters do; a result of another
+// revision is computed again. Outdated modes keep their arrays, which are filled again, unless a
+// copy of the chain shares them.
 #pragma once
 
 #include <array>
@@ -22,29 +22,29 @@ namespace ocean {
 
 class ModeLattice;
 
-/// A copy shares what there is, for another thread.
+/// A copy shares all results with the original; it is for another thread.
 class Chain {
   public:
-    /// Whether other parameters are to be expected, as a take brings them with every time: then
-    /// what only rebuilds need is kept from the first.
-    enum class Lasts { until_a_change, one_time };
+    /// Expected changes. animated: every time has other parameters, as with a take, so data that
+    /// only rebuilds need is kept from the first build on. static_sea: from the second build on.
+    enum class Reuse { static_sea, animated };
 
-    /// Stands for nothing yet.
+    /// Has no parameters yet.
     Chain() = default;
 
-    /// From now on for these parameters, which must be valid.
-    void stand_for(Parameters parameters, Lasts lasts);
+    /// Sets the parameters, which must be valid, and dirties the stages that they change.
+    void set_parameters(Parameters parameters, Reuse reuse);
     const Parameters& parameters() const { return parameters_; }
 
-    // Valid until the chain stands for something else.
+    // The results are valid until the next set_parameters.
     const DirectionalSpectrum& spectrum(ThreadPool& pool, StageRuns& runs);
     const Modes& modes(ThreadPool& pool, StageRuns& runs);
     bool has_modes() const;
-    /// Of what spectrum() returns.
+    /// Returns the revision of the result of spectrum().
     const Revision& spectrum_revision() const { return revision(Stage::spectrum); }
-    /// With the whitecaps' threshold found for maps of that resolution.
+    /// Returns the surface settings with the whitecaps' threshold of maps of that resolution.
     const SurfaceSettings& shown_settings(int resolution, ThreadPool& pool, StageRuns& runs);
-    /// The power of foam that is the cover on maps of that resolution.
+    /// Returns the exponent p of cover = foam^p on maps of that resolution.
     double shown_cover_power(int resolution, ThreadPool& pool, StageRuns& runs);
 
   private:
@@ -57,19 +57,19 @@ class Chain {
     void make_modes(ThreadPool& pool, StageRuns& runs);
 
     template <typename T>
-    struct Made {
+    struct Cached {
         Revision revision;
         T value{};
     };
 
     Parameters parameters_;
-    Lasts lasts_ = Lasts::until_a_change;
+    Reuse reuse_ = Reuse::static_sea;
     std::array<Revision, kStages> revisions_;
-    Made<std::shared_ptr<const DirectionalSpectrum>> spectrum_;
+    Cached<std::shared_ptr<const DirectionalSpectrum>> spectrum_;
     std::shared_ptr<const ModeLattice> lattice_;
     SharedValue<Modes> modes_;  // with their own revision
-    std::map<int, Made<SurfaceSettings>> shown_;
-    std::map<int, Made<double>> cover_powers_;
+    std::map<int, Cached<SurfaceSettings>> shown_;
+    std::map<int, Cached<double>> cover_powers_;
 };
 
 }  // namespace ocean

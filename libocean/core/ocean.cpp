@@ -91,7 +91,7 @@ void Ocean::perform(double time, std::string_view name, std::string_view value) 
     const double from = performer_->perform(sea_, time, name, value);
     if (from > kLatestTime) return;
     ++revision_;
-    // What the performer lets in breaks no rule, so a long take is not gone through every time.
+    // The performer has checked the event, so a long take need not be checked as a whole each time.
     if (checked) checked_ = revision_;
     for (auto& [resolution, foam] : foam_) foam.forget_from(from);
     if (spray_) spray_->forget_from(from);
@@ -101,8 +101,8 @@ void Ocean::go_to(double time) {
     const bool changed = checked_ != revision_;
     if (!changed && sea_.take.empty()) return;
     if (changed) validate(sea_);
-    chain_->stand_for(sea_.at(time),
-                      sea_.take.empty() ? Chain::Lasts::until_a_change : Chain::Lasts::one_time);
+    chain_->set_parameters(sea_.at(time),
+                           sea_.take.empty() ? Chain::Reuse::static_sea : Chain::Reuse::animated);
     checked_ = revision_;
 }
 
@@ -143,7 +143,7 @@ FrameCost Ocean::measure_frame_cost() {
     };
     const auto seconds = [&](ChannelSet channels, int resolution) {
         const int measured = std::min(resolution, kLargest);
-        evaluate(start, channels, measured);  // builds what is not there yet
+        evaluate(start, channels, measured);  // builds all that is missing
         // An inverse transform of N x N samples is N^2 log N work.
         const double scale = std::pow(static_cast<double>(resolution) / measured, 2.0) *
                              std::log(static_cast<double>(resolution)) /
@@ -232,7 +232,7 @@ void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
     const Modes& modes = this->modes(time);
     if (cascade >= modes.cascades.size()) {
         throw Error(ErrorKind::invalid_value,
-                    "cascade " + std::to_string(cascade) + ": there are " +
+                    "cascade " + std::to_string(cascade) + ": the sea has " +
                         std::to_string(modes.cascades.size()) + ", numbered from 0");
     }
     for (const MapOutput& output : outputs) {
@@ -240,10 +240,11 @@ void Ocean::evaluate_cascade_into(std::size_t cascade, double time,
             if (!quantity.is_channel()) continue;
             const ChannelInfo& info = channel_info(quantity.channel(), options_.channels);
             if (info.is_multiple()) continue;
-            throw Error(ErrorKind::invalid_value,
-                        std::string(info.name) +
-                            ": is no sum over the cascades; of one there are displacement, height, "
-                            "slopes, velocity and derivatives");
+            throw Error(
+                ErrorKind::invalid_value,
+                std::string(info.name) +
+                    ": is not a sum over the cascades; allowed: displacement, height, slopes, "
+                    "velocity and derivatives");
         }
     }
     if (resolution == 0) resolution = modes.cascades[cascade].lattice.resolution;
@@ -270,7 +271,7 @@ DetailMaps& Ocean::detail_at(double time, const DetailSettings& settings) {
         maps = std::make_unique<DetailMaps>(shown, options_.backend);
     }
     const DirectionalSpectrum& spectrum = chain_->spectrum(pool_, runs_);
-    maps->stand_for(now(), spectrum, chain_->spectrum_revision(), pool_);
+    maps->set_parameters(now(), spectrum, chain_->spectrum_revision(), pool_);
     return *maps;
 }
 
@@ -294,21 +295,21 @@ void Ocean::detail_into(double time, std::span<const MapOutput> outputs,
     constexpr ChannelSet kSlopes = {Channel::slope_x, Channel::slope_y};
     if (!fields_of(outputs).empty() || !kSlopes.contains(channels_of(outputs))) {
         throw Error(ErrorKind::invalid_value,
-                    "a tile of the detail has slopes by label alone: slope_x and slope_y");
+                    "detail: a tile has slopes only; allowed: slope_x and slope_y");
     }
     DetailMaps& maps = detail_at(time, settings);
     if (outputs.size() > maps.budget().bands.size()) {
         throw Error(ErrorKind::invalid_value,
-                    "detail: " + std::to_string(outputs.size()) + " maps asked for; the sea has " +
-                        std::to_string(maps.budget().bands.size()) + " bands there");
+                    "detail: " + std::to_string(outputs.size()) + " maps requested; the sea has " +
+                        std::to_string(maps.budget().bands.size()) + " bands beyond this map");
     }
     maps.write(time, chain_->spectrum(pool_, runs_), outputs, pool_);
 }
 
-int Ocean::map_resolution(int asked) const {
-    if (asked == 0) return default_map_resolution(sea_.parameters.grid);
-    require_resolution(asked);
-    return asked;
+int Ocean::map_resolution(int requested) const {
+    if (requested == 0) return default_map_resolution(sea_.parameters.grid);
+    require_resolution(requested);
+    return requested;
 }
 
 void Ocean::require_map_memory(int resolution, int maps, ChannelSet channels) const {

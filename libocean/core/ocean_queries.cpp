@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the facade answers about places: the surface, the water below it, bodies that float. The
-// last query of each kind is kept for the next one of the same time.
+// The facade's queries at points: the surface, the water below it, floating bodies. The last query
+// of each kind is kept for the next one of the same time.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -31,42 +31,42 @@ QueryOptions Ocean::shown(QueryOptions options) const {
 }
 
 const SurfaceQuery& Ocean::surface_query(double time, const QueryOptions& options) {
-    const Asked asked{revision_, time, 0.0, shown(options)};
+    const QueryKey key{revision_, time, 0.0, shown(options)};
     auto& kept = surface_query_;
-    if (kept && kept->asked == asked) return kept->query;
-    if (kept && kept->asked.options != asked.options) kept.reset();
+    if (kept && kept->key == key) return kept->query;
+    if (kept && kept->key.options != key.options) kept.reset();
     FoamMap foam;
     if (options.foam) {
-        const Surface map = evaluate(time, {Channel::foam}, asked.options.resolution);
+        const Surface map = evaluate(time, {Channel::foam}, key.options.resolution);
         const std::span<const float> values = map.channel(Channel::foam);
         foam = {{values.begin(), values.end()}, map.resolution()};
     }
     const Modes& modes = this->modes(time);  // foam has been in the past
     if (kept) {
-        kept->asked.revision = 0;
+        kept->key.revision = 0;
         kept->query.move_to(modes, now().surface, now().water, time, pool_, std::move(foam));
-        kept->asked = asked;
+        kept->key = key;
     } else {
-        require_query_memory(SurfaceQuery::bytes(modes, asked.options));
-        kept = {asked, SurfaceQuery(modes, now().surface, now().water, time, asked.options, pool_,
-                                    std::move(foam))};
+        require_query_memory(SurfaceQuery::bytes(modes, key.options));
+        kept = {key, SurfaceQuery(modes, now().surface, now().water, time, key.options, pool_,
+                                  std::move(foam))};
     }
     return kept->query;
 }
 
 const OrbitalMotion& Ocean::orbital_motion(double time, double z, const QueryOptions& options) {
-    const Asked asked{revision_, time, z, shown(options)};
+    const QueryKey key{revision_, time, z, shown(options)};
     auto& kept = orbital_motion_;
-    if (kept && kept->asked == asked) return kept->query;
-    if (kept && kept->asked.options != asked.options) kept.reset();
+    if (kept && kept->key == key) return kept->query;
+    if (kept && kept->key.options != key.options) kept.reset();
     const Modes& modes = this->modes(time);
     if (kept) {
-        kept->asked.revision = 0;
+        kept->key.revision = 0;
         kept->query.move_to(modes, now().water, time, z, pool_);
-        kept->asked = asked;
+        kept->key = key;
     } else {
-        require_query_memory(OrbitalMotion::bytes(modes, asked.options));
-        kept = {asked, OrbitalMotion(modes, now().water, time, z, asked.options, pool_)};
+        require_query_memory(OrbitalMotion::bytes(modes, key.options));
+        kept = {key, OrbitalMotion(modes, now().water, time, z, key.options, pool_)};
     }
     return kept->query;
 }
@@ -84,7 +84,8 @@ void Ocean::water_motion(double time, std::span<const WaterPoint> points,
                          std::span<WaterMotion> motions, const QueryOptions& options) {
     for (const WaterPoint& point : points) {
         if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) continue;
-        throw Error(ErrorKind::invalid_value, "a point must be finite numbers of metres");
+        throw Error(ErrorKind::invalid_value,
+                    "the coordinates of a point must be finite numbers of metres");
     }
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -108,7 +109,7 @@ void Ocean::float_poses(double time, std::span<const FloatBody> bodies,
     // A pose needs no foam, but the query that is kept may have some.
     QueryOptions options;
     options.foam =
-        surface_query_ && surface_query_->asked == Asked{revision_, time, 0.0, shown({})};
+        surface_query_ && surface_query_->key == QueryKey{revision_, time, 0.0, shown({})};
     const SurfaceQuery& query = surface_query(time, options);
     std::vector<FloatPose> found;
     for (const FloatBody& body : bodies) found.push_back(float_pose(query, body, pool_));

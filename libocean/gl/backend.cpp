@@ -33,7 +33,7 @@ std::vector<Quantity> quantities_of(std::span<const MapOutput> outputs) {
     return quantities;
 }
 
-/// What there is of one context: the frames of each resolution, and a texture for the foam's past.
+/// The objects of one context: the frames of each resolution, and a texture for earlier foam.
 class GpuMaps {
   public:
     explicit GpuMaps(const ContextInfo& limits) : limits_(limits) {}
@@ -90,7 +90,7 @@ class GpuMaps {
     PageVector<float> texels_;
 };
 
-/// Modes, packs, textures, and what is read back.
+/// Returns the bytes of modes, packs, textures and the buffer for reading back.
 std::uint64_t gpu_bytes(const Grid&, LinearSet fields, int resolution) {
     const auto count = static_cast<std::uint64_t>(fields.size());
     const std::uint64_t packs = 8 * ((count + 1) / 2);
@@ -104,7 +104,7 @@ BackendFitness gpu_fitness(int resolution) {
         const HeadlessContext::Current current(context);
         const MapFrame frame(resolution, context.info());
         const std::string machine = context.info().text();
-        if (context.info().software) return {true, false, machine + ", is no GPU"};
+        if (context.info().software) return {true, false, machine + ", is not a GPU"};
         return {true, true, machine};
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::no_gpu) throw;

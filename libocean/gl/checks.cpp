@@ -18,7 +18,7 @@ namespace {
 
 [[noreturn]] void report_reset(const char* doing) {
     throw Error(ErrorKind::no_gpu, std::string("the GPU was reset or taken away while ") + doing +
-                                       "; what was finished is whole");
+                                       "; finished outputs are complete");
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void require_no_error(const char* doing) {
 }
 
 void require_not_reset(const ContextInfo& context, const char* doing) {
-    if (context.tells_resets && glGetGraphicsResetStatus() != GL_NO_ERROR) report_reset(doing);
+    if (context.reports_resets && glGetGraphicsResetStatus() != GL_NO_ERROR) report_reset(doing);
 }
 
 }  // namespace ocean::gl

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What OpenGL reports only when it is asked.
+// Checks for faults that OpenGL reports only on request.
 #pragma once
 
 namespace ocean::gl {
@@ -12,8 +12,8 @@ struct ContextInfo;
 /// out_of_memory if the GPU has none left. `doing`: "uploading the modes".
 void require_no_error(const char* doing);
 
-/// Throws Error no_gpu if the current context was lost, of which not every driver makes an error.
-/// To be called when a frame's results are there; it may take some microseconds.
+/// Throws Error no_gpu if the current context was lost, which not every driver reports as an error.
+/// To be called when a frame's results have arrived; takes some microseconds.
 void require_not_reset(const ContextInfo& context, const char* doing);
 
 }  // namespace ocean::gl

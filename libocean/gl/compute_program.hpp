@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A compute shader with what is defined outside of it.
+// A compute shader with the definitions made by C++.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@ namespace ocean::gl {
 class ComputeProgram : public ShaderProgram {
   public:
     ComputeProgram() = default;
-    /// path: in the folder of shaders. defines: lines of #define. Throws Error no_gpu.
+    /// Compiles a shader. path: in the folder of shaders. defines: lines of #define. Throws Error
+    /// no_gpu.
     ComputeProgram(std::string_view path, std::string defines)
         : ShaderProgram({{GL_COMPUTE_SHADER, std::string(path)}}, std::move(defines)) {}
 };

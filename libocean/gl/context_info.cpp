@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the current context can do.
+// The properties of the current context.
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -76,7 +76,7 @@ ContextInfo context_info() {
     info.shared_bytes = integer_of(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE);
     info.workgroup_threads = integer_of(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
     info.image_units = integer_of(GL_MAX_COMPUTE_IMAGE_UNIFORMS);
-    info.tells_resets =
+    info.reports_resets =
         info.major * 10 + info.minor >= 45 || epoxy_has_gl_extension("GL_KHR_robustness");
     return info;
 }

@@ -16,7 +16,7 @@ namespace ocean::gl {
 
 namespace {
 
-/// As the shaders call them, in the order of Linear.
+/// The names of the fields in the shaders, in the order of Linear.
 constexpr std::array<std::string_view, kLinearCount> kFieldNames = {
     "height",      "displacement_x",      "displacement_y",     "slope_x",
     "slope_y",     "gradient_xx",         "gradient_yy",        "gradient_xy",
@@ -41,7 +41,7 @@ std::string coefficients(const FieldPair& pack) {
 std::string value_of(Quantity quantity) {
     if (quantity.is_linear()) return "p." + std::string(name_of(quantity.linear()));
     const ChannelInfo& info = channel_info(quantity.channel());
-    if (!info.is_multiple()) return "channel_" + std::string(info.name) + "(p, foam_left)";
+    if (!info.is_multiple()) return "channel_" + std::string(info.name) + "(p, previous_foam)";
     const bool choppy = info.factor == ChannelInfo::Factor::minus_choppiness;
     return (choppy ? "-choppiness * p." : "p.") + std::string(name_of(info.field));
 }
@@ -143,7 +143,7 @@ FramePlan make_frame_plan(const PassShape& shape, std::vector<Quantity> quantiti
         if (quantity.is_channel()) channels = channels | quantity.channel();
     }
     fields = fields | fields_of(channels, flat);
-    // A pass needs one pack at least, and a flat sea's Jacobian no field.
+    // A pass needs at least one pack, even if a flat sea's Jacobian needs no field.
     if (fields.empty()) fields = Linear::height;
     for (const FieldPair& pair : kFieldPairs) {
         if (fields.intersects({pair.real, pair.imaginary})) plan.packs.push_back(pair);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a frame computes, and the lines of #define that make the two passes compute it: from the
-// tables of linear fields and channels, so that neither stands in a shader again.
+// The plan of a frame: what it computes, and the lines of #define that make the two passes compute
+// it. Both follow from the tables of linear fields and channels, so that no shader repeats them.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -17,20 +17,20 @@ namespace ocean::gl {
 /// The shape of the two passes for maps of a resolution, within the limits of a GPU.
 struct PassShape {
     int resolution = 0;
-    int columns = 4;        // of a workgroup of pass two
+    int columns = 4;        // per workgroup of pass two
     int rows_padding = 31;  // a free place every 2^padding; 31: none
     int columns_padding = 31;
     bool split = false;  // real and imaginary parts exchanged one after the other
 
-    int threads() const { return resolution / 8; }  // of a line
+    int threads() const { return resolution / 8; }  // per line
 };
 /// Throws Error no_gpu if a workgroup cannot hold a line.
 PassShape pass_shape(int resolution, int shared_bytes, int workgroup_threads);
 
-/// The linear fields that share a complex transform. A field is always with the same other:
-/// whatever else is asked for, its bits are the same. Each rounds the other, so the two are of one
-/// kind; but gradient_xy is multiplied by ModesOnGpu::gradient_scale on its way, to be as large as
-/// the height.
+/// Two linear fields that share a complex transform. A field always has the same partner, so that
+/// its bits do not depend on the other requested fields. Each rounds the other, so both must be of
+/// similar size; gradient_xy is therefore multiplied by ModesOnGpu::gradient_scale during the
+/// transform, which makes it as large as the height.
 struct FieldPair {
     Linear real;
     Linear imaginary;
@@ -63,10 +63,11 @@ struct FramePlan {
     std::string columns_defines() const;
 };
 
-/// "times_i(h) * (-1.0 * kx * u)": a field's coefficient for the shaders, by the table of fields.
+/// Returns a field's coefficient for the shaders, by the table of fields: "times_i(h) * (-1.0 * kx
+/// * u)".
 std::string coefficient(Linear field);
 
-/// For these quantities, without repetition. flat: choppiness 0.
+/// Returns the plan for these quantities, without repetition. flat: choppiness 0.
 FramePlan make_frame_plan(const PassShape& shape, std::vector<Quantity> quantities, bool flat);
 
 }  // namespace ocean::gl

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What runs on a GPU: in the context that is current at its first call, else in a headless one of
-// its own.
+// Work that runs on a GPU: in the context that is current at its first call, else in a headless one
+// of its own.
 #pragma once
 
 #include <memory>
@@ -17,19 +17,19 @@
 
 namespace ocean::gl {
 
-/// Objects that live in a context: the host's, or one that they have for themselves. Parts is made
-/// of a ContextInfo. A copy has all of its own: contexts are not shared.
-template <typename Parts>
-class GpuParts {
+/// Objects that live in a context: the host's, or a headless one of their own. Objects is made from
+/// a ContextInfo. A copy makes its own objects: contexts are not shared.
+template <typename Objects>
+class GpuObjects {
   public:
-    GpuParts() = default;
-    GpuParts(const GpuParts&) {}
-    ~GpuParts() { forget(); }
+    GpuObjects() = default;
+    GpuObjects(const GpuObjects&) {}
+    ~GpuObjects() { forget(); }
 
-    /// What work(Parts&) returns; meanwhile the context is current. After Error no_gpu nothing is
-    /// left, and the next call begins anew.
+    /// Makes the context current, calls work(Objects&) and returns its result. After Error no_gpu
+    /// all objects are gone, and the next call begins anew.
     template <typename Work>
-    std::invoke_result_t<Work, Parts&> use(const Work& work) {
+    std::invoke_result_t<Work, Objects&> use(const Work& work) {
         try {
             return do_work(work);
         } catch (const Error& error) {
@@ -42,15 +42,15 @@ class GpuParts {
 
   private:
     template <typename Work>
-    std::invoke_result_t<Work, Parts&> do_work(const Work& work) {
-        if (!parts_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
+    std::invoke_result_t<Work, Objects&> do_work(const Work& work) {
+        if (!objects_ && !has_current_context()) own_ = std::make_unique<HeadlessContext>();
         std::optional<HeadlessContext::Current> current;
         if (own_) current.emplace(*own_);
-        if (!parts_) {
+        if (!objects_) {
             context_ = context_info();
-            parts_ = std::make_unique<Parts>(context_);
+            objects_ = std::make_unique<Objects>(context_);
         }
-        auto result = work(*parts_);
+        auto result = work(*objects_);
         require_not_reset(context_, "making a frame");
         return result;
     }
@@ -59,17 +59,17 @@ class GpuParts {
         try {
             std::optional<HeadlessContext::Current> current;
             if (own_) current.emplace(*own_);
-            parts_.reset();
+            objects_.reset();
         } catch (const Error&) {
-            // Lost, and its objects with it: there is nothing to delete them in.
-            static_cast<void>(parts_.release());
+            // The context is lost and its objects with it: no context is left to delete them in.
+            static_cast<void>(objects_.release());
         }
         own_.reset();
     }
 
     std::unique_ptr<HeadlessContext> own_;
     ContextInfo context_;
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<Objects> objects_;
 };
 
 /// A backend's function; Maps has `bool write(request, pool)`.
@@ -77,11 +77,11 @@ template <typename Maps>
 class GpuFunction {
   public:
     bool operator()(const MapRequest& request, ThreadPool& pool) {
-        return parts_.use([&](Maps& maps) { return maps.write(request, pool); });
+        return objects_.use([&](Maps& maps) { return maps.write(request, pool); });
     }
 
   private:
-    GpuParts<Maps> parts_;
+    GpuObjects<Maps> objects_;
 };
 
 }  // namespace ocean::gl

@@ -60,7 +60,7 @@ const char* egl_error_name() {
     }
 }
 
-/// Which epoxy would end the process without.
+/// Returns true if one of these libraries exists; without it, epoxy would end the process.
 bool has_library(std::initializer_list<const char*> names) {
     return std::ranges::any_of(
         names, [](const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr; });
@@ -99,20 +99,20 @@ void use_egl_device(int device) {
     chosen_device = device;
 }
 
-struct HeadlessContext::Parts {
+struct HeadlessContext::Impl {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
-    EGLSurface surface = EGL_NO_SURFACE;  // of a pbuffer, where there is no context without
+    EGLSurface surface = EGL_NO_SURFACE;  // a pbuffer, where a context without surface is refused
     ContextInfo info;
     std::vector<std::string> messages;
 
     // Displays are shared by all of a process, so none is ever terminated.
-    ~Parts() {
+    ~Impl() {
         if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
         if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
     }
 
-    /// What went wrong, or nothing.
+    /// Opens a context. Returns the failure, or nothing.
     std::string open(EGLDisplay on, const HeadlessOptions& options) {
         if (on == EGL_NO_DISPLAY || eglInitialize(on, nullptr, nullptr) == 0) {
             return egl_error_name();
@@ -124,7 +124,7 @@ struct HeadlessContext::Parts {
         EGLConfig config = nullptr;
         EGLint configs = 0;
         eglChooseConfig(display, wanted, &config, 1, &configs);
-        // A driver need not tell that it was reset unless it was asked to; some cannot.
+        // A driver reports a reset only if that was requested; some cannot.
         for (const EGLint reset : {EGL_LOSE_CONTEXT_ON_RESET, EGL_NO_RESET_NOTIFICATION}) {
             const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                                  4,
@@ -155,10 +155,9 @@ struct HeadlessContext::Parts {
 };
 
 HeadlessContext::HeadlessContext(const HeadlessOptions& options) {
-    if (!epoxy_has_egl()) refuse("no GPU can be used: there is no libEGL.so.1 on this machine");
+    if (!epoxy_has_egl()) refuse("no GPU can be used: libEGL.so.1 is missing on this machine");
     if (!has_library({"libOpenGL.so.0", "libGL.so.1"})) {
-        refuse(
-            "no GPU can be used: there is neither libOpenGL.so.0 nor libGL.so.1 on this machine");
+        refuse("no GPU can be used: libOpenGL.so.0 and libGL.so.1 are missing on this machine");
     }
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const bool lists_devices =
@@ -166,13 +165,13 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options) {
         (has_word(client, "EGL_EXT_device_enumeration") || has_word(client, "EGL_EXT_device_base"));
     std::string tried;
     const auto open = [&](const std::string& what, EGLDisplay display) {
-        auto parts = std::make_unique<Parts>();
+        auto parts = std::make_unique<Impl>();
         const std::string failure = parts->open(display, options);
         if (!failure.empty()) {
             tried += (tried.empty() ? "" : "; ") + what + ": " + failure;
             return false;
         }
-        parts_ = std::move(parts);
+        impl_ = std::move(parts);
         return true;
     };
     const auto open_device = [&](const std::vector<EGLDeviceEXT>& devices, std::size_t i) {
@@ -191,25 +190,25 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options) {
         open_device(devices, i);
     } else {
         for (const bool software : {false, true}) {
-            for (std::size_t i = 0; i < devices.size() && !parts_; ++i) {
+            for (std::size_t i = 0; i < devices.size() && !impl_; ++i) {
                 if (is_software_device(devices[i]) == software) open_device(devices, i);
             }
         }
-        if (!parts_ && has_word(client, "EGL_MESA_platform_surfaceless")) {
+        if (!impl_ && has_word(client, "EGL_MESA_platform_surfaceless")) {
             open("surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
                                                          EGL_DEFAULT_DISPLAY, nullptr));
         }
-        if (!parts_) open("default display", eglGetDisplay(EGL_DEFAULT_DISPLAY));
+        if (!impl_) open("default display", eglGetDisplay(EGL_DEFAULT_DISPLAY));
     }
-    if (!parts_) refuse("no GPU can be used (EGL " + tried + ")");
+    if (!impl_) refuse("no GPU can be used (EGL " + tried + ")");
 
     const Current current(*this);
     if (options.debug) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-        glDebugMessageCallback(keep_message, &parts_->messages);
+        glDebugMessageCallback(keep_message, &impl_->messages);
     }
-    parts_->info = context_info();
+    impl_->info = context_info();
     if (options.compute) check_shader_arithmetic();
 }
 
@@ -220,8 +219,8 @@ HeadlessContext::Current::Current(const HeadlessContext& context)
       context_(eglGetCurrentContext()),
       draw_(eglGetCurrentSurface(EGL_DRAW)),
       read_(eglGetCurrentSurface(EGL_READ)),
-      own_display_(context.parts_->display) {
-    const Parts& parts = *context.parts_;
+      own_display_(context.impl_->display) {
+    const Impl& parts = *context.impl_;
     eglBindAPI(EGL_OPENGL_API);
     if (eglMakeCurrent(parts.display, parts.surface, parts.surface, parts.context) == 0) {
         refuse(std::string("the GPU's context cannot be used any more: ") + egl_error_name());
@@ -237,11 +236,11 @@ HeadlessContext::Current::~Current() {
 }
 
 const ContextInfo& HeadlessContext::info() const {
-    return parts_->info;
+    return impl_->info;
 }
 
 const std::vector<std::string>& HeadlessContext::messages() const {
-    return parts_->messages;
+    return impl_->messages;
 }
 
 }  // namespace ocean::gl

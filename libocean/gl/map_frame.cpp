@@ -18,7 +18,7 @@ namespace ocean::gl {
 namespace {
 
 constexpr GLuint kFirstPackBinding = 4;
-constexpr std::size_t kMostPacks = 6;
+constexpr std::size_t kMaxPacks = 6;
 
 struct Split {
     float high;
@@ -40,9 +40,9 @@ void require_limits(int resolution, const ContextInfo& limits) {
                                 needed, what, limits.renderer.c_str(), has));
     };
     if (limits.major * 10 + limits.minor < 43) {
-        throw Error(ErrorKind::no_gpu, "OpenGL 4.3 is needed, and there is " + limits.text());
+        throw Error(ErrorKind::no_gpu, "OpenGL 4.3 is required; available: " + limits.text());
     }
-    constexpr int kBlocks = static_cast<int>(kFirstPackBinding + kMostPacks);
+    constexpr int kBlocks = static_cast<int>(kFirstPackBinding + kMaxPacks);
     require("storage blocks a shader", limits.storage_blocks, kBlocks);
     require("bytes in a storage block", limits.storage_block_bytes, 8LL * resolution * resolution);
     require("texels along a texture's side", limits.texture_size, resolution);
@@ -157,7 +157,7 @@ void MapFrame::run_columns(const MapRequest& request, const Texture* past) {
                 static_cast<float>(settings.foam_width));
     if (plan.foam) {
         columns.set("foam_fade_and_least", past != nullptr ? request.foam.fade : 0.0f,
-                    request.foam.least);
+                    request.foam.cutoff);
         if (past == nullptr && !no_past_) {
             no_past_ = make_texture(GL_R32F, 1);
             const float nothing = 0.0f;

@@ -25,18 +25,17 @@ class MapFrame {
     MapFrame(int resolution, const ContextInfo& limits, Mipmaps mipmaps = Mipmaps::no);
 
     /// Makes the textures of these quantities; of mipmaps the first level alone. The foam's past is
-    /// a texture of one float, or null; its fade and least are the request's. Returns whether it
+    /// a texture of one float, or null; its fade and cutoff are the request's. Returns whether it
     /// had to upload modes.
     bool make(const MapRequest& request, std::vector<Quantity> quantities, const Texture* past,
               ThreadPool& pool);
     /// Gives a map another texture, of that format, and takes the one that it had, or none.
     void exchange_map(std::size_t number, GLenum format, Texture& texture);
 
-    /// Called before each dispatch and after the last one; for who wants to know how long they
-    /// take.
+    /// Sets a function called before each dispatch and after the last one, to measure their times.
     void watch(std::function<void()> mark) { mark_ = std::move(mark); }
 
-    /// Of the last make.
+    /// Returns the plan of the last make().
     const FramePlan& plan() const { return program_->plan; }
     const Texture& map(std::size_t number) const { return maps_[number]; }
 
@@ -60,7 +59,7 @@ class MapFrame {
     std::vector<Buffer> packs_;
     std::vector<Texture> maps_;
     std::vector<GLenum> formats_;  // of maps_
-    Texture no_past_;              // of foam that begins
+    Texture no_past_;              // for foam that begins
     std::function<void()> mark_;
     /// By the quantities' ids and whether the choppiness is 0.
     std::map<std::pair<std::vector<int>, bool>, Programs> programs_;
@@ -71,9 +70,9 @@ inline constexpr GLuint kRootsBinding = 3;
 
 /// Throws Error no_gpu for a resolution that is beyond the limits, which it names.
 void require_limits(int resolution, const ContextInfo& limits);
-/// e^(2 pi i k / N) for k = 0 .. N - 1.
+/// Returns a buffer of e^(2 pi i k / N) for k = 0 .. N - 1.
 Buffer make_roots(int resolution);
-/// The uniforms of shaders/compute/modes.glsl for the current program.
+/// Sets the uniforms of shaders/compute/modes.glsl for the current program.
 void set_time(ComputeProgram& program, const MapModes& modes);
 
 }  // namespace ocean::gl

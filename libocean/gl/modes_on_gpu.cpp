@@ -89,7 +89,7 @@ void ModesOnGpu::load_lattice(const MapModes& modes, ThreadPool& pool) {
     auto rates = zeros<Rate>(modes, pool);
     auto displacements = zeros<float>(modes, pool);
     for_each_mode(modes, pool, [&](std::size_t to, const CascadeModes& cascade, std::size_t from) {
-        // Of a mode that several cascades cover, all have the same two numbers, to the bit.
+        // Cascades that share a mode of the map have the same two numbers there, to the bit.
         rates[to] = {cascade.rate_high[from], cascade.rate_low[from]};
         displacements[to] = cascade.displacement[from];
     });

@@ -18,12 +18,12 @@ namespace ocean::gl {
 
 class ModesOnGpu {
   public:
-    /// Uploads what is not there yet: all of a new lattice, amplitudes only when the waves alone
-    /// have changed. Returns whether it uploaded anything.
+    /// Uploads the data that is missing: all of a new lattice, only the amplitudes if only the
+    /// waves have changed. Returns true if it uploaded anything.
     bool load(const MapModes& modes, ThreadPool& pool);
-    /// As storage buffers 0 (amplitudes), 1 (rates) and 2 (displacements).
+    /// Binds storage buffers 0 (amplitudes), 1 (rates) and 2 (displacements).
     void bind() const;
-    /// The power of two by which gradient_xy is about as large as the height, in metres.
+    /// Returns the power of two that makes gradient_xy about as large as the height [m].
     float gradient_scale() const { return gradient_scale_; }
 
   private:
@@ -35,15 +35,15 @@ class ModesOnGpu {
     Buffer amplitudes_;
     Buffer rates_;
     Buffer displacements_;
-    Revision revision_;  // of what is loaded
+    Revision revision_;  // of the loaded modes
     Revision lattice_revision_;
     float gradient_scale_ = 1.0f;
 };
 
-/// h0 of all modes of a map, in FFT order: zero where there are none.
+/// Returns h0 of all modes of a map, in FFT order: zero where there are none.
 PageVector<std::complex<float>> map_amplitudes(const MapModes& modes, ThreadPool& pool);
 
-/// A new buffer of so many bytes, or `buffer` with that size; bound as a storage buffer.
+/// Makes a storage buffer of `bytes` bytes, or resizes `buffer` to that size, and leaves it bound.
 void resize_storage(Buffer& buffer, std::size_t bytes, const void* data);
 
 }  // namespace ocean::gl

@@ -25,13 +25,44 @@ const std::vector<Quantity>& cascade_quantities() {
     return quantities;
 }
 
-/// The textures of one cascade.
+constexpr GLenum kFormat = GL_RGBA32F;
+
+/// The arrays whose layers are the maps of the cascades.
+struct Arrays {
+    Arrays(int resolution, std::size_t cascades)
+        : resolution(resolution),
+          layers(static_cast<int>(cascades)),
+          displacement(make_texture_array(kFormat, resolution, layers, Mipmaps::yes)),
+          gradients(make_texture_array(kFormat, resolution, layers, Mipmaps::yes)),
+          moments(make_texture_array(kFormat, resolution, layers, Mipmaps::yes)) {}
+
+    bool fits(int n, std::size_t cascades) const {
+        return n == resolution && static_cast<int>(cascades) == layers;
+    }
+    void make_mipmaps() const {
+        for (const Texture* array : {&displacement, &gradients, &moments}) {
+            glBindTexture(GL_TEXTURE_2D_ARRAY, array->name());
+            glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+        }
+    }
+
+    int resolution;
+    int layers;
+    Texture displacement, gradients, moments;
+};
+
+/// Computes one cascade into its layer of the arrays.
 class CascadeFrame {
   public:
-    CascadeFrame(int resolution, const ContextInfo& limits)
-        : resolution_(resolution),
-          frame_(resolution, limits, Mipmaps::yes),
-          moments_(make_texture(GL_RGBA32F, resolution, Mipmaps::yes)) {}
+    CascadeFrame(const Arrays& arrays, int layer, const ContextInfo& limits)
+        : resolution_(arrays.resolution),
+          frame_(arrays.resolution, limits, Mipmaps::yes),
+          moments_(view(arrays.moments, layer)) {
+        Texture displacement = view(arrays.displacement, layer);
+        Texture gradients = view(arrays.gradients, layer);
+        frame_.exchange_map(0, kFormat, displacement);
+        frame_.exchange_map(1, kFormat, gradients);
+    }
 
     CascadeTextures make(const MapRequest& request, ComputeProgram& moments, ThreadPool& pool) {
         frame_.make(request, cascade_quantities(), nullptr, pool);
@@ -41,18 +72,16 @@ class CascadeFrame {
         dispatch_texels(resolution_);
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                         GL_FRAMEBUFFER_BARRIER_BIT);
-        for (const GLuint texture : {frame_.map(0).name(), frame_.map(1).name(), moments_.name()}) {
-            glBindTexture(GL_TEXTURE_2D, texture);
-            glGenerateMipmap(GL_TEXTURE_2D);
-        }
         require_no_error("making the textures of a cascade");
         return {request.modes.period, resolution_, frame_.map(0).name(), frame_.map(1).name(),
                 moments_.name()};
     }
 
-    int resolution() const { return resolution_; }
-
   private:
+    Texture view(const Texture& array, int layer) const {
+        return make_layer_view(array, kFormat, resolution_, layer, Mipmaps::yes);
+    }
+
     int resolution_;
     MapFrame frame_;
     Texture moments_;
@@ -60,14 +89,15 @@ class CascadeFrame {
 
 }  // namespace
 
-struct SeaTextures::Parts {
+struct SeaTextures::Impl {
     using Follower = FoamFollower<Texture>;
 
     SeaTextureOptions options;
     ContextInfo limits = context_info();
     ThreadPool pool{0};
     ComputeProgram moments{"compute/moments.comp", ""};
-    std::vector<CascadeFrame> frames;
+    std::optional<Arrays> arrays;
+    std::vector<CascadeFrame> frames;  // a layer of the arrays each
     std::vector<CascadeTextures> cascades;
 
     int foam_resolution = 0;
@@ -82,20 +112,30 @@ struct SeaTextures::Parts {
 
     void make_cascades(Ocean& sea, double time) {
         const Modes& modes = sea.modes(time);
-        while (frames.size() > modes.cascades.size()) frames.pop_back();
-        cascades.resize(modes.cascades.size());
-        for (std::size_t c = 0; c < modes.cascades.size(); ++c) {
-            const int resolution = options.cascade_resolution > 0
-                                       ? options.cascade_resolution
-                                       : modes.cascades[c].lattice.resolution;
-            if (c == frames.size()) frames.emplace_back(resolution, limits);
-            if (frames[c].resolution() != resolution) frames[c] = CascadeFrame(resolution, limits);
+        const std::size_t count = modes.cascades.size();
+        // All cascades have the resolution of the sea's grid.
+        const int resolution = options.cascade_resolution > 0
+                                   ? options.cascade_resolution
+                                   : modes.cascades.front().lattice.resolution;
+        if (!arrays || frames.size() != count || !arrays->fits(resolution, count)) {
+            require_limits(resolution, limits);
+            frames.clear();
+            arrays.emplace(resolution, count);
+            for (std::size_t c = 0; c < count; ++c) {
+                frames.emplace_back(*arrays, static_cast<int>(c), limits);
+            }
+        }
+        cascades.resize(count);
+        for (std::size_t c = 0; c < count; ++c) {
             const MapRequest request{cascade_modes(modes, c, time, resolution), {}, {}, {}};
             cascades[c] = frames[c].make(request, moments, pool);
         }
+        arrays->make_mipmaps();
+        require_no_error("making the mipmaps of the cascades");
     }
 
-    /// With the whitecaps' threshold, which is looked for when something has changed.
+    /// Returns the settings with the whitecaps' threshold, which is computed again when something
+    /// has changed.
     SurfaceSettings shown_settings(const Ocean& sea, const Modes& modes, double time) {
         const SurfaceSettings settings = sea.sea().at(time).surface;
         if (modes.revision != shown_revision || settings != given || foam_resolution != shown_for) {
@@ -107,13 +147,13 @@ struct SeaTextures::Parts {
         return shown;
     }
 
-    /// The foam of a tick, out of that of the tick before.
+    /// Makes the foam of a tick from that of the tick before.
     void make_tick(Ocean& sea, double time, const Follower::Layer& before, Texture& tick) {
         const Modes& modes = sea.modes(time);
         if (!tick) tick = make_texture(GL_R32F, foam_resolution, Mipmaps::no, Filter::linear);
         MapRequest request{
             map_modes(modes, time, foam_resolution), shown_settings(sea, modes, time), {}, {}};
-        request.foam = {nullptr, before.fade, before.least};
+        request.foam = {nullptr, before.fade, before.cutoff};
         foam_frame->exchange_map(0, GL_R32F, tick);
         foam_frame->make(request, {Channel::foam}, before.map, pool);
         foam_frame->exchange_map(0, GL_R32F, tick);
@@ -148,8 +188,8 @@ struct SeaTextures::Parts {
     }
 };
 
-SeaTextures::SeaTextures(SeaTextureOptions options) : parts_(std::make_unique<Parts>()) {
-    parts_->options = std::move(options);
+SeaTextures::SeaTextures(SeaTextureOptions options) : impl_(std::make_unique<Impl>()) {
+    impl_->options = std::move(options);
 }
 
 SeaTextures::~SeaTextures() = default;
@@ -157,33 +197,40 @@ SeaTextures::~SeaTextures() = default;
 void SeaTextures::show(Ocean& sea, double time) {
     require_time(time);
     const auto done = [&](std::string_view stage) {
-        if (parts_->options.after_stage) parts_->options.after_stage(stage);
+        if (impl_->options.after_stage) impl_->options.after_stage(stage);
     };
-    parts_->make_foam(sea, time);
+    impl_->make_foam(sea, time);
     done("foam");
-    parts_->make_cascades(sea, time);
+    impl_->make_cascades(sea, time);
     done("cascades");
-    require_not_reset(parts_->limits, "making the sea's textures");
+    require_not_reset(impl_->limits, "making the sea's textures");
 }
 
 void SeaTextures::foam_changed(double from) {
-    if (parts_->follower) parts_->follower->forget_from(from);
+    if (impl_->follower) impl_->follower->forget_from(from);
 }
 
 void SeaTextures::foam_changed() {
-    parts_->follower.reset();
+    impl_->follower.reset();
 }
 
 std::span<const CascadeTextures> SeaTextures::cascades() const {
-    return parts_->cascades;
+    return impl_->cascades;
+}
+
+CascadeArrays SeaTextures::arrays() const {
+    if (!impl_->arrays) return {};
+    const Arrays& arrays = *impl_->arrays;
+    return {arrays.resolution, arrays.displacement.name(), arrays.gradients.name(),
+            arrays.moments.name()};
 }
 
 const FoamTexture& SeaTextures::foam() const {
-    return parts_->foam;
+    return impl_->foam;
 }
 
 std::int64_t SeaTextures::foam_settling_ticks() const {
-    return parts_->follower ? parts_->follower->settling_ticks() : 0;
+    return impl_->follower ? impl_->follower->settling_ticks() : 0;
 }
 
 }  // namespace ocean::gl

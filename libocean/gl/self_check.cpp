@@ -28,7 +28,7 @@ struct Mode {
     double tau;
 };
 
-/// Waves of 4 km to a centimetre, at the times in turn.
+/// Returns one of several waves, of 4 km to a centimetre, at the times in turn.
 Mode mode(std::size_t i) {
     const double share = static_cast<double>(i) / (kModes - 1);
     return {0.02 * std::pow(1000.0, share), kTimes[i % std::size(kTimes)] * (1.0 + 1e-3 * share)};
@@ -58,8 +58,8 @@ Numbers run(const Numbers& given) {
 
 void check_shader_arithmetic() {
     namespace wave = ocean::wave::double_precision;
-    constexpr double kMostTurns = 5e-7;
-    constexpr double kMostNoise = 3e-6;
+    constexpr double kMaxTurns = 5e-7;
+    constexpr double kMaxNoise = 3e-6;
     Numbers given;
     for (std::size_t i = 0; i < kModes; ++i) {
         const auto [rate, tau] = mode(i);
@@ -83,11 +83,11 @@ void check_shader_arithmetic() {
             std::max({noise_error, std::abs(result[i][2] - xi.re), std::abs(result[i][3] - xi.im)});
     }
     // Not "more than", which NaN is not.
-    if (turns_error < kMostTurns && noise_error < kMostNoise) return;
+    if (turns_error < kMaxTurns && noise_error < kMaxNoise) return;
     throw Error(ErrorKind::no_gpu,
                 format_text("this GPU's driver does not compute as the shaders need it: its phases "
                             "are off by %.1e of a turn (allowed %.0e), its noise by %.1e (%.0e)",
-                            turns_error, kMostTurns, noise_error, kMostNoise));
+                            turns_error, kMaxTurns, noise_error, kMaxNoise));
 }
 
 }  // namespace ocean::gl

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a driver computes as the shaders need it.
+// A check that a driver computes as precisely as the shaders need.
 #pragma once
 
 namespace ocean::gl {

@@ -16,7 +16,7 @@ namespace ocean::gl {
 
 namespace {
 
-/// The words that shaders/wave/ leaves to those who include it.
+/// The macros that shaders/wave/ expects from the including code.
 constexpr std::string_view kHead =
     "#define real float\n"
     "#define formula\n"
@@ -34,7 +34,7 @@ std::string log_of(GLuint name) {
     return log;
 }
 
-/// "0:12(3): error" and "0(12) : error" say the file by its number.
+/// Returns the log with file names: "0:12(3): error" and "0(12) : error" give a file by its number.
 std::string with_names(const std::string& log, const std::vector<std::string>& files) {
     std::string text = log;
     for (std::size_t i = 0; i < files.size(); ++i) {

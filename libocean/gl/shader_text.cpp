@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shaders and their includes; see shader_text.hpp. An include stands alone on its line, between
-// quotes, from the root of shaders/; each file is taken once.
+// Shaders and their includes; see shader_text.hpp. An include is alone on its line, between quotes,
+// with a path from the root of shaders/; each file is included once.
 #include "shader_text.hpp"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class Loader {
         for (int i = 0; i < kEmbeddedShaderCount; ++i) {
             if (kEmbeddedShaders[i].path == path) return std::string(kEmbeddedShaders[i].text);
         }
-        throw Error(ErrorKind::bad_file, "shader '" + std::string(path) + "': there is none");
+        throw Error(ErrorKind::bad_file, "shader '" + std::string(path) + "' does not exist");
     }
 
     std::string read_from_disk(const std::filesystem::path& folder, std::string_view path) {

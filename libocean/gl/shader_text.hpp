@@ -11,7 +11,7 @@
 
 namespace ocean::gl {
 
-/// What is inside the library: a path below shaders/ and its text.
+/// A shader inside the library: a path below shaders/ and its text.
 struct EmbeddedShader {
     std::string_view path;
     std::string_view text;
@@ -19,7 +19,8 @@ struct EmbeddedShader {
 extern const EmbeddedShader kEmbeddedShaders[];
 extern const int kEmbeddedShaderCount;
 
-/// Throws Error bad_file for a file that is not there, includes itself or too many.
+/// Returns a shader with its includes. Throws Error bad_file for a file that is missing, includes
+/// itself or too many.
 ShaderText load_shader(std::string_view path);
 
 }  // namespace ocean::gl

@@ -72,9 +72,9 @@ class StageFrames {
 
 }  // namespace
 
-struct StageMaker::Parts : GpuParts<StageFrames> {};
+struct StageMaker::Impl : GpuObjects<StageFrames> {};
 
-StageMaker::StageMaker() : parts_(std::make_unique<Parts>()) {}
+StageMaker::StageMaker() : impl_(std::make_unique<Impl>()) {}
 
 StageMaker::~StageMaker() = default;
 
@@ -100,7 +100,7 @@ StageImage StageMaker::make(const MapModes& modes, std::string_view stage, Threa
     }
     if (stage == "h0") return amplitudes_image(modes, pool);
 
-    return parts_->use([&](StageFrames& frames) {
+    return impl_->use([&](StageFrames& frames) {
         ThesisFrame& frame = frames.of(resolution);
         if (stage == "butterfly") {
             return read_texture(frame.butterflies(), octaves, resolution, GL_RGBA,

@@ -51,7 +51,7 @@ std::uint64_t thesis_bytes(const Grid&, LinearSet, int resolution) {
     return Lattice{resolution, 1.0}.size() * (20 + 2 * 8 + 4 + 4);
 }
 
-/// Where it runs it is no match for `gl`.
+/// Returns the fitness of `gl`, but never fast: `thesis` is always slower than `gl`.
 BackendFitness thesis_fitness(int resolution) {
     BackendFitness fitness = kBackend.fitness(resolution);
     fitness.fast = false;

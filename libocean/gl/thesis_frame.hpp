@@ -20,11 +20,11 @@ class ThesisFrame {
   public:
     ThesisFrame(int resolution, const ContextInfo& limits);
 
-    /// Uploads modes that are not there yet; returns whether it did.
+    /// Uploads modes that are missing. Returns true if it uploaded any.
     bool load(const MapRequest& request, ThreadPool& pool);
     /// Transforms one field; the result is in field(). Throws Error no_gpu.
     void transform(Linear field, const MapRequest& request);
-    /// The same, of which only so many stages are done, 0 .. 2 log2 N; the result is in complex().
+    /// Runs only `stages` stages of the transform, 0 .. 2 log2 N; the result is in complex().
     void transform_stages(Linear field, const MapRequest& request, int stages);
 
     int stages() const { return 2 * octaves_; }

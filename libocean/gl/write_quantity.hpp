@@ -8,8 +8,8 @@
 
 namespace ocean::gl {
 
-/// Into every component of the outputs that asks for the quantity, times its factor. `texels`: of
-/// the whole map, row by row, `step` floats apart.
+/// Writes the quantity, times its factor, to every component of the outputs that holds it.
+/// `texels`: the whole map, row by row, `step` floats apart.
 void write_quantity(const MapRequest& request, Quantity quantity, const float* texels, int step,
                     ThreadPool& pool);
 

@@ -1,39 +1,41 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The C API: a sea file in, float maps out, for hosts in any language. libocean.so exports these
-// functions and nothing else.
+// The C API of libocean: a sea file in, float maps out, for a host in any language. libocean.so
+// exports these functions and nothing else.
 //
-// Rules that hold for every function:
-// - No exception crosses. A function that fails returns a code, leaves its outputs alone and keeps
-//   a sentence for ocean_last_error(), and its parts for ocean_last_error_field(). Any function may
-//   return OCEAN_INVALID_ARGUMENT, OCEAN_OUT_OF_MEMORY and OCEAN_INTERNAL; the other codes stand
-//   beside it.
-// - An ocean_sea is for one thread at a time, several run in parallel: a call while another thread
-//   is in the same sea returns OCEAN_BUSY, and ocean_free waits for that thread. Functions without
-//   a sea may be called from any thread.
-// - A child process after fork() may use and free the seas that no thread was in.
+// These rules hold for every function:
+// - No exception crosses the border. A function that fails returns a code, leaves its outputs
+//   alone and keeps a sentence for ocean_last_error(), and the parts of that sentence for
+//   ocean_last_error_field(). Any function may return OCEAN_INVALID_ARGUMENT, OCEAN_OUT_OF_MEMORY
+//   and OCEAN_INTERNAL; the comment of a function names its other codes, without OCEAN_.
+// - One thread at a time may use an ocean_sea; several seas run in parallel. While a thread is in a
+//   sea, a call of another thread returns OCEAN_BUSY, and ocean_free waits. Any thread may call the
+//   functions without a sea.
+// - A child process may, after fork(), use and free the seas that no thread was in.
 // - The rounding and flush-to-zero modes of the calling thread change no bit, and no call changes
-//   them.
-// - Times reach from -1e9 to 1e9 s; others are OCEAN_INVALID_ARGUMENT or OCEAN_INVALID_VALUE. Maps
+//   these modes.
+// - Times range from -1e9 to 1e9 s; others are OCEAN_INVALID_ARGUMENT or OCEAN_INVALID_VALUE. Maps
 //   are within 2e-6 of their rms until 1e8 s; at 1e9 s heights within 3e-6, slopes within 1.2e-5.
-// - Texts are UTF-8. Buffers and texts belong to the caller and are not kept.
-// - A text result goes to `out`, with a final 0. Pass *size = capacity of out in bytes; *size
-//   becomes the size needed, the final 0 included. If that is more than the capacity, nothing is
-//   written and OCEAN_BUFFER_TOO_SMALL returned. out = NULL asks for the size alone: OCEAN_OK.
-// - A struct opens with struct_size, its size where the caller was compiled. A shorter one (an
-//   older header) leaves the rest at its default, where there is one; a longer one (a newer
-//   header) is accepted if the part unknown here is all 0, else OCEAN_UNSUPPORTED.
+// - Texts are UTF-8. Buffers and texts belong to the caller; the library does not keep them.
+// - A text result goes to `out`, with a final 0. Pass *size = capacity of out [bytes]; *size
+//   becomes the size needed, the final 0 included. If that exceeds the capacity, the function
+//   writes nothing to out and returns OCEAN_BUFFER_TOO_SMALL. With out = NULL it returns the size
+//   alone, and OCEAN_OK.
+// - A struct opens with struct_size, its size where the caller was compiled. In a shorter one (of
+//   an older header) the missing members have their defaults, where they have any; a longer one (of
+//   a newer header) is accepted if the part unknown to this library is all 0, else the call returns
+//   OCEAN_UNSUPPORTED.
 // - Functions, codes, members and enumerators of this header keep their names, numbers and meaning
-//   while OCEAN_ABI_VERSION stays. *Not* promised from one version of the library to the next:
-//   the bits of a map or an answer, their errors within what is said here, sentences of
-//   ocean_last_error, the order and the set of keys in JSON, how often progress is called, memory
-//   and time that a call takes, defaults of parameters that a text does not name, and everything of
-//   the C++ headers.
-// - ocean_text names all parameters that are set, but for those that a later version adds: each of
-//   these has a neutral value, at which it changes no sea. That value is its default for ever, and
-//   ocean_text leaves it out. So the text of a sea stays the same to the byte until it uses such a
-//   parameter, and so does every file that is known by that text.
+//   while OCEAN_ABI_VERSION stays. From one version of the library to the next these may change:
+//   the bits of a map or an answer (their errors stay within the limits given here), the sentences
+//   of ocean_last_error, the order and the set of keys in JSON, how often progress is called, the
+//   memory and time that a call takes, the defaults of parameters that a text does not name, and
+//   everything in the C++ headers.
+// - ocean_text names every parameter that is set, except those that a later version adds: each of
+//   these has a neutral value, at which it changes no sea. That value stays its default for ever,
+//   and ocean_text leaves it out. So the text of a sea stays the same to the byte until the sea
+//   uses such a parameter, and so does every file that is identified by that text.
 #ifndef LIBOCEAN_H
 #define LIBOCEAN_H
 
@@ -52,7 +54,7 @@
 extern "C" {
 #endif
 
-/* Goes up when a struct or a meaning changes so that compiled callers break. */
+/* Increases when a change of a struct or of a meaning breaks compiled callers. */
 #define OCEAN_ABI_VERSION 1
 
 typedef struct ocean_sea ocean_sea;
@@ -61,19 +63,20 @@ typedef int32_t ocean_result;
 enum {
     OCEAN_OK = 0,
     OCEAN_INVALID_ARGUMENT = 1, /* a NULL, a size or a count of this call */
-    OCEAN_INVALID_VALUE = 2,    /* a parameter: unknown, of a wrong type, out of range */
-    OCEAN_BAD_FILE = 3,    /* a file that is not there, cannot be read, is not what it claims */
-    OCEAN_NOT_FOUND = 4,   /* a record or preset that does not exist */
-    OCEAN_UNSUPPORTED = 5, /* a feature of a later version */
-    OCEAN_OUTPUT = 6,      /* writing failed */
+    OCEAN_INVALID_VALUE = 2,    /* a parameter: unknown, of a wrong type or out of range */
+    OCEAN_BAD_FILE = 3,         /* a file that is missing, unreadable or of another format */
+    OCEAN_NOT_FOUND = 4,        /* a record or preset that does not exist */
+    OCEAN_UNSUPPORTED = 5,      /* a feature of a later version */
+    OCEAN_OUTPUT = 6,           /* writing failed */
     OCEAN_OUT_OF_MEMORY = 7,
     OCEAN_BUFFER_TOO_SMALL = 8,
     OCEAN_INTERNAL = 9,   /* a fault of the library: please report it */
-    OCEAN_CANCELLED = 10, /* by the host's own progress function */
+    OCEAN_CANCELLED = 10, /* the host's own progress function ended the call */
     OCEAN_BUSY = 11       /* another thread is in this sea */
 };
 
-/* Channels. dx, dy: offsets of the displaced point [m]; slope by label; velocity [m/s]. */
+/* Channels. dx, dy: offsets of the displaced point [m]. Slopes are derivatives by label, the
+ * undisplaced coordinate. Velocities are in [m/s]. */
 enum {
     OCEAN_DX,
     OCEAN_DY,
@@ -89,86 +92,93 @@ enum {
     OCEAN_VX,
     OCEAN_VY,
     OCEAN_VZ,
-    OCEAN_DX_X, /* derivatives of the offset by label: d dx/dx, d dy/dy, d dx/dy = d dy/dx */
+    OCEAN_DX_X, /* derivatives of the offset by label: d dx/dx; then d dy/dy, d dx/dy = d dy/dx */
     OCEAN_DY_Y,
     OCEAN_DX_Y,
-    OCEAN_COVER /* the share of the water that foam hides; what is seen from far away is its mean */
+    OCEAN_COVER /* the share of the water that foam hides; its mean is the foam seen from afar */
 };
 
-/* Axes of vectors: (x, y, z), (x, z, -y), (x, z, y). */
+/* Axes in which a vector (x, y, z) is stored: (x, y, z), (x, z, -y) or (x, z, y). */
 enum { OCEAN_ZUP, OCEAN_YUP, OCEAN_TNB };
 
 /* Backends. */
 enum { OCEAN_CPU, OCEAN_GL, OCEAN_RADIX2, OCEAN_DFT };
 
-/* Where foam begins: from as far back as it lives, so that a map is the same whatever was asked
- * before; or from nothing at the first time asked for, for live tools, which do not wait. */
+/* Where the library begins to follow foam. SETTLED: as far back as foam lives, so that a map does
+ * not depend on the maps requested before. EMPTY: without foam at the first time requested, for
+ * live tools, which do not wait. */
 enum { OCEAN_FOAM_SETTLED, OCEAN_FOAM_EMPTY };
 
-/* Called by the thread that called the library, about a hundred times a second while it works. Of
- * foam that is followed from its beginning done and total are ticks; otherwise both are 0. A result
- * other than 0 ends the call: within 50 ms it returns OCEAN_CANCELLED. What it was to write is then
- * unfinished; the sea is as usable as before. It must not call functions of this sea. */
+/* The library calls this from the thread that called the library, about a hundred times a second
+ * while it works. While it follows foam from its beginning, done and total are ticks; otherwise
+ * both are 0. A result other than 0 ends the call, which returns OCEAN_CANCELLED within 50 ms.
+ * Outputs of that call are unfinished then; the sea stays usable. The function must not call
+ * functions of this sea. */
 typedef int32_t (*ocean_progress)(void* user, int64_t done, int64_t total);
 
-/* A host's own threads in place of the library's: runs job(work, 0) .. job(work, count - 1), in any
- * order, at once or one after the other, and returns when all of them have. progress is then called
- * by one of these threads at a time. */
+/* Replaces the library's threads by the host's: runs job(work, 0) .. job(work, count - 1), in any
+ * order, in parallel or one after the other, and returns when all jobs have returned. progress is
+ * then called by one of these threads at a time. */
 typedef void (*ocean_job)(void* work, int32_t index);
 typedef void (*ocean_run_jobs)(void* user, ocean_job job, void* work, int32_t count);
 
-/* struct_size = sizeof(ocean_options). threads: 0 = the cores this process may use, else 1 .. 1024,
- * the caller's own among them, or with run_jobs the most that run at once. backend: OCEAN_CPU;
- * OCEAN_RADIX2 and OCEAN_DFT are the slow references. */
+/* struct_size = sizeof(ocean_options). threads: 0 = one for each core that this process may use,
+ * else 1 .. 1024, the caller's own included; with run_jobs the max number of jobs that run at once.
+ * backend: OCEAN_CPU; OCEAN_RADIX2 and OCEAN_DFT are the slow references. */
 typedef struct {
     size_t struct_size;
-    int32_t threads;
-    int32_t backend;
+    int32_t threads;         /* 0 = the cores this process may use; else 1 .. 1024, the calling
+                              * thread included; with run_jobs the max of jobs at once */
+    int32_t backend;         /* OCEAN_CPU; OCEAN_RADIX2 and OCEAN_DFT are slow references */
     int32_t foam_start;      /* OCEAN_FOAM_... */
     int32_t reserved;        /* 0 */
     ocean_progress progress; /* may be NULL */
-    void* user;              /* handed to it */
+    void* user;              /* passed to progress */
     ocean_run_jobs run_jobs; /* may be NULL */
-    void* jobs_user;         /* handed to it */
+    void* jobs_user;         /* passed to run_jobs */
 } ocean_options;
 
-/* One destination of 1 to 4 interleaved channels: component c of sample (i, j), which lies i steps
- * east and j steps north, is data[j * row_pitch + i * channels + c] for a map of R x R samples.
- * row_pitch: floats from row to row, 0 = R * channels. seam: not 0 = one sample more in each row
- * and one row more, the first ones again a period on: R + 1 everywhere here. count: floats in data,
- * at least (R - 1) * row_pitch + R * channels. channel[c], c < channels, says what component c
- * holds, in z-up terms; -1: it is left as it is. axes turns whole vectors: where three neighbouring
- * components are {OCEAN_DX, OCEAN_DY, OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX,
- * OCEAN_VY, OCEAN_VZ}, in this order, those three receive, for a vector (x, y, z):
+/* One destination of 1 to 4 interleaved channels. Sample (i, j) lies i steps east and j steps north
+ * of the first one; its component c is data[j * row_pitch + i * channels + c]. A map has R x R
+ * samples. row_pitch: floats from row to row, 0 = R * channels. seam: not 0 = each row has one
+ * sample more and the map one row more, which repeat the first ones a period on; R is then one more
+ * everywhere in this comment. count: floats in data, min (R - 1) * row_pitch + R * channels.
+ * channel[c], c < channels, is the channel of component c, in z-up terms; -1 leaves the component
+ * as it is. axes turns whole vectors: where three neighbouring components are {OCEAN_DX, OCEAN_DY,
+ * OCEAN_HEIGHT}, {OCEAN_NX, OCEAN_NY, OCEAN_NZ} or {OCEAN_VX, OCEAN_VY, OCEAN_VZ}, in this order,
+ * they receive for a vector (x, y, z):
  *
  *     OCEAN_ZUP  (x, y, z)
  *     OCEAN_YUP  (x, z, -y)
  *     OCEAN_TNB  (x, z, y)
  *
- * Every other component is stored as it is, whatever the axes. So {OCEAN_DX, OCEAN_DY,
+ * Every other component is stored unchanged, whatever the axes. So {OCEAN_DX, OCEAN_DY,
  * OCEAN_HEIGHT, -1} with OCEAN_YUP stores dx, height, -dy and leaves the fourth component. */
 typedef struct {
     float* data;
-    size_t count;
-    int32_t channel[4];
-    int32_t channels;
-    int32_t axes;
-    size_t row_pitch;
-    int32_t seam;
-    int32_t reserved; /* 0 */
+    size_t count;       /* floats in data, at least (R - 1) * row_pitch + R * channels */
+    int32_t channel[4]; /* of component c, in z-up terms; -1 = leave the component unchanged */
+    int32_t channels;   /* components of a sample, 1 .. 4 */
+    int32_t axes;       /* OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB */
+    size_t row_pitch;   /* floats from row to row; 0 = R * channels */
+    int32_t seam;       /* not 0 = append the first sample to each row and the first row to the map,
+                         * one period on: R becomes R + 1 in this struct. 0 = no seam */
+    int32_t reserved;   /* 0 */
 } ocean_output;
 
-/* struct_size = sizeof(ocean_request), output_size = sizeof(ocean_output); 0 = that of a header
- * with as many members as are here. time in seconds. resolution: 0 = what ocean_map_resolution
- * says, else a power of two, 32 .. 8192. cascade: 0 = the whole sea; 1 .. the small map of one of
- * its cascades, over its own period, for hosts that add them up while they draw: at any point the
- * sum over the cascades, each wrapped round its own period, is the sea's. Of channels that add up:
- * OCEAN_DX, DY, HEIGHT, SLOPE_X, SLOPE_Y, VX, VY, VZ, DX_X, DY_Y, DX_Y; jacobian = (1 + DX_X) (1 +
- * DY_Y) - DX_Y^2. Its resolution 0 is that of the cascade's lattice. */
+/* struct_size = sizeof(ocean_request), output_size = sizeof(ocean_output); output_size 0 = the size
+ * in a header whose ocean_request has as many members as the caller's. time [s]. resolution: 0 =
+ * that of ocean_map_resolution, else a power of two, 32 .. 8192. cascade: 0 = the whole sea; 1 .. =
+ * the small map of one cascade over its own period, for hosts that add the cascades while they
+ * draw: at any point the sum over the cascades, each wrapped round its own period, is the sea's
+ * value. These channels add up: OCEAN_DX, DY, HEIGHT, SLOPE_X, SLOPE_Y, VX, VY, VZ, DX_X, DY_Y,
+ * DX_Y; jacobian = (1 + DX_X) (1 + DY_Y) - DX_Y^2. For a cascade, resolution 0 = that of its
+ * lattice. */
 typedef struct {
     size_t struct_size;
-    double time;
-    int32_t resolution;
+    double time;        /* [s] */
+    int32_t resolution; /* samples along a side, a power of two, 32 .. 8192; 0 = the number of
+                         * ocean_map_resolution(), for a cascade that of its lattice */
     const ocean_output* outputs;
     size_t output_count;
     size_t output_size;
@@ -176,314 +186,389 @@ typedef struct {
     int32_t reserved; /* 0 */
 } ocean_request;
 
-/* The OCEAN_ABI_VERSION that the library was built with: compare with the header's. Never fails. */
+/* ocean_abi_version returns the OCEAN_ABI_VERSION that the library was built with: compare it with
+ * the header's. Never fails. */
 OCEAN_API uint32_t ocean_abi_version(void);
-/* "0.1.0". Lives for ever. */
+/* ocean_version returns the library's version, "0.1.0". The text lives for ever. */
 OCEAN_API const char* ocean_version(void);
-/* What went wrong in this thread's last failed call; "" before any. Lives until the next failed
- * call of this thread. */
+/* ocean_last_error returns the sentence of this thread's last failed call; "" before any failure.
+ * The text lives until the next failed call of this thread. */
 OCEAN_API const char* ocean_last_error(void);
-/* Parts of a failure. */
+/* The parts of a failure. */
 enum {
-    OCEAN_ERROR_WHAT,      /* "is out of range": all of the sentence where it has no other part */
+    OCEAN_ERROR_WHAT,      /* "is out of range"; the whole sentence if it has no other part */
     OCEAN_ERROR_PARAMETER, /* "waves.0.fetch"; also a member of a request or an argument */
-    OCEAN_ERROR_VALUE,     /* "5": as the sentence shows it */
+    OCEAN_ERROR_VALUE,     /* "5", as the sentence shows it */
     OCEAN_ERROR_ALLOWED    /* "1000 .. 10000000 m" */
 };
-/* Returns one part of what ocean_last_error() says in a sentence, so that a host need not take the
- * sentence apart: to mark a field, or to say it in its own words. "" where the failure has no such
- * part, and for a part of a later version; never NULL. The parameter of a failure is promised, the
- * words of its other parts are not. Lives until the next failed call of this thread. Never fails.
- */
+/* ocean_last_error_field returns one part of the sentence of ocean_last_error(), so that a host can
+ * mark a field or use its own words without parsing the sentence. It returns "" if the failure has
+ * no such part, and for a part of a later version; never NULL. The parameter of a failure is
+ * promised, the words of its other parts are not. The text lives until the next failed call of this
+ * thread. Never fails. */
 OCEAN_API const char* ocean_last_error_field(int32_t field);
 
-/* Opens a sea file. options may be NULL. *out is to be freed by ocean_free; it needs neither the
- * file nor the options any more. BAD_FILE, INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
+/* ocean_open opens the sea file at `path`. options may be NULL. The caller frees *out by
+ * ocean_free; the sea needs neither the file nor the options after this call. BAD_FILE,
+ * INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
 OCEAN_API ocean_result ocean_open(const char* path, const ocean_options* options, ocean_sea** out);
-/* The same from text of `length` bytes (no final 0 needed); base_dir is where a relative `file`
- * starts, NULL = the current directory. */
+/* ocean_parse opens a sea file from its text of `length` bytes, without a final 0. base_dir: the
+ * folder that a relative `file` in the text starts from, NULL = the current directory. options may
+ * be NULL. The caller frees *out by ocean_free. BAD_FILE, INVALID_VALUE, NOT_FOUND, UNSUPPORTED. */
 OCEAN_API ocean_result ocean_parse(const char* toml, size_t length, const char* base_dir,
                                    const ocean_options* options, ocean_sea** out);
-/* The same sea for another thread: shares what `sea` has built, until either is changed. options
- * may be NULL: those of `sea`. */
+/* ocean_clone makes a second handle of the same sea, for another thread. Both share the data that
+ * `sea` has built until either is changed. options: NULL = those of `sea`. The caller frees *out by
+ * ocean_free. */
 OCEAN_API ocean_result ocean_clone(const ocean_sea* sea, const ocean_options* options,
                                    ocean_sea** out);
-/* Frees the sea and all it holds; waits for a thread that is in it. NULL is allowed. */
+/* ocean_free frees the sea and all its memory; waits for a thread that is in it. NULL is allowed.
+ */
 OCEAN_API void ocean_free(ocean_sea* sea);
 
-/* Sets a parameter by name ("wind_speed", "waves.1.fetch") from text. A refused value changes
- * nothing. `file`, `record` and `place` of a measured system read the file again. INVALID_VALUE,
- * UNSUPPORTED; BAD_FILE and NOT_FOUND for those three. */
+/* ocean_set sets the parameter `name` ("wind_speed", "waves.1.fetch") from text. A refused value
+ * changes nothing. `file`, `record` and `place` of a measured system read the file again.
+ * INVALID_VALUE, UNSUPPORTED; BAD_FILE and NOT_FOUND for those three. */
 OCEAN_API ocean_result ocean_set(ocean_sea* sea, const char* name, const char* value);
-/* Several in one call, names[i] from values[i], checked together: of values that go with each other
- * alone all are taken, or none. Codes as ocean_set. */
+/* ocean_set_all sets several parameters, names[i] from values[i], and checks them together: either
+ * all of them change or none, so that values can change that are only valid together. Codes as
+ * ocean_set. */
 OCEAN_API ocean_result ocean_set_all(ocean_sea* sea, const char* const* names,
                                      const char* const* values, size_t count);
-/* A wave system with default values becomes "waves.1", or whatever its name says: those from there
- * on have their numbers one higher, also in the sea's take. At most 16. INVALID_VALUE. */
+/* ocean_add_waves inserts a wave system with default values as `name`, "waves.1". The systems from
+ * that number on are renumbered one higher, also in the sea's take. Max 16 systems. INVALID_VALUE.
+ */
 OCEAN_API ocean_result ocean_add_waves(ocean_sea* sea, const char* name);
-/* The system of that name goes, with what the take plays of it; the last one stays.
- * INVALID_VALUE. */
+/* ocean_remove_waves removes the wave system `name` and the take's events of it. The last system
+ * cannot be removed. INVALID_VALUE. */
 OCEAN_API ocean_result ocean_remove_waves(ocean_sea* sea, const char* name);
-/* A live parameter glides to the value from that time on, while the sea is shown: an event of the
- * sea's own take, which ocean_text then holds, so that every frame can be made again in every bit.
- * What was before that time stays, foam included, and costs nothing again. Values of one parameter
- * that follow each other within 1/60 s wait for the rest of it, and the last of them counts.
- * ocean_set, in contrast, makes another sea. INVALID_VALUE, with nothing changed: a parameter that
- * is not live, a sea with a loop, a time before the last that was performed, a take that is full
- * (32768 events). */
+/* ocean_perform lets the live parameter `name` glide to `value` from `time` [s] on, while the sea
+ * is shown. It adds an event to the sea's own take, which ocean_text then holds, so that every
+ * frame can be made again in every bit. Everything before that time stays, foam included, and is
+ * not computed again. Of values of one parameter that follow each other within 1/60 s the last one
+ * counts, at the end of that interval. ocean_set, in contrast, makes another sea. INVALID_VALUE,
+ * with nothing changed: a parameter that is not live, a sea with a loop, a time before the last
+ * event, a take that is full (32768 events). */
 OCEAN_API ocean_result ocean_perform(ocean_sea* sea, double time, const char* name,
                                      const char* value);
-/* Its value as text into out[size], with a final 0; an unset one is "". INVALID_VALUE;
- * BUFFER_TOO_SMALL, and then the sentence says the size needed. */
+/* ocean_get writes the value of the parameter `name` as text to out[size], with a final 0; "" for
+ * an optional parameter that is not set. INVALID_VALUE; BUFFER_TOO_SMALL, whose sentence says the
+ * size needed. */
 OCEAN_API ocean_result ocean_get(const ocean_sea* sea, const char* name, char* out, size_t size);
 
-/* The resolved sea file, self-contained: ocean_parse of it gives the same sea in every bit.
- * BUFFER_TOO_SMALL; INVALID_VALUE while values that ocean_set has let in one by one contradict each
- * other. */
+/* ocean_text writes the resolved sea file, which needs no other file: ocean_parse of it gives the
+ * same sea in every bit. BUFFER_TOO_SMALL; INVALID_VALUE while values that ocean_set accepted one
+ * by one contradict each other. */
 OCEAN_API ocean_result ocean_text(const ocean_sea* sea, char* out, size_t* size);
-/* The parameter table, a JSON array. BUFFER_TOO_SMALL. */
+/* ocean_values_json writes every parameter of the sea, a JSON object of texts: "grid.resolution":
+ * "512", "waves.0.fetch": "1e+05"; "" for a parameter that is not set. Two kinds of members hold
+ * the lines of tables that the resolved file carries beside its parameters: "[take]" and
+ * "[waves.0.measured_record]". For hosts that keep a sea in properties of their own;
+ * ocean_text_of_values is the inverse. BUFFER_TOO_SMALL; INVALID_VALUE as ocean_text. */
+OCEAN_API ocean_result ocean_values_json(const ocean_sea* sea, char* out, size_t* size);
+/* ocean_text_of_values writes a sea file that sets names[i] to values[i]. Names are those of
+ * ocean_values_json or ocean_set. The file has the order of the parameter table and spells each
+ * value as given, so that equal values give equal bytes. Empty values are left out, and the neutral
+ * values of later parameters. No value is checked: ocean_parse of the text does that.
+ * BUFFER_TOO_SMALL; INVALID_VALUE for an unknown name, a number with a line break, a text that is
+ * not UTF-8. */
+OCEAN_API ocean_result ocean_text_of_values(const char* const* names, const char* const* values,
+                                            size_t count, char* out, size_t* size);
+/* ocean_parameters_json writes the parameter table, a JSON array. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_parameters_json(char* out, size_t* size);
-/* What `ocean info --json` prints, a JSON object: builds the spectrum when needed.
- * BUFFER_TOO_SMALL. */
+/* ocean_state_json writes the output of `ocean info --json`, a JSON object. Builds the spectrum if
+ * it is not built yet. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_state_json(const ocean_sea* sea, char* out, size_t* size);
-/* The records of a spectrum file that can be read, a JSON array. BAD_FILE, BUFFER_TOO_SMALL. */
-OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* size);
-/* The sea file of a preset ("beaufort_6"); with name = NULL the names of all, a JSON array.
- * NOT_FOUND, BUFFER_TOO_SMALL. */
-OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
-/* Jerlov's optical types of sea water, clearest first, a JSON array: name ("jerlov_ii"), label,
- * help, ior; absorption and scattering [1/m], albedo of the water below its surface, each a list of
- * red, green, blue of linear Rec. 709; anisotropy, the mean cosine of scattering; foam_albedo.
+/* ocean_records_json writes the readable records of a spectrum file, a JSON array. BAD_FILE,
  * BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_records_json(const char* file, char* out, size_t* size);
+/* ocean_preset writes the sea file of a preset ("beaufort_6"); with name = NULL the names of all
+ * presets, a JSON array. NOT_FOUND, BUFFER_TOO_SMALL. */
+OCEAN_API ocean_result ocean_preset(const char* name, char* out, size_t* size);
+/* ocean_water_types_json writes Jerlov's optical types of sea water, clearest first, a JSON array:
+ * name ("jerlov_ii"), label, help, ior; absorption and scattering [1/m], albedo of the water below
+ * its surface, each a list of red, green, blue of linear Rec. 709; anisotropy, the mean cosine of
+ * scattering; foam_albedo. BUFFER_TOO_SMALL. */
 OCEAN_API ocean_result ocean_water_types_json(char* out, size_t* size);
 
-/* Samples a side of a map where a request says 0: grid.resolution, and up to four times that for
- * several cascades. */
+/* ocean_time_of_frame stores the sea's time at a frame in *time [s]: start + (frame - first_frame)
+ * / fps, of the sea's parameters. The frame may lie between two whole ones. */
+OCEAN_API ocean_result ocean_time_of_frame(const ocean_sea* sea, double frame, double* time);
+
+/* ocean_map_resolution stores the samples per side of a map whose request has resolution 0:
+ * grid.resolution, and up to four times that for several cascades. */
 OCEAN_API ocean_result ocean_map_resolution(const ocean_sea* sea, int32_t* resolution);
-/* The periods of the sea's cascades, m, to periods[0 ..]. Pass *count = room in periods; *count
- * becomes how many there are, and if that is more, nothing is written and OCEAN_BUFFER_TOO_SMALL
- * returned. periods = NULL asks for the count alone. */
+/* ocean_cascade_periods stores the periods of the sea's cascades [m] in periods[0 ..]. Pass *count
+ * = room in periods; *count becomes the number of cascades. If that exceeds the room, the function
+ * stores no period and returns OCEAN_BUFFER_TOO_SMALL. periods = NULL requests the count alone. */
 OCEAN_API ocean_result ocean_cascade_periods(const ocean_sea* sea, double* periods, size_t* count);
-/* Computes every output of the request in one go; the same bits for any number of threads and any
- * order of calls. Blocks. A request that fails a check writes nothing. OCEAN_FOAM is followed from
- * where it begins, which takes a while for the first map, or from the last time asked for. Buffers
- * need no alignment; those aligned to 64 bytes are filled fastest. UNSUPPORTED. */
+/* ocean_evaluate computes all outputs of the request together, with the same bits for any number of
+ * threads and any order of calls. Blocks. A request that fails a check writes nothing. For
+ * OCEAN_FOAM the library follows foam from its beginning, which takes a while for the first map, or
+ * from the time of the last request. Buffers need no alignment; the library fills those aligned to
+ * 64 bytes fastest. UNSUPPORTED. */
 OCEAN_API ocean_result ocean_evaluate(ocean_sea* sea, const ocean_request* request);
-/* *power becomes that of a map's cover at a time: OCEAN_COVER is OCEAN_FOAM to this power, for
- * hosts that make the one of the other. resolution: of the map, 0 = ocean_map_resolution. Takes
- * some tenths of a second after a change of waves or wind. CANCELLED. */
+/* ocean_cover_power stores in *power the exponent that turns foam into cover in a map of `time`
+ * [s]: OCEAN_COVER = OCEAN_FOAM ^ power, for hosts that derive one from the other. resolution: of
+ * the map, 0 = that of ocean_map_resolution. Takes some tenths of a second after a change of waves
+ * or wind. CANCELLED. */
 OCEAN_API ocean_result ocean_cover_power(ocean_sea* sea, double time, int32_t resolution,
                                          double* power);
-/* The surface that is shown at n world points, xy = x0, y0, x1, y1 ... in metres, any distance from
- * the origin. The displacement is inverted; where crests have folded over, the top sheet is taken.
- * Point i receives ten floats from samples + i * stride on, those of `ocean query`:
- *     x, y, height, normal x y z (unit, up), velocity x y z (of the shown point, m/s), foam (0 ..
- * 1). stride counts floats, 10 or more; or 9 to go without the foam, whose past takes far longer
- * than all the rest. n = 0 is allowed. Points that are not finite are
- * INVALID_ARGUMENT. Good to 2e-3 of the rms height or better. The same bits for any number of
- * threads. Points of one time are cheapest in a row: what the first call computes is kept for the
- * next of the same time. */
+/* ocean_query finds the shown surface at n world points, xy = x0, y0, x1, y1 ... [m], at any
+ * distance from the origin. It inverts the displacement; where crests have folded over it takes the
+ * top sheet. Point i receives ten floats from samples + i * stride on, those of `ocean query`:
+ *     x, y, height [m], normal x y z (unit, up), velocity x y z of the shown point [m/s], foam
+ *     (0 .. 1)
+ * stride counts floats, min 10; or 9 to leave out the foam, whose past takes far longer than all
+ * the rest. n = 0 is allowed. Points that are not finite are INVALID_ARGUMENT. Heights are good to
+ * 2e-3 of the rms height or better, with the same bits for any number of threads. Ask for the
+ * points of one time in successive calls: the library keeps what the first of them computes. */
 OCEAN_API ocean_result ocean_query(ocean_sea* sea, double time, const double* xy, size_t n,
                                    float* samples, size_t stride);
-/* What ocean_query_points says of a point. */
+/* Flags of a point of ocean_query_points. */
 enum {
-    OCEAN_FOLDED = 1,   /* several sheets are shown there: this is the top one */
-    OCEAN_UNDECIDED = 2 /* so folded that not all of them were found: perhaps not the top one */
+    OCEAN_FOLDED = 1,   /* several sheets lie above the point: this is the top one */
+    OCEAN_UNDECIDED = 2 /* so folded that not all sheets were found: perhaps not the top one */
 };
 typedef struct {
-    float height;      /* m */
+    float height;      /* [m] */
     float normal[3];   /* unit, up */
-    float velocity[3]; /* of the shown point, m/s */
-    float foam;        /* 0 .. 1, 0 where it was not asked for */
-    double label[2];   /* m: which point of the undisplaced surface is shown there */
+    float velocity[3]; /* of the shown point [m/s] */
+    float foam;        /* 0 .. 1, 0 if it was not requested */
+    double label[2];   /* undisplaced coordinate of the shown point [m] */
     int32_t flags;     /* OCEAN_FOLDED, OCEAN_UNDECIDED */
     int32_t reserved;
 } ocean_sample;
 
 /* struct_size = sizeof(ocean_query_request), sample_size = sizeof(ocean_sample): a smaller one has
- * fewer members filled. resolution: the waves that a map of so many samples holds, for answers that
- * cost a fraction; 0 = all that the sea's own map holds. refine: 0 or 1, or 2, 4 ... for smaller
- * errors. exact: not 0 = the sum over all waves in double precision, a hundred times as slow. foam:
- * not 0 = with foam, whose past takes far longer than all the rest. height_error: NULL, or receives
- * the rms of what the heights lack of the exact sum over all waves of the sea, m. */
+ * fewer members filled. resolution: counts the waves that a map of that resolution holds and no
+ * others, for answers that cost a fraction; 0 = all waves of the sea's own map. refine: 0 or 1, or
+ * 2, 4 ... for smaller errors. exact: not 0 = the sum over all waves in double precision, a hundred
+ * times as slow. foam: not 0 = with foam, whose past takes far longer than all the rest.
+ * height_error: NULL, or receives the rms difference of the heights from the exact sum over all
+ * waves of the sea [m]. */
 typedef struct {
     size_t struct_size;
-    double time;
-    const double* xy; /* x0, y0, x1, y1 ... */
+    double time;      /* [s] */
+    const double* xy; /* x0, y0, x1, y1 ... [m] */
     size_t count;
     ocean_sample* samples;
     size_t sample_size;
-    int32_t resolution;
-    int32_t refine;
-    int32_t exact;
-    int32_t foam;
-    double* height_error;
+    int32_t resolution;   /* answer with the waves of a map of so many samples, at a fraction of
+                           * the cost; 0 = the sea's own map */
+    int32_t refine;       /* 0 or 1; 2, 4 ... = interpolate on finer maps, for smaller errors */
+    int32_t exact;        /* not 0 = sum all waves in double precision, 100 times as slow */
+    int32_t foam;         /* not 0 = with foam, whose past takes far longer than all the rest */
+    double* height_error; /* receives the rms error of the heights against the exact sum over all
+                           * waves of the sea [m]; may be NULL */
 } ocean_query_request;
 
-/* As ocean_query, with all that is known of each point. INVALID_VALUE for a refine or a resolution
- * that is not allowed. */
+/* ocean_query_points finds the shown surface at world points, as ocean_query does, and fills every
+ * member of ocean_sample. INVALID_VALUE for a refine or a resolution that is not allowed. */
 OCEAN_API ocean_result ocean_query_points(ocean_sea* sea, const ocean_query_request* request);
-/* The velocity of the water (x, y, z in m/s) by linear theory at n fixed world points z metres
- * above still water: three floats from velocities + i * stride on, stride 3 or more. Above z = 0 it
- * is that of z = 0, below the bottom there is none. Otherwise as ocean_query. */
+/* ocean_orbital_velocity computes the velocity of the water by linear theory at n fixed world
+ * points z metres above still water: three floats x, y, z [m/s] from velocities + i * stride on,
+ * stride min
+ * 3. Above z = 0 the velocity is that of z = 0, below the bottom it is 0. Points, errors and
+ * threads as in ocean_query. */
 OCEAN_API ocean_result ocean_orbital_velocity(ocean_sea* sea, double time, double z,
                                               const double* xy, size_t n, float* velocities,
                                               size_t stride);
-/* What moves in the water at a point: velocity [m/s], and pressure without the hydrostatic part,
- * [Pa] as the sea's water_density says. */
+/* The motion of the water at a point: velocity [m/s], and pressure without the hydrostatic part
+ * [Pa], by the sea's water_density. */
 typedef struct {
     float velocity[3];
     float pressure;
 } ocean_water_sample;
 
 /* struct_size = sizeof(ocean_water_request), sample_size = sizeof(ocean_water_sample). Each point
- * has its own z; every other one among them costs two transforms. resolution, refine, exact: as in
+ * has its own z; each distinct z costs two transforms. resolution, refine, exact: as in
  * ocean_query_request. */
 typedef struct {
     size_t struct_size;
-    double time;
-    const double* xyz; /* x0, y0, z0, x1 ... */
+    double time;       /* [s] */
+    const double* xyz; /* x0, y0, z0, x1 ... [m], z up from still water */
     size_t count;
     ocean_water_sample* samples;
     size_t sample_size;
     int32_t resolution;
     int32_t refine;
     int32_t exact;
-    int32_t reserved;
+    int32_t reserved; /* 0 */
 } ocean_water_request;
 
-/* As ocean_orbital_velocity, and the pressure, at points of any depths. */
+/* ocean_water_points computes velocity and pressure of the water at points of any depths, by linear
+ * theory as ocean_orbital_velocity does. INVALID_VALUE for a refine or a resolution that is not
+ * allowed. */
 OCEAN_API ocean_result ocean_water_points(ocean_sea* sea, const ocean_water_request* request);
-/* How n floating bodies lie on the sea: on the plane that fits the surface below them best.
- * bodies: five doubles each, x, y [m], heading [degrees counter-clockwise from +x], length along
- * the heading and width [m], 0 .. 100000. Body i receives eleven floats from poses + i * stride on,
- * stride 11 or more:
- *     position x y z, up x y z, forward x y z (units), pitch (bow up), roll (port side up)
- * [degrees]. Otherwise as ocean_query. */
+/* ocean_float_pose lays n floating bodies on the sea: each on the plane that best fits the surface
+ * below it. bodies: five doubles each, x, y [m], heading [degrees counter-clockwise from +x],
+ * length along the heading and width [m], 0 .. 100000. Body i receives eleven floats from poses + i
+ * * stride on, stride min 11: position x y z [m], up x y z, forward x y z (units), pitch (bow up),
+ * roll (port side up) [degrees] Errors, threads and times as in ocean_query. */
 OCEAN_API ocean_result ocean_float_pose(ocean_sea* sea, double time, const double* bodies, size_t n,
                                         float* poses, size_t stride);
 
-/* One band of the waves too short for a map: a slope map of its own, over `tile` metres. Waves of
- * shortest .. longest metres, the first band beside the square of wavenumbers that the map holds:
- * none is shown twice, none left out. variance_x, variance_y, covariance: E[hx^2], E[hy^2], E[hx
- * hy] of its slopes hx = dh/dx, hy = dh/dy by label, the integral of the spectrum. */
+/* One band of the waves too short for a map: a slope map of its own over `tile` [m], which holds
+ * the waves of shortest_wave .. longest_wave [m]. The first band begins at the edge of the map's
+ * square of wavenumbers: no wave is in both, none in neither. variance_x, variance_y, covariance:
+ * E[hx^2], E[hy^2], E[hx hy] of its slopes hx = dh/dx, hy = dh/dy by label, the integral of the
+ * spectrum. mean_square: the mean of hx^2 + hy^2 over this frame's map as a bilinear reader finds
+ * it, within some percent of variance_x + variance_y; 0 without an output that holds both slopes.
+ */
 typedef struct {
-    double shortest_wave;
-    double longest_wave;
-    double tile;
+    double shortest_wave; /* [m] */
+    double longest_wave;  /* [m] */
+    double tile;          /* [m] */
     double variance_x;
     double variance_y;
     double covariance;
+    double mean_square;
 } ocean_detail_band;
 
 /* struct_size = sizeof(ocean_detail_request), band_size = sizeof(ocean_detail_band): a smaller one
- * has fewer members filled; output_size = sizeof(ocean_output). resolution: of the map that is
- * shown, as in ocean_request. samples: a side of each tile, 0 = 512, else 256, 512 or 1024.
- * outputs[i]: the map of band i, of samples x samples, of OCEAN_SLOPE_X and OCEAN_SLOPE_Y; one that
- * names no channel leaves its band out. */
+ * has fewer members filled; output_size = sizeof(ocean_output). resolution: of the map that the
+ * host shows, as in ocean_request. samples: per side of each tile, 0 = 512, else 256, 512 or 1024.
+ * outputs[i]: the map of band i, samples x samples, of OCEAN_SLOPE_X and OCEAN_SLOPE_Y; an output
+ * without a channel leaves its band out. */
 typedef struct {
     size_t struct_size;
-    double time;
-    int32_t resolution;
-    int32_t samples;
+    double time;              /* [s] */
+    int32_t resolution;       /* of the displayed map, as in ocean_request */
+    int32_t samples;          /* along a side of each tile: 256, 512 or 1024; 0 = 512 */
     ocean_detail_band* bands; /* may be NULL */
-    size_t band_count;        /* room in bands */
+    size_t band_count;        /* capacity of bands */
     size_t band_size;
     const ocean_output* outputs; /* may be NULL */
-    size_t output_count;         /* at most the bands that there are */
+    size_t output_count;         /* max: the number of bands */
     size_t output_size;
 } ocean_detail_request;
 
-/* The waves too short for a map, about half of the sea's slopes, as small periodic slope maps of
- * the same sea at the same time, for materials; shaders/wave/slope_tiles.glsl says how to read them
- * without a repetition. *count receives the number of bands, 0 to 3, which follows from the grid
- * and the limits of wavelengths alone; if that is more than the room in bands, nothing else is
- * written and OCEAN_BUFFER_TOO_SMALL returned; bands = NULL asks for the count alone. *residual, if
- * not NULL, receives the mean square slope of the waves shorter than all bands, which are roughness
- * at any distance: map, bands and residual together have the sea's. As maps a pure function of sea
- * and time, the same bits for any number of threads. INVALID_VALUE for settings out of range. */
+/* ocean_detail computes the waves too short for a map, about half of the sea's slopes, as small
+ * periodic slope maps of the same sea at the same time, for materials;
+ * shaders/wave/slope_tiles.glsl reads them without visible repetition. *count receives the number
+ * of bands, 0 to 3, which follows from the grid and the limits of wavelengths alone. If it exceeds
+ * the room in bands, the function writes nothing else and returns OCEAN_BUFFER_TOO_SMALL; bands =
+ * NULL requests the count alone. *residual, if not NULL, receives the mean square slope of the
+ * waves shorter than all bands, which are roughness at any distance: map, bands and residual
+ * together have the sea's. The maps are a pure function of sea and time, with the same bits for any
+ * number of threads. INVALID_VALUE for settings out of range. */
 OCEAN_API ocean_result ocean_detail(ocean_sea* sea, const ocean_detail_request* request,
                                     size_t* count, double* residual);
 
-/* A particle of spray: a parcel of drops of one size that the wind has torn off where the sea
- * turned white. Born within one period of the sea; then it may leave it: copies a period on are as
- * true. */
-typedef struct {
-    uint64_t id;        /* the same from birth to end in every frame, in a loop every time round */
-    double position[3]; /* m */
-    float velocity[3];  /* d/dt of it, m/s */
-    float age;          /* s since its birth */
-    float life;         /* s, the age at which it ends: known from its birth */
-    float radius;       /* m, of each of its drops */
-} ocean_spray_particle;
-
-/* struct_size = sizeof(ocean_spray_request), particle_size = sizeof(ocean_spray_particle): a
- * smaller one has fewer members filled. lifetime: the greatest age [s], 0.05 .. 10, in a loop at
- * most half of it; usual is 2. density: particles for each m^2 that turns white, 0 .. 1000; usual
- * is 0.25. In winds below 11 m/s fewer, below 7 m/s none. most: alive at once, about, 1 .. 100
- * million: where there would be more they are thinner, all over the sea alike; usual is 1 million.
- */
+/* struct_size = sizeof(ocean_provenance_request), band_size = sizeof(ocean_detail_band). frame: the
+ * number in the file's name. time: of the frame [s], that of ocean_time_of_frame or the host's own.
+ * field: the product in the file, "displacement", "cover", "detail1" ...; NULL = leave out the
+ * strings about a product. axes: OCEAN_ZUP, OCEAN_YUP or OCEAN_TNB, the order of the file's
+ * vectors. The other members describe slope tiles ("detail1" ..): resolution: of the map beside
+ * them, 0 = that of ocean_map_resolution; band: NULL, or the tile's band of ocean_detail; residual:
+ * that of ocean_detail. */
 typedef struct {
     size_t struct_size;
     double time;
-    double lifetime;
-    double density;
-    int32_t most;
+    int32_t frame;
+    int32_t axes;
+    const char* field;
+    const ocean_detail_band* band;
+    size_t band_size;
+    double residual;
+    int32_t resolution;
+    int32_t reserved; /* 0 */
+} ocean_provenance_request;
+
+/* ocean_provenance_json writes the strings by which `ocean bake` labels a file of one frame, a JSON
+ * object of texts: ocean:sea (the resolved sea file), frame, time [s], period [m], backend,
+ * version; of a product ocean:axes, field, unit; of a slope tile ocean:map_resolution, and with its
+ * band tile, longest_wave, shortest_wave [m], slope_variance, slope_residual. A host that puts them
+ * into the headers of its own files makes files that all libocean tools read back.
+ * BUFFER_TOO_SMALL; INVALID_VALUE as ocean_text. */
+OCEAN_API ocean_result ocean_provenance_json(const ocean_sea* sea,
+                                             const ocean_provenance_request* request, char* out,
+                                             size_t* size);
+
+/* A particle of spray: a parcel of drops of one size that the wind has torn off where the sea
+ * turned white. It is born within one period of the sea and may leave that period; copies of it a
+ * period away are equally valid. */
+typedef struct {
+    uint64_t id;        /* constant from birth to end, and in every turn of a loop */
+    double position[3]; /* [m] */
+    float velocity[3];  /* d/dt of position [m/s] */
+    float age;          /* since its birth [s] */
+    float life;         /* the age at which it ends [s], known from its birth */
+    float radius;       /* of each of its drops [m] */
+} ocean_spray_particle;
+
+/* struct_size = sizeof(ocean_spray_request), particle_size = sizeof(ocean_spray_particle): a
+ * smaller one has fewer members filled. lifetime: the max age [s], 0.05 .. 10, in a loop max half
+ * of the loop; 2 is a good default. density: particles per m^2 that turns white, 0 .. 1000; 0.25 is
+ * a good default. Winds below 11 m/s tear off fewer, below 7 m/s none. most: about the max number
+ * alive at once, 1 .. 100 million; a larger number is thinned evenly all over the sea. 1 million is
+ * a good default. */
+typedef struct {
+    size_t struct_size;
+    double time;      /* [s] */
+    double lifetime;  /* max age of a particle [s], 0.05 .. 10, in a loop at most half of it;
+                       * 2 is common */
+    double density;   /* particles for each m^2 that turns white, 0 .. 1000; 0.25 is common. Winds
+                       * below 11 m/s make fewer, below 7 m/s none */
+    int32_t most;     /* approximate max of particles alive at once, 1 .. 100 million; above it they
+                       * are thinned evenly over the sea; 1 million is common */
     int32_t reserved; /* 0 */
     ocean_spray_particle* particles;
-    size_t particle_count; /* room in particles */
+    size_t particle_count; /* capacity of particles */
     size_t particle_size;
 } ocean_spray_request;
 
-/* All spray that is alive at a time, in no place's order but always the same one. *count receives
- * how many there are; if that is more than there is room for, nothing else is written and
- * OCEAN_BUFFER_TOO_SMALL returned. particles = NULL asks for the count alone. The sea keeps what
- * was not taken: the call with room that follows copies it. The first call makes a small map for
- * every tick of the foam's clock within the lifetime; a later time pays for the ticks that are new
- * alone, and has the same bits. INVALID_VALUE for settings out of range. */
+/* ocean_spray writes all particles alive at `time`, in an unspecified but reproducible order.
+ * *count receives their number. If it exceeds the room in particles, the function writes nothing
+ * else and returns OCEAN_BUFFER_TOO_SMALL; particles = NULL requests the count alone. The sea keeps
+ * the particles it has counted: the next call, with room for them, copies them. The first call
+ * computes a small map for every tick of the foam's clock within the lifetime; a later time
+ * computes the new ticks only, and has the same bits. INVALID_VALUE for settings out of range. */
 OCEAN_API ocean_result ocean_spray(ocean_sea* sea, const ocean_spray_request* request,
                                    size_t* count);
 
 /* struct_size = sizeof(ocean_foam_texture_request). kind: "lace" (nets, made for a tile of 12 m),
- * "bubbles" (1.3 m) or "streaks" (97 m, along x, which is to be the wind). size: texels a side, a
- * power of two, 64 .. 4096. seed: kinds are independent of each other, also of one seed. data
- * receives size * size values: texel (i, j), whose middle is (i + 1/2, j + 1/2) / size of the tile,
- * goes to data[j * size + i], j up. count: floats in data. */
+ * "bubbles" (1.3 m) or "streaks" (97 m, along x; turn x into the wind). size: texels per side, a
+ * power of two, 64 .. 4096. seed: kinds of one seed are independent of each other. data receives
+ * size * size values: texel (i, j), whose middle is (i + 1/2, j + 1/2) / size of the tile, goes to
+ * data[j * size + i], j up. count: floats in data. */
 typedef struct {
     size_t struct_size;
-    const char* kind;
-    int32_t size;
-    uint32_t seed;
+    const char* kind; /* "lace" (nets, for a tile of 12 m), "bubbles" (1.3 m), "streaks" (97 m,
+                       * along x, to be turned into the wind) */
+    int32_t size;     /* texels along a side, a power of two, 64 .. 4096 */
+    uint32_t seed;    /* textures of different kinds are independent even with one seed */
     float* data;
-    size_t count;
+    size_t count; /* floats in data */
 } ocean_foam_texture_request;
 
-/* A texture of foam that tiles, values 0 .. 1: a place is white where it is below the cover there.
- * Its bilinear reads are uniform, so that exactly a share c of the area is below c, to 5e-4 (of
- * bubbles with 128 texels a side to 1e-3, with 64 to 6e-3); what is low is the last to vanish.
- * *period receives the side of the tile that it is made for, m; NULL is allowed, and so is data =
- * NULL, which asks for the period alone. options may be NULL; of them threads, progress and
- * run_jobs count. INVALID_VALUE for a kind or size that is not allowed, BUFFER_TOO_SMALL,
- * CANCELLED. */
+/* ocean_foam_texture writes a texture of foam that tiles, values 0 .. 1: a place is white where its
+ * value is below the cover at that place. Bilinear reads of it are uniform, so that a share c of
+ * the area is below c, to 5e-4 (bubbles: to 1e-3 with 128 texels per side, to 6e-3 with 64); low
+ * values are the last to vanish. *period receives the side of the tile that the texture is made for
+ * [m]. period may be NULL, and so may data, which requests the period alone. options may be NULL;
+ * its threads, progress and run_jobs count. INVALID_VALUE for a kind or size that is not allowed,
+ * BUFFER_TOO_SMALL, CANCELLED. */
 OCEAN_API ocean_result ocean_foam_texture(const ocean_foam_texture_request* request,
                                           const ocean_options* options, double* period);
 
-/* A wave gauge. fixes: four doubles each, time [s], x, y, z [m, up from still water], in order of
- * time; it goes straight from one to the next. A single one is left at `velocity` [m/s]. */
+/* A wave gauge and its track. fixes: four doubles each, time [s], x, y, z [m, up from still water],
+ * in order of time; the gauge goes straight from one fix to the next. With a single fix it leaves
+ * that place at `velocity` [m/s]. */
 typedef struct {
     const double* fixes;
     size_t fix_count;
     double velocity[2];
 } ocean_gauge;
 
-/* struct_size = sizeof(ocean_gauge_request), gauge_size = sizeof(ocean_gauge). Readings at the
- * times start + i / rate [s, Hz] up to `end`. */
+/* struct_size = sizeof(ocean_gauge_request), gauge_size = sizeof(ocean_gauge). Gauges are read at
+ * the times start + i / rate [s, Hz], up to `end`. */
 typedef struct {
     size_t struct_size;
-    double start;
-    double end;
-    double rate;
+    double start; /* [s] */
+    double end;   /* [s] */
+    double rate;  /* [Hz] */
     const ocean_gauge* gauges;
     size_t gauge_count;
     size_t gauge_size;
@@ -491,12 +576,13 @@ typedef struct {
     size_t value_count; /* doubles in values */
 } ocean_gauge_request;
 
-/* What gauges read, by sums over all waves in double precision, of the top sheet where crests fold.
- * Gauge g at time i receives ten doubles from values + (i * gauge_count + g) * 10 on:
- *     time, x, y, elevation [m], slope x y of the shown surface, velocity of the water at its depth
- *     x y z [m/s], pressure there without the hydrostatic part [Pa].
- * *times receives the number of times; values = NULL asks for that alone. BUFFER_TOO_SMALL,
- * INVALID_VALUE. */
+/* ocean_gauges computes the readings of gauges by sums over all waves in double precision; where
+ * crests fold it reads the top sheet. Gauge g at time i receives ten doubles from values + (i *
+ * gauge_count + g) * 10 on:
+ *     time [s], x, y [m], elevation [m], slope x y of the shown surface, velocity of the water at
+ * the gauge's depth x y z [m/s], pressure there without the hydrostatic part [Pa] *times receives
+ * the number of times; values = NULL requests that number alone. BUFFER_TOO_SMALL, INVALID_VALUE.
+ */
 OCEAN_API ocean_result ocean_gauges(ocean_sea* sea, const ocean_gauge_request* request,
                                     size_t* times);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Directions in each frequency: see bin_directions.hpp.
+// Directions for each frequency: see bin_directions.hpp.
 #include "bin_directions.hpp"
 
 #include <algorithm>
@@ -19,19 +19,19 @@ namespace ocean::netcdf {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-/// Two digits may round a ratio or a moment up to here.
+/// The max of a ratio or a moment that is rounded to two digits.
 constexpr double kMaxRatio = 1.05;
 /// The spread of cos^2, the default spreading: r1 = 8 / (3 pi).
 const double kAssumedSpread = std::sqrt(2.0 * (1.0 - 8.0 / (3.0 * kPi))) / kDegree;
-/// What tables write where they have no direction, whether their attributes say so or not.
+/// The value of a missing direction in tables, even without such an attribute.
 constexpr double kNoDirection = 990.0;
 
 double highest(const Variable& v) {
-    double most = 0.0;
+    double max = 0.0;
     for (const double value : v.values) {
-        if (std::isfinite(value)) most = std::max(most, std::abs(value));
+        if (std::isfinite(value)) max = std::max(max, std::abs(value));
     }
-    return most;
+    return max;
 }
 
 bool is_missing(double value) {
@@ -122,8 +122,9 @@ void BinDirections::find_direction_sense(const Content& content, const Variable&
     warnings_.push_back(silent_directions(mean, found.sense));
 }
 
-/// CDIP's moments are those of where waves come from, a1 to the north and b1 to the east; Spotter's
-/// those of the travel direction, a1 to the east and b1 to the north.
+/// Finds the convention of the moments. CDIP's moments belong to the direction waves come from,
+/// with a1 to the north and b1 to the east; Spotter's to the travel direction, with a1 to the east
+/// and b1 to the north.
 void BinDirections::find_moment_sense(const Content& content, const Variable& spectrum) {
     const Variable& a1 = *variable_[kA1];
     const bool cdip = plain_name(a1.name) == "wavea1value";
@@ -153,7 +154,8 @@ void BinDirections::find_moment_sense(const Content& content, const Variable& sp
                                             : ", as Spotter buoys have it"));
 }
 
-/// Whether the mean directions, where both are there, lie by the first moments.
+/// Returns true if the mean directions, where the file has them beside first moments, agree with
+/// moments of the convention `moments`.
 bool BinDirections::mean_follows(const DirectionSense& moments) const {
     const Variable& a1 = *variable_[kA1];
     const Variable& b1 = *variable_[kB1];
@@ -188,8 +190,8 @@ double BinDirections::ratio(BinQuantity quantity, const ValueOf& value_of) const
     throw Fault(v.name, shortest_text(read) + "; allowed: 0 .. 1, or 0 .. 100 per cent");
 }
 
-/// r1 = 1 - s^2 / 2 and r2 = 1 - 2 s^2 [Kuik 1988], s in radians; of a power s of cos^2s of half
-/// the angle r1 = s / (s + 1) [Longuet-Higgins 1963].
+/// Returns the ratio of a spread s [rad]: r1 = 1 - s^2 / 2, r2 = 1 - 2 s^2 [Kuik 1988]. If the file
+/// has the power s of cos^2s of half the angle instead: r1 = s / (s + 1) [Longuet-Higgins 1963].
 double BinDirections::spread_ratio(BinQuantity quantity, const ValueOf& value_of) const {
     const Variable& v = *variable_[quantity];
     const double read = value_of(v);
@@ -220,7 +222,7 @@ std::complex<double> BinDirections::moment(BinQuantity a, BinQuantity b,
 }
 
 void BinDirections::append(SpectrumRecord& record, const ValueOf& value_of) const {
-    /// The spread that has a ratio; the inverse of spread_ratio.
+    /// Returns the spread of a ratio, the inverse of spread_ratio.
     const auto spread = [](double r1) { return std::sqrt(2.0 * (1.0 - r1)) / kDegree; };
     switch (source_) {
         case Source::none:

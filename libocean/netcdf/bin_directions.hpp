@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Directions beside a spectrum without directions: which of the quantities that a NetCDF file has
-// in each frequency are taken, in which convention, and the moments that they give.
+// Directional quantities beside a spectrum without directions: chooses among the quantities that a
+// NetCDF file has for each frequency, finds their convention, and computes directional moments.
 #pragma once
 
 #include <complex>
@@ -18,18 +18,18 @@ namespace ocean::netcdf {
 
 class BinDirections {
   public:
-    /// Takes the first of these that is whole: four moments, two directions and two ratios, two
-    /// directions and two spreads, the first moment, a direction and a ratio, a direction and a
-    /// spread, a direction.
+    /// Chooses the first complete set of: four moments; two directions and two ratios; two
+    /// directions and two spreads; the first moment; a direction and a ratio; a direction and a
+    /// spread; a direction.
     BinDirections(const Content& content, const Layout& layout);
 
     bool exist() const { return source_ != Source::none; }
-    /// What had to be assumed, for all records.
+    /// Returns the assumptions that hold for all records.
     const std::vector<std::string>& warnings() const { return warnings_; }
 
-    /// Gives a variable's value in a frequency of a record; NaN where it is missing.
+    /// Returns a variable's value at a frequency of a record, or NaN if it is missing.
     using ValueOf = std::function<double(const Variable&)>;
-    /// Appends the moments of one frequency. Throws Fault for values that are none.
+    /// Appends the moments of one frequency. Throws Fault for impossible values.
     void append(SpectrumRecord& record, const ValueOf& value_of) const;
 
   private:
@@ -55,13 +55,14 @@ class BinDirections {
     std::complex<double> moment(BinQuantity a, BinQuantity b, const ValueOf& value_of) const;
 
     std::array<const Variable*, kBinQuantities> variable_{};
-    std::array<double, kBinQuantities> scale_{};  // to degrees, or to ratios
+    std::array<double, kBinQuantities> scale_{};  // factor to degrees, or to ratios
     Source source_ = Source::none;
     DirectionSense moment_sense_, direction_sense_;
     std::vector<std::string> warnings_;
 };
 
-/// What brings values of a variable of directions or spreads to degrees. Throws Fault.
+/// Returns the factor from units of a variable of directions or spreads to degrees. Throws Fault
+/// for an unknown unit.
 double degrees_per_unit(const Variable& variable);
 
 }  // namespace ocean::netcdf

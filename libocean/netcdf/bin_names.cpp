@@ -12,7 +12,7 @@
 namespace ocean::netcdf {
 namespace {
 
-/// Plain names of each quantity, blanks between them.
+/// The plain names of each quantity, separated by blanks.
 constexpr std::array<std::string_view, kBinQuantities> kNames = {{
     " a1 wavea1 wavea1value a1value ",
     " b1 waveb1 waveb1value b1value ",

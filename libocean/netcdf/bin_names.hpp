@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How writers name what they have of directions in each frequency: CDIP, NDBC, Copernicus,
-// WAVEWATCH III, SWAN, Spotter and others.
+// The names of directional quantities for each frequency, as writers spell them: CDIP, NDBC,
+// Copernicus, WAVEWATCH III, SWAN, Spotter and others.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace ocean::netcdf {
 
-/// How well a variable's names fit a quantity; 0: not at all.
+/// Returns how well a variable's names fit a quantity, 0 if they do not.
 int bin_rank(BinQuantity quantity, const std::string& name, const std::string& standard_name);
-/// Whether a variable of such a name is one of those whose writers all mean where waves come from.
+/// Returns true for a name whose writers all mean the direction that waves come from.
 bool is_known_to_come_from(const std::string& name);
 
 }  // namespace ocean::netcdf

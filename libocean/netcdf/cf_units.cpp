@@ -24,11 +24,12 @@ bool take(std::string_view& text, std::string_view word) {
     return true;
 }
 
-/// Up to `most` digits; nothing if there are none.
-std::optional<int> take_number(std::string_view& text, std::size_t most) {
+/// Reads up to `max_digits` digits. Returns nothing without a digit.
+std::optional<int> take_number(std::string_view& text, std::size_t max_digits) {
     std::size_t digits = 0;
     int value = 0;
-    while (digits < std::min(most, text.size()) && text[digits] >= '0' && text[digits] <= '9') {
+    while (digits < std::min(max_digits, text.size()) && text[digits] >= '0' &&
+           text[digits] <= '9') {
         value = 10 * value + (text[digits++] - '0');
     }
     text.remove_prefix(digits);
@@ -67,7 +68,7 @@ std::optional<double> seconds_of(std::string_view unit) {
     return found == kUnits.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// "12", "12:30", "12:30:15.5"; the seconds are returned, the rest goes into `time`.
+/// Parses "12", "12:30" or "12:30:15.5". Returns the seconds and writes the rest into `time`.
 std::optional<double> take_clock(std::string_view& text, UtcTime& time) {
     const std::optional<int> hour = take_number(text, 2);
     if (!hour) return std::nullopt;
@@ -148,9 +149,9 @@ std::optional<TimeUnits> parse_time_units(std::string_view units) {
 }
 
 std::optional<UtcTime> time_at(const TimeUnits& units, double value) {
-    constexpr double kFarthest = 1e11;  // seconds; the year 5138
+    constexpr double kMaxSeconds = 1e11;  // the year 5138
     const double seconds = units.origin + value * units.seconds;
-    if (!(std::abs(seconds) < kFarthest)) return std::nullopt;
+    if (!(std::abs(seconds) < kMaxSeconds)) return std::nullopt;
     return utc_time_at(std::llround(seconds / 60.0));
 }
 

@@ -44,7 +44,7 @@ class Descriptor {
     int number_;
 };
 
-/// No signal arrives in the child before it handles them as a fresh program does.
+/// Blocks signals until the child has the default handlers of a new program.
 class BlockedSignals {
   public:
     BlockedSignals() {
@@ -69,7 +69,7 @@ void default_signals() {
     ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
 }
 
-/// Of this process; 0 if the system does not tell.
+/// Returns the memory of this process [bytes], or 0 if the system does not report it.
 std::uint64_t address_space_in_use() {
     std::uint64_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
@@ -80,8 +80,8 @@ template <typename Resource>
 void limit(Resource resource, std::uint64_t amount) {
     struct rlimit bounds {};
     if (::getrlimit(resource, &bounds) != 0) return;
-    const rlim_t most = std::min(static_cast<rlim_t>(amount), bounds.rlim_max);
-    bounds = {most, most};
+    const rlim_t limit = std::min(static_cast<rlim_t>(amount), bounds.rlim_max);
+    bounds = {limit, limit};
     ::setrlimit(resource, &bounds);
 }
 
@@ -112,12 +112,13 @@ void write_all(int pipe, const void* bytes, std::size_t count) {
     }
 }
 
-/// Never returns: nothing of the program may run in the child but `produce`.
+/// Runs `produce` and ends the child. Never returns, because no other code of the program may run
+/// in the child.
 [[noreturn]] void be_child(const int (&ends)[2], const ChildLimits& limits, std::uint64_t inherited,
                            const std::function<void(const Sink&)>& produce) noexcept {
     default_signals();
-    ::close(ends[0]);  // its last reader gone, a pipe ends who writes
-    // Above the standard streams, of which the program may have been started without.
+    ::close(ends[0]);  // a pipe without a reader ends its writer
+    // Above the standard streams, which the program may have been started without.
     const int out = ::fcntl(ends[1], F_DUPFD, 3);
     silence();
     limit_child(limits, inherited);
@@ -147,7 +148,7 @@ class Child {
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// Its wait status; 0 where the system has reaped it already (SIGCHLD ignored).
+    /// Returns the child's wait status, or 0 if the system has reaped it already (SIGCHLD ignored).
     int wait() {
         int status = 0;
         const pid_t pid = std::exchange(pid_, -1);
@@ -165,7 +166,7 @@ class Child {
     pid_t pid_;
 };
 
-/// False at the end of the pipe.
+/// Returns false at the end of the pipe.
 bool read_all(int pipe, void* bytes, std::size_t count) {
     char* next = static_cast<char*>(bytes);
     while (count > 0) {
@@ -229,7 +230,7 @@ void run_in_child(const ChildLimits& limits, const std::function<void(const Sink
         if (!ended) throw ChildFailure("it gave nonsense");
         fail_by(child.wait(), limits);
     }
-    from.close();  // what writes on would block for ever
+    from.close();  // otherwise a child that still writes would block for ever
     if (const int status = child.wait(); status != 0) fail_by(status, limits);
 }
 

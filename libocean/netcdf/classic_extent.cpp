@@ -13,7 +13,7 @@ namespace {
 
 struct Stored {
     std::uint64_t begin = 0;
-    std::uint64_t bytes = 0;  // of one record, if it has records
+    std::uint64_t bytes = 0;  // of one record, for a variable with records
     bool records = false;
 };
 
@@ -62,7 +62,7 @@ class Header {
     }
     std::uint64_t count() { return number(wide_counts_ ? 8 : 4); }
     std::uint64_t list() {
-        number(4);  // its tag
+        number(4);  // the list's tag
         return count();
     }
     void skip(std::uint64_t elements, std::uint64_t size) {
@@ -94,7 +94,7 @@ class Header {
         }
         attributes();
         result.bytes = elements * size_of(number(4));
-        count();  // its size, which is wrong for large ones
+        count();  // the variable's size, which is wrong for large variables
         result.begin = number(wide_offsets_ ? 8 : 4);
         return result;
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long a classic NetCDF file has to be by its own header. libnetcdf reads the lost end of a
-// file that was cut off as zeros, which would be a calm sea.
+// The size that a classic NetCDF file must have by its own header. libnetcdf reads the missing end
+// of a truncated file as zeros, which would be a calm sea.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace ocean::netcdf {
 
-/// Bytes to the end of the last variable, up to 3 of padding left out; 0 if the header cannot be
-/// followed. [NetCDF classic format specification: CDF-1, CDF-2, CDF-5]
+/// Returns the bytes up to the end of the last variable without up to 3 bytes of padding, or 0 for
+/// a header that cannot be parsed. [NetCDF classic format specification: CDF-1, CDF-2, CDF-5]
 std::uint64_t classic_extent(std::istream& file);
 
 }  // namespace ocean::netcdf

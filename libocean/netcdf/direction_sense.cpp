@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a file says of its directions: see direction_sense.hpp.
+// The convention of a file's directions: see direction_sense.hpp.
 #include "direction_sense.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ double offset_degrees(const DirectionSense& sense) {
     return (sense.from_east ? 0.0 : 90.0) + (sense.from ? 180.0 : 0.0);
 }
 
-/// Small letters and digits; all else separates.
+/// Splits a text into words of lower-case letters and digits.
 std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words(1);
     for (const char c : lower_case(text)) {
@@ -49,7 +49,7 @@ class WordReader {
         said.from = decided(from_, to_) ? decided(from_, to_) : decided(hint_from_, hint_to_);
         said.counter_clockwise = decided(counter_clockwise_, clockwise_);
         said.from_east = decided(east_, north_);
-        if (mathematical_) {  // cartesian: it needs no more words
+        if (mathematical_) {  // cartesian: complete without further words
             if (!said.from) said.from = false;
             if (!said.counter_clockwise) said.counter_clockwise = true;
             if (!said.from_east) said.from_east = true;
@@ -67,7 +67,7 @@ class WordReader {
     bool is_number(std::size_t i) const {
         return i < words_.size() && words_[i].find_first_not_of("0123456789") == std::string::npos;
     }
-    /// The quarter that angles are measured from: 'n' or 'e'; 0 for other words.
+    /// Returns the axis that angles are measured from, 'n' or 'e', or 0 for another word.
     char quarter(std::size_t i) const {
         while (
             is(i, {"the", "true", "geographic", "magnetic", "grid", "positive", "due", "local"})) {
@@ -115,7 +115,8 @@ class WordReader {
         to_ = to_ || travels || first;
     }
 
-    /// Where waves come from, or where angles are measured from, or what a value was made from.
+    /// Reads a "from": the direction waves come from, the axis angles are measured from, or the
+    /// source of a computed value.
     void read_from(std::size_t i) {
         const char axis = quarter(i + 1);
         if (is(i - 1, {"coming", "comes", "come", "came", "arriving", "propagating"})) {
@@ -128,7 +129,7 @@ class WordReader {
                               "degree", "degrees", "deg", "principal", "is", "are", "where",
                               "north", "primary", "peak"}) ||
                    i == 0) {
-            // "mean wave direction from spectral moments" tells no more than its source.
+            // "mean wave direction from spectral moments" gives the source of the value alone.
             from_ = from_ || i + 1 == words_.size() ||
                     is(i + 1, {"direction",
                                "directions",
@@ -163,7 +164,7 @@ class WordReader {
     bool mathematical_ = false;
 };
 
-/// Whether an attribute of such a name may tell of directions in words.
+/// Returns true for the name of an attribute that may describe directions in words.
 bool is_spoken(const std::string& key) {
     const std::string name = plain_name(key);
     return name.find("convention") != std::string::npos ||
@@ -173,7 +174,7 @@ bool is_spoken(const std::string& key) {
                         "measuredfrom", "orientation"});
 }
 
-/// Attributes of a variable that speak of it, in the order in which they count.
+/// The attributes that describe their variable, in order of precedence.
 std::vector<std::pair<std::string, std::string>> spoken_attributes(const Variable& v) {
     std::vector<std::pair<std::string, std::string>> spoken;
     for (const char* key : {"standard_name", "long_name", "units"}) {
@@ -187,7 +188,7 @@ std::vector<std::pair<std::string, std::string>> spoken_attributes(const Variabl
     return spoken;
 }
 
-/// The sentences of a text that are about directions, and not those of the wind.
+/// Returns the sentences of a text that are about directions of waves, not of the wind.
 std::string about_directions(const std::string& text) {
     std::string about;
     std::size_t begin = 0;
@@ -206,7 +207,8 @@ std::string about_directions(const std::string& text) {
     return about;
 }
 
-/// What an attribute that is not the directions' own says of them.
+/// Returns the part of a text that is about the directions, for an attribute of another variable or
+/// of the file; "" if there is none.
 std::string words_elsewhere(const std::string& key, const std::string& text) {
     const std::string name = plain_name(key);
     if (name.find("wind") != std::string::npos) return "";
@@ -215,7 +217,7 @@ std::string words_elsewhere(const std::string& key, const std::string& text) {
     return names_them ? text : about_directions(text);
 }
 
-/// What all texts say together: the first that tells counts.
+/// The convention that all texts give together: for each part the first text counts.
 class Evidence {
   public:
     void add(const std::string& key, const std::string& text) {
@@ -226,7 +228,7 @@ class Evidence {
         take(counter_clockwise_, said.counter_clockwise);
         take(from_east_, said.from_east);
     }
-    /// Without words of the zero, counter-clockwise means from east, and from east that.
+    /// Without words about the zero, counter-clockwise implies "from east", and the reverse.
     DirectionSense sense(DirectionSense otherwise) const {
         DirectionSense sense = otherwise;
         sense.from = from_.value_or(otherwise.from);
@@ -249,7 +251,7 @@ class Evidence {
     std::string source_, contrary_;
 };
 
-/// The convention of a run of SWAN, which its files have in an attribute of their own.
+/// Returns the convention of a SWAN run, which its files have in an attribute of their own.
 std::string swan_convention(const Content& content) {
     for (const auto& [key, text] : content.attributes) {
         if (plain_name(key) == "directionalconvention") return lower_case(text);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names of variables and attributes, which every writer spells in its own way.
+// Names of variables and attributes, compared without the differences between writers.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,8 @@ inline std::string lower_case(std::string_view text) {
     return out;
 }
 
-/// Small letters and digits alone: waveA1Value, wave_a1_value and WAVE A1 VALUE are one.
+/// Returns the name in lower-case letters and digits alone: waveA1Value, wave_a1_value and WAVE A1
+/// VALUE become equal.
 inline std::string plain_name(std::string_view name) {
     std::string plain = lower_case(name);
     std::erase_if(plain, [](char c) { return c == '_' || c == '-' || c == ' ' || c == '.'; });

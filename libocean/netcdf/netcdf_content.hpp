@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the readers of spectra need of a NetCDF file, as a plain value: dimensions, and variables
-// unpacked to doubles. Made by netcdf_file, carried by netcdf_wire, understood by netcdf_records.
+// The part of a NetCDF file that the readers of spectra need, as a plain value: dimensions, and
+// variables unpacked to doubles. netcdf_file makes it, netcdf_wire carries it, netcdf_records
+// interprets it.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +14,13 @@
 
 namespace ocean::netcdf {
 
-/// Of all variables together, 512 MiB: a file with more is cut by its user before.
+/// Max number of values of all variables together, 512 MiB. The user must split a larger file.
 inline constexpr std::size_t kMaxValues = std::size_t{1} << 26;
 inline constexpr std::size_t kMaxDimensions = 1024;
 inline constexpr std::size_t kMaxVariables = 1024;
 inline constexpr std::size_t kMaxVariableDimensions = 16;
-inline constexpr std::size_t kMaxAttributes = 256;  // of a variable or of the file
-/// Names, attributes and texts end there.
+inline constexpr std::size_t kMaxAttributes = 256;  // per variable, or of the file
+/// Longer names, attributes and texts are cut.
 inline constexpr std::size_t kMaxTextBytes = 1000;
 
 struct Dimension {
@@ -30,14 +31,15 @@ struct Dimension {
 
 struct Variable {
     std::string name;
-    std::vector<std::size_t> dimensions;            // of the content; the last varies fastest
-    std::map<std::string, std::string> attributes;  // those that are text, and flag_values
+    std::vector<std::size_t>
+        dimensions;  // indices into Content::dimensions; the last varies fastest
+    std::map<std::string, std::string> attributes;  // text attributes, and flag_values
     bool is_text = false;
-    // One of them, with an element for each point of the dimensions; both empty in a header.
+    // One of the two has an element for each point of the dimensions; in a header both are empty.
     std::vector<double> values;  // scale_factor and add_offset applied; NaN = missing
     std::vector<std::string> texts;
 
-    /// Empty if there is none.
+    /// Returns the attribute, or "" if the variable does not have it.
     std::string attribute(const std::string& key) const {
         const auto found = attributes.find(key);
         return found == attributes.end() ? "" : found->second;
@@ -45,13 +47,13 @@ struct Variable {
 };
 
 struct Content {
-    std::map<std::string, std::string> attributes;  // of the whole file, those that are text
+    std::map<std::string, std::string> attributes;  // text attributes of the file
     std::vector<Dimension> dimensions;
     std::vector<Variable> variables;
 };
 
-/// Where a variable has its value at a point of all dimensions of the content. A variable has few
-/// enough values that neither this nor a step overflows.
+/// Returns the index of a variable's value at a point of all dimensions of the content. kMaxValues
+/// prevents an overflow of this and of stride().
 inline std::size_t offset(const Content& content, const Variable& variable,
                           const std::vector<std::size_t>& at) {
     std::size_t result = 0;
@@ -60,7 +62,7 @@ inline std::size_t offset(const Content& content, const Variable& variable,
     }
     return result;
 }
-/// From a value to the next one along a dimension that the variable has.
+/// Returns the step between neighbouring values along a dimension, which the variable must have.
 inline std::size_t stride(const Content& content, const Variable& variable, std::size_t dimension) {
     std::size_t result = 1;
     for (std::size_t k = variable.dimensions.size(); variable.dimensions[k - 1] != dimension; --k) {
@@ -69,7 +71,7 @@ inline std::size_t stride(const Content& content, const Variable& variable, std:
     return result;
 }
 
-/// What is wrong with a file: "VARIABLE: what". The path is added where it is known.
+/// A problem of a file: "VARIABLE: problem". The path is added by a caller that knows it.
 struct Fault : std::runtime_error {
     explicit Fault(const std::string& what) : std::runtime_error(what), message(what) {}
     Fault(const std::string& of_variable, const std::string& what)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A NetCDF file by way of libnetcdf: see netcdf_file.hpp.
+// A NetCDF file by libnetcdf: see netcdf_file.hpp.
 #include "netcdf_file.hpp"
 
 #include <netcdf.h>
@@ -40,7 +40,7 @@ class File {
     int id_ = -1;
 };
 
-/// HDF5 knows its own end.
+/// Throws for a truncated classic file. HDF5 checks its own size.
 void require_whole(const File& file, const std::string& path) {
     int format = 0;
     require(nc_inq_format(file.id(), &format), "format");
@@ -53,20 +53,20 @@ void require_whole(const File& file, const std::string& path) {
                 std::to_string(promised));
 }
 
-/// A variable of the header and what the file calls it.
+/// A variable of the header with its ids in the file.
 struct Source {
-    int group = 0;  // of the file, which is one itself
+    int group = 0;  // the file itself is a group
     int id = 0;
     nc_type type = NC_NAT;
-    std::vector<std::size_t> dimensions;  // with those of characters
+    std::vector<std::size_t> dimensions;  // with dimensions of characters
 };
 
-/// Of a text attribute in the file; its first kMaxTextBytes are kept.
+/// Reads a text attribute, up to kMaxTextBytes.
 constexpr std::size_t kMaxHistoryBytes = 65536;
 
 struct Header {
     Content content;
-    std::vector<Source> sources;  // of its variables
+    std::vector<Source> sources;  // one for each variable
 };
 
 std::optional<std::string> text_attribute(int file, int variable, const char* name) {
@@ -88,19 +88,20 @@ std::optional<std::string> text_attribute(int file, int variable, const char* na
     return text;
 }
 
-/// Empty if there is none of a few numbers.
+/// Returns the numbers of an attribute, or an empty list if it does not have a few numbers.
 std::vector<double> number_attribute(const Source& source, const char* name) {
-    constexpr std::size_t kMost = 16;
+    constexpr std::size_t kMaxNumbers = 16;
     nc_type type = NC_NAT;
     std::size_t length = 0;
     const bool found = nc_inq_att(source.group, source.id, name, &type, &length) == NC_NOERR;
-    if (!found || type == NC_CHAR || type >= NC_STRING || length == 0 || length > kMost) return {};
+    if (!found || type == NC_CHAR || type >= NC_STRING || length == 0 || length > kMaxNumbers)
+        return {};
     std::vector<double> numbers(length);
     if (nc_get_att_double(source.group, source.id, name, numbers.data()) != NC_NOERR) return {};
     return numbers;
 }
 
-/// The file and the groups in it, groups before what they hold.
+/// Returns the file and its groups, a group before its members.
 std::vector<int> groups_of(const File& file) {
     constexpr std::size_t kMaxGroups = 256;
     std::vector<int> groups = {file.id()};
@@ -117,8 +118,7 @@ std::vector<int> groups_of(const File& file) {
     return groups;
 }
 
-/// Appends a group's dimensions to the content and to their numbers in the file, which no other
-/// group has.
+/// Appends a group's dimensions to the content, and their ids, which are unique in the file.
 void read_dimensions(int group, Content& content, std::vector<int>& numbers) {
     int count = 0;
     require(nc_inq_dimids(group, &count, nullptr, 0), "dimensions");
@@ -136,7 +136,8 @@ void read_dimensions(int group, Content& content, std::vector<int>& numbers) {
     }
 }
 
-/// Classic files have no strings: dimensions of characters stand for them, mostly the last.
+/// Finds the dimension of characters, usually the last one, by which classic files represent
+/// strings.
 void drop_characters(const Content& content, Variable& variable) {
     std::vector<std::size_t>& dimensions = variable.dimensions;
     if (dimensions.empty()) return;
@@ -153,7 +154,7 @@ void drop_characters(const Content& content, Variable& variable) {
     }
 }
 
-/// Those that are text; flags' values as text too.
+/// Reads text attributes, and the values of flags as text.
 std::map<std::string, std::string> text_attributes(int group, int variable) {
     std::map<std::string, std::string> texts;
     int count = 0;
@@ -173,7 +174,7 @@ std::map<std::string, std::string> text_attributes(int group, int variable) {
     return texts;
 }
 
-/// Appends those variables of a group that may play a part, without values.
+/// Appends the variables of a group that may be needed, without values.
 void read_variables(int group, const std::vector<int>& dimension_ids, Header& header) {
     int count = 0;
     require(nc_inq_nvars(group, &count), "variables");
@@ -189,7 +190,7 @@ void read_variables(int group, const std::vector<int>& dimension_ids, Header& he
         std::vector<int> ids(static_cast<std::size_t>(rank));
         require(nc_inq_var(group, id, name, &source.type, nullptr, ids.data(), nullptr),
                 "variables");
-        if (source.type > NC_STRING) continue;  // compounds and the like
+        if (source.type > NC_STRING) continue;  // compound and other user types
         for (const int dimension : ids) {
             const auto found = std::find(dimension_ids.begin(), dimension_ids.end(), dimension);
             if (found == dimension_ids.end()) throw Fault(name, "has an unknown dimension");
@@ -214,7 +215,7 @@ Header read_header(const File& file) {
     return header;
 }
 
-/// Of a variable; refuses more than is left of kMaxValues.
+/// Returns the number of a variable's values. Throws if it exceeds the rest of kMaxValues.
 std::size_t checked_size(const Content& content, const std::vector<std::size_t>& dimensions,
                          const std::string& name, std::size_t left) {
     std::size_t size = 1;
@@ -231,7 +232,7 @@ std::size_t checked_size(const Content& content, const std::vector<std::size_t>&
                           " are read of a file: cut it by time or place");
 }
 
-/// What stands for "no value" in the file's own type.
+/// The values that mean "missing" in the file's own type.
 std::vector<double> fill_values(const Source& source) {
     std::vector<double> fills = number_attribute(source, "_FillValue");
     if (fills.empty() && source.type != NC_BYTE && source.type != NC_UBYTE) {
@@ -253,7 +254,7 @@ std::vector<double> fill_values(const Source& source) {
     for (const double more : number_attribute(source, "missing_value")) {
         fills.push_back(more);
     }
-    // 1e20 as a double is not the 1e20 of single precision.
+    // 1e20 in double precision differs from 1e20 in single precision.
     for (double& fill : fills) {
         const bool single =
             source.type == NC_FLOAT && std::abs(fill) <= double{std::numeric_limits<float>::max()};
@@ -265,10 +266,11 @@ std::vector<double> fill_values(const Source& source) {
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    bool packed = false;  // compares before scale and offset
+    bool packed = false;  // true: compared before scale and offset are applied
 };
 
-/// A range in the packed type is one of packed values [CF conventions, section 8.1].
+/// Reads the valid range. A range in the packed type applies to packed values [CF conventions,
+/// section 8.1].
 Range valid_range(const Source& source) {
     Range range;
     nc_type type = source.type;
@@ -312,14 +314,14 @@ void read_values(const Source& source, Variable& variable, std::size_t size) {
     }
 }
 
-/// Without what pads it.
+/// Returns a text without its padding.
 std::string trimmed(std::string text) {
     text.erase(std::min(text.find('\0'), text.size()));
     text.erase(text.find_last_not_of(" \t\r\n") + 1);
     return text;
 }
 
-/// `count` texts of `size` characters, or strings.
+/// Reads `count` texts: `size` characters each, or strings.
 void read_texts(const Source& source, Variable& variable, std::size_t size, std::size_t count) {
     variable.texts.resize(count);
     if (size == 0) return;

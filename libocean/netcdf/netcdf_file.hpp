@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A NetCDF file by way of libnetcdf, in this process: the only part that links it. Neither
-// libnetcdf nor HDF5 is made for hostile files, so the program calls it in a child process.
+// Reads a NetCDF file by libnetcdf, in the calling process. Only this part links libnetcdf. Neither
+// libnetcdf nor HDF5 is safe against hostile files, so the program calls it in a child process.
 #pragma once
 
 #include <string>
@@ -11,8 +11,7 @@
 
 namespace ocean::netcdf {
 
-/// The variables of the spectrum, unpacked. Sizes are checked before anything is read. Throws
-/// Fault.
+/// Returns the variables of the spectrum, unpacked. Checks all sizes before it reads. Throws Fault.
 Content read_file(const std::string& path);
 
 }  // namespace ocean::netcdf

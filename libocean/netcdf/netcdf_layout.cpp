@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which variable plays which part: see netcdf_layout.hpp.
+// The roles of variables: see netcdf_layout.hpp.
 #include "netcdf_layout.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ bool has(const std::vector<std::size_t>& all, std::size_t one) {
     return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// Some versions of WAVEWATCH III write blanks for underscores.
+/// Compares standard names; some versions of WAVEWATCH III write blanks for underscores.
 std::string standard_name(const Variable& variable) {
     std::string name = variable.attribute("standard_name");
     std::replace(name.begin(), name.end(), ' ', '_');
@@ -44,7 +44,8 @@ bool is_direction(const std::string& name, const std::string& standard) {
 constexpr std::string_view kDirectional = "sea_surface_wave_directional_variance_spectral_density";
 constexpr std::string_view kOmnidirectional = "sea_surface_wave_variance_spectral_density";
 
-/// Of a variable as a spectrum: well-known names before standard names before units; 0: none.
+/// Returns the rank of a variable as the spectrum: well-known names before standard names before
+/// units. 0 means that it is not a spectrum.
 int spectrum_rank(const Variable& variable) {
     if (variable.is_text || plain_name(variable.name).starts_with("std")) return 0;
     const std::string plain = plain_name(variable.name);
@@ -63,7 +64,7 @@ int spectrum_rank(const Variable& variable) {
                : 0;
 }
 
-/// A variable that takes part in a search, and how well it fits.
+/// A candidate of a search with its rank.
 struct Candidate {
     std::size_t variable = 0;
     int rank = 0;
@@ -115,7 +116,7 @@ class Finder {
     }
     Fault fail(const std::string& message) const { return {spectrum().name, message}; }
 
-    /// The best of all variables; the first of equals.
+    /// Returns the variable of the best rank, the first one of equals.
     template <typename Rank>
     std::optional<std::size_t> best(Rank rank_of) const {
         Candidate found;
@@ -126,7 +127,7 @@ class Finder {
         return found.rank > 0 ? std::optional(found.variable) : std::nullopt;
     }
 
-    /// Directional ones before the others.
+    /// Finds the spectrum; one over directions precedes others.
     std::size_t find_spectrum() const {
         const auto found = best([&](const Variable& v) {
             const int rank = spectrum_rank(v);
@@ -143,7 +144,7 @@ class Finder {
             ", and none over frequencies whose units are those of a spectral density");
     }
 
-    /// The dimension of a variable that has such a name, or a coordinate of such a name.
+    /// Returns the dimension of a variable that has such a name, or whose coordinate has.
     template <typename Test>
     std::optional<std::size_t> find_axis(const Variable& variable, Test is_axis,
                                          std::optional<std::size_t>& coordinate) const {
@@ -158,14 +159,14 @@ class Finder {
         return std::nullopt;
     }
 
-    /// Copernicus' files repeat the frequencies for each time.
+    /// Finds the frequencies, which Copernicus' files repeat for each time.
     std::optional<std::size_t> find_frequencies_of_records() const {
         return best([&](const Variable& v) {
             return !v.is_text && is_over_bins(v) && is_frequency(v.name, standard_name(v)) ? 1 : 0;
         });
     }
 
-    /// A variable over frequency and some of the dimensions that records are counted by.
+    /// Returns true for a variable over the frequency and some of the outer dimensions.
     bool is_over_bins(const Variable& v) const {
         return has(v.dimensions, layout_.frequency_dimension) &&
                std::all_of(v.dimensions.begin(), v.dimensions.end(), [&](std::size_t d) {
@@ -174,14 +175,14 @@ class Finder {
                });
     }
 
-    /// A variable over some of the dimensions that records are counted by.
+    /// Returns true for a variable over some of the outer dimensions.
     bool describes_records(const Variable& v) const {
         return std::all_of(v.dimensions.begin(), v.dimensions.end(), [&](std::size_t d) {
             return has(left_, d) || has(layout_.outer_dimensions, d);
         });
     }
 
-    /// valid_time before time, which may be when the forecast began.
+    /// Finds the time: valid_time before time, which may be the start of the forecast.
     void find_time() {
         layout_.time = best([&](const Variable& v) {
             if (v.is_text || v.dimensions.size() > 1 || !describes_records(v)) return 0;
@@ -193,7 +194,7 @@ class Finder {
                                      plain.find("time") != std::string::npos
                                  ? 1
                                  : 0;
-            // A time of each record says more than one of the file.
+            // A time for each record precedes a single time of the file.
             return rank == 0 ? 0 : 2 * rank + (v.dimensions.empty() ? 0 : 1);
         });
         if (!layout_.time) return;
@@ -203,7 +204,7 @@ class Finder {
         }
     }
 
-    /// A place may have dimensions of its own, of a single point or of one for each time.
+    /// Finds the place, which may have dimensions of its own: one point, or one for each time.
     std::optional<std::size_t> find_place(std::string_view standard, Words names) {
         const auto found = best([&](const Variable& v) {
             if (v.is_text) return 0;
@@ -233,7 +234,7 @@ class Finder {
                              size == content_.dimensions[layout_.outer_dimensions.front()].size);
     }
 
-    /// Names as text before numbers.
+    /// Finds the station: names as text before numbers.
     std::optional<std::size_t> find_station() const {
         return best([&](const Variable& v) {
             const bool named =
@@ -261,7 +262,7 @@ class Finder {
         }
     }
 
-    /// Those that a variable names itself, and those that are named after it.
+    /// Finds the flags that a variable names, and flags that are named after it.
     void find_flags() {
         add_flags_of(layout_.spectrum);
         for (const auto& bin : layout_.bins) {
@@ -276,7 +277,7 @@ class Finder {
         for (std::size_t i = 0; i < content_.variables.size(); ++i) {
             const Variable& v = content_.variables[i];
             const std::string plain = plain_name(v.name);
-            // Secondary flags say why, and count from another list.
+            // Secondary flags give reasons, with numbers of another list.
             if (v.is_text || plain.find("secondary") != std::string::npos) continue;
             const bool named =
                 ancillary.find(" " + v.name + " ") != std::string::npos ||
@@ -312,7 +313,7 @@ class Finder {
 
     const Content& content_;
     Layout layout_;
-    std::vector<std::size_t> left_;  // of the spectrum's dimensions: those without a part
+    std::vector<std::size_t> left_;  // dimensions of the spectrum without a role
 };
 
 }  // namespace

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which variable of a NetCDF file is the spectrum, and which are its coordinates: found by names,
-// standard names, units and dimensions, never by values, so that only what is needed has to be
-// read.
+// Finds the spectrum and its coordinates among the variables of a NetCDF file by names, standard
+// names, units and dimensions. Values are not used, so that only the needed ones must be read.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace ocean::netcdf {
 
-/// What files have beside a spectrum without directions, in each frequency.
+/// Directional quantities for each frequency beside a spectrum without directions.
 enum BinQuantity : std::size_t {
     kA1,
     kB1,

@@ -24,7 +24,7 @@
 namespace ocean::netcdf {
 namespace {
 
-constexpr double kPerRadian = kPi / 180.0;  // m^2 s/rad in m^2/Hz/degree
+constexpr double kPerRadian = kPi / 180.0;  // [m^2 s/rad] to [m^2/Hz/degree]
 
 std::string shown(double value) {
     std::string digits = std::to_string(value);
@@ -48,7 +48,7 @@ class RecordMaker {
         if (layout_.time) read_time_units();
         for (const std::string& warning : bins_.warnings()) warn(warning);
         std::vector<SpectrumRecord> records;
-        // The point of the record among all dimensions of the content.
+        // The record's point in all dimensions of the content.
         std::vector<std::size_t> at(content_.dimensions.size(), 0);
         do {
             for (const auto& [place, time] : layout_.parallel_dimensions) at[place] = at[time];
@@ -67,7 +67,7 @@ class RecordMaker {
         return index ? &content_.variables[*index] : nullptr;
     }
     std::size_t size(std::size_t dimension) const { return content_.dimensions[dimension].size; }
-    /// Of all records.
+    /// Adds a warning to all records.
     void warn(const std::string& warning) { warnings_.push_back(warning); }
 
     void read_units() {
@@ -88,7 +88,8 @@ class RecordMaker {
              "' over frequencies in rad/s is taken as one per rad/s");
     }
 
-    /// Whether units say what the frequency is: Hz, or one angle more than the directions have.
+    /// Returns true if the units name the frequency: by Hz, or by one angle more than the
+    /// directions.
     static bool names_frequency(const std::string& units, bool directional) {
         const std::string plain = lower_case(units);
         if (plain.find('h') != std::string::npos) return true;  // Hz, hertz, cph
@@ -101,7 +102,7 @@ class RecordMaker {
         return angles > (directional ? 1u : 0u);
     }
 
-    /// wavespectra's convention needs no attributes.
+    /// Assumes the units of a spectrum without any. wavespectra's files need no warning.
     void assume_units(bool directional) {
         const Variable* direction = variable(layout_.direction);
         units_.factor = directional && axes_.radian_bins ? kPerRadian : 1.0;
@@ -117,10 +118,10 @@ class RecordMaker {
         const Variable& v = *variable(layout_.time);
         std::string calendar = v.attribute("calendar");
         calendar = lower_case(calendar);
-        // SWAN calls the usual calendar so: its seconds are those since 1970.
+        // SWAN gives the standard calendar this name: its seconds are those since 1970.
         if (calendar == "julian") {
             if (!is_swan(content_, spectrum_)) {
-                warn("the calendar 'julian' is taken as the usual one, as SWAN means it");
+                warn("the calendar 'julian' is taken as the standard one, as SWAN means it");
             }
             calendar.clear();
         }
@@ -148,7 +149,8 @@ class RecordMaker {
         return false;
     }
 
-    /// The spectrum at a point into gathered_: [frequency, ascending][direction, as in the file].
+    /// Copies the spectrum at a point into gathered_: [frequency, ascending][direction, as in the
+    /// file].
     void gather(const std::vector<std::size_t>& at) {
         const std::size_t origin = offset(content_, spectrum_, at);
         const std::size_t row = stride(content_, spectrum_, layout_.frequency_dimension);
@@ -162,7 +164,8 @@ class RecordMaker {
             }
         }
     }
-    /// Without directions a missing bin is left out, and a spectrum has two at least.
+    /// Returns true if enough bins have values. Without directions, missing bins are left out and
+    /// at least two are required.
     bool has_values() const {
         const auto missing = std::count_if(gathered_.begin(), gathered_.end(),
                                            [](double value) { return std::isnan(value); });
@@ -170,7 +173,7 @@ class RecordMaker {
         return present >= (axes_.directions ? 1u : 2u);
     }
 
-    /// Of a record that cannot be used, time and place alone.
+    /// Returns the record at a point; a record that cannot be used has time, place and fault alone.
     SpectrumRecord record(const std::vector<std::size_t>& at) {
         SpectrumRecord result;
         try {
@@ -187,7 +190,7 @@ class RecordMaker {
             bad.latitude = result.latitude;
             bad.longitude = result.longitude;
             bad.depth = result.depth;
-            // A name out of the child may hold anything, a zero that ends what() too.
+            // A name from the child may contain anything, also a zero byte that would end what().
             const std::string name = text::printable(fault.variable);
             bad.fault = (name.empty() ? "" : name + ": ") + fault.message;
             return bad;
@@ -223,7 +226,7 @@ class RecordMaker {
         for (std::size_t i = 0; i < axes_.frequency.size(); ++i) {
             const std::size_t band = axes_.frequency_order[i];
             const bool bad = !verdict.bad.empty() && verdict.bad[band];
-            if (std::isnan(gathered_[i]) || bad) continue;  // as if the bin were not there
+            if (std::isnan(gathered_[i]) || bad) continue;  // as if the file did not have the bin
             result.frequency.push_back(axes_.frequency[i]);
             result.density.push_back(gathered_[i] * units_.factor);
             at[layout_.frequency_dimension] = band;
@@ -236,16 +239,17 @@ class RecordMaker {
         drop_unknown_moments(result);
     }
 
-    /// Estimators leave densities a little below 0, which clean_record takes for noise.
+    /// Checks densities. Estimators give values slightly below 0, which clean_record treats as
+    /// noise.
     void require_noise_only(const SpectrumRecord& record) const {
-        double least = 0.0;
-        double most = 0.0;
+        double min = 0.0;
+        double max = 0.0;
         for (const double value : gathered_) {
-            least = std::min(least, value);  // which a NaN is not
-            most = std::max(most, value);
+            min = std::min(min, value);  // ignores NaN
+            max = std::max(max, value);
         }
-        if (least >= -kMostNoise * most) return;
-        throw fail(label(record) + "a density of " + shown(least) +
+        if (min >= -kMaxNoise * max) return;
+        throw fail(label(record) + "a density of " + shown(min) +
                    "; allowed: 0 .. 1e6 m^2/Hz/degree");
     }
 
@@ -268,7 +272,7 @@ class RecordMaker {
 
     double density(double value, const SpectrumRecord& record) const {
         if (is_ecmwf(spectrum_)) value = std::pow(10.0, value);
-        // The offset keeps zeros finite in the file; rounding may fall below it.
+        // The offset keeps zeros finite in the file; rounding may give less.
         if (units_.log10) value = std::max(std::pow(10.0, value) - 1e-12, 0.0);
         if (std::isnan(value) || std::abs(value) <= 1e8) return value;
         throw fail(label(record) + "a density of " + shown(value) +
@@ -301,7 +305,7 @@ class RecordMaker {
                                  " .. " + std::to_string(std::lround(high)));
     }
 
-    /// The station of all records, as attributes of the file have it.
+    /// Returns the station that attributes of the file give for all records.
     std::string file_station() const {
         for (const char* key : {"station", "platform_code", "wmo_platform_code", "site_code",
                                 "station_id", "cdip_station_id", "station_name", "wmo_id"}) {
@@ -311,7 +315,7 @@ class RecordMaker {
         return "";
     }
 
-    /// Numbers are names where there are no others.
+    /// Returns the station of a record; a number serves as a name if there is no other.
     std::string station(const std::vector<std::size_t>& at) const {
         const Variable* v = variable(layout_.station);
         if (v == nullptr) return file_station();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From the variables of a NetCDF file to records, in libocean's conventions. Knows nothing of
-// libnetcdf: its input may come from anywhere.
+// Converts the variables of a NetCDF file to records in libocean's conventions. Independent of
+// libnetcdf, so that the input may come from anywhere.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace ocean::netcdf {
 
-/// Needs a consistent content: what decode gives. Times outermost; a time and place without any
-/// value is no record, one that cannot be used has its `fault`: "VARIABLE: what is wrong". What had
-/// to be assumed of the file is among the warnings of each record. Throws Fault for what concerns
-/// all records.
+/// Returns the records of a consistent content, such as decode() returns, ordered by time and then
+/// by place. A time and place without a value gives no record; a record that cannot be used has a
+/// `fault`, "VARIABLE: problem". Each record's warnings include the assumptions about the file.
+/// Throws Fault for a problem of all records.
 std::vector<SpectrumRecord> records_from(const Content& content);
 
 }  // namespace ocean::netcdf

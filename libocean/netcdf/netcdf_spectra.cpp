@@ -27,7 +27,7 @@ Error bad_file(const std::string& path, std::string_view message) {
     return text::error_at(ErrorKind::bad_file, path, 0, message);
 }
 
-/// libnetcdf would also open folders, URLs and formats that hold no spectra.
+/// Throws for other files: libnetcdf would also open folders, URLs and formats without spectra.
 void require_netcdf(const std::string& path) {
     const std::filesystem::path file = utf8_path(path);
     std::error_code ignored;
@@ -41,7 +41,7 @@ void require_netcdf(const std::string& path) {
 }
 
 #ifdef OCEAN_HAVE_NETCDF
-/// The library must not take the path for a URL: an absolute one never is.
+/// Returns an absolute path, which libnetcdf cannot mistake for a URL.
 netcdf::Content read_content(const std::string& path) {
     const std::string absolute = text::to_utf8(std::filesystem::absolute(utf8_path(path)));
     const auto produce = [&](const netcdf::Sink& sink) {

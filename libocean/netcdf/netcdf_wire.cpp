@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A content as bytes: see netcdf_wire.hpp. Numbers are in the byte order of the machine, counts
-// have 64 bits and stand before what they count.
+// A content as bytes: see netcdf_wire.hpp. Numbers have the byte order of the machine; a count has
+// 64 bits and precedes its elements.
 #include "netcdf_wire.hpp"
 
 #include <algorithm>
@@ -49,10 +49,10 @@ class Reader {
   public:
     explicit Reader(const Source& source) : source_(source) {}
 
-    std::uint64_t count(std::uint64_t most) {
+    std::uint64_t count(std::uint64_t max) {
         std::uint64_t value = 0;
         bytes(&value, sizeof(value));
-        if (value > most) throw WireError();
+        if (value > max) throw WireError();
         return value;
     }
     std::string text() {
@@ -96,7 +96,7 @@ class Reader {
     void bytes(void* to, std::size_t size) {
         if (!source_(to, size)) throw WireError();
     }
-    /// In steps: memory follows what has arrived, not what was announced.
+    /// Reads in steps, so that memory grows with the bytes received, not with the count announced.
     void values(std::vector<double>& to, std::size_t size) {
         while (to.size() < size) {
             const std::size_t begin = to.size();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A content, or a fault, as bytes for a pipe between two processes of one program. The reading side
-// believes nothing: the writing side may have been overrun by the file that it reads.
+// trusts no byte, because a hostile file may control the writing side.
 #pragma once
 
 #include <functional>
@@ -11,21 +11,21 @@
 
 namespace ocean::netcdf {
 
-/// Takes all of the bytes.
+/// Writes all bytes.
 using Sink = std::function<void(const void* bytes, std::size_t count)>;
-/// Gives so many bytes; false if there are not as many.
+/// Reads `count` bytes. Returns false if fewer are left.
 using Source = std::function<bool(void* bytes, std::size_t count)>;
 
 void encode(const Content& content, const Sink& sink);
 void encode(const Fault& fault, const Sink& sink);
 
-/// The bytes are no content.
+/// The bytes do not represent a content.
 struct WireError : std::runtime_error {
     WireError() : std::runtime_error("no content") {}
 };
-/// A consistent content: dimensions exist, and each variable has as many values or texts as its
-/// dimensions say. Takes no more memory than a few times what it is given. Throws Fault if the
-/// other side sent one, WireError.
+/// Returns a consistent content: all dimensions exist, and each variable has one value or text per
+/// point of its dimensions. Uses at most a few times the memory of the bytes received. Throws Fault
+/// if the other side sent one, WireError for invalid bytes.
 Content decode(const Source& source);
 
 }  // namespace ocean::netcdf

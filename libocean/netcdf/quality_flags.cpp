@@ -13,7 +13,7 @@
 namespace ocean::netcdf {
 namespace {
 
-/// The parts of a text between blanks and commas.
+/// Splits a text at blanks and commas.
 std::vector<std::string> parts_of(std::string text) {
     std::replace(text.begin(), text.end(), ',', ' ');
     std::vector<std::string> parts;

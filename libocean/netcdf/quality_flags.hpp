@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Flags of quality in NetCDF: which of a variable's values are good, doubtful or bad.
+// Quality flags in NetCDF: they mark values of a variable as good, doubtful or bad.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace ocean::netcdf {
 
 enum class Quality { good, doubtful, bad };
 
-/// The meaning of a variable's flags: of its flag_values and flag_meanings, otherwise of the
-/// oceanographic scale, where 4 is bad and 9 missing, 3 doubtful.
+/// The meaning of a variable's flags by its flag_values and flag_meanings. Without them by the
+/// oceanographic scale: 3 is doubtful, 4 bad, 9 missing.
 class QualityFlags {
   public:
     explicit QualityFlags(const Variable& flags);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the flags of quality beside a spectrum say of one record: which frequencies, or all of it,
-// are left out, and what its reader is told.
+// Applies the quality flags beside a spectrum to one record: frequencies, or the whole record, are
+// left out, with a warning.
 #pragma once
 
 #include <cstddef>
@@ -16,27 +16,27 @@
 
 namespace ocean::netcdf {
 
-/// What the flags of one variable say in one record.
+/// The verdict of one variable's flags on one record.
 struct Verdict {
-    std::string record_fault;  // if the whole record is bad
-    std::vector<bool> bad;     // by frequency of the file; empty where none is
+    std::string record_fault;  // set if the whole record is bad
+    std::vector<bool> bad;     // by frequency of the file; empty if none is bad
 };
 
-/// "record 2020-06-08T03:50 41010: ", before a fault of it.
+/// Returns "record 2020-06-08T03:50 41010: ", which begins messages about the record.
 std::string label(const SpectrumRecord& record);
 
 class RecordFlags {
   public:
-    /// Both outlive it.
+    /// `content` and `layout` must outlive this object.
     RecordFlags(const Content& content, const Layout& layout);
 
-    /// What the flags of a variable say at a point among all dimensions of the content; of those of
-    /// the spectrum, `record` gets the warnings.
+    /// Returns the verdict of the flags of `judged` at a point in all dimensions of the content.
+    /// Adds warnings to `record` for flags of the spectrum.
     Verdict judge(SpectrumRecord& record, const Variable& judged,
                   std::vector<std::size_t> at) const;
 
   private:
-    /// A variable of flags, the one that it judges, and what its flags mean.
+    /// A variable of flags, the variable that it judges, and the meaning of the flags.
     struct Flags {
         const Variable* flags;
         const Variable* judged;

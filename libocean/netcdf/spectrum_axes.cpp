@@ -19,12 +19,12 @@
 namespace ocean::netcdf {
 namespace {
 
-/// ECMWF's frequencies where the file has only their numbers: f_n = 0.03453 Hz * 1.1^(n - 1).
+/// ECMWF's frequencies for a file with their numbers alone: f_n = 0.03453 Hz * 1.1^(n - 1).
 constexpr double kFirstFrequency = 0.03453;
 constexpr double kFrequencyRatio = 1.1;
-/// Relative, of frequencies that a file repeats for each record.
+/// The relative tolerance between frequencies that a file repeats for each record.
 constexpr double kSameFrequency = 1e-5;
-/// Bins without a unit that lie within less are radians: their whole circle.
+/// Bins without a unit that span less than this are radians.
 constexpr double kRadianCircle = 6.5;
 
 std::string shown(double value) {
@@ -32,7 +32,7 @@ std::string shown(double value) {
     return digits.size() > 20 ? digits.substr(0, 20) + "..." : digits;
 }
 
-/// 1, 2, 3 ..., or no coordinate at all: numbers of bins.
+/// Returns true for 1, 2, 3 ...: numbers of bins, which also stand in for a missing coordinate.
 bool are_numbers(const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i] != static_cast<double>(i + 1)) return false;
@@ -90,7 +90,7 @@ class AxisReader {
         }
     }
 
-    /// A file may repeat its frequencies for each record.
+    /// Reads the frequencies, which a file may repeat for each record.
     std::vector<double> frequencies_of(const Variable& v, std::size_t count) const {
         if (v.dimensions.size() == 1) return v.values;
         std::vector<double> found(count, kMissing);
@@ -110,7 +110,7 @@ class AxisReader {
     void to_hertz(const Variable& v) {
         const std::string units = v.attribute("units");
         if (!units.empty()) {
-            // What is per frequency shrinks by as much as the frequency grows.
+            // A density per frequency scales inversely to the frequency.
             const DensityUnit per =
                 parse_density_unit("m2/(" + units + ")", DensityOver::frequency);
             if (!per.fault.empty()) {
@@ -147,7 +147,7 @@ class AxisReader {
         if (const std::string fault = DirectionAxis::fault(degrees); !fault.empty()) {
             throw Fault(name, fault);
         }
-        // A sector gets two directions more.
+        // A sector gets two further directions.
         if (axes_.frequency.size() * (count + 2) > kMaxDirectionalValues) {
             throw fail("more than 131072 values over frequency and direction");
         }
@@ -158,18 +158,19 @@ class AxisReader {
 
     void to_degrees(const Variable& v, std::vector<double>& values) {
         double scale = degrees_per_unit(v);
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        if (v.attribute("units").empty() && values.size() > 3 && *most - *least < kRadianCircle) {
+        const auto [min, max] = std::minmax_element(values.begin(), values.end());
+        if (v.attribute("units").empty() && values.size() > 3 && *max - *min < kRadianCircle) {
             scale = 180.0 / kPi;
             warn("the directions '" + text::printable(v.name) + "' have no unit and lie within " +
-                 shown(*most - *least) + ": they are taken as radians");
+                 shown(*max - *min) + ": they are taken as radians");
         }
         axes_.radian_bins = scale != 1.0;
         for (double& value : values) value *= scale;
     }
 
-    /// What the writers mean whose names the file has, where words are silent: ECMWF and WAVEWATCH
-    /// III travel to, wavespectra's `dir` comes from.
+    /// Returns the convention of the writer whose names the file has, for a file without words:
+    /// ECMWF and WAVEWATCH III give the direction waves travel to, wavespectra's `dir` the one they
+    /// come from.
     std::optional<DirectionSense> writer_sense(const Variable* direction) const {
         if (is_ecmwf(spectrum_)) return kTravellingTo;
         if (spectrum_.name != "efth" || direction == nullptr) return std::nullopt;

@@ -14,14 +14,14 @@
 namespace ocean::netcdf {
 
 struct SpectrumAxes {
-    std::vector<double> frequency;             // Hz, ascending
-    std::vector<std::size_t> frequency_order;  // of the file, in that order
+    std::vector<double> frequency;             // [Hz], ascending
+    std::vector<std::size_t> frequency_order;  // indices in the file, in that order
     bool angular_frequency = false;            // the file has rad/s
-    std::optional<DirectionAxis> directions;   // where the spectrum has some
+    std::optional<DirectionAxis> directions;   // if the spectrum has directions
     bool radian_bins = false;                  // the file has radians
-    std::vector<std::string> warnings;         // what had to be assumed
+    std::vector<std::string> warnings;         // assumptions about the file
 };
-/// Throws Fault.
+/// Reads the axes of the spectrum. Throws Fault for a unit or a value that is not allowed.
 SpectrumAxes read_axes(const Content& content, const Layout& layout);
 
 }  // namespace ocean::netcdf

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cameras and suns are said in degrees, and reckoned with in radians.
+// Options give angles in degrees; formulas use radians.
 #pragma once
 
 #include "ocean/grid.hpp"
 
 namespace ocean::preview {
 
-inline constexpr double kRadians = kPi / 180.0;  // of a degree
+inline constexpr double kRadians = kPi / 180.0;  // [rad] of a degree
 
 }  // namespace ocean::preview

@@ -17,10 +17,10 @@ gl::Renderbuffer renderbuffer(GLenum format, int width, int height, int samples)
     return made;
 }
 
-int possible_samples(int asked) {
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    return std::min(asked, most);
+int possible_samples(int requested) {
+    GLint max = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &max);
+    return std::min(requested, max);
 }
 
 }  // namespace
@@ -38,8 +38,9 @@ Canvas::Canvas(int width, int height, GLenum format, int samples)
                               colour_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error(ErrorKind::no_gpu, "the driver has no picture of " + std::to_string(width) +
-                                           "x" + std::to_string(height) + " pixels");
+        throw Error(ErrorKind::no_gpu, "the driver cannot make a picture of " +
+                                           std::to_string(width) + "x" + std::to_string(height) +
+                                           " pixels");
     }
 }
 

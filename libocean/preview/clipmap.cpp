@@ -18,7 +18,7 @@ const void* offset_of(int index) {
 
 Frustum::Frustum(const glm::mat4& clip_from_world, double eye_height) {
     const glm::dmat4 m(glm::transpose(clip_from_world));  // its rows are columns now
-    // The matrix takes places relative to the eye itself.
+    // The matrix expects positions relative to the eye itself.
     const auto lifted = [&](glm::dvec4 plane) {
         plane.w -= plane.z * eye_height;
         return plane;
@@ -26,11 +26,10 @@ Frustum::Frustum(const glm::mat4& clip_from_world, double eye_height) {
     planes = {lifted(m[3] + m[0]), lifted(m[3] - m[0]), lifted(m[3] + m[1]), lifted(m[3] - m[1])};
 }
 
-bool Frustum::touches(const glm::dvec3& least, const glm::dvec3& most) const {
+bool Frustum::touches(const glm::dvec3& min, const glm::dvec3& max) const {
     return std::ranges::all_of(planes, [&](const glm::dvec4& plane) {
-        const glm::dvec3 farthest(plane.x > 0.0 ? most.x : least.x,
-                                  plane.y > 0.0 ? most.y : least.y,
-                                  plane.z > 0.0 ? most.z : least.z);
+        const glm::dvec3 farthest(plane.x > 0.0 ? max.x : min.x, plane.y > 0.0 ? max.y : min.y,
+                                  plane.z > 0.0 ? max.z : min.z);
         return glm::dot(glm::dvec3(plane), farthest) + plane.w >= 0.0;
     });
 }
@@ -65,7 +64,7 @@ Clipmap::Clipmap(int cells) : cells_(cells) {
 Clipmap::Blocks Clipmap::add_blocks(std::vector<unsigned>& indices, bool hole, int x, int y) const {
     const int side = 2 * cells_;
     const int block_cells = side / kBlocks;
-    const auto in_hole = [&](int i, int j) {  // of the cell whose lower corner is (i, j)
+    const auto in_hole = [&](int i, int j) {  // of the cell with its lower corner at (i, j)
         const int half = cells_ / 2;
         return hole && i - x >= -half && i - x < half && j - y >= -half && j - y < half;
     };
@@ -95,11 +94,11 @@ Clipmap::Blocks Clipmap::add_blocks(std::vector<unsigned>& indices, bool hole, i
 std::size_t Clipmap::draw(gl::ShaderProgram& program, const glm::dvec3& eye, double finest,
                           const Frustum& frustum, const Reach& reach) const {
     glBindVertexArray(array_.name());
-    // Nearer than the eye is to the water nothing is; a level that would be morphed all over is
-    // the next one.
+    // No water is nearer than still water below the eye. A level that would be morphed all over
+    // equals the next one, and is skipped.
     const double nearest = std::abs(eye.z);
-    // It begins behind where the level inside ends, whichever way that lies, and is whole before
-    // the edge; between the two the water is drawn by the same vertices wherever the eye goes.
+    // Morphing begins outside the level inside, wherever that lies, and is complete before the
+    // edge: up to there the same vertices draw the water wherever the eye goes.
     const double begin = std::max(cells_ / 2 + 1, 3 * cells_ / 4), end = cells_ - 2;
     program.set("morph", static_cast<float>(begin), static_cast<float>(1.0 / (end - begin)),
                 static_cast<float>(nearest), 0.0f);

@@ -15,21 +15,22 @@
 
 namespace ocean::preview {
 
-/// What of the world is in the picture; planes point inwards, relative to the eye's place on the
-/// still water.
+/// The part of the world that is in the picture, by planes that point inwards, relative to the
+/// eye's place on the still water.
 struct Frustum {
-    std::array<glm::dvec4, 4> planes;  // the sides alone
+    std::array<glm::dvec4, 4> planes;  // the four sides, without near and far
 
-    /// Of a matrix from places relative to the eye.
+    /// clip_from_world: of positions relative to the eye. eye_height: over still water [m].
     Frustum(const glm::mat4& clip_from_world, double eye_height);
-    bool touches(const glm::dvec3& least, const glm::dvec3& most) const;
+    /// Returns whether a box with these corners may be in the picture.
+    bool touches(const glm::dvec3& min, const glm::dvec3& max) const;
 };
 
-/// How far the surface may be from a label.
+/// The greatest distances of the surface from its labels, and of its end from the eye.
 struct Reach {
-    double sideways;  // m
-    double up;        // m, and down
-    double farthest;  // m, that is drawn
+    double sideways;  // [m]
+    double up;        // [m], and down
+    double farthest;  // [m] from the eye
 };
 
 class Clipmap {
@@ -37,13 +38,14 @@ class Clipmap {
     /// cells: RendererOptions::cells.
     explicit Clipmap(int cells);
 
-    /// Draws what the frustum touches, with the current program, whose uniforms `level` and `morph`
-    /// it sets. finest: m, of a cell of the finest level, a power of two. Returns the triangles.
+    /// Draws the blocks that the frustum touches with the current program, and sets its uniforms
+    /// `level` and `morph`. finest: side of a cell of the finest level [m], a power of two. Returns
+    /// the number of triangles.
     std::size_t draw(gl::ShaderProgram& program, const glm::dvec3& eye, double finest,
                      const Frustum& frustum, const Reach& reach) const;
 
   private:
-    /// Squares of 1/8 of a level's side, which are drawn or left out.
+    /// Blocks along a level's side: each is drawn or culled as a whole.
     static constexpr int kBlocks = 8;
     struct Block {
         int first_index = 0;
@@ -51,8 +53,8 @@ class Clipmap {
     };
     using Blocks = std::array<Block, kBlocks * kBlocks>;
 
-    /// A level with a hole for the level inside it, whose centre is (x, y) cells from its own; the
-    /// innermost one has none.
+    /// Appends a level, with or without a hole for the level inside it, whose centre lies (x, y)
+    /// cells from its own.
     Blocks add_blocks(std::vector<unsigned>& indices, bool hole, int x, int y) const;
 
     int cells_;

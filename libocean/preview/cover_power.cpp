@@ -16,7 +16,7 @@ struct Stopped {};
 
 }  // namespace
 
-/// Has all that it reads: the sea goes on meanwhile.
+/// A solution in work. It owns all that it reads, because the sea changes meanwhile.
 struct CoverPower::Job {
     Job(DirectionalSpectrum of, Parameters shown, const FoamWaves& waves, int resolution)
         : spectrum(std::move(of)),
@@ -28,7 +28,7 @@ struct CoverPower::Job {
               });
               return cover_power({spectrum, parameters, resolution}, waves, pool);
           })) {}
-    ~Job() { stopped = true; }  // and the future waits
+    ~Job() { stopped = true; }  // the future waits for the thread
 
     bool done() const {
         return power.wait_for(std::chrono::seconds(0)) == std::future_status::ready;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The power of the foam that is its cover, solved beside the frames: it takes tenths of a second,
-// and a sea that glides has another one in every frame.
+// The exponent from foam to its cover, solved in another thread: it takes tenths of a second, and a
+// gliding sea has a new one in every frame.
 #pragma once
 
 #include <memory>
@@ -15,24 +15,25 @@ namespace ocean::preview {
 class CoverPower {
   public:
     CoverPower();
-    /// Stops what is being solved.
+    /// Stops a solution that is in work.
     ~CoverPower();
     CoverPower(const CoverPower&) = delete;
     CoverPower& operator=(const CoverPower&) = delete;
 
-    /// Ocean::cover_power of a sea at a time, on maps of that resolution, or the one before until
-    /// it is solved; of what is asked for meanwhile the last is solved next. Throws Error.
+    /// Returns Ocean::cover_power of a sea at a time [s] on maps of that resolution, or the
+    /// previous value until it is solved. Of the requests that come meanwhile the last one is
+    /// solved next. Throws Error.
     double of(Ocean& sea, double time, int resolution);
-    /// Returns whether it is being solved, or is solved and the next call of of() takes it.
+    /// Returns whether a solution is in work, or ready for the next call of of().
     Pending pending() const;
 
   private:
     struct Job;
 
-    Revision revision_;  // of the modes that were asked for last
+    Revision revision_;  // of the modes of the last request
     SurfaceSettings settings_;
     int resolution_ = 0;
-    double power_ = 3.0;  // of a fresh breeze, about
+    double power_ = 3.0;  // about that of a fresh breeze
     std::unique_ptr<Job> job_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr DetailSettings kSettings{.resolution = 0, .samples = 512};
 constexpr std::size_t kSide = 512;
 
-/// Means of the squares and the product.
+/// Returns the means of the squares and of the product.
 SlopeVariance variance_of(const std::vector<float>& slopes) {
     SlopeVariance sum;
     for (std::size_t row = 0; row < kSide; ++row) {
@@ -36,7 +36,7 @@ SlopeVariance variance_of(const std::vector<float>& slopes) {
     return {sum.x / kCount, sum.y / kCount, sum.xy / kCount};
 }
 
-/// Slopes as in ShownTile, of fewer samples a side.
+/// A level of the mipmaps of a tile: slopes as in ShownTile.
 struct Level {
     std::size_t side;
     std::vector<float> slopes;
@@ -59,8 +59,8 @@ Level halved(const Level& fine) {
     return coarse;
 }
 
-/// Mean square slope of bilinear reads, which are means between texels: of the covariances at lags
-/// of 0 and 1 texels, with 2/3 and 1/6 along each axis.
+/// Returns the mean square slope of bilinear reads, which are means between texels: a sum of the
+/// covariances at lags of 0 and 1 texels, with weights 2/3 and 1/6 along each axis.
 double read_variance(const Level& level) {
     double still = 0.0, beside = 0.0, across = 0.0;
     const auto product = [](const float* a, const float* b) {
@@ -79,7 +79,7 @@ double read_variance(const Level& level) {
            (9.0 * static_cast<double>(level.side * level.side));
 }
 
-/// Shares of the tile's variance that reads of its mipmaps have.
+/// Returns the shares of the tile's variance that reads of its mipmaps have.
 std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
     std::array<double, kTileLevels> shares{};
     const SlopeVariance whole = variance_of(slopes);
@@ -94,8 +94,8 @@ std::array<double, kTileLevels> read_shares(const std::vector<float>& slopes) {
 
 }  // namespace
 
-void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
-    const Grid grid{finest.resolution, finest.period, 1, {}};
+void DetailTiles::set_sea(Ocean& sea, const ShownCascade& finest) {
+    const Grid grid{finest.maps.resolution, finest.period, 1, {}};
     const bool same_grid = sea_ && sea_->parameters().grid == grid;
     if (same_grid && revision_ == sea.revision()) return;
     Sea of = sea.sea();
@@ -108,11 +108,11 @@ void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
     revision_ = sea.revision();
     if (same_grid) return;
     const std::size_t bands = detail_bands(sea_->parameters(), kSettings).size();
-    textures_.clear();
-    for (std::size_t i = 0; i < bands; ++i) {
-        textures_.push_back(gl::make_texture(GL_RG32F, kSide, gl::Mipmaps::yes));
+    maps_ = {};
+    if (bands > 0) {
+        maps_ = gl::make_texture_array(GL_RG32F, kSide, static_cast<int>(bands), gl::Mipmaps::yes);
         // A read between two levels would have the variance of neither.
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     }
     images_.assign(bands, std::vector<float>(2 * kSide * kSide));
     read_.clear();
@@ -121,13 +121,13 @@ void DetailTiles::stand_for(Ocean& sea, const ShownCascade& finest) {
 const std::vector<ShownTile>& DetailTiles::make(Ocean& sea, double time,
                                                 const std::vector<ShownCascade>& cascades) {
     const ShownCascade& finest = *std::ranges::min_element(
-        cascades, {}, [](const ShownCascade& c) { return c.period / c.resolution; });
-    stand_for(sea, finest);
+        cascades, {}, [](const ShownCascade& c) { return c.period / c.maps.resolution; });
+    set_sea(sea, finest);
     std::vector<MapOutput> outputs;
     for (std::vector<float>& image : images_) {
         outputs.push_back({image.data(), 2, {{{Channel::slope_x}, {Channel::slope_y}}}});
     }
-    if (read_.empty()) {  // at a time that is the same whatever is shown first
+    if (read_.empty()) {  // at a fixed time, so that the shares do not depend on the first picture
         sea_->detail_into(sea_->parameters().time.start, outputs, kSettings);
         for (const std::vector<float>& image : images_) read_.push_back(read_shares(image));
     }
@@ -135,14 +135,16 @@ const std::vector<ShownTile>& DetailTiles::make(Ocean& sea, double time,
     const DetailBudget budget = sea_->detail_budget(time, kSettings);
     tiles_.clear();
     for (std::size_t i = 0; i < images_.size(); ++i) {
-        glBindTexture(GL_TEXTURE_2D, textures_[i].name());
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSide, kSide, GL_RG, GL_FLOAT, images_[i].data());
-        glGenerateMipmap(GL_TEXTURE_2D);
+        const auto layer = static_cast<int>(i);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, maps_.name());
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, kSide, kSide, 1, GL_RG, GL_FLOAT,
+                        images_[i].data());
         const DetailBand& band = budget.bands[i];
-        tiles_.push_back({textures_[i].name(), static_cast<int>(kSide), band.tile,
+        tiles_.push_back({maps_.name(), layer, static_cast<int>(kSide), band.tile,
                           band.shortest_wave, band.longest_wave, variance_of(images_[i]),
                           read_[i]});
     }
+    if (!tiles_.empty()) glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
     return tiles_;
 }
 

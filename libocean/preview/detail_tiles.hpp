@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The waves too short for the shown maps as textures of their slopes: ocean/detail.hpp in the
-// context.
+// Slopes of the waves too short for the shown maps (ocean/detail.hpp) as an array texture.
 #pragma once
 
 #include <array>
@@ -17,17 +16,18 @@ namespace ocean::preview {
 
 class DetailTiles {
   public:
-    /// Of a sea at a time, beside the maps of its cascades. Throws Error.
+    /// Returns the tiles of a sea at a time [s], which its cascades' maps lack. They are valid
+    /// until the next call. Throws Error.
     const std::vector<ShownTile>& make(Ocean& sea, double time,
                                        const std::vector<ShownCascade>& cascades);
 
   private:
-    void stand_for(Ocean& sea, const ShownCascade& finest);
+    void set_sea(Ocean& sea, const ShownCascade& finest);
 
-    /// The sea on the grid of its finest map: there the detail begins where that ends.
+    /// The sea on the grid of its finest map: the detail begins where the waves of that grid end.
     std::unique_ptr<Ocean> sea_;
-    std::uint64_t revision_ = 0;  // of the sea that it is of
-    std::vector<gl::Texture> textures_;
+    std::uint64_t revision_ = 0;  // of the shown sea
+    gl::Texture maps_;            // a layer for each band
     std::vector<std::vector<float>> images_;
     std::vector<std::array<double, kTileLevels>> read_;  // as in ShownTile
     std::vector<ShownTile> tiles_;

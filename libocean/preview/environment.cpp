@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A photographed sun has the light of the whole sky in a few texels. Mirrored by single facets they
-// would be sparks that come and go; so they become a direction and an irradiance, from which the
-// glitter of all facets is computed, and the sky keeps what its surroundings have.
+// A photographed sun has the light of the whole sky in a few texels. Single facets would mirror
+// them as sparks that come and go; so they become a direction and an irradiance, from which the
+// glitter of all facets is computed, and the sky keeps the brightness of their surroundings.
 #include "ocean/preview/environment.hpp"
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace ocean::preview {
 namespace {
 
 constexpr double kDisc = 4.0 * kRadians;  // radius of a sun with the glare of a lens
-constexpr double kSurroundings = 2.0;     // radius of what surrounds it, over that
-constexpr double kCeiling = 4.0;          // times their mean
-constexpr double kLeastShare = 0.01;      // of all light, for a sun
+constexpr double kSurroundings = 2.0;     // radius of the surroundings, in radii of the disc
+constexpr double kCeiling = 4.0;          // brightness that is kept, in means of the surroundings
+constexpr double kMinShare = 0.01;        // of all light, for a sun
 
 /// Directions and solid angles of the texels.
 class Texels {
@@ -32,7 +32,7 @@ class Texels {
           up_(0.5 * kPi / map.height),
           size_(std::max(around_, up_)) {}
 
-    double size() const { return size_; }  // radians, at the horizon
+    double size() const { return size_; }  // [rad], at the horizon
     glm::dvec3 direction(int i, int j) const {
         const double bearing = (0.5 * width_ - (i + 0.5)) * around_;
         const double elevation = (j + 0.5) * up_;
@@ -42,7 +42,7 @@ class Texels {
     double solid_angle(int j) const {
         return around_ * (std::sin((j + 1) * up_) - std::sin(j * up_));
     }
-    /// Projected on the level: the exact integral.
+    /// Returns the exact integral of the solid angle projected on the level.
     double level_solid_angle(int j) const {
         return solid_angle(j) * 0.5 * (std::sin((j + 1) * up_) + std::sin(j * up_));
     }
@@ -97,7 +97,7 @@ glm::dvec3 brightest_direction(const Environment& map, const Texels& texels) {
     return texels.direction(at_i, at_j);
 }
 
-/// Calls of each texel between two angles from a direction, in radians.
+/// Calls `visit` for each texel between two angles [rad] from a direction.
 template <typename Visit>
 void visit_around(const Environment& map, const Texels& texels, const glm::dvec3& middle,
                   double from, double to, Visit&& visit) {
@@ -112,8 +112,8 @@ void visit_around(const Environment& map, const Texels& texels, const glm::dvec3
     }
 }
 
-/// Cuts the brightest place off, and returns the sun that it was.
-std::optional<EnvironmentSun> take_sun(Environment& map, const Texels& texels) {
+/// Cuts the brightest place of the map off and returns it as a sun, if it is bright enough for one.
+std::optional<EnvironmentSun> extract_sun(Environment& map, const Texels& texels) {
     const glm::dvec3 middle = brightest_direction(map, texels);
     const double disc = std::max(kDisc, 1.5 * texels.size());
 
@@ -125,8 +125,8 @@ std::optional<EnvironmentSun> take_sun(Environment& map, const Texels& texels) {
                  });
     const double ceiling = kCeiling * around / solid_angle;
 
-    // Vectors of irradiance: what a surface of any attitude lost of each colour.
-    glm::dmat3 lost(0.0);  // a column for each
+    // The removed light as vectors of irradiance, a column for each colour.
+    glm::dmat3 lost(0.0);
     visit_around(map, texels, middle, 0.0, disc, [&](int i, int j, const glm::dvec3& direction) {
         const glm::dvec3 here = colour(map, i, j);
         if (luminance(here) <= ceiling) return;
@@ -139,7 +139,7 @@ std::optional<EnvironmentSun> take_sun(Environment& map, const Texels& texels) {
     });
     const glm::dvec3 all = lost * kLuminance;
     const double rest = luminance(level_light(map, texels));
-    if (!(glm::length(all) / kPi > kLeastShare * (rest + all.z / kPi))) return std::nullopt;
+    if (!(glm::length(all) / kPi > kMinShare * (rest + all.z / kPi))) return std::nullopt;
     const glm::dvec3 direction = glm::normalize(all);
     return EnvironmentSun{as_array(direction), as_array(direction * lost / kPi)};
 }
@@ -165,7 +165,7 @@ Environment make_environment(int width, int height, std::span<const float> rgb) 
     const auto upper = rgb.subspan(rgb.size() / 2);
     map.rgb.assign(upper.begin(), upper.end());
     const Texels texels(map);
-    map.sun = take_sun(map, texels);
+    map.sun = extract_sun(map, texels);
     map.light = as_array(level_light(map, texels));
     return map;
 }

@@ -13,8 +13,8 @@ namespace {
 
 /// Texels a side: 1 cm of the net, 3 mm of the bubbles, 19 cm of the streaks.
 constexpr std::array<int, kFoamTextures.size()> kSizes = {1024, 512, 512};
-constexpr int kLeastSize = 32;
-constexpr int kReads = 1 << 19;  // of a level
+constexpr int kMinSize = 32;
+constexpr int kReads = 1 << 19;  // that a level is sampled by
 
 float at(const LaceLevel& level, int x, int y) {
     const int mask = level.size - 1;
@@ -32,7 +32,7 @@ std::vector<float> halved(const LaceLevel& fine) {
     return means;
 }
 
-/// Of the texture itself, which is uniform.
+/// Returns the table of the texture itself, whose values are uniform.
 std::vector<float> even_shares() {
     std::vector<float> shares;
     for (int i = 0; i < kLaceShares; ++i) {
@@ -44,7 +44,7 @@ std::vector<float> even_shares() {
 std::vector<float> shares_of(const LaceLevel& level) {
     constexpr int kBins = kLaceShares - 1;
     std::vector<std::uint32_t> count(kBins);
-    // Places in a texel of the two-dimensional golden ratio: a lattice would miss the extremes.
+    // Places within a texel follow the two-dimensional golden ratio: a lattice would miss extremes.
     const int reads = std::max(2, kReads / (level.size * level.size));
     float u = 0.5f, v = 0.5f;
     for (int y = 0; y < level.size; ++y) {
@@ -80,7 +80,7 @@ gl::Texture upload(const std::vector<LaceLevel>& levels) {
                      0, GL_RED, GL_FLOAT, levels[l].means.data());
     }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(levels.size()) - 1);
-    // A read between two levels would be of neither's table.
+    // No table fits a read between two levels.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     return texture;
@@ -90,7 +90,7 @@ gl::Texture upload(const std::vector<LaceLevel>& levels) {
 
 std::vector<LaceLevel> lace_levels(const FoamTextureSettings& settings, ThreadPool& pool) {
     std::vector<LaceLevel> levels = {{settings.size, make_foam_texture(settings, pool), {}}};
-    while (levels.back().size > kLeastSize) {
+    while (levels.back().size > kMinSize) {
         levels.push_back({levels.back().size / 2, halved(levels.back()), {}});
     }
     pool.for_each_item(static_cast<int>(levels.size()), [&](int item, int) {
@@ -128,13 +128,12 @@ bool LaceMaps::ready() {
         for (const LaceLevel& level : all[i]) {
             shares.insert(shares.end(), level.shares.begin(), level.shares.end());
         }
-        shares.resize((i + 1) * kMostLaceLevels * kLaceShares);
+        shares.resize((i + 1) * kMaxLaceLevels * kLaceShares);
     }
     shares_ = gl::generate<gl::Texture, &glGenTextures>();
     glBindTexture(GL_TEXTURE_2D, shares_.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kLaceShares,
-                 kMostLaceLevels * static_cast<int>(all.size()), 0, GL_RED, GL_FLOAT,
-                 shares.data());
+                 kMaxLaceLevels * static_cast<int>(all.size()), 0, GL_RED, GL_FLOAT, shares.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

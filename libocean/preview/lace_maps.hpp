@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The textures of foam in detail, ocean/foam_texture.hpp, for pixels of any size. A mean of their
-// values is 1/2 everywhere in the end, and foam of a small cover would vanish before its pattern
-// does: of each level of the mipmaps a table says what share of its reads is lower, and by that the
-// reads are uniform in [0, 1] again.
+// The textures of the foam's pattern, ocean/foam_texture.hpp, for pixels of any size. Means of
+// their values tend to 1/2, so that foam of a small cover would vanish before its pattern does.
+// Each level of the mipmaps therefore has a table of the share of its reads below a value, which
+// makes the reads uniform in [0, 1] again.
 #pragma once
 
 #include <array>
@@ -17,32 +17,33 @@
 
 namespace ocean::preview {
 
-inline constexpr int kLaceShares = 1024;  // values of a table, of the reads 0 .. 1
-inline constexpr int kMostLaceLevels = 8;
+inline constexpr int kLaceShares = 1024;  // values of a table, for reads of 0 .. 1
+inline constexpr int kMaxLaceLevels = 8;
 
-/// A mipmap and its table.
+/// A level of the mipmaps and its table.
 struct LaceLevel {
     int size;                   // texels a side
-    std::vector<float> means;   // size^2, of the finest
-    std::vector<float> shares;  // of bilinear reads below i / (kLaceShares - 1)
+    std::vector<float> means;   // size^2 means of the finest level
+    std::vector<float> shares;  // share of the bilinear reads below i / (kLaceShares - 1)
 };
-/// The finest first, down to 32 texels a side.
+/// Returns the levels of a texture, the finest first, down to 32 texels a side.
 std::vector<LaceLevel> lace_levels(const FoamTextureSettings& settings, ThreadPool& pool);
 
 class LaceMaps {
   public:
-    /// waits: the first call of ready() makes them, half a second on two cores; else another
-    /// thread.
+    /// waits: the first call of ready() makes the textures itself, half a second on two cores; else
+    /// another thread makes them.
     explicit LaceMaps(bool waits) : waits_(waits) {}
 
-    /// Whether they are there; begins to make them.
+    /// Returns whether the textures are ready; the first call begins to make them.
     bool ready();
-    /// Returns whether another thread makes them, or has and the next call of ready() takes them.
+    /// Returns whether another thread is making them, or has them ready for the next call of
+    /// ready().
     Pending pending() const;
     unsigned texture(FoamTextureKind kind) const {
         return textures_[static_cast<std::size_t>(kind)].name();
     }
-    /// kMostLaceLevels rows for each texture.
+    /// Returns the texture of the tables: kMaxLaceLevels rows for each texture of a pattern.
     unsigned shares() const { return shares_.name(); }
 
   private:

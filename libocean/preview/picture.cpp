@@ -9,25 +9,30 @@
 #include "angles.hpp"
 #include "ocean/enum_words.hpp"
 #include "ocean/error.hpp"
+#include "view_table.hpp"
 
 namespace ocean::preview {
 namespace {
 
 constexpr std::span kLooks(kEnumWords<LookKind>);
-/// But those for probes, the last ones.
-constexpr auto kViews = std::span(kEnumWords<View>).first(static_cast<std::size_t>(View::numbers));
+constexpr std::span kViewWords(kEnumWords<View>);
 
 std::vector<std::string> as_strings(std::span<const std::string_view> words) {
     return {words.begin(), words.end()};
 }
 
-/// what: for the message.
+/// Returns the error for a word that is no `what`, for example no "view".
+Error no_such(const char* what, std::string_view word) {
+    return Error(ErrorKind::invalid_value,
+                 "there is no " + std::string(what) + " '" + std::string(word) + "'");
+}
+
+/// Returns the enumerator of a word. Throws Error invalid_value, which names `what`.
 template <typename Enum>
 Enum enumerator(std::span<const std::string_view> words, std::string_view word, const char* what) {
     const auto found = std::ranges::find(words, word);
     if (found != words.end()) return static_cast<Enum>(found - words.begin());
-    throw Error(ErrorKind::invalid_value,
-                "there is no " + std::string(what) + " '" + std::string(word) + "'");
+    throw no_such(what, word);
 }
 
 }  // namespace
@@ -61,11 +66,17 @@ LookKind look_of(std::string_view name) {
 }
 
 std::vector<std::string> view_names() {
-    return as_strings(kViews);
+    std::vector<std::string> names;
+    for (const ViewRow& row : kViews) {
+        if (row.use == ViewUse::picture) names.emplace_back(word_of(row.view));
+    }
+    return names;
 }
 
 View view_of(std::string_view name) {
-    return enumerator<View>(kViews, name, "view");
+    const View view = enumerator<View>(kViewWords, name, "view");
+    if (row_of(view).use == ViewUse::picture) return view;
+    throw no_such("view", name);
 }
 
 }  // namespace ocean::preview

@@ -7,7 +7,8 @@
 namespace ocean::preview {
 namespace {
 
-/// Odd: the middle of the middle pixel is the place. Its neighbours are for the derivatives.
+/// Pixels along a side: odd, so that the centre of the middle pixel is the place. Its neighbours
+/// serve the derivatives.
 constexpr int kSide = 3;
 
 }  // namespace

@@ -19,29 +19,45 @@
 namespace ocean::preview {
 namespace {
 
-using gl::CascadeTextures;
 using gl::Texture;
 
-/// RGBA images of one cascade, which the sea's own backend fills.
-class UploadedCascade {
+/// RGBA maps of all cascades, which the sea's own backend fills.
+class UploadedCascades {
   public:
-    UploadedCascade(std::size_t cascade, int resolution)
-        : cascade_(cascade),
-          resolution_(resolution),
-          displacement_(texture()),
-          gradients_(texture()),
-          moments_(texture()),
+    UploadedCascades(int resolution, std::size_t cascades)
+        : resolution_(resolution),
+          cascades_(cascades),
+          displacement_(array()),
+          gradients_(array()),
+          moments_(array()),
           displacement_image_(texels()),
           gradients_image_(texels()),
           moments_image_(texels()) {}
 
-    CascadeTextures make(Ocean& sea, double time, double period) {
+    bool fits(int resolution, std::size_t cascades) const {
+        return resolution == resolution_ && cascades == cascades_;
+    }
+
+    void make(Ocean& sea, double time) {
+        for (std::size_t c = 0; c < cascades_; ++c) make_layer(sea, time, c);
+        for (const Texture* texture : {&displacement_, &gradients_, &moments_}) {
+            glBindTexture(GL_TEXTURE_2D_ARRAY, texture->name());
+            glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+        }
+    }
+
+    gl::CascadeArrays arrays() const {
+        return {resolution_, displacement_.name(), gradients_.name(), moments_.name()};
+    }
+
+  private:
+    void make_layer(Ocean& sea, double time, std::size_t cascade) {
         using enum Linear;
         MapOutput outputs[2] = {{displacement_image_.data(), 4, {}},
                                 {gradients_image_.data(), 4, {}}};
         outputs[0].component = {{{displacement_x}, {displacement_y}, {height}, {gradient_xy}}};
         outputs[1].component = {{{slope_x}, {slope_y}, {gradient_xx}, {gradient_yy}}};
-        sea.evaluate_cascade_into(cascade_, time, outputs, resolution_);
+        sea.evaluate_cascade_into(cascade, time, outputs, resolution_);
         for (std::size_t i = 0; i < gradients_image_.size(); i += 4) {
             const float* g = &gradients_image_[i];
             float* m = &moments_image_[i];
@@ -50,37 +66,36 @@ class UploadedCascade {
             m[2] = g[0] * g[1];
             m[3] = (g[2] + g[3]) * (g[2] + g[3]);
         }
-        upload(displacement_, displacement_image_);
-        upload(gradients_, gradients_image_);
-        upload(moments_, moments_image_);
-        return {period, resolution_, displacement_.name(), gradients_.name(), moments_.name()};
+        const auto layer = static_cast<GLint>(cascade);
+        upload(displacement_, layer, displacement_image_);
+        upload(gradients_, layer, gradients_image_);
+        upload(moments_, layer, moments_image_);
     }
 
-    int resolution() const { return resolution_; }
-
-  private:
     std::size_t texels() const {
         return 4 * static_cast<std::size_t>(resolution_) * static_cast<std::size_t>(resolution_);
     }
-    Texture texture() const { return gl::make_texture(GL_RGBA32F, resolution_, gl::Mipmaps::yes); }
-    void upload(const Texture& texture, const std::vector<float>& image) const {
-        glBindTexture(GL_TEXTURE_2D, texture.name());
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, resolution_, resolution_, GL_RGBA, GL_FLOAT,
-                        image.data());
-        glGenerateMipmap(GL_TEXTURE_2D);
+    Texture array() const {
+        return gl::make_texture_array(GL_RGBA32F, resolution_, static_cast<int>(cascades_),
+                                      gl::Mipmaps::yes);
+    }
+    void upload(const Texture& texture, GLint layer, const std::vector<float>& image) const {
+        glBindTexture(GL_TEXTURE_2D_ARRAY, texture.name());
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, resolution_, resolution_, 1, GL_RGBA,
+                        GL_FLOAT, image.data());
     }
 
-    std::size_t cascade_;
     int resolution_;
+    std::size_t cascades_;
     Texture displacement_, gradients_, moments_;
-    std::vector<float> displacement_image_, gradients_image_, moments_image_;
+    std::vector<float> displacement_image_, gradients_image_, moments_image_;  // of one cascade
 };
 
 }  // namespace
 
-class SeaMaps::Source {
+class SeaMaps::Impl {
   public:
-    Source(const SeaMapsOptions& options, gl::AfterStage after_stage)
+    Impl(const SeaMapsOptions& options, gl::AfterStage after_stage)
         : options_(options), after_stage_(std::move(after_stage)) {
         if (options.compute) {
             computed_.emplace(
@@ -112,7 +127,7 @@ class SeaMaps::Source {
     }
 
     void set_detail(bool on) { options_.detail = on; }
-    // Foam of the sea's own backend is followed by the sea, which knows its changes.
+    // The sea itself follows the foam of its own backend, and knows its changes.
     void foam_changed(double from) {
         if (computed_) computed_->foam_changed(from);
     }
@@ -127,14 +142,14 @@ class SeaMaps::Source {
   private:
     void compute(Ocean& sea, double time) {
         computed_->show(sea, time);
-        show_cascades(computed_->cascades(), sea.parameters().grid.patch_size);
+        show_cascades(sea.modes(time), computed_->arrays(), sea.parameters().grid.patch_size);
         const gl::FoamTexture& foam = computed_->foam();
         shown_.foam_threshold = static_cast<double>(foam.threshold);
         shown_.foam_width = static_cast<double>(foam.width);
         make_cover(sea, time, foam.texture, foam.resolution, foam.fade);
     }
 
-    /// Of a map of foam.
+    /// Makes the map of cover from a map of foam.
     void make_cover(Ocean& sea, double time, GLuint foam, int resolution, float fade) {
         const double power = options_.live ? cover_power_.of(sea, time, resolution)
                                            : sea.cover_power(time, resolution);
@@ -177,8 +192,6 @@ class SeaMaps::Source {
         glActiveTexture(GL_TEXTURE0);
         const Modes& modes = sea.modes(time);
         const Revision revision = modes.revision;
-        std::vector<Lattice> lattices;
-        for (const CascadeModes& cascade : modes.cascades) lattices.push_back(cascade.lattice);
         const int foam_resolution = options_.foam_resolution > 0
                                         ? options_.foam_resolution
                                         : default_map_resolution(sea.parameters().grid);
@@ -190,17 +203,16 @@ class SeaMaps::Source {
             threshold_revision_ = revision;
             given_ = settings;
         }
-        while (cascades_.size() > lattices.size()) cascades_.pop_back();
-        textures_.resize(lattices.size());
-        for (std::size_t c = 0; c < lattices.size(); ++c) {
-            const int resolution = options_.cascade_resolution > 0 ? options_.cascade_resolution
-                                                                   : lattices[c].resolution;
-            if (c == cascades_.size()) cascades_.emplace_back(c, resolution);
-            if (cascades_[c].resolution() != resolution)
-                cascades_[c] = UploadedCascade(c, resolution);
-            textures_[c] = cascades_[c].make(sea, time, lattices[c].period);
+        // All cascades have the resolution of the sea's grid.
+        const std::size_t count = modes.cascades.size();
+        const int resolution = options_.cascade_resolution > 0
+                                   ? options_.cascade_resolution
+                                   : modes.cascades.front().lattice.resolution;
+        if (!cascades_ || !cascades_->fits(resolution, count)) {
+            cascades_.emplace(resolution, count);
         }
-        show_cascades(textures_, sea.parameters().grid.patch_size);
+        cascades_->make(sea, time);
+        show_cascades(sea.modes(time), cascades_->arrays(), sea.parameters().grid.patch_size);
         done("cascades");
 
         foam_image_.resize(static_cast<std::size_t>(foam_resolution) *
@@ -219,11 +231,12 @@ class SeaMaps::Source {
         make_cover(sea, time, foam_.name(), foam_resolution, 1.0f);
     }
 
-    void show_cascades(std::span<const CascadeTextures> cascades, double sea_period) {
+    void show_cascades(const Modes& modes, const gl::CascadeArrays& maps, double sea_period) {
         shown_.cascades.clear();
-        for (const CascadeTextures& cascade : cascades) {
+        for (const CascadeModes& cascade : modes.cascades) {
             const auto number = static_cast<int>(shown_.cascades.size());
-            shown_.cascades.push_back({cascade, 1.0, sea_period, number});
+            shown_.cascades.push_back(
+                {maps, number, cascade.lattice.period, 1.0, sea_period, number});
         }
     }
 
@@ -237,22 +250,24 @@ class SeaMaps::Source {
                           .direction = pattern_.direction,
                           .stretch = pattern_.stretch,
                           .streaks = pattern_.streaks}};
-        // Water that is not squeezed has the lowest threshold there is; see whitecap_threshold.
+        // The threshold of water that is never squeezed is the lowest number; see
+        // whitecap_threshold.
         shown_.has_foam = shown_.has_foam || shown_.foam_threshold > -1e30;
         shown_.choppiness = sea.sea().at(time).surface.choppiness;
         const Revision revision = sea.modes(time).revision;
         if (revision == described_) return;
         const Parameters& parameters = sea.parameters();
         const SurfaceSettings& surface = parameters.surface;
-        const SpectralMoments asked = sea.spectrum(time).moments(
+        const SpectralMoments moments = sea.spectrum(time).moments(
             parameters.water, surface.shortest_wavelength, surface.longest_wavelength);
-        shown_.significant_wave_height = asked.significant_wave_height();
-        shown_.peak_period = asked.peak_omega > 0.0 ? kTwoPi / asked.peak_omega : 0.0;
-        shown_.mean_square_slope = asked.mean_square_slope;
+        shown_.significant_wave_height = moments.significant_wave_height();
+        shown_.peak_period = moments.peak_omega > 0.0 ? kTwoPi / moments.peak_omega : 0.0;
+        shown_.mean_square_slope = moments.mean_square_slope;
         described_ = revision;
     }
 
-    /// The foam's: streaks and long cells are of gales, as in POV-Ray's Ocean_Material.
+    /// Sets the pattern of the foam: gales have streaks and long cells, as in POV-Ray's
+    /// Ocean_Material.
     void describe_pattern(const Parameters& parameters, ThreadPool& pool) {
         if (patterned_ && same_waves(parameters, *patterned_)) return;
         const SpectralMoments moments =
@@ -273,9 +288,9 @@ class SeaMaps::Source {
     gl::AfterStage after_stage_;
     ShownSea shown_;
     ShownCover pattern_;
-    std::optional<Parameters> patterned_;  // whose it is
-    Revision described_;                   // of the modes
-    CoverPower cover_power_;               // of live maps
+    std::optional<Parameters> patterned_;  // the parameters of pattern_
+    Revision described_;                   // revision of the described modes
+    CoverPower cover_power_;               // for live maps
     DetailTiles detail_;
     Texture cover_;
     int cover_resolution_ = 0;
@@ -287,8 +302,7 @@ class SeaMaps::Source {
     std::optional<gl::SeaTextures> computed_;
 
     // Computed by the sea.
-    std::vector<UploadedCascade> cascades_;
-    std::vector<CascadeTextures> textures_;
+    std::optional<UploadedCascades> cascades_;
     std::vector<float> foam_image_;
     Texture foam_;
     int uploaded_foam_resolution_ = 0;
@@ -299,7 +313,7 @@ class SeaMaps::Source {
 double finest_texel(const ShownSea& sea) {
     double finest = sea.period;
     for (const ShownCascade& cascade : sea.cascades) {
-        finest = std::min(finest, cascade.period / cascade.resolution);
+        finest = std::min(finest, cascade.period / cascade.maps.resolution);
     }
     return finest;
 }
@@ -340,31 +354,31 @@ ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share, doub
 }
 
 SeaMaps::SeaMaps(const SeaMapsOptions& options, gl::AfterStage after_stage)
-    : source_(std::make_unique<Source>(options, std::move(after_stage))) {}
+    : impl_(std::make_unique<Impl>(options, std::move(after_stage))) {}
 SeaMaps::~SeaMaps() = default;
 
 ShownSea SeaMaps::show(Ocean& sea, double time) {
-    return source_->show(sea, time);
+    return impl_->show(sea, time);
 }
 
 void SeaMaps::set_detail(bool on) {
-    source_->set_detail(on);
+    impl_->set_detail(on);
 }
 
 void SeaMaps::foam_changed(double from) {
-    source_->foam_changed(from);
+    impl_->foam_changed(from);
 }
 
 void SeaMaps::foam_changed() {
-    source_->foam_changed();
+    impl_->foam_changed();
 }
 
 Pending SeaMaps::pending() const {
-    return source_->pending();
+    return impl_->pending();
 }
 
 std::int64_t SeaMaps::foam_settling_ticks(const Ocean& sea) const {
-    return source_->foam_settling_ticks(sea);
+    return impl_->foam_settling_ticks(sea);
 }
 
 }  // namespace ocean::preview

@@ -9,7 +9,7 @@
 namespace ocean::preview {
 namespace {
 
-constexpr int kMostCells = 64;  // a hundred tiles are drawn in time
+constexpr int kMaxCells = 64;  // keeps a hundred tiles fast enough
 
 }  // namespace
 
@@ -44,7 +44,7 @@ SeedMesh::Tile SeedMesh::make_tile(int cells) {
 
 void SeedMesh::draw(gl::ShaderProgram& program, const glm::dvec3& eye, double period,
                     double finest) {
-    const int cells = std::clamp(static_cast<int>(std::lround(period / finest)), 1, kMostCells);
+    const int cells = std::clamp(static_cast<int>(std::lround(period / finest)), 1, kMaxCells);
     auto known = tiles_.find(cells);
     if (known == tiles_.end()) known = tiles_.emplace(cells, make_tile(cells)).first;
     const Tile& tile = known->second;

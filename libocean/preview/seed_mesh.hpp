@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The mesh of the teaching programs: one square grid, drawn as tiles beside each other.
+// The mesh of the look `seed`: one square grid, drawn as tiles beside each other.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,17 +9,14 @@
 
 #include "ocean/gl/objects.hpp"
 #include "ocean/gl/shader_program.hpp"
-#include "water_defines.hpp"
+#include "water_program.hpp"
 
 namespace ocean::preview {
 
-/// Behind and in front of the water, as a screen takes it.
-inline const glm::vec3 kSeedFog(0.86f, 0.88f, 0.90f);
-
 class SeedMesh {
   public:
-    /// Draws the tiles with the current program, whose uniform `tiles` it sets. finest: m, of the
-    /// sea's finest texel, which a cell is no finer than.
+    /// Draws the tiles with the current program and sets its uniform `tiles`. period: side of a
+    /// tile [m]. finest: side of the sea's finest texel [m], and of the smallest cell.
     void draw(gl::ShaderProgram& program, const glm::dvec3& eye, double period, double finest);
 
   private:
@@ -30,7 +27,7 @@ class SeedMesh {
     };
     static Tile make_tile(int cells);
 
-    std::map<int, Tile> tiles_;  // by their cells along a side
+    std::map<int, Tile> tiles_;  // by the cells along a side
 };
 
 }  // namespace ocean::preview

@@ -11,14 +11,16 @@
 namespace ocean::preview {
 namespace {
 
-/// Thickness of the air on the way to the sun [Kasten and Young 1989] eq. 3.
+/// Returns the thickness of the air on the way to the sun, in units of the zenith's [Kasten and
+/// Young 1989] eq. 3.
 double air_mass(double altitude) {
     const double h = std::max(0.0, altitude);
     return 1.0 / (std::sin(kRadians * h) + 0.50572 * std::pow(h + 6.07995, -1.6364));
 }
 
-/// Light of the sky and a sun so many degrees below the horizon over that of one on it: lux of
-/// [Seidelmann 1992] p. 491, log10 of cubic polynomials of the altitude in right angles.
+/// Returns the light of the sky with the sun at an altitude [degrees], over that with the sun on
+/// the horizon: 1 by day, the ratio of illuminances below the horizon. log10 of an illuminance [lx]
+/// is a cubic polynomial of the altitude in right angles [Seidelmann 1992] p. 491.
 double twilight(double altitude) {
     struct Piece {
         double above;
@@ -38,7 +40,7 @@ double twilight(double altitude) {
     return std::pow(10.0, a + h * (b + h * (c + h * d)) - 2.88);
 }
 
-/// What a map holds, turned about the zenith.
+/// Returns the sky of an environment that is turned about the zenith [degrees].
 Sky environment_sky(const Environment& environment, double turn) {
     Sky sky{};
     const double turned = turn / 360.0;
@@ -57,8 +59,9 @@ Sky environment_sky(const Environment& environment, double turn) {
     return sky;
 }
 
-/// Radiance of the computed sky, as sky() of shaders/preview/sky.glsl above the horizon, but for
-/// the aureole of a few degrees about the sun: less than 1 % of the light.
+/// Returns the radiance of the computed sky above the horizon, as sky() of
+/// shaders/preview/sky.glsl, without the aureole of a few degrees about the sun, which is less than
+/// 1 % of the light.
 glm::vec3 radiance(const Sky& sky, const glm::vec3& direction) {
     const auto part = [&](float from, float width) {
         return std::clamp((direction.z - from) / width, 0.0f, 1.0f);
@@ -73,8 +76,8 @@ glm::vec3 radiance(const Sky& sky, const glm::vec3& direction) {
     return glm::mix(colour, (1.0f + 0.6f * glow) * sky.sun_colour, glow);
 }
 
-/// What a level white surface sends back of it: the mean over directions by their cosine, for which
-/// squares of the sine of the elevation are uniform.
+/// Returns the radiance of a level white surface under the sky: the mean over directions weighted
+/// by their cosine, so that squares of the sine of the elevation are uniform.
 glm::vec3 light_of(const Sky& sky) {
     constexpr int kUp = 16, kAround = 24;
     glm::vec3 sum(0.0f);

@@ -14,7 +14,8 @@ namespace ocean::preview {
 class SkyMap {
   public:
     SkyMap();
-    /// Uploads it, but where it is the one of before; none: a texel of black.
+    /// Uploads an environment unless it is already held; null: one black texel. Binds textures to
+    /// the current unit.
     void hold(const std::shared_ptr<const Environment>& environment);
     unsigned texture() const { return texture_.name(); }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads tar: headers of 512 bytes, each followed by its file in blocks of as many [POSIX.1-2017,
-// pax, ustar interchange format]. Long names stand in a file of their own before (GNU's L, pax' x).
+// Reads tar: headers of 512 bytes, each followed by its file in blocks of the same size
+// [POSIX.1-2017, pax, ustar interchange format]. A long name precedes its file in a file of its own
+// (GNU's L, pax' x).
 #include "archive.hpp"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ bool is_header(std::string_view block) {
     return octal(field(block, kChecksum)) == sum;
 }
 
-/// The path of "27 path=folder/name\n" and other lines of a pax header; empty if there is none.
+/// Returns the path of "27 path=folder/name\n" and other lines of a pax header; empty without one.
 std::string_view pax_path(std::string_view content) {
     constexpr std::string_view kKey = " path=";
     const std::size_t at = content.find(kKey);

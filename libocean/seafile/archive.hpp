@@ -15,7 +15,7 @@ struct ArchiveMember {
     std::string_view content;  // within the archive
 };
 
-/// By the checksum of its first header.
+/// Recognises a tar archive by the checksum of its first header.
 bool is_tar(std::string_view content);
 /// Returns the regular files of an archive, at most kMaxArchiveMembers. `name` is for messages.
 /// Throws Error bad_file for a damaged header, more files than that, or a last file that is cut off

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text that comes from files nobody has checked: see checked_text.hpp.
+// Untrusted text from files: see checked_text.hpp.
 #include "ocean/internal/checked_text.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool is_pipe_or_device(const std::string& path) {
 
 std::string read_file(const std::string& path, std::size_t limit) {
     if (is_pipe_or_device(path)) {
-        // Who waits for what nobody writes, or reads what does not end, hangs in its host.
+        // Reading a pipe without a writer, or a device without an end, would hang the host.
         throw error_at(ErrorKind::bad_file, path, 0, "is a pipe or a device, not a file");
     }
     return read_file_or_pipe(path, limit);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rows of a CSV that nobody has checked; see csv_rows.hpp.
+// Rows of untrusted CSV text; see csv_rows.hpp.
 #include "ocean/internal/csv_rows.hpp"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ bool is_separator(char c, char separator) {
     return c == separator || (separator == ' ' && c == '\t');
 }
 
-/// The end of the text in quotes that begins `text`; npos if it is not closed. "" within a text
-/// ends and begins it.
+/// Returns the end of the quoted text at the front of `text`; npos if it is not closed. "" within a
+/// text ends and begins it.
 std::size_t quoted_end(std::string_view text) {
     std::size_t end = 0;
     while (end < text.size() && text[end] == '"') {
@@ -64,7 +64,8 @@ bool split_into(std::vector<std::string_view>& fields, std::string_view line, ch
     return true;
 }
 
-/// The bracket that closes the one at `open`, which may hold others; npos if there is none.
+/// Returns the position of the bracket that closes the one at `open`, which may enclose others;
+/// npos without one.
 std::size_t closing_bracket(std::string_view line, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < line.size(); ++i) {
@@ -128,7 +129,7 @@ Separators separators_of(std::string_view header, std::string_view row) {
     for (const char c : {'\t', ';', ','}) {
         if (header.find(c) == std::string_view::npos) continue;
         const auto titles = split_header(header, c);
-        if (titles && titles->size() == 1) continue;  // it stands within brackets or quotes alone
+        if (titles && titles->size() == 1) continue;  // it appears only within brackets or quotes
         present.push_back(c);
         if (titles && suits(c, titles->size())) suitable.push_back(c);
     }
@@ -142,7 +143,7 @@ Separators separators_of(std::string_view header, std::string_view row) {
     return {present.empty() ? ',' : present[0]};
 }
 
-/// "sep=;", by which Excel tells its separator.
+/// Returns the separator of a line "sep=;", as Excel writes it.
 std::optional<char> told_separator(std::string_view line) {
     line = trimmed(line);
     if (line.size() == 5 && lower_case(line[0]) == 's' && lower_case(line[1]) == 'e' &&
@@ -200,7 +201,8 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
     return text;
 }
 
-/// A comma that may separate thousands: 1,500 and 12,345,678, but neither 0,500 nor 1500,250.
+/// Returns true for a comma that may separate thousands: 1,500 and 12,345,678, but neither 0,500
+/// nor 1500,250.
 bool may_separate_thousands(std::string_view number) {
     if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
     const std::size_t comma = number.find(',');
@@ -278,7 +280,7 @@ TableReader::TableReader(std::string_view content, std::string_view name)
     const std::string_view row = next_row(ahead) ? ahead.line() : std::string_view();
     const Separators separators = told ? Separators{*told} : separators_of(header, row);
     if (separators.rival != '\0') {
-        throw lines_.fail("what separates the cells is ambiguous: " + name_of(separators.chosen) +
+        throw lines_.fail("the separator of the cells is ambiguous: " + name_of(separators.chosen) +
                           " and " + name_of(separators.rival) +
                           " both give the first row a cell for each title");
     }
@@ -290,8 +292,9 @@ TableReader::TableReader(std::string_view content, std::string_view name)
     if (has_row_names(header, row)) titles_.insert(titles_.begin(), std::string_view());
 }
 
-/// R and pandas write a column of row names without a title: the row has a cell more than the
-/// header line, and begins with a quote as that does, or without the blank that begins that.
+/// Recognises a column of row names without a title, as R and pandas write it: the row has one cell
+/// more than the header line, and begins with a quote as that does, or without the blank that
+/// begins it.
 bool TableReader::has_row_names(std::string_view header, std::string_view row) const {
     if (header.empty() || row.empty()) return false;
     const bool quotes = header.front() == '"' && row.front() == '"';
@@ -366,7 +369,8 @@ void TableReader::check_marks(std::string_view word) const {
                       (comma ? "point" : "comma"));
 }
 
-/// A list whose numbers stand between semicolons is of a program that writes decimal commas.
+/// Checks the commas. A list with numbers between semicolons comes from a program that writes
+/// decimal commas.
 void TableReader::check_commas() const {
     if (separator_ == ';' || comma_line_ == 0 || !only_thousands_) return;
     throw text::error_at(ErrorKind::bad_file, name_, comma_line_,

@@ -107,8 +107,8 @@ std::optional<Unit> named(std::string_view name) {
     return plural ? singular(name.substr(0, name.size() - 1)) : std::nullopt;
 }
 
-/// In ASCII and lower case, with parentheses for all brackets. Signs of Latin-1 come last: they are
-/// parts of UTF-8 too.
+/// Returns the text in ASCII and lower case, with parentheses for all brackets. Signs of Latin-1
+/// come last: they are parts of UTF-8 too.
 std::string plain_text(std::string_view text) {
     constexpr std::array kSpellings = {
         std::pair{"\u00b2"sv, "2"sv},   std::pair{"\u00b3"sv, "3"sv},
@@ -152,7 +152,7 @@ struct UnitFault : std::runtime_error {
 
 class UnitParser {
   public:
-    /// `divide_all`: a division holds for all factors up to the next one.
+    /// Takes the text. `divide_all`: a division holds for all factors up to the next one.
     UnitParser(std::string_view plain, bool divide_all) : left_(plain), divide_all_(divide_all) {}
 
     Unit parse() {
@@ -167,14 +167,14 @@ class UnitParser {
     void skip_blanks() {
         left_.remove_prefix(std::min(left_.find_first_not_of(' '), left_.size()));
     }
-    bool take(std::string_view word) {
+    bool accept(std::string_view word) {
         if (!left_.starts_with(word)) return false;
         left_.remove_prefix(word.size());
         return true;
     }
-    bool take_word(std::string_view word) {
+    bool accept_word(std::string_view word) {
         const bool whole = left_.size() <= word.size() || !is_letter(left_[word.size()]);
-        return whole && take(word);
+        return whole && accept(word);
     }
 
     Unit product() {
@@ -185,12 +185,12 @@ class UnitParser {
             skip_blanks();
             if (left_.empty() || next() == ')') break;
             bool may_be_number = first;  // "m 2" and "m^2.5" are no products
-            if (take("/") || take_word("per")) {
+            if (accept("/") || accept_word("per")) {
                 divides = may_be_number = true;
             } else {
                 divides = divides && divide_all_;
-                may_be_number = may_be_number || take("*");
-                if (!first && !may_be_number && !take(".")) take("-");
+                may_be_number = may_be_number || accept("*");
+                if (!first && !may_be_number && !accept(".")) accept("-");
             }
             skip_blanks();
             result = result * power(factor(may_be_number), divides ? -1 : 1);
@@ -201,17 +201,17 @@ class UnitParser {
     }
 
     Unit factor(bool may_be_number) {
-        if (take_word("square") || take_word("sq")) {
+        if (accept_word("square") || accept_word("sq")) {
             skip_blanks();
             return power(factor(false), 2);
         }
         Unit unit;
-        if (take("(")) {
+        if (accept("(")) {
             unit = product();
-            if (!take(")")) throw UnitFault("a parenthesis is not closed");
+            if (!accept(")")) throw UnitFault("a parenthesis is not closed");
         } else if (is_digit(next()) && may_be_number) {
             unit.factor = number();
-            return take("^") || take("**") ? power(unit, integer()) : unit;
+            return accept("^") || accept("**") ? power(unit, integer()) : unit;
         } else {
             unit = named_unit();
         }
@@ -224,8 +224,7 @@ class UnitParser {
         const std::string_view name = left_.substr(0, length);
         const auto unit = named(name);
         if (!unit) {
-            throw UnitFault("'" + std::string(length > 0 ? name : left_) +
-                            "' is no unit that is known");
+            throw UnitFault("'" + std::string(length > 0 ? name : left_) + "' is not a known unit");
         }
         left_.remove_prefix(length);
         return *unit;
@@ -235,38 +234,38 @@ class UnitParser {
         double value = 0.0;
         const auto [end, error] = std::from_chars(left_.data(), left_.data() + left_.size(), value);
         if (error != std::errc() || !(value > 1e-12 && value < 1e12)) {
-            throw UnitFault("'" + std::string(left_) + "' begins with no number in 1e-12 .. 1e12");
+            throw UnitFault("'" + std::string(left_) + "' must begin with a number, 1e-12 .. 1e12");
         }
         left_.remove_prefix(static_cast<std::size_t>(end - left_.data()));
         return value;
     }
 
-    /// 1 where there is none.
+    /// Returns the exponent that follows; 1 without one.
     int exponent() {
-        if (take("^") || take("**")) return integer();
+        if (accept("^") || accept("**")) return integer();
         const std::string_view before = left_;
         skip_blanks();
         const bool negative = left_.size() > 1 && next() == '-' && is_digit(left_[1]);
         if (is_digit(next()) || negative) return integer();
-        take("-");
-        if (take_word("squared")) return 2;
+        accept("-");
+        if (accept_word("squared")) return 2;
         left_ = before;
         return 1;
     }
 
     int integer() {
         skip_blanks();
-        if (take("(")) {
+        if (accept("(")) {
             const int inner = integer();
-            if (!take(")")) throw UnitFault("a parenthesis is not closed");
+            if (!accept(")")) throw UnitFault("a parenthesis is not closed");
             return inner;
         }
-        const bool negative = take("-");
-        if (!negative) take("+");
+        const bool negative = accept("-");
+        if (!negative) accept("+");
         int value = 0;
         const auto [end, error] = std::from_chars(left_.data(), left_.data() + left_.size(), value);
         if (error != std::errc() || value < 0 || value > kMaxPower) {
-            throw UnitFault("'" + std::string(left_) + "' begins with no power of at most 9");
+            throw UnitFault("'" + std::string(left_) + "' must begin with a power of at most 9");
         }
         left_.remove_prefix(static_cast<std::size_t>(end - left_.data()));
         return negative ? -value : value;
@@ -276,7 +275,7 @@ class UnitParser {
     bool divide_all_;
 };
 
-/// As "m^2 s rad^-1".
+/// Returns a unit spelled as "m^2 s rad^-1".
 std::string text_of(const Unit& unit) {
     std::string text;
     const auto add = [&](std::string_view name, int n) {
@@ -293,7 +292,7 @@ std::string text_of(const Unit& unit) {
     return text.empty() ? "a number" : text;
 }
 
-/// Nothing for a unit of another quantity.
+/// Returns the factor; nothing for a unit of another quantity.
 std::optional<double> density_factor(Unit unit, DensityOver over) {
     if (unit.kilogram == 1) {  // an energy: rho g is in kg m^-2 s^-2
         unit = unit * Unit{1.0 / kEnergyOfVariance, 2, 2, -1};
@@ -327,10 +326,10 @@ DensityUnit parse_density_unit(std::string_view text, DensityOver over) {
         auto factor = density_factor(understood, over);
         if (!factor) factor = density_factor(UnitParser(plain, true).parse(), over);
         if (factor && std::isnormal(*factor)) return {*factor, ""};
-        return {0.0, name + text_of(understood) + " is no unit " + std::string(wanted)};
+        return {0.0, name + text_of(understood) + " is not a unit " + std::string(wanted)};
     } catch (const UnitFault& fault) {
         return {0.0,
-                name + text::printable(fault.what()) + "; needed is a unit " + std::string(wanted)};
+                name + text::printable(fault.what()) + "; allowed: a unit " + std::string(wanted)};
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What spectrum formats say of directions: see directional_record.hpp.
+// Directions of spectrum formats: see directional_record.hpp.
 #include "ocean/internal/directional_record.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 /// Bins closer than this are one: 0 and 360, or radians printed with three digits.
 constexpr double kSameDirection = 0.01;
-/// A gap is the outside of a sector if it is wider than this and than so many of the widest bins:
-/// uneven bins of a full circle are neither.
+/// A gap counts as the outside of a sector if it is wider than this and than a multiple of the
+/// widest bin: uneven bins of a full circle are narrower.
 constexpr double kSectorGap = 60.0;
 constexpr double kSectorBins = 3.0;
 
@@ -28,7 +28,7 @@ double wrapped(double degrees) {
     return turn >= 360.0 ? 0.0 : turn;  // -1e-20 rounds up to 360
 }
 
-/// From direction j to the next one, round the circle.
+/// Returns the step from direction j to the next one, around the circle.
 double step_after(const std::vector<double>& direction, std::size_t j) {
     const bool last = j + 1 == direction.size();
     return last ? direction.front() + 360.0 - direction.back() : direction[j + 1] - direction[j];
@@ -65,10 +65,10 @@ std::string DirectionAxis::fault(std::span<const double> degrees) {
     for (std::size_t j = 0; j < sorted.size(); ++j) {
         doubles += step_after(sorted, j) < kSameDirection ? 1 : 0;
     }
-    // The bin that closes the circle may be there twice, no other.
+    // Only the bin that closes the circle may appear twice.
     const auto [least, most] = std::minmax_element(degrees.begin(), degrees.end());
     const bool closed = std::abs(*most - *least - 360.0) < kSameDirection;
-    if (doubles > (closed ? 1u : 0u)) return "a direction is there twice";
+    if (doubles > (closed ? 1u : 0u)) return "a direction appears twice";
     if (degrees.size() - doubles < 3) return "a directional spectrum needs at least 3 directions";
     return "";
 }

@@ -39,8 +39,8 @@ class Inflater {
 };
 
 /// Unpacks all members, a block after the other.
-template <typename Take>
-void inflate_all(std::string_view packed, const std::string& name, const Take& take) {
+template <typename Visit>
+void inflate_all(std::string_view packed, const std::string& name, const Visit& visit) {
     const auto fail = [&](const std::string& why) {
         return text::error_at(ErrorKind::bad_file, name, 0, "gzip: " + why);
     };
@@ -57,7 +57,7 @@ void inflate_all(std::string_view packed, const std::string& name, const Take& t
             stream.next_out = reinterpret_cast<Bytef*>(block.data());
             stream.avail_out = static_cast<uInt>(block.size());
             state = inflate(&stream, Z_NO_FLUSH);
-            take(std::string_view(block.data(), block.size() - stream.avail_out));
+            visit(std::string_view(block.data(), block.size() - stream.avail_out));
         }
         if (state == Z_BUF_ERROR) throw fail("the file is cut off");
         if (state != Z_STREAM_END) throw fail("the file is damaged");
@@ -70,7 +70,7 @@ void inflate_all(std::string_view packed, const std::string& name, const Take& t
 }  // namespace
 
 std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit) {
-    // Measured before it is kept: what is refused has cost no memory.
+    // The size is measured before anything is stored, so a refused file costs no memory.
     std::size_t size = 0;
     inflate_all(packed, name, [&](std::string_view block) {
         size += block.size();

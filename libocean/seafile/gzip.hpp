@@ -10,10 +10,11 @@
 
 namespace ocean {
 
-/// By its first bytes.
+/// Recognises gzip by its first bytes.
 bool is_gzip(std::string_view content);
-/// Unpacks all members. `name` is for messages. Throws Error bad_file: damaged, cut off, larger
-/// than `limit` when unpacked; unsupported where zlib was not there at build time.
+/// Returns the unpacked content of all members. `name` is for messages. Throws Error bad_file if it
+/// is damaged, cut off, or larger than `limit` bytes when unpacked; unsupported in a build without
+/// zlib.
 std::string gunzip(std::string_view packed, const std::string& name, std::size_t limit);
 
 }  // namespace ocean

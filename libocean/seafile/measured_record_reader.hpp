@@ -11,8 +11,8 @@
 
 namespace ocean {
 
-/// `path` is the table's name in messages, "waves.0.measured_record". Throws Error
-/// "NAME:LINE: PATH.key = VALUE: ..."; what it returns is without a fault (record_fault).
+/// Returns the record of a table, which satisfies record_fault. `path` is the table's name in
+/// messages, "waves.0.measured_record". Throws Error "NAME:LINE: PATH.key = VALUE: ...".
 SpectrumRecord read_measured_record(const toml::table& table, const std::string& name,
                                     const std::string& path);
 

@@ -18,8 +18,8 @@ namespace {
 
 /// WMO Manual on Codes, table 1100. The wind is the mean of the force; with this fetch JONSWAP
 /// gives the probable wave height of the open sea. Forces 1 to 3 raise less, even fully developed
-/// [Pierson and Moskowitz 1964]: height and period of their open sea are given, and the fetch is
-/// that of full development or the least there is. The patch is about 8 peak wavelengths.
+/// [Pierson and Moskowitz 1964]: the height and period of their open sea are given, and the fetch
+/// is that of full development or the min of its range. The patch is about 8 peak wavelengths.
 struct Beaufort {
     std::string_view name;
     double wind_speed;         // m/s
@@ -68,12 +68,13 @@ constexpr std::array<Douglas, 10> kDouglas = {{
     {"phenomenal", 16.0, 16.9, 29.5, 730e3, 3600.0},
 }};
 
-/// 3.25 -> "3.25", 11.0 -> "11"
+/// Returns "3.25" for 3.25, "11" for 11.0.
 std::string plain(double value) {
     return to_text(ParameterValue(value));
 }
 
-/// The spectrum, and the keys that differ from the defaults, each with its unit and label.
+/// Returns the line of a key: the spectrum, or a key that differs from its default, with unit and
+/// label.
 std::string preset_line(const Parameters& parameters, const ParameterRef& ref) {
     static const Parameters kDefaults;
     const std::string line = parameter_line(parameters, ref);
@@ -89,7 +90,7 @@ std::string commented(std::string_view lines) {
     return out + "\n";
 }
 
-/// `notes` are lines that go under the description as comments.
+/// Makes a preset. `notes` are lines that follow the description as comments.
 Preset make_preset(const std::string& name, const std::string& description, std::string_view notes,
                    const Parameters& parameters) {
     std::string toml = commented(name + ": " + description) + commented(notes);

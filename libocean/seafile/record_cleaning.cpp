@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What estimators of spectra leave in their files and no sea has: see clean_record in
+// Removal of artefacts that estimators leave in spectra and that no sea has: see clean_record in
 // record_rules.hpp.
 #include <algorithm>
 #include <span>
@@ -14,7 +14,7 @@
 namespace ocean {
 namespace {
 
-/// Variance of a spectrum over frequency by the trapezoid, m^2.
+/// Returns the variance of a spectrum over frequency by the trapezoid rule [m^2].
 double variance(const SpectrumRecord& record) {
     double sum = 0.0;
     for (std::size_t i = 1; i < record.frequency.size(); ++i) {
@@ -28,13 +28,13 @@ void scale(std::span<double> values, double factor) {
     for (double& value : values) value *= factor;
 }
 
-/// Sets what is below 0 to 0.
+/// Sets negative values to 0.
 void clip(std::span<double> values) {
     for (double& value : values) value = std::max(value, 0.0);
 }
 
-/// Each frequency keeps its density, which is the integral of its directions, where that is above
-/// 0.
+/// Clips directions so that each frequency keeps its density, the integral over its directions, if
+/// that is above 0.
 void clip_directions(SpectrumRecord& record) {
     const std::vector<double>& d = record.direction;
     const std::size_t width = d.size();
@@ -55,7 +55,7 @@ void leave_out_first_bin(SpectrumRecord& record) {
     const double density = record.density.front();
     if (density > 0.0) {
         record.warnings.push_back("a density of " + shortest_text(density) +
-                                  " m^2/Hz at 0 Hz, which is no wave, is left out");
+                                  " m^2/Hz at 0 Hz, which is not a wave, is left out");
     }
     for (auto* values :
          {&record.frequency, &record.density, &record.a1, &record.b1, &record.a2, &record.b2}) {
@@ -78,13 +78,13 @@ void clean_record(SpectrumRecord& record) {
     const std::vector<double>& values =
         record.is_directional() ? record.directional_density : record.density;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    if (!(*least < 0.0) || !(*least >= -kMostNoise * *most)) return;
+    if (!(*least < 0.0) || !(*least >= -kMaxNoise * *most)) return;
     const auto below =
         std::count_if(values.begin(), values.end(), [](double v) { return v < 0.0; });
-    record.warnings.push_back(
-        std::to_string(below) + " of " + std::to_string(values.size()) +
-        " densities are below 0, the least by " + fixed_text(-100.0 * *least / *most, 2) +
-        " % of the highest: they are taken as 0, and the others keep the energy");
+    record.warnings.push_back(std::to_string(below) + " of " + std::to_string(values.size()) +
+                              " densities are below 0, the lowest by " +
+                              fixed_text(-100.0 * *least / *most, 2) +
+                              " % of the highest: they count as 0, and the others keep the energy");
     const double asked = variance(record);
     if (record.is_directional()) clip_directions(record);
     clip(record.density);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What to do with the records of a spectrum file: choose one by time, sum one up, list all.
+// Operations on the records of a spectrum file: choose one by time and place, sum one up, list all.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -26,14 +26,14 @@ namespace {
 constexpr std::int64_t kTimeTolerance = 30;  // minutes
 constexpr double kPlaceTolerance = 50.0;     // km
 constexpr double kDegree = kPi / 180.0;
-constexpr std::size_t kMostWarnings = 50;  // of one file
+constexpr std::size_t kMaxWarnings = 50;  // for one file
 
 struct Position {
     double latitude;
     double longitude;
 };
 
-/// Along the great circle, km, by the haversine formula.
+/// Returns the distance along the great circle [km], by the haversine formula.
 double distance_km(const Position& a, const Position& b) {
     constexpr double kEarthRadius = 6371.0;
     const double north = std::sin(0.5 * (b.latitude - a.latitude) * kDegree);
@@ -51,7 +51,7 @@ std::string position_text(const Position& position) {
     return fixed_text(position.latitude, 4) + "," + fixed_text(position.longitude, 4);
 }
 
-/// "40.98,-71.12", with blanks around the numbers or not.
+/// Parses "40.98,-71.12", with or without blanks around the numbers.
 std::optional<Position> parse_position(std::string_view place) {
     const std::size_t comma = place.find(',');
     if (comma == std::string_view::npos) return std::nullopt;
@@ -147,7 +147,7 @@ const SpectrumRecord& at_time(const Candidates& records, const std::string& time
                                                  : std::string("; its records have no time")));
 }
 
-/// Width that the trapezoid rule gives to one of the listed frequencies, Hz.
+/// Returns the width that the trapezoid rule gives to one of the listed frequencies [Hz].
 double trapezoid_weight(const SpectrumRecord& record, std::size_t i) {
     const std::vector<double>& f = record.frequency;
     const double below = i > 0 ? f[i] - f[i - 1] : 0.0;
@@ -155,7 +155,7 @@ double trapezoid_weight(const SpectrumRecord& record, std::size_t i) {
     return 0.5 * (below + above);
 }
 
-/// First circular moment of one frequency; NaN if it is not known.
+/// Returns the first circular moment of one frequency; NaN if it is unknown.
 std::complex<double> first_moment(const SpectrumRecord& record, std::size_t i) {
     if (record.has_moments()) return {record.a1[i], record.b1[i]};
     std::complex<double> sum = 0.0;
@@ -249,7 +249,7 @@ std::vector<std::string> records_warnings(std::span<const SpectrumRecord> record
         const auto [at, added] = place.try_emplace(text, said.size());
         if (!added) {
             ++said[at->second].count;
-        } else if (said.size() < kMostWarnings) {
+        } else if (said.size() < kMaxWarnings) {
             said.push_back({text, &record, 1});
         } else {
             place.erase(at);
@@ -261,8 +261,8 @@ std::vector<std::string> records_warnings(std::span<const SpectrumRecord> record
         if (!record.fault.empty()) {
             say("cannot be read: " + record.fault, record);
         } else if (!record.has_directions()) {
-            say("says nothing of directions: a sea sends its waves to the wind_direction of the "
-                "wave system, which is 0, the east, where none is given",
+            say("has no directions: its waves travel to the wind_direction of the wave "
+                "system, by default 0, the east",
                 record);
         }
     }

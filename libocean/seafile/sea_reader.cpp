@@ -20,8 +20,8 @@ namespace ocean {
 namespace {
 
 RecordChoice choice_of(const WaveSystem& system);
-/// Reads `file` of waves.`wave` and keeps the record asked for. Throws errors of the parameter that
-/// names the file, or of the one that needs it.
+/// Reads `file` of waves.`wave` and stores the requested record. Throws errors of the parameter
+/// that names the file, or of the one that needs it.
 void load_record(WaveSystem& system, std::size_t wave, const std::string& base_dir,
                  const SpectrumReader& reader);
 
@@ -50,7 +50,8 @@ class SeaReader {
     const toml::node* take_ = nullptr;  // inlined
 };
 
-/// The take is read last: it names parameters that may stand below it.
+/// Returns the model's own parts of the file. The take is read last: it names parameters that may
+/// follow it in the file.
 OwnParts<Parameters> SeaReader::parts() {
     return {.roots = {kTakeSection},
             .read_root = [this](const TomlEntry& entry) { take_ = entry.node; },
@@ -93,7 +94,7 @@ Error SeaReader::in_line_of_parameter(const Error& error) const {
                            fields.parameter + " = " + fields.value + ": ");
 }
 
-/// Before the record is looked for: what the sea file itself can be blamed for.
+/// Checks the wave system before its record is searched: errors of the sea file itself come first.
 void SeaReader::resolve_record(WaveSystem& system, std::size_t wave) const {
     if (system.measured != nullptr) return check_inlined(system, wave);
     if (system.spectrum != SpectrumKind::measured) return;
@@ -104,7 +105,7 @@ void SeaReader::resolve_record(WaveSystem& system, std::size_t wave) const {
     }
 }
 
-/// Throws unless the inlined record is the one that `record` and `place` ask for: after an edit it
+/// Throws unless the inlined record is the one that `record` and `place` request: after an edit it
 /// may be stale.
 void SeaReader::check_inlined(const WaveSystem& system, std::size_t wave) const {
     const std::string path = "waves." + std::to_string(wave) + ".";
@@ -121,8 +122,8 @@ void SeaReader::check_inlined(const WaveSystem& system, std::size_t wave) const 
     }
 }
 
-/// Its lines give errors of their own; that of an unreadable file belongs to the line that names
-/// it.
+/// Reads the take. Its lines give errors of their own; that of an unreadable file belongs to the
+/// line that names it.
 void SeaReader::read_take(Sea& sea) const {
     if (take_ != nullptr) return read_take_lines(sea);
     try {

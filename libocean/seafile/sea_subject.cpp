@@ -23,8 +23,7 @@ namespace ocean {
 namespace {
 
 [[noreturn]] void refuse_kind(std::string_view kind) {
-    throw Error(ErrorKind::unsupported,
-                "only a sea has this; the subject is a " + std::string(kind));
+    throw Error(ErrorKind::unsupported, "this needs a sea; the subject is a " + std::string(kind));
 }
 
 OceanOptions ocean_options(const MapsOptions& options) {
@@ -99,11 +98,11 @@ class SeaSubject final : public Subject {
                         ocean::shortest_wave(grid(), resolution));
     }
     HeightRange height_range() const override {
-        constexpr double kLeastDepth = 4.0;  // [m]
+        constexpr double kMinDepth = 4.0;  // [m]
         const Parameters& parameters = sea_.parameters;
         const double variance = make_directional_spectrum(parameters).variance(parameters.water);
         const double wave_height = 4.0 * std::sqrt(variance);
-        return {-std::min(std::max(kLeastDepth, 2.0 * wave_height), parameters.water.depth),
+        return {-std::min(std::max(kMinDepth, 2.0 * wave_height), parameters.water.depth),
                 2.0 * wave_height};
     }
 
@@ -154,7 +153,7 @@ const Sea& sea_of(const Subject& subject) {
 
 Ocean& ocean_of(SubjectMaps& maps) {
     if (auto* sea = dynamic_cast<SeaMaps*>(&maps)) return sea->ocean();
-    throw Error(ErrorKind::unsupported, "only the maps of a sea have this");
+    throw Error(ErrorKind::unsupported, "this needs the maps of a sea");
 }
 
 }  // namespace ocean

@@ -24,7 +24,7 @@
 namespace ocean {
 namespace {
 
-/// The first that recognises the content reads it; CSV, the least particular, comes last.
+/// The formats, in the order in which they are tried: CSV, which accepts the most, comes last.
 constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay, &kSpotterCsv,
                                  &kSpotterJson,  &kDatawell,       &kTriaxys,     &kAwac,
                                  &kObscape,      &kOctopus,        &kWavewatch,   &kSwan,
@@ -32,7 +32,7 @@ constexpr std::array kFormats = {&kNdbcRealtime, &kNdbcHistorical, &kNdbcFiveDay
 
 /// Far beyond any sea (the highest storms reach 10^3), near enough that sums stay finite.
 constexpr double kMaxDensity = 1e6;
-/// Moments are printed with two digits or more: what rounding may add to 1.
+/// Moments are printed with two digits or more: 1 plus the max that rounding may add.
 constexpr double kMaxMoment = 1.005;
 
 std::string bin(std::size_t i) {
@@ -120,7 +120,7 @@ std::string place_fault(const SpectrumRecord& record) {
     return "";
 }
 
-/// Of a record with a fault.
+/// Clears a record with a fault except for its time and place.
 void keep_time_and_place(SpectrumRecord& record) {
     SpectrumRecord kept;
     kept.station = std::move(record.station);
@@ -139,7 +139,7 @@ std::string known_formats() {
     return names;
 }
 
-/// The text of a file, unpacked if it is gzip.
+/// Returns the text of a file, unpacked if it is gzip.
 std::string read_content(const std::string& path) {
     std::string content = text::read_file(path, kMaxSpectrumFileBytes);
     return is_gzip(content) ? gunzip(content, path, kMaxSpectrumFileBytes) : content;
@@ -192,7 +192,7 @@ std::vector<SpectrumRecord> read_format(const SpectrumFormat& format,
 
 namespace {
 
-/// The first that recognises the text; none if it is of no known format.
+/// Returns the first format that recognises the text; none if its format is unknown.
 const SpectrumFormat* format_of(std::string_view content) {
     // Blank lines before the first word would be gone through for every format.
     const std::size_t first = content.find_first_not_of(" \t\r\n");
@@ -203,7 +203,7 @@ const SpectrumFormat* format_of(std::string_view content) {
     return nullptr;
 }
 
-/// A member of an archive as a file of its own.
+/// Reads a member of an archive as a file of its own.
 std::vector<SpectrumRecord> read_member(
     const ArchiveMember& member, const SpectrumSource& archive, const SpectrumFormat& format,
     const std::function<std::optional<std::string>(const std::string&)>& companion) {
@@ -217,7 +217,7 @@ std::vector<SpectrumRecord> read_member(
     return {record};
 }
 
-/// All spectra of an archive that are of the format of its first. Tables that belong to another
+/// Reads all spectra of an archive that have the format of its first. Tables that belong to another
 /// (see SpectrumSource::companion) are read with that one.
 std::vector<SpectrumRecord> read_archive(const SpectrumSource& source) {
     std::string cut_off;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a spectrum format is: a name, a way to recognise content, a way to read it. A format is one
-// file under formats/ and one line in the table of spectra.cpp.
+// The definition of a spectrum format: its name, a function that recognises content, a function
+// that reads it. A format is one file under formats/ and one line in the table of spectra.cpp.
 #pragma once
 
 #include <functional>
@@ -24,15 +24,16 @@ inline constexpr std::size_t kMaxSpectrumFileBytes = std::size_t{512} << 20;
 struct SpectrumSource {
     std::string_view content;
     std::string name;  // the path, for messages and for the names of companions
-    /// The content of another file by its path, unpacked; nothing if there is no such file.
+    /// Returns the unpacked content of another file by its path; nothing if the file does not
+    /// exist.
     std::function<std::optional<std::string>(const std::string& path)> companion;
 };
 
 struct SpectrumFormat {
     std::string_view name;
     bool (*recognises)(std::string_view content);
-    /// A record that cannot be read has its `fault` and costs no other. Throws Error bad_file
-    /// "NAME:LINE: ..." for what concerns the whole file.
+    /// Returns the records. One that cannot be read has its `fault` set and does not affect the
+    /// others. Throws Error bad_file "NAME:LINE: ..." for a fault of the whole file.
     std::vector<SpectrumRecord> (*read)(const SpectrumSource& source);
 };
 
@@ -50,8 +51,8 @@ extern const SpectrumFormat kObscape;         // formats/obscape.cpp
 extern const SpectrumFormat kOctopus;         // formats/octopus.cpp
 extern const SpectrumFormat kCsv;             // formats/csv.cpp
 
-/// Calls `read`; the Error bad_file that it throws becomes the `fault`, "NAME:LINE: ...", of what
-/// it reads.
+/// Calls `read`, and turns an Error bad_file that it throws into the `fault`, "NAME:LINE: ...", of
+/// the record that it reads.
 template <typename Read>
 void catch_fault(std::string& fault, const Read& read) {
     try {
@@ -65,7 +66,7 @@ void catch_fault(std::string& fault, const Read& read) {
 /// Reads by one format. The file must hold a spectrum without a fault; others have theirs in
 /// `fault`.
 std::vector<SpectrumRecord> read_format(const SpectrumFormat& format, const SpectrumSource& source);
-/// read_spectra on content that is in memory already.
+/// Reads spectra as read_spectra does, from content in memory.
 std::vector<SpectrumRecord> read_spectra_from(const SpectrumSource& source);
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a reader of parameters refuses, and with which words; see table_file.hpp.
+// The errors of a reader of parameters; see table_file.hpp.
 #include "table_file.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string brackets(const ParameterSpec& spec) {
     return spec.in_list() ? "[[" + name + "]]" : "[" + name + "]";
 }
 
-/// "system" of "wave system".
+/// Returns "system" of "wave system".
 std::string last_word(std::string_view words) {
     return std::string(words.substr(words.rfind(' ') + 1));
 }
@@ -144,7 +144,7 @@ void TableFile::refuse_root(const TomlEntry& entry, std::span<const ParameterSpe
     const auto same_key = [&](const ParameterSpec* spec) { return spec->key == entry.key; };
     const auto outside = std::ranges::find_if(specs, same_key);
     if (outside != specs.end() && !entry.node->is_table()) {
-        throw fail(entry.line, {.what = "stands outside its section",
+        throw fail(entry.line, {.what = "is outside its section",
                                 .parameter = key,
                                 .value = shown(*entry.node),
                                 .allowed = "below " + brackets(**outside)});

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A file of parameters while it is read, whatever model it describes: its name, the lines of what
-// it gives, and the errors that begin with both. TableReader is the loop over a table.
+// A file of parameters while it is read, for any model: its name, the lines of its values, and the
+// errors that begin with both. TableReader is the loop over a table.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ namespace ocean {
 /// The first line of every file of parameters is "libocean = 1".
 inline constexpr std::string_view kVersionKey = "libocean";
 
-/// What a file describes is known by the sections at its root.
+/// A kind of file, recognised by the sections at its root.
 struct FileKind {
     std::string_view kind;  // "sea"
     std::vector<std::string_view> roots;
@@ -50,8 +50,8 @@ class TableFile {
 
     /// Throws Error bad_file for a file without the line "libocean = 1".
     void require_version(const toml::table& root, std::string_view kind) const;
-    /// Returns the value as the type of the row. A whole number may stand for a float, nothing
-    /// else stands for anything else. Throws Error invalid_value.
+    /// Returns the value as the type of the row. A whole number is accepted for a float; no other
+    /// type is converted. Throws Error invalid_value.
     ParameterValue value_for(const ParameterSpec& spec, std::size_t item,
                              const toml::node& node) const;
     /// Throws Error bad_file if the entry is a section of another kind of file.

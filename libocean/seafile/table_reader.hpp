@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads a model from a file through its table, strictly and in the order of the file: a key that
-// does nothing is an error, never a silence. Sections, lists of sections and sections inside
-// sections are the table's; what else a model's files hold, its own reader reads.
+// Reads a model from a file through its table, strictly and in the order of the file: a key without
+// effect is an error, never ignored. The table covers sections, lists of sections and sections
+// inside sections; a model's own reader reads all other contents of its files.
 #pragma once
 
 #include <algorithm>

@@ -18,7 +18,7 @@ namespace ocean {
 /// Returns a chosen parameter's line, "resolution = 512\n"; empty to leave it out.
 template <typename Model>
 using LineOfParameter = std::function<std::string(const RefOf<Model>&)>;
-/// Returns what follows the keys of a section or of a list's item.
+/// Returns the text after the keys of a section or of a list's item.
 using TextAfterKeys = std::function<std::string(std::string_view section, std::size_t item)>;
 
 /// Returns "key = value\n"; empty for a value that the row leaves out, unset or neutral.
@@ -69,7 +69,7 @@ std::string table_text(const Table<Model>& table, const Model& model,
     return out;
 }
 
-/// Returns every key that is set and not neutral: what TableReader reads back to the same bits.
+/// Returns every key that is set and not neutral; TableReader reads it back to the same bits.
 template <typename Model>
 std::string table_text(const Table<Model>& table, const Model& model) {
     return table_text<Model>(table, model,

@@ -52,19 +52,20 @@ void TakeReader::add(std::string_view line, std::size_t number) {
 
 TakeEvent TakeReader::event_of(std::string_view line) {
     std::string_view rest = line;
-    const std::string_view seconds = take_word(rest);
-    const std::string name = text::printable(take_word(rest));
-    const std::string value = text::printable(take_word(rest));
+    const std::string_view seconds = next_word(rest);
+    const std::string name = text::printable(next_word(rest));
+    const std::string value = text::printable(next_word(rest));
     TakeEvent event{checked_seconds(seconds, events_), {}, {}};
-    if (value.empty()) throw refused(text::printable(line) + ": is no event" + std::string(kForm));
+    if (value.empty())
+        throw refused(text::printable(line) + ": is not an event" + std::string(kForm));
     event.parameter = find_parameter(name);
     const ParameterInfo& info = *event.parameter.info;
     const std::string given = info.path(event.parameter.item) + " = " + value + ": ";
     if (info.change != ParameterClass::live) {
-        throw refused(given +
-                      "is not live, a take cannot change it; allowed: " + live_parameter_names());
+        throw refused(
+            given + "is not live, so a take cannot change it; allowed: " + live_parameter_names());
     }
-    if (const std::string_view more = take_word(rest); !more.empty()) {
+    if (const std::string_view more = next_word(rest); !more.empty()) {
         throw refused(given + "is followed by " + text::printable(more) + std::string(kForm));
     }
     set_parameter(checked_, name, value);

@@ -23,7 +23,7 @@ class TakeReader {
     TakeReader(const Parameters& parameters, std::string name)
         : checked_(parameters), name_(std::move(name)) {}
 
-    /// "<seconds> <name> <value>", or nothing but blanks and a comment. Throws Error
+    /// Adds a line "<seconds> <name> <value>"; ignores blank lines and comments. Throws Error
     /// "NAME:LINE: ...".
     void add(std::string_view line, std::size_t number);
     std::vector<TakeEvent> finish() { return std::move(events_); }
@@ -36,7 +36,7 @@ class TakeReader {
     std::vector<TakeEvent> events_;
 };
 
-/// The take that `time.take` names, if it is not the one that the sea has.
+/// Reads the take that `time.take` names, unless the sea has it already.
 void resolve_take(Sea& sea, const std::string& base_dir);
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// TOML that nobody has checked: see toml_input.hpp.
+// Untrusted TOML: see toml_input.hpp.
 #include "toml_input.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class KeyDepth {
   public:
     explicit KeyDepth(std::string_view text) : text_(text) {}
 
-    /// Line of the first such key.
+    /// Returns the line of the first such key.
     std::optional<std::size_t> first_fault() {
         std::size_t dots = 0;
         while (at_ < text_.size()) {
@@ -61,7 +61,7 @@ class KeyDepth {
                 return;
             } else if (multi_line && text_.substr(at_).starts_with(triple)) {
                 at_ += 3;
-                // Up to two quotes may stand before the closing three.
+                // Up to two quotes may precede the closing three.
                 for (int i = 0; i < 2 && at_ < text_.size() && text_[at_] == quote; ++i) ++at_;
                 return;
             } else {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// TOML that nobody has checked: bounds before the parser sees it, and what the readers of sections
-// and records ask of its nodes. The only header here that includes toml++.
+// Untrusted TOML: limits checked before parsing, and access to the parsed nodes for the readers of
+// sections and records. The only header here that includes toml++.
 #pragma once
 
 // Debian builds toml++ as a shared library; compiled in, libocean.so depends on nothing.
@@ -12,9 +12,10 @@
 #include <stdint.h>
 #include <toml++/impl/preprocessor.h>
 
-// toml++ 3.3 asserts, or lets the compiler assume, what hostile text can break (a key that begins
-// with '#' after a value that was cut off); the code behind each assertion reports the error. And
-// its tests for blanks call letters from U+00A1 to U+0499 unreachable: they are no blanks.
+// toml++ 3.3 asserts, or lets the compiler assume, conditions that hostile text can violate (a key
+// that begins with '#' after a value that was cut off); the code behind each assertion reports the
+// error. And its tests for blanks declare letters from U+00A1 to U+0499 unreachable: they are not
+// blanks.
 #undef TOML_ASSERT
 #undef TOML_ASSUME
 #undef TOML_ASSERT_ASSUME
@@ -44,13 +45,14 @@ struct TomlEntry {
     std::size_t line;
     const toml::node* node;
 };
-/// The entries of a table in the order of the file, so that the first fault is reported first.
+/// Returns the entries of a table in the order of the file, so that the first fault is reported
+/// first.
 std::vector<TomlEntry> in_file_order(const toml::table& table);
 
 std::size_t line_of(const toml::node& node);
-/// Of a float, or of an integer that stands for one; nothing if the node is neither.
+/// Returns the number of a float, or of an integer in its place; nothing for any other node.
 std::optional<double> number_of(const toml::node& node);
-/// A value as a message shows it: 300, "text", a table, an array of 3.
+/// Returns a value as a message shows it: 300, "text", a table, an array of 3.
 std::string shown(const toml::node& node);
 
 }  // namespace ocean

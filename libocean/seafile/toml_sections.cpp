@@ -10,7 +10,7 @@
 namespace ocean {
 namespace {
 
-/// Of one file.
+/// Reads the sections of one file.
 class SectionReader {
   public:
     SectionReader(const std::string& name, std::span<const std::string_view> known)

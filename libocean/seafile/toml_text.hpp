@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values as TOML spells them: what the sea-file writer and the presets put behind "key =".
+// Values in TOML's spelling: the right-hand sides of "key =" in sea files and presets.
 #pragma once
 
 #include <string>
@@ -11,9 +11,10 @@
 
 namespace ocean {
 
-/// A basic string. Throws Error invalid_value for text that is not UTF-8.
+/// Returns a basic string. Throws Error invalid_value for text that is not UTF-8.
 std::string toml_string(std::string_view text);
-/// Shortest form that reads back to the same bits, and as a float: "500.0", "-0.0", "inf", "nan".
+/// Returns the shortest form that reads back to the same bits, and as a float: "500.0", "-0.0",
+/// "inf", "nan".
 std::string toml_number(double value);
 std::string toml_value(const ParameterValue& value);
 

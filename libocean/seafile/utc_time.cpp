@@ -22,8 +22,8 @@ void append_padded(std::string& out, int value, std::size_t width) {
     out += digits;
 }
 
-/// Takes `width` digits off the front; -1 if they are not there.
-int take_digits(std::string_view& text, std::size_t width) {
+/// Removes `width` digits from the front and returns them; -1 if they are missing.
+int next_digits(std::string_view& text, std::size_t width) {
     if (text.size() < width) return -1;
     int value = 0;
     for (char c : text.substr(0, width)) {
@@ -34,34 +34,34 @@ int take_digits(std::string_view& text, std::size_t width) {
     return value;
 }
 
-bool take(std::string_view& text, std::string_view any_of) {
+bool accept(std::string_view& text, std::string_view any_of) {
     if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
     text.remove_prefix(1);
     return true;
 }
 
-/// Digits of any number, but some.
-bool take_fraction(std::string_view& text) {
+/// Skips one or more digits; false if there are none.
+bool skip_fraction(std::string_view& text) {
     const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
     text.remove_prefix(count);
     return count > 0;
 }
 
-/// Takes "Z", " UTC", " GMT", or an offset from UTC: "+01:00", "-0530", "+01". Minutes, 0 where
-/// there is none of these; nothing for an offset beyond a day.
-std::optional<int> take_zone(std::string_view& text) {
+/// Removes "Z", " UTC", " GMT", or an offset from UTC: "+01:00", "-0530", "+01". Returns the offset
+/// in minutes, 0 without any of these; nothing for an offset beyond a day.
+std::optional<int> next_zone(std::string_view& text) {
     for (const std::string_view name : {"Z", " UTC", "UTC", " GMT", "GMT"}) {
         if (text != name) continue;
         text = {};
         return 0;
     }
     std::string_view rest = text;
-    take(rest, " ");
+    accept(rest, " ");
     const bool west = rest.starts_with('-');
-    if (!take(rest, "+-")) return 0;
-    const int hours = take_digits(rest, 2);
-    const bool colon = take(rest, ":");
-    const int minutes = rest.empty() && !colon ? 0 : take_digits(rest, 2);
+    if (!accept(rest, "+-")) return 0;
+    const int hours = next_digits(rest, 2);
+    const bool colon = accept(rest, ":");
+    const int minutes = rest.empty() && !colon ? 0 : next_digits(rest, 2);
     if (hours < 0 || hours > 23 || minutes < 0 || minutes > 59) return std::nullopt;
     text = rest;
     return (west ? -1 : 1) * (60 * hours + minutes);
@@ -103,20 +103,20 @@ std::optional<UtcTime> utc_time_at(std::int64_t minutes) {
 
 std::optional<UtcTime> parse_utc_time(std::string_view text) {
     UtcTime time;
-    time.year = take_digits(text, 4);
-    if (!take(text, "-")) return std::nullopt;
-    time.month = take_digits(text, 2);
-    if (!take(text, "-")) return std::nullopt;
-    time.day = take_digits(text, 2);
-    if (!take(text, "T ")) return std::nullopt;
-    time.hour = take_digits(text, 2);
-    if (!take(text, ":")) return std::nullopt;
-    time.minute = take_digits(text, 2);
-    if (take(text, ":")) {
-        if (take_digits(text, 2) < 0) return std::nullopt;
-        if (take(text, ".,") && !take_fraction(text)) return std::nullopt;
+    time.year = next_digits(text, 4);
+    if (!accept(text, "-")) return std::nullopt;
+    time.month = next_digits(text, 2);
+    if (!accept(text, "-")) return std::nullopt;
+    time.day = next_digits(text, 2);
+    if (!accept(text, "T ")) return std::nullopt;
+    time.hour = next_digits(text, 2);
+    if (!accept(text, ":")) return std::nullopt;
+    time.minute = next_digits(text, 2);
+    if (accept(text, ":")) {
+        if (next_digits(text, 2) < 0) return std::nullopt;
+        if (accept(text, ".,") && !skip_fraction(text)) return std::nullopt;
     }
-    const std::optional<int> zone = take_zone(text);
+    const std::optional<int> zone = next_zone(text);
     if (!zone || !text.empty() || !time.valid()) return std::nullopt;
     return *zone == 0 ? time : utc_time_at(time.minutes() - *zone);
 }

@@ -8,7 +8,7 @@ layout(location = 0) uniform float choppiness;
 layout(location = 1) uniform vec2 whitecap_threshold_and_width;
 layout(location = 2) uniform vec2 foam_fade_and_least;
 
-// The linear fields, by their names in the library; those that nobody asked for are 0.
+// The linear fields, by their names in the library; those that were not requested are 0.
 struct Fields {
     float height;
     float displacement_x;
@@ -26,34 +26,34 @@ struct Fields {
 vec3 normal_of(Fields p) {
     SurfaceNormal n = surface_normal(choppiness, p.gradient_xx, p.gradient_yy, p.gradient_xy,
                                      p.slope_x, p.slope_y);
-    // Its z, near 1, has most of its digits in common with all others: not by inversesqrt, of which
-    // drivers promise little, but from what is small.
+    // z is near 1, so most of its digits are common to all samples: it is computed from the small
+    // difference, not by inversesqrt, of which drivers promise little.
     float up = 1.0 - (n.x * n.x + n.y * n.y) / (1.0 + abs(n.z));
     return vec3(n.x, n.y, n.z < 0.0 ? -up : up);
 }
 
-float channel_nx(Fields p, float foam_left) {
+float channel_nx(Fields p, float previous_foam) {
     return normal_of(p).x;
 }
 
-float channel_ny(Fields p, float foam_left) {
+float channel_ny(Fields p, float previous_foam) {
     return normal_of(p).y;
 }
 
-float channel_nz(Fields p, float foam_left) {
+float channel_nz(Fields p, float previous_foam) {
     return normal_of(p).z;
 }
 
-float channel_jacobian(Fields p, float foam_left) {
+float channel_jacobian(Fields p, float previous_foam) {
     return surface_jacobian(choppiness, p.gradient_xx, p.gradient_yy, p.gradient_xy);
 }
 
-float channel_whitecap(Fields p, float foam_left) {
-    return surface_whitecap(channel_jacobian(p, foam_left), whitecap_threshold_and_width.x,
+float channel_whitecap(Fields p, float previous_foam) {
+    return surface_whitecap(channel_jacobian(p, previous_foam), whitecap_threshold_and_width.x,
                             whitecap_threshold_and_width.y);
 }
 
-float channel_foam(Fields p, float foam_left) {
-    float foam = max(channel_whitecap(p, foam_left), foam_fade_and_least.x * foam_left);
+float channel_foam(Fields p, float previous_foam) {
+    float foam = max(channel_whitecap(p, previous_foam), foam_fade_and_least.x * previous_foam);
     return foam < foam_fade_and_least.y ? 0.0 : foam;
 }

@@ -68,9 +68,9 @@ void main() {
                           FIELD_slope_y, FIELD_gradient_xx, FIELD_gradient_yy, FIELD_gradient_xy,
                           FIELD_height_rate, FIELD_displacement_x_rate, FIELD_displacement_y_rate);
 #if FOAM
-        float foam_left = texelFetch(foam_past, at % textureSize(foam_past, 0), 0).x;
+        float previous_foam = texelFetch(foam_past, at % textureSize(foam_past, 0), 0).x;
 #else
-        const float foam_left = 0.0;
+        const float previous_foam = 0.0;
 #endif
         imageStore(map_0, at, TEXEL_0);
 #if MAPS > 1

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Complex numbers as vec2. Sums and products are precise, so that no compiler fuses or reorders
-// them as it sees fit: a frame's linear fields have the same bits whatever else is asked for, and
-// with every driver that rounds as GLSL wants it.
+// them: a frame's linear fields have the same bits whatever else is requested, and with every
+// driver that rounds as GLSL requires.
 
 vec2 times_i(vec2 a) {
     return vec2(-a.y, a.x);

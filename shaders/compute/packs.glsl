@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies between the two passes: PACKS grids of N x N complex numbers. The sums of a pack are
-// two real fields, one in the real part, the other in the imaginary. Both fields vanish on the
-// lattice's Nyquist lines, else they would leak into each other. Columns lie side by side in blocks
+// The data between the two passes: PACKS grids of N x N complex numbers. A pack holds two real
+// fields, one in the real part, the other in the imaginary part. Both fields vanish on the
+// lattice's Nyquist lines; else they would leak into each other. Columns lie side by side in blocks
 // of LINES, so that pass one writes and pass two reads whole blocks.
 
 layout(std430, binding = 4) restrict buffer Pack0 { vec2 value[]; } pack_0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of each texel of the sea's period foam covers, for mipmaps to be made of: a mean of the
-// foam says nothing of its cover, and a mean cover nothing of how thick its foam is.
+// The share of each texel of the sea's period that foam covers, as the finest level of mipmaps: a
+// mean of the foam does not give its cover, and a mean cover not the thickness of its foam.
 #include "preview/foam_look.glsl"
 #include "wave/foam_cover.glsl"
 #include "wave/foam_lace.glsl"

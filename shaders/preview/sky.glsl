@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The sky, as Ocean_Sky of povray_macros/ocean.inc or as the map of an environment: one function
-// for the background and for what water mirrors.
+// for the background and for the mirrored sky.
+#include "preview/frame.glsl"
 
 uniform sampler2D sky_map;  // over longitude and latitude, from the horizon to the zenith
 
 float toward_sun(vec3 direction) { return max(0.0, dot(direction, sun.xyz)); }
 
-// up: direction.z, as below.
+// Returns the light of the map. up: direction.z, as in sky(). width: see sky() [rad].
 vec3 mapped_sky(vec3 direction, float up, float width) {
     float level = length(direction.xy);
     float bearing = level > 0.0 ? atan(direction.y, direction.x) : 0.0;
@@ -18,8 +19,8 @@ vec3 mapped_sky(vec3 direction, float up, float width) {
     return textureLod(sky_map, place, log2(max(texels, 1.0))).rgb;
 }
 
-// Without the sun's disc. direction: a unit vector; width: radians around it whose mean it is, of
-// what varies so fast.
+// Returns the light of the sky without the sun's disc. direction: a unit vector. width: angle
+// around it [rad] over which a map is averaged.
 vec3 sky(vec3 direction, float width) {
     float up = max(direction.z, 0.0) + min(direction.z + sky_low.w, 0.0);
     float below = mix(1.0, 0.35, clamp(-up / 0.0111, 0.0, 1.0));  // the horizon: other waves
@@ -38,10 +39,10 @@ vec3 sky(vec3 direction, float width) {
     return mix(colour, (1.0 + 0.6 * glow) * sun_colour.rgb, glow);
 }
 
-// What a level white surface sends back of both, the sky and the sun.
+// Returns the light of a level white surface under sky and sun.
 vec3 light_from_above() { return sky_light.rgb + sun.w * sun_colour.rgb * max(sun.z, 0.0); }
 
-// What the eye sees of the sun itself, softened by a pixel.
+// Returns the light of the sun's disc, with an edge of a pixel.
 vec3 sun_disc(vec3 direction) {
     float beside = acos(clamp(dot(direction, sun.xyz), -1.0, 1.0));
     float radius = 0.00465;

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From light to what a screen takes: as it is up to 0.6, the rest rolled off towards 1, so that
-// there are waves in the sun's glitter too; then sRGB.
+// From light to the colours of a screen: unchanged up to 0.6, rolled off towards 1 above, so that
+// the sun's glitter shows waves too; then sRGB.
+#include "preview/frame.glsl"
 
 vec3 screen_colour(vec3 light) {
     vec3 x = max(look.x * light, vec3(0.0));
@@ -12,5 +13,5 @@ vec3 screen_colour(vec3 light) {
                step(0.0031308, rolled));
 }
 
-// What is drawn of light: what a screen takes, or the light itself, for files of numbers.
+// Returns the drawn colour of light: that of a screen, or the light itself for files of numbers.
 vec3 drawn_colour(vec3 light) { return look.w > 0.0 ? look.x * light : screen_colour(light); }

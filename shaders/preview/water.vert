@@ -8,8 +8,8 @@
 
 layout(location = 0) in vec2 grid;
 
-uniform vec4 level;  // label of grid (0, 0) relative to the eye; metres of a cell
-uniform vec4 morph;  // cells from the eye where it begins, 1/cells that it takes; least distance
+uniform vec4 level;  // label of grid (0, 0) relative to the eye; side of a cell [m]
+uniform vec4 morph;  // cells from the eye where it begins, 1/length in cells; shortest distance [m]
 
 out vec2 label;
 out vec3 position;

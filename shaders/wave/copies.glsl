@@ -21,8 +21,9 @@ formula GridPoint copy_grid(real x, real y) {
     return grid;
 }
 
-// Of the triangle that holds a point of the grid, from the point's place in its square: the weight
-// of corner 0, 1 or 2 (they add up to 1), and the corner's place, 0 or 1 along each side.
+// One corner of the triangle that holds a point of the grid, from the point's position in its
+// square: the weight of corner 0, 1 or 2 (they add up to 1), and the corner's position, 0 or 1
+// along each side.
 struct CopyCorner {
     real weight;
     int x;
@@ -49,8 +50,8 @@ formula CopyCorner copy_corner(real fraction_x, real fraction_y, int corner) {
     return result;
 }
 
-// Where the copy of a corner is taken from, in periods, 0 .. 1 along each side: two hashed numbers
-// of 16 bits [Wellons 2018].
+// Returns the position that the copy of a corner begins at, in periods, 0 .. 1 along each side: two
+// hashed numbers of 16 bits [Wellons 2018].
 formula GridPoint copy_offset(int corner_x, int corner_y) {
     uint h = uint(corner_x) * 0x9E3779B1u ^ (uint(corner_y) * 0x85EBCA77u + 0x165667B1u);
     h ^= h >> 16;

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Light of the sun that goes in on the far side of a crest and comes out on this one. What of it
-// is seen, 0 .. 1: a model of looks, not of light's way through the water. It is high, where a
-// crest stands free; strong where the surface is squeezed, as crests are that are thin and about
-// to break; seen looking against the sun, on the side that faces away from it. The further the sun
-// is from the horizon, the less.
+// Sunlight that enters the far side of a crest and leaves it towards the viewer, as a share 0 .. 1:
+// a model of appearance, not of light transport in water. It is high where a crest rises above its
+// surroundings; strong where the surface is compressed, as in thin crests about to break; visible
+// looking against the sun, on the side that faces away from it. It falls as the sun rises from the
+// horizon.
 //
-// height: over still water, in significant wave heights. jacobian: of the displaced surface.
-// With s the horizontal part of the unit vector to the sun, against: v.s, v from the eye to the
-// point; toward: n.s, n the normal of the waves that a mesh has.
+// height: above still water, in significant wave heights. jacobian: of the displaced surface. With
+// s the horizontal part of the unit vector to the sun, against: v.s, v from the eye to the point;
+// toward: n.s, n the normal of the waves that a mesh has.
 formula real crest_light(real height, real jacobian, real against, real toward) {
     real high = min(max(height - real(0.1), real(0.0)), real(1.0));
     real squeezed = min(max(real(1.4) - jacobian, real(0.0)), real(1.0));

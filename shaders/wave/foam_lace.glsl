@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Foam in detail: from the cover c of a place, 0 .. 1, and the values T of textures that are
-// uniform in [0, 1] (ocean/foam_texture.hpp), what of it is white. T < c holds on the share c of
-// the area. Whatever is done here keeps that: combined textures are uniform again, and the mean of
-// a softened or faded mask is c, so that the foam seen is as much as the wind makes. Proved in
-// foam_lace_test.cpp.
+// Foam in detail: which part of a point's neighbourhood is white, from the cover c there, 0 .. 1,
+// and the values T of textures that are uniform in [0, 1] (ocean/foam_texture.hpp). T < c holds on
+// the share c of the area. All functions here preserve that: combined textures are uniform again,
+// and the mean of a softened or faded mask is c, so that the visible foam is as much as the wind
+// makes. Test: foam_lace_test.cpp.
 
-// The sum a + share b of two independent textures, 0 < share <= 1, made uniform by its own
-// distribution function, that of the trapezoid: b breaks up what a draws. The density of z rises
-// as z / share up to share, is 1 up to 1, and falls again to 0 at 1 + share.
+// Returns the sum a + share b of two independent textures, 0 < share <= 1, made uniform by its own
+// distribution function, that of the trapezoid: b breaks up the pattern of a. The density of z
+// rises as z / share up to share, is 1 up to 1, and falls to 0 at 1 + share.
 formula real add_uniform(real a, real b, real share) {
     real z = a + share * b;
     real rest = real(1.0) + share - z;
@@ -27,10 +27,10 @@ formula real unite_uniform(real a, real b, real begins) {
     return z + joined - z * joined;
 }
 
-// How white a point is, 0 .. 1: clamp(1/2 + (c' - T) / edge), 0 < edge <= 1. The mean of a whole
-// ramp is where its middle is, so c' = c. Within half an edge of 0 or 1 a part of the ramp lies
-// outside [0, 1]. What is left near 0 is a triangle from T = 0 to c' + edge / 2, whose area is
-// (c' + edge / 2)^2 / (2 edge): that is c for the c' below. Near 1 the same holds of what is not
+// Returns how white a point is, 0 .. 1: clamp(1/2 + (c' - T) / edge), 0 < edge <= 1. The mean of a
+// whole ramp is at its middle, so c' = c. Within half an edge of 0 or 1 a part of the ramp lies
+// outside [0, 1]. Near 0 a triangle from T = 0 to c' + edge / 2 remains, whose area is (c' + edge /
+// 2)^2 / (2 edge): that is c for the c' below. Near 1 the same holds for the part that is not
 // white.
 formula real foam_mask(real cover, real value, real edge) {
     real c = min(max(cover, real(0.0)), real(1.0));
@@ -49,8 +49,9 @@ formula real foam_thickness(real cover, real value, real span) {
     return min(max((cover - value) / span, real(0.0)), real(1.0));
 }
 
-// Its mean over T < c, for foam too far away to have a pattern: the integral of the thickness over
-// T, c^2 / (2 span) or c - span / 2, over c. It meets itself with equal slope at c = span.
+// Returns the mean thickness over T < c, for foam too far away to have a pattern: the integral of
+// the thickness over T, c^2 / (2 span) or c - span / 2, divided by c. Both branches meet with equal
+// slope at c = span.
 formula real foam_mean_thickness(real cover, real span) {
     if (cover < span) return real(0.5) * max(cover, real(0.0)) / span;
     return real(1.0) - real(0.5) * span / cover;

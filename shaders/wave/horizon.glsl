@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The round Earth as an eye near its surface sees it, in metres: to the second order of distance
-// over radius. Light goes straight; the air's refraction, which lifts the horizon by some
-// hundredths of a degree, is left out.
+// The round Earth seen by an eye near its surface, in metres: to the second order of distance over
+// radius. Light travels straight; the air's refraction, which lifts the horizon by some hundredths
+// of a degree, is neglected.
 
 formula real earth_radius() { return real(6371000.0); }  // mean
 

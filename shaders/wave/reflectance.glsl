@@ -12,9 +12,9 @@ formula real water_reflectance(real c, real n) {
     return real(0.5) * a * a * (real(1.0) + b * b);
 }
 
-// Of water whose unseen slopes have that deviation along the view: the fit of [Bruneton 2010] to
-// the mean over the facets, c the cosine to the mean normal. At grazing angles rough water reflects
-// less, because slopes towards the viewer are seen alone.
+// Returns the reflectance of water whose unresolved slopes have that deviation along the view: the
+// fit of [Bruneton 2010] to the mean over the facets, c the cosine to the mean normal. At grazing
+// angles rough water reflects less, because only slopes towards the viewer are visible.
 formula real rough_water_reflectance(real c, real slope_rms) {
     real power = real(5.0) * exp(real(-2.69) * slope_rms);
     real spread = real(1.0) + real(22.7) * slope_rms * sqrt(slope_rms);

@@ -1,24 +1,24 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a material reads the slope tiles of the waves too short for its mesh (ocean/detail.hpp), so
-// that neither their repetition nor their end is seen. Needs copies.glsl.
+// How a material reads the slope tiles of the waves too short for its mesh (ocean/detail.hpp) so
+// that neither their repetition nor their end is visible. Needs copies.glsl.
 //
-// A tile is read at three random places, one for each corner of a grid of triangles, as the far sea
-// is of its copies [Heitz and Neyret 2018]. Slopes are Gaussian, of mean 0 and of variance v
-// anywhere in the tile, and those of three places are as good as independent: with the weights
-// w_i / sqrt(sum w^2) their sum is Gaussian of variance v too [Deliot and Heitz 2019], and needs
-// no change of the histogram. What is left to do for the reader:
+// A tile is read at three random positions, one for each corner of a grid of triangles, as the
+// distant sea reads its copies [Heitz and Neyret 2018]. Slopes are Gaussian, with mean 0 and
+// variance v anywhere in the tile, and those at three positions are practically independent: with
+// the weights w_i / sqrt(sum w^2) their sum is Gaussian with variance v too [Deliot and Heitz
+// 2019], and the histogram needs no correction. A reader computes:
 //     slope = sum over bands of fade sum over corners of weight slope_map(x, y)
 //     alpha^2 = residual + lost + sum over bands of slope_tile_left
-// with alpha of Beckmann's distribution, the residual of DetailBudget, and lost, what a coarser
-// mesh far away lacks of the map that the bands begin at. Shown slope and roughness are the sea's
-// mean square slope at every distance, where the map is read bilinearly: its waves are raised by
-// what they lose to that. Tests: SlopeTiles in tests/unit/detail_test.cpp.
+// with alpha of Beckmann's distribution, the residual of DetailBudget, and `lost`, the part of the
+// map (at which the bands begin) that a coarser mesh far away lacks. Displayed slope and roughness
+// add up to the sea's mean square slope at every distance if the map is read bilinearly: its waves
+// are amplified by the factor that this loses. Tests: SlopeTiles in tests/unit/detail_test.cpp.
 
-// Edges of triangles a tile. A corner's copy is seen up to one edge from it: with two edges a tile
-// a place and its repetition never stand in one copy. Measured at Beaufort 4: a correlation of 0.05
-// at most, at lags from 1.5 to 32 m, of a tile of 7.5 m that has 1 by itself.
+// Edges of triangles per tile. A corner's copy is visible up to one edge from it: with two edges
+// per tile, a point and its repetition are never in the same copy. Measured at Beaufort 4: a
+// correlation of 0.05 at most, at lags from 1.5 to 32 m, for a tile of 7.5 m, whose own is 1.
 #define slope_tile_triangles real(2.0)
 
 struct SlopeTileRead {
@@ -63,7 +63,7 @@ formula real slope_tile_fade(real footprint, real shortest_wave, real longest_wa
     return real(1.0) - t * t * (real(3.0) - real(2.0) * t);
 }
 
-// Of the variance of a band what its faded slopes do not show: roughness.
+// Returns the part of a band's variance that its faded slopes do not show: roughness.
 formula real slope_tile_left(real fade, real variance) {
     return variance * (real(1.0) - fade * fade);
 }

@@ -1,25 +1,25 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What waves too small to be shown do to the light. Seen at a grazing angle, a rough surface shows
-// the facets that lean towards the eye and hides the others; a horizon drawn with the mean normal
-// is a mirror of the palest sky, and far too bright.
+// The effect of waves too small to be displayed on light. Seen at a grazing angle, a rough surface
+// shows the facets that lean towards the eye and hides the others; a horizon drawn with the mean
+// normal mirrors the palest part of the sky and is far too bright.
 //
 // Let u = -slope towards the eye, the lean of a facet; Gaussian with variance s^2. Let t be the
-// tangent of the eye's elevation above the mean surface. Per area of mean surface the eye sees of a
-// facet max(0, t + u) cos(elevation); shadowing by other facets hardly depends on u [Smith 1967],
-// [Ross 2005], so the leans that are seen have the density
+// tangent of the eye's elevation above the mean surface. Per area of mean surface the eye sees
+// max(0, t + u) cos(elevation) of a facet; shadowing by other facets hardly depends on u [Smith
+// 1967], [Ross 2005], so the visible leans have the density
 //     p(u) max(0, t + u) / E[max(0, t + u)].
 // With a = t/s, phi and Phi the normal density and distribution:
 //     E[max(0, t + u)]   = t Phi(a) + s phi(a)
 //     E[u max(0, t + u)] = s^2 Phi(a)                       (Stein: E[u f(u)] = s^2 E[f'(u)])
-// and their ratio is the mean lean that is seen, s / (a + phi(a) / Phi(a)).
-// Limits: t -> 0 gives s sqrt(pi/2); t >> s gives s^2 / t, nothing in the end; t << -s gives -t,
-// just the lean that is needed to be seen at all. In two dimensions, with slope covariance V and e
-// the horizontal direction to the eye, the same steps give s^2 = e.V e and the vector V e / s^2
-// times that mean. Test: VisibleSlope.EqualsMonteCarlo.
+// and their ratio is the mean visible lean, s / (a + phi(a) / Phi(a)).
+// Limits: t -> 0 gives s sqrt(pi/2); t >> s gives s^2 / t, which tends to 0; t << -s gives -t, just
+// the lean that is visible at all. In two dimensions, with slope covariance V and e the horizontal
+// direction to the eye, the same steps give s^2 = e.V e and the vector V e / s^2 times that mean.
+// Test: VisibleSlope.EqualsMonteCarlo.
 //
-// erfc is C++'s; for GLSL it stands in wave/erfc.glsl.
+// C++ has erfc in its library; GLSL takes it from wave/erfc.glsl.
 
 formula real normal_density(real a) {
     return exp(real(-0.5) * a * a) * real(0.398942280401432678);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: chunks of a stage that are baked at the same time leave the files and the manifest of one
-// bake of all frames, in whatever order they begin and end; a chunk that fails leaves the entries
-// of the others as they are.
+// Claims: chunks of a stage that are baked concurrently leave the files and the manifest of one
+// bake of all frames, in any order of their starts and ends; a chunk that fails leaves the entries
+// of the others unchanged.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -32,15 +32,15 @@ void bake_chunk(const TemporaryFolder& folder, const std::string& frames, BakeHo
     options.frames = frames;
     options.resolution = "32";
     options.threads = 1;
-    options.of_format = {{"products", "position"}};
+    options.format_options = {{"products", "position"}};
     options.open_subject = [](const std::string&) {
         return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
     };
     run_bake(make_bake_plan(options, standard_catalogue()), host);
 }
 
-/// Bakes the chunk of another machine after so many of its own writes: the first is that of the
-/// shared files.
+/// Bakes the chunk of another machine after `writes` of its own writes; the first one is that of
+/// the shared files.
 struct Interleaved : BakeHost {
     const TemporaryFolder& folder;
     std::string other;
@@ -49,14 +49,14 @@ struct Interleaved : BakeHost {
 
     Interleaved(const TemporaryFolder& in, std::string frames, int writes)
         : folder(in), other(std::move(frames)), writes_before(writes) {}
-    void whole(const std::function<void()>& write) override {
+    void run_uninterrupted(const std::function<void()>& write) override {
         write();
         if (--writes_before != 0) return;
-        BakeHost nobody;
-        bake_chunk(folder, other, nobody);
+        BakeHost silent;
+        bake_chunk(folder, other, silent);
     }
     void frame_baked(int, double, const std::vector<std::string>&) override {
-        if (leaves) throw std::runtime_error("nobody listens any more");
+        if (leaves) throw std::runtime_error("the host left");
     }
 };
 
@@ -68,10 +68,10 @@ std::map<std::string, std::string> contents(const TemporaryFolder& folder) {
     return files;
 }
 
-TEST(Chunks, AtTheSameTimeLeaveWhatOneBakeLeaves) {
+TEST(Chunks, BakedConcurrentlyLeaveTheFilesOfOneBake) {
     const TemporaryFolder whole;
-    BakeHost nobody;
-    bake_chunk(whole, "1-4", nobody);
+    BakeHost silent;
+    bake_chunk(whole, "1-4", silent);
     for (const auto& [begun_first, other, writes_before] :
          {std::tuple("3-4", "1-2", 1), std::tuple("1-2", "3-4", 1), std::tuple("3-4", "1-2", 2)}) {
         const TemporaryFolder parts;
@@ -85,7 +85,7 @@ TEST(Chunks, AtTheSameTimeLeaveWhatOneBakeLeaves) {
     }
 }
 
-TEST(Chunks, OneThatFailsLeavesTheEntriesOfOthers) {
+TEST(Chunks, KeepTheirEntriesWhenAnotherOneFails) {
     const TemporaryFolder folder;
     Interleaved host(folder, "1-2", 2);
     host.leaves = true;

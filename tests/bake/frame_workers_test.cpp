@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frames finish in any order and are delivered in theirs, however many work at them.
+// Claims: frames finish in any order and are delivered in their own, for any number of workers.
 #include "frame_workers.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace ocean {
 namespace {
 
-/// A job that takes a time of its own, so that jobs end in another order than they began.
+/// A job with a duration of its own, so that jobs end in another order than they start.
 void sleep_a_little(int seed) {
     std::minstd_rand random(static_cast<unsigned>(seed) + 1);
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 200));
@@ -49,19 +49,19 @@ TEST(FrameWorkers, DeliverEachJobOnceAndInOrder) {
     }
 }
 
-TEST(FrameWorkers, AreNeverFarAheadOfDelivery) {
+TEST(FrameWorkers, StayCloseToDelivery) {
     std::atomic<int> begun = 0;
     run_in_order(
         60, 4, [&](int, int) { return ++begun, true; },
         [&](int index) {
             const int limit = std::min(60, index + 2 * 4);
-            while (begun < limit) std::this_thread::yield();  // as far as they may go
+            while (begun < limit) std::this_thread::yield();  // until the limit is reached
             EXPECT_LE(begun, index + 2 * 4) << "finished frames would pile up in memory";
         });
     EXPECT_EQ(begun, 60);
 }
 
-TEST(FrameWorkers, BeginNothingAfterAJobThatSaysStop) {
+TEST(FrameWorkers, StartNoJobAfterOneThatReturnsFalse) {
     for (int repeat = 0; repeat < 50; ++repeat) {
         std::atomic<int> begun = 0;
         std::vector<int> delivered;
@@ -79,7 +79,7 @@ TEST(FrameWorkers, BeginNothingAfterAJobThatSaysStop) {
     }
 }
 
-TEST(FrameWorkers, EndWhenTheReceiverThrows) {
+TEST(FrameWorkers, EndWhenDeliverThrows) {
     std::atomic<int> begun = 0;
     std::atomic<int> in_hand = 0;
     EXPECT_THROW(run_in_order(
@@ -99,7 +99,7 @@ TEST(FrameWorkers, EndWhenTheReceiverThrows) {
     EXPECT_LE(begun, 6 + 2 * 3);
 }
 
-TEST(FrameWorkers, HaveNothingToDoForNoFrames) {
+TEST(FrameWorkers, AcceptNoFrames) {
     run_in_order(
         0, 2, [](int, int) { return ADD_FAILURE(), true; }, [](int) { ADD_FAILURE(); });
 }

@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frame numbers as text and in names: what is written of them is read as the same frames, and only
-// files of the pattern are taken for frames of the plan.
+// Claims: frames_text is read back as the same frames, and only files of the pattern count as
+// frames of the plan.
 #include "ocean/bake/frames.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "ocean/bake/frames_there.hpp"
+#include "ocean/bake/existing_frames.hpp"
 
 namespace ocean {
 namespace {
 
-TEST(FramesText, IsWhatParseFramesReads) {
+TEST(FramesText, IsReadBackByParseFrames) {
     const auto text_of = [](const char* typed) { return frames_text(parse_frames(typed)); };
     EXPECT_EQ(text_of("1-3,7,9-11"), "1-3, 7, 9-11");
-    EXPECT_EQ(text_of("10-30x10"), "10, 20, 30");  // few are named one by one
+    EXPECT_EQ(text_of("10-30x10"), "10, 20, 30");  // a few are listed one by one
     EXPECT_EQ(text_of("10-60x10,61"), "10-60x10, 61");
     EXPECT_EQ(text_of("-2-1"), "-2-1");
     EXPECT_EQ(text_of("5,3,1"), "5, 3, 1");
@@ -35,8 +35,8 @@ TEST(CommonStep, ReachesAllFrames) {
     EXPECT_EQ(common_step({10, 20, 30}), 10);
     EXPECT_EQ(common_step({1, 3, 9, 13}), 2);
     EXPECT_EQ(common_step({-3, 0, 6}), 3);
-    constexpr int kMost = std::numeric_limits<int>::max();
-    EXPECT_EQ(common_step({std::numeric_limits<int>::min(), kMost}), kMost);
+    constexpr int kMaxFrame = std::numeric_limits<int>::max();
+    EXPECT_EQ(common_step({std::numeric_limits<int>::min(), kMaxFrame}), kMaxFrame);
 }
 
 TEST(OutputPattern, FindsTheNumberInAName) {
@@ -50,11 +50,11 @@ TEST(OutputPattern, FindsTheNumberInAName) {
     EXPECT_EQ(OutputPattern("sea.df3").number_in("sea1.df3"), std::nullopt);
 }
 
-TEST(FramesThere, AreUnitedAndForeignOnesNamed) {
+TEST(ExistingFrames, AreUnitedAndForeignOnesNamed) {
     EXPECT_EQ(united({3, 1, 2}, std::vector<int>{2, 5}), (std::vector<int>{1, 2, 3, 5}));
-    const FramesThere there{{1}, {4, 5, 6, 9}};
+    const ExistingFrames there{{1}, {4, 5, 6, 9}};
     EXPECT_EQ(foreign_frames_warning(there, std::vector<int>{4, 9}, "a.usda"),
-              "frames that lie there are of another sea or of other options: 5-6; a.usda leaves "
+              "existing frames are of another sea or of other options: 5-6; a.usda leaves "
               "them out");
     EXPECT_EQ(foreign_frames_warning(there, std::vector<int>{4, 5, 6, 9}, "a.usda"), "");
 }

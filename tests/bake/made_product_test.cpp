@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: a host adds rows of products and families of made products by longer tables, and EXR
-// files keep them as the rows say; no format and no product file knows of them.
+// Claims: a host adds products and families of made products by longer tables, and EXR files store
+// them as their rows state; no format and no product has code for them.
 #include "ocean/bake/made_product.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-/// `glow` has the frame's size: one value, of --glow-gain times that of the sea's highest crest.
+/// `glow` has the frame's size and one value: --glow-gain times the height of the highest crest.
 struct Glow {
     double gain = 2.0;
     float value = 0.0f;
@@ -39,16 +39,16 @@ constexpr MadeProductOf<Glow> kGlowOf = {
     .products = kGlowProducts,
     .options =
         [] {
-            return std::vector<FormatOption>{{"glow-gain", "NUMBER", "Of glow"}};
+            return std::vector<FormatOption>{{"glow-gain", "NUMBER", "Gain of glow"}};
         },
     .read =
         +[](const BakeOptions& options) {
             const std::string& gain = options.format_option("glow-gain");
             return gain.empty() ? Glow{} : Glow{parse_number(gain, "--glow-gain", 0.0, 10.0)};
         },
-    .settle =
-        +[](const BakePlan&, const Glow& asked, const std::vector<const Product*>& products) {
-            return MadePlan<Glow>{products, Channel::height, asked};
+    .resolve =
+        +[](const BakePlan&, const Glow& requested, const std::vector<const Product*>& products) {
+            return MadePlan<Glow>{products, Channel::height, requested};
         },
     .strings =
         [](const BakePlan&, const Glow& glow, int, const Product&) {
@@ -64,7 +64,7 @@ constexpr MadeProductOf<Glow> kGlowOf = {
 };
 constexpr MadeProduct kGlow = made_product<kGlowOf>();
 
-/// `board` is a tile of 32 samples whatever the frame has.
+/// `board` is a tile of 32 samples for any size of the frame.
 struct Board {};
 constexpr Product kBoardProducts[] = {{.name = "board",
                                        .channels = {Channel::slope_x, Channel::slope_y},
@@ -76,7 +76,7 @@ constexpr MadeProductOf<Board> kBoardOf = {
     .products = kBoardProducts,
     .tiles = "boards",
     .read = +[](const BakeOptions&) { return Board{}; },
-    .settle =
+    .resolve =
         +[](const BakePlan&, const Board&, const std::vector<const Product*>& products) {
             return MadePlan<Board>{products, {}, {}};
         },
@@ -89,7 +89,7 @@ constexpr MadeProductOf<Board> kBoardOf = {
 };
 constexpr MadeProduct kBoard = made_product<kBoardOf>();
 
-/// The library's products, and more than it has.
+/// The library's products and those above.
 struct LongerTables {
     std::vector<const MadeProduct*> made{standard_catalogue().made.begin(),
                                          standard_catalogue().made.end()};
@@ -112,14 +112,14 @@ struct LongerTables {
 
 class MadeProducts : public testing::Test {
   protected:
-    BakeOptions asking_for(const std::string& products) const {
+    BakeOptions requesting(const std::string& products) const {
         BakeOptions options;
         options.source = "preset:beaufort_4";
         options.output = folder_.file("sea.exr");
         options.frames = "1";
         options.resolution = "64";
         options.threads = 1;
-        options.of_format["products"] = products;
+        options.format_options["products"] = products;
         options.open_subject = [](const std::string&) {
             return parse_sea_subject(find_preset("beaufort_4").toml, "beaufort_4");
         };
@@ -129,8 +129,8 @@ class MadeProducts : public testing::Test {
     /// Returns the one file of the bake.
     std::string bake(const BakeOptions& options) const {
         const BakePlan plan = make_bake_plan(options, tables_.catalogue);
-        BakeHost nobody;
-        run_bake(plan, nobody);
+        BakeHost host;
+        run_bake(plan, host);
         return plan.format->files(plan, 1).at(0).path;
     }
     io::ExrLayout layout_of(const BakeOptions& options) const {
@@ -157,22 +157,22 @@ std::string string_of(const std::string& path, const std::string& name) {
     return "missing";
 }
 
-TEST_F(MadeProducts, KeepTheTypeAndTheRunLengthsOfTheirRow) {
+TEST_F(MadeProducts, HaveTheTypeAndTheRunLengthsOfTheirRow) {
     using enum io::PixelType;
-    BakeOptions tilt = asking_for("tilt");
+    BakeOptions tilt = requesting("tilt");
     io::ExrLayout layout = layout_of(tilt);
     EXPECT_EQ(layout.channels.at(0).type, full_float);
     EXPECT_EQ(layout.compression, io::ExrCompression::none);
-    tilt.of_format["type"] = "half";
+    tilt.format_options["type"] = "half";
     EXPECT_EQ(layout_of(tilt).compression, io::ExrCompression::rle);
 
-    layout = layout_of(asking_for("glow"));
+    layout = layout_of(requesting("glow"));
     EXPECT_EQ(layout.channels.at(0).type, full_float);
     EXPECT_EQ(layout.compression, io::ExrCompression::rle);
 }
 
 TEST_F(MadeProducts, AreMadeOfTheFrame) {
-    BakeOptions options = asking_for("glow");
+    BakeOptions options = requesting("glow");
     const auto glow = [&] {
         const BakePlan plan = make_bake_plan(options, tables_.catalogue);
         const std::string path = bake(options);
@@ -184,23 +184,23 @@ TEST_F(MadeProducts, AreMadeOfTheFrame) {
         std::memcpy(&value, pixels.data(), sizeof value);
         return value;
     };
-    const float usual = glow();
-    EXPECT_GT(usual, 0.1f);
+    const float by_default = glow();
+    EXPECT_GT(by_default, 0.1f);
     EXPECT_EQ(string_of(folder_.file("sea.exr"), "ocean:glow_gain"), "2");
-    options.of_format["glow-gain"] = "4";
-    EXPECT_EQ(glow(), 2.0f * usual);
+    options.format_options["glow-gain"] = "4";
+    EXPECT_EQ(glow(), 2.0f * by_default);
     EXPECT_EQ(string_of(folder_.file("sea.exr"), "ocean:glow_gain"), "4");
 }
 
-TEST_F(MadeProducts, OfSeveralFamiliesFitIntoOneLayeredFile) {
-    BakeOptions options = asking_for("caustics,height,glow");
-    options.of_format["layout"] = "layered";
+TEST_F(MadeProducts, OfSeveralFamiliesShareALayeredFile) {
+    BakeOptions options = requesting("caustics,height,glow");
+    options.format_options["layout"] = "layered";
     const std::string path = bake(options);
     const BakePlan plan = make_bake_plan(options, tables_.catalogue);
     std::string pixels;
     plan.format->read_pixels(plan, plan.format->files(plan, 1).at(0), 1,
                              [&](std::string_view bytes) { pixels += bytes; });
-    // Of the first row: caustics are halves, each another; the glow is the same everywhere.
+    // The first row: caustics are half floats, all different; the glow is the same everywhere.
     std::array<float, 64> glow{};
     std::memcpy(glow.data(), pixels.data() + 64 * 2, sizeof glow);
     EXPECT_GT(glow[0], 0.1f);
@@ -212,25 +212,25 @@ TEST_F(MadeProducts, OfSeveralFamiliesFitIntoOneLayeredFile) {
     EXPECT_EQ(string_of(path, "ocean:sun"), "90,0");
 }
 
-TEST_F(MadeProducts, OfTheirOwnSizeHaveFilesOfTheirOwn) {
-    BakeOptions options = asking_for("board");
+TEST_F(MadeProducts, WithASizeOfTheirOwnHaveTheirOwnFiles) {
+    BakeOptions options = requesting("board");
     const std::string path = bake(options);
     EXPECT_EQ(io::read_exr_layout(path).resolution, 32);
     EXPECT_EQ(string_of(path, "ocean:field"), "board");
     options.skip_existing = true;
     struct Kept : BakeHost {
         int frames = 0;
-        void frame_kept(int, const std::vector<std::string>&) override { ++frames; }
+        void frame_skipped(int, const std::vector<std::string>&) override { ++frames; }
     } kept;
     run_bake(make_bake_plan(options, tables_.catalogue), kept);
     EXPECT_EQ(kept.frames, 1);
-    options.of_format["layout"] = "layered";
-    EXPECT_EQ(refusal(options), "--layout layered: boards are no maps of the sea's size");
+    options.format_options["layout"] = "layered";
+    EXPECT_EQ(refusal(options), "--layout layered: boards do not have the size of the sea's map");
 }
 
-TEST_F(MadeProducts, ShareTheirOptionsWithNoOther) {
-    BakeOptions options = asking_for("caustics,board");
-    options.of_format["glow-gain"] = "3";
+TEST_F(MadeProducts, HaveOptionsOfTheirOwn) {
+    BakeOptions options = requesting("caustics,board");
+    options.format_options["glow-gain"] = "3";
     EXPECT_EQ(refusal(options), "--glow-gain 3: needs glow among the --products");
     std::string names;
     const BakeFormat& exr = *tables_.catalogue.find_format(".exr");

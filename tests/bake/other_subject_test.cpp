@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A subject that no library knows, a tilted plane that is placed once, is baked, labelled, resumed,
-// listed and refused as a sea is: no format and no product file knows of it.
+// Claims: a subject of a host, a tilted plane at one place of the world, is baked, labelled,
+// resumed, listed and refused as a sea is, although no format and no product has code for it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -147,12 +147,12 @@ BakeOptions plane_bake(const std::string& output) {
     return options;
 }
 
-/// Bakes, and returns the events of its frames: "baked" or "kept".
+/// Bakes, and returns a letter for each frame: b if it was baked, k if it was kept.
 std::string bake(const BakeOptions& options) {
     struct Events : BakeHost {
         std::string text;
         void frame_baked(int, double, const std::vector<std::string>&) override { text += "b"; }
-        void frame_kept(int, const std::vector<std::string>&) override { text += "k"; }
+        void frame_skipped(int, const std::vector<std::string>&) override { text += "k"; }
     } events;
     run_bake(make_bake_plan(options, catalogue_with_planes()), events);
     return events.text;
@@ -169,7 +169,7 @@ std::string refusal(const BakeOptions& options) {
 
 class EveryFormat : public testing::TestWithParam<const char*> {};
 
-TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
+TEST_P(EveryFormat, HoldsAPlane) {
     const TemporaryFolder folder;
     const std::string extension = GetParam();
     if (standard_catalogue().find_format(extension) == nullptr) GTEST_SKIP() << "not built";
@@ -179,12 +179,12 @@ TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
     EXPECT_EQ(bake(options), "kk");  // resumed
     EXPECT_TRUE(std::filesystem::exists(folder.file("plane.manifest.json")));
 
-    // Its files are no user's: without a manifest they are baked over.
+    // Without a manifest its files are recognised as baked, and are replaced.
     std::filesystem::remove(folder.file("plane.manifest.json"));
     options.skip_existing = false;
     EXPECT_EQ(bake(options), "bb");
 
-    if (extension == ".png") return;  // it has no header
+    if (extension == ".png" || extension == ".df3") return;  // files without a header
     const BakePlan plan = make_bake_plan(options, catalogue_with_planes());
     for (const BakeFile& file : plan.format->files(plan, 2)) {
         const auto provenance = io::read_provenance(file.path);
@@ -199,13 +199,13 @@ TEST_P(EveryFormat, HoldsAPlaneThatIsNoSea) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OtherSubject, EveryFormat,
-                         testing::Values(".exr", ".ply", ".obj", ".usda", ".vdb", ".png"),
+                         testing::Values(".exr", ".ply", ".obj", ".usda", ".vdb", ".png", ".df3"),
                          [](const auto& name) { return std::string(name.param).substr(1); });
 
-TEST(OtherSubject, IsTakenFromItsOwnFile) {
+TEST(OtherSubject, IsReadBackFromItsOwnFile) {
     const TemporaryFolder folder;
     BakeOptions options = plane_bake(folder.file("plane.exr"));
-    options.of_format["products"] = "height";
+    options.format_options["products"] = "height";
     options.frames = "2";
     bake(options);
     BakeOptions again;
@@ -222,7 +222,7 @@ TEST(OtherSubject, IsTakenFromItsOwnFile) {
     ASSERT_FALSE(bytes(folder.file("again.exr")).empty());
 }
 
-TEST(OtherSubject, HasNoFramesOfAnotherInItsStage) {
+TEST(OtherSubject, LeavesFramesOfOtherPlanesOutOfItsStage) {
     const TemporaryFolder folder;
     struct Warnings : BakeHost {
         int count = 0;
@@ -243,18 +243,21 @@ TEST(OtherSubject, HasNoFramesOfAnotherInItsStage) {
     EXPECT_GT(warnings("5-6", 9.0), 0);
 }
 
-TEST(OtherSubject, IsRefusedWhatOnlyASeaHas) {
-    const std::array<std::string, 3> asked[] = {
+TEST(OtherSubject, IsRefusedProductsAndOptionsOfSeas) {
+    const std::array<std::string, 3> requests[] = {
         {"x.ply", "spray", "--products spray: only a sea has it, and this is a plane"},
         {"x.vdb", "surface,vel", "--products vel: only a sea has it, and this is a plane"},
         {"x.exr", "caustics", "--products caustics: only a sea has it, and this is a plane"},
         {"x.exr", "height,foam", "a plane has no foam"}};
-    for (const auto& [output, products, message] : asked) {
+    for (const auto& [output, products, message] : requests) {
         if (standard_catalogue().find_format(output.substr(1)) == nullptr) continue;  // not built
         BakeOptions options = plane_bake(output);
-        options.of_format["products"] = products;
+        options.format_options["products"] = products;
         EXPECT_EQ(refusal(options), message);
     }
+    BakeOptions fine = plane_bake("x.df3");
+    fine.format_options["fine-map"] = "yes";
+    EXPECT_EQ(refusal(fine), "--fine-map: only a sea has it, and this is a plane");
     BakeOptions rate = plane_bake("rate.exr");
     rate.fps = "25";
     EXPECT_EQ(refusal(rate), "time.fps: a plane has no such parameter");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: a program bakes by the library alone; its host hears of each frame in order, each file is
-// written whole, and what a host throws ends the bake without losing what was finished.
+// Claims: a program can bake with the library alone; its host gets the frames in order, each file
+// is complete, and an exception of the host ends the bake without losing finished frames.
 #include "ocean/bake/run.hpp"
 
 #include <gtest/gtest.h>
@@ -41,62 +41,66 @@ BakePlan plan_of(const BakeOptions& options) {
 struct Diary : BakeHost {
     std::string events;
     const TemporaryFolder* folder = nullptr;  // of the files
-    int whole_files = 0;                      // that came while nothing could interrupt
-    bool last_act = false;
+    int uninterrupted_files = 0;              // written inside run_uninterrupted()
+    bool has_interrupt_handler = false;
     bool foam = true;
     int leave_at = 0;  // a frame, or 0
 
     void begin(const BakePlan&, const WorkShare& share) override {
-        EXPECT_TRUE(!foam || share.frames_at_a_time == 1) << "foam has a past";
+        EXPECT_TRUE(!foam || share.frames_at_a_time == 1)
+            << "frames with foam depend on earlier ones";
         events += "begin ";
     }
     void frame_baked(int frame, double, const std::vector<std::string>& files) override {
         for (const std::string& file : files) EXPECT_TRUE(std::filesystem::exists(file)) << file;
-        EXPECT_TRUE(last_act);
+        EXPECT_TRUE(has_interrupt_handler);
         events += "baked" + std::to_string(frame) + " ";
-        if (frame == leave_at) throw std::runtime_error("nobody listens any more");
+        if (frame == leave_at) throw std::runtime_error("the host left");
     }
-    void frame_kept(int frame, const std::vector<std::string>&) override {
+    void frame_skipped(int frame, const std::vector<std::string>&) override {
         events += "kept" + std::to_string(frame) + " ";
     }
-    void frame_failed(int frame, const std::string&, bool goes_on) override {
-        events += "failed" + std::to_string(frame) + (goes_on ? "," : " ");
+    void frame_failed(int frame, const std::string&, bool continues) override {
+        events += "failed" + std::to_string(frame) + (continues ? "," : " ");
     }
     void end() override { events += "end"; }
-    void whole(const std::function<void()>& write) override {
+    void run_uninterrupted(const std::function<void()>& write) override {
         const std::size_t before = folder != nullptr ? folder->entries() : 0;
         write();
-        if (folder != nullptr && folder->entries() > before) ++whole_files;
+        if (folder != nullptr && folder->entries() > before) ++uninterrupted_files;
     }
-    void if_interrupted(std::function<void()> act) override { last_act = act != nullptr; }
+    void set_interrupt_handler(std::function<void()> act) override {
+        has_interrupt_handler = act != nullptr;
+    }
 };
 
-TEST(RunBake, TellsItsHostOfEachFrameInTheOrderAsked) {
+TEST(RunBake, ReportsEachFrameInTheRequestedOrder) {
     const TemporaryFolder folder;
     const BakePlan plan = plan_of(small_bake(folder, "sea.exr"));
     Diary diary;
     diary.folder = &folder;
     run_bake(plan, diary);
     EXPECT_EQ(diary.events, "begin baked3 baked1 baked2 end");
-    EXPECT_EQ(diary.whole_files, 3 * 3 + 1) << "displacement, normal, foam, and the manifest";
-    EXPECT_FALSE(diary.last_act);
+    EXPECT_EQ(diary.uninterrupted_files, 3 * 3 + 1)
+        << "displacement, normal, foam, and the manifest";
+    EXPECT_FALSE(diary.has_interrupt_handler);
     EXPECT_EQ(folder.entries(), 3u * 3u + 1u);
 }
 
-TEST(RunBake, NeedsNobodyToListen) {
+TEST(RunBake, RunsWithADefaultHost) {
     const TemporaryFolder folder;
-    BakeHost nobody;
-    run_bake(plan_of(small_bake(folder, "sea.####.df3")), nobody);
-    EXPECT_EQ(folder.entries(), 2 * 3u + 1u) << "maps, their words, and the manifest";
+    BakeHost host;
+    run_bake(plan_of(small_bake(folder, "sea.####.df3")), host);
+    EXPECT_EQ(folder.entries(), 2 * 3u + 1u) << "maps, their descriptions, and the manifest";
 }
 
-TEST(RunBake, WhatTheHostThrowsEndsItAndLosesNothing) {
+TEST(RunBake, EndsAtAnExceptionOfItsHostAndLosesNothing) {
     const TemporaryFolder folder;
     BakeOptions options = small_bake(folder, "sea.exr");
     Diary leaving;
     leaving.leave_at = 1;
     EXPECT_THROW(run_bake(plan_of(options), leaving), std::runtime_error);
-    EXPECT_FALSE(leaving.last_act);
+    EXPECT_FALSE(leaving.has_interrupt_handler);
     options.skip_existing = true;
     Diary again;
     run_bake(plan_of(options), again);
@@ -104,7 +108,7 @@ TEST(RunBake, WhatTheHostThrowsEndsItAndLosesNothing) {
     EXPECT_TRUE(again.events.ends_with("2 end")) << again.events;
 }
 
-TEST(RunBake, AFrameThatFailsIsToldAndThrown) {
+TEST(RunBake, ReportsAndThrowsTheErrorOfAFrame) {
     const TemporaryFolder folder;
     BakeOptions options = small_bake(folder, "sea.exr");
     std::filesystem::create_directories(folder.file("sea.normal.0001.exr"));
@@ -117,10 +121,10 @@ TEST(RunBake, AFrameThatFailsIsToldAndThrown) {
     EXPECT_EQ(going_on.events, "begin baked3 failed1,baked2 end");
 }
 
-TEST(RunBake, KeepsWhatItWouldWriteAndNothingElse) {
+TEST(RunBake, SkipsOnlyFilesThatItWouldWriteAgain) {
     const TemporaryFolder folder;
     BakeOptions options = small_bake(folder, "sea.####.inc");
-    options.of_format = {{"eye", "0,0,6"}, {"mesh-columns", "20"}, {"mesh-rows", "20"}};
+    options.format_options = {{"eye", "0,0,6"}, {"mesh-columns", "20"}, {"mesh-rows", "20"}};
     options.skip_existing = true;
     const auto events = [&] {
         Diary diary;
@@ -136,15 +140,14 @@ TEST(RunBake, KeepsWhatItWouldWriteAndNothingElse) {
         file << "!";
     }
     EXPECT_EQ(events(), "begin kept3 baked1 kept2 end") << "a damaged file";
-    options.of_format["heading"] = "10";
+    options.format_options["heading"] = "10";
     EXPECT_EQ(events(), "begin baked3 baked1 baked2 end") << "another option of the format";
     options.frames = "1";
     options.fps = "12";
     EXPECT_EQ(events(), "begin baked1 end") << "another sea";
 }
 
-// A dry run reads what is there and writes nothing.
-TEST(RunBake, LeavesFilesOfOthersWhereTheyAre) {
+TEST(RunBake, NeverReplacesFilesOfTheUser) {
     for (const char* const name : {"sea.0002.df3", "sea.height.0002.exr", "sea.0002.png",
                                    "sea.0002.png.inc", "sea.0002.inc", "sea.manifest.json"}) {
         const TemporaryFolder folder;
@@ -153,11 +156,11 @@ TEST(RunBake, LeavesFilesOfOthersWhereTheyAre) {
         if (std::string_view(name).ends_with(".png.inc")) extension = ".png";
         if (extension == ".json") extension = ".exr";
         BakeOptions height = small_bake(folder, "sea.####" + extension);
-        if (extension == ".exr") height.of_format["products"] = "height";
-        const BakePlan asked = plan_of(height);
-        BakeHost nobody;
-        EXPECT_THROW(forecast_bake(asked), Error) << name;
-        EXPECT_THROW(run_bake(asked, nobody), Error) << name;
+        if (extension == ".exr") height.format_options["products"] = "height";
+        const BakePlan plan = plan_of(height);
+        BakeHost host;
+        EXPECT_THROW(forecast_bake(plan), Error) << name;
+        EXPECT_THROW(run_bake(plan, host), Error) << name;
         EXPECT_EQ(folder.entries(), 1u) << name;
     }
 }
@@ -167,23 +170,23 @@ TEST(RunBake, ReplacesItsOwnFilesWithoutAManifest) {
         const TemporaryFolder folder;
         BakeOptions options = small_bake(folder, output);
         options.frames = "2";
-        BakeHost nobody;
-        run_bake(plan_of(options), nobody);
+        BakeHost host;
+        run_bake(plan_of(options), host);
         const std::size_t files = folder.entries();
         std::filesystem::remove(plan_of(options).pattern.manifest());
-        EXPECT_NO_THROW(run_bake(plan_of(options), nobody)) << output;
+        EXPECT_NO_THROW(run_bake(plan_of(options), host)) << output;
         EXPECT_EQ(folder.entries(), files);
     }
 }
 
-TEST(RunBake, AForecastNamesTheFilesAndTheirRoom) {
+TEST(RunBake, ForecastsFilesAndBytesAndWritesNothing) {
     const TemporaryFolder folder;
     BakeOptions options = small_bake(folder, "sea.####.png");
     const BakeForecast before = forecast_bake(plan_of(options));
     ASSERT_EQ(before.files.size(), 9u);
     EXPECT_EQ(folder.entries(), 0u);
-    BakeHost nobody;
-    run_bake(plan_of(options), nobody);
+    BakeHost host;
+    run_bake(plan_of(options), host);
     std::uint64_t bytes = 0;
     for (const BakeForecast::File& file : before.files) {
         EXPECT_FALSE(file.kept);
@@ -195,18 +198,18 @@ TEST(RunBake, AForecastNamesTheFilesAndTheirRoom) {
     EXPECT_EQ(forecast_bake(plan_of(options)).bytes, 0u);
 }
 
-int times_asked = 0;
+int query_count = 0;
 BackendFitness small_maps_only(int resolution) {
-    ++times_asked;
+    ++query_count;
     if (resolution <= 64) return {true, true, "a toy"};
     return {false, false, "maps of " + std::to_string(resolution) + " samples are too large"};
 }
-BackendFitness never_asked(int) {
+BackendFitness never_queried(int) {
     ADD_FAILURE() << "it is never fast";
     return {};
 }
 
-TEST(BakePlan, AutoTakesTheFastBackendWithinItsLimitsAndAsksForThemOnce) {
+TEST(BakePlan, AutoChoosesTheFastBackendWithinItsLimitsAndQueriesItOnce) {
     const TemporaryFolder folder;
     Backend fast = Backend::cpu;
     fast.name = "toy";
@@ -214,19 +217,19 @@ TEST(BakePlan, AutoTakesTheFastBackendWithinItsLimitsAndAsksForThemOnce) {
     fast.may_be_fast = true;
     Backend slow = Backend::radix2;
     slow.name = "slow";
-    slow.fitness = never_asked;
+    slow.fitness = never_queried;
     const Backend backends[] = {Backend::cpu, fast, slow};
     Catalogue catalogue = standard_catalogue();
     catalogue.backends = backends;
     BakeOptions options = small_bake(folder, "sea.exr");
     options.backend = "auto";
     EXPECT_EQ(make_bake_plan(options, catalogue).backend.name, "toy");
-    EXPECT_EQ(times_asked, 1);
+    EXPECT_EQ(query_count, 1);
     options.resolution = "128";
     const BakePlan large = make_bake_plan(options, catalogue);
     EXPECT_EQ(large.backend.name, "cpu");
     EXPECT_EQ(large.backend_note, "backend cpu, not toy: maps of 128 samples are too large");
-    EXPECT_EQ(times_asked, 2);
+    EXPECT_EQ(query_count, 2);
     options.backend = "toy";
     EXPECT_THROW(make_bake_plan(options, catalogue), Error);
 }

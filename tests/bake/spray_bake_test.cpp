@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: spray is baked frame after frame, on the sea's own lattice whatever the resolution; a
-// file is kept for its own settings alone; what is announced is enough.
+// Claims: spray is baked in order of its frames, on the sea's own lattice for any resolution; a
+// file is kept for its own settings only; the forecast is an upper bound.
 #include <gtest/gtest.h>
 
 #include "ocean/bake/run.hpp"
@@ -23,7 +23,7 @@ BakeOptions spray_bake(const TemporaryFolder& folder) {
     options.output = folder.file("s.####.ply");
     options.frames = "1-2";
     options.threads = 2;
-    options.of_format = {{"products", "spray"}, {"spray-lifetime", "0.2"}};
+    options.format_options = {{"products", "spray"}, {"spray-lifetime", "0.2"}};
     options.open_subject = [](const std::string&) {
         Sea sea = parse_sea(find_preset("beaufort_8").toml, "beaufort_8", "");
         sea.parameters.grid.resolution = 64;
@@ -46,7 +46,7 @@ std::string content_of(const BakeOptions& options) {
     return all;
 }
 
-TEST(SprayBake, IsMadeFrameAfterFrameOnTheSeasOwnLattice) {
+TEST(SprayBake, IsSequentialAndOnTheSeasOwnLattice) {
     const TemporaryFolder folder;
     BakeOptions options = spray_bake(folder);
     const BakePlan plan = plan_of(options);
@@ -60,26 +60,26 @@ TEST(SprayBake, IsMadeFrameAfterFrameOnTheSeasOwnLattice) {
     EXPECT_EQ(plan_of(options).maps.resolutions, std::vector<int>{64});
 }
 
-TEST(SprayBake, AFileIsOfItsOwnSettings) {
+TEST(SprayBake, HasARecipeOfItsSettings) {
     const TemporaryFolder folder;
-    const BakeOptions usual = spray_bake(folder);
+    const BakeOptions defaults = spray_bake(folder);
     const auto recipe = [](const BakeOptions& options) {
         const BakePlan plan = plan_of(options);
         return plan.format->recipe(plan, plan.format->files(plan, 1).front());
     };
-    const std::string expected = recipe(usual);
-    EXPECT_EQ(recipe(usual), expected);
+    const std::string expected = recipe(defaults);
+    EXPECT_EQ(recipe(defaults), expected);
     const std::pair<const char*, const char*> kOther[] = {
         {"spray-lifetime", "0.3"}, {"spray-density", "2"}, {"spray-most", "10"}, {"axes", "yup"}};
     for (const auto& [name, value] : kOther) {
-        BakeOptions other = usual;
-        other.of_format[name] = value;
+        BakeOptions other = defaults;
+        other.format_options[name] = value;
         EXPECT_NE(recipe(other), expected) << name;
-        EXPECT_NE(content_of(other), content_of(usual)) << name;
-        // The header says all of it.
+        EXPECT_NE(content_of(other), content_of(defaults)) << name;
+        // The header has all settings.
         content_of(other);
         BakeOptions again = spray_bake(folder);
-        again.of_format.clear();
+        again.format_options.clear();
         again.source.clear();
         again.from = folder.file("s.0001.ply");
         again.open_subject = [](const std::string& path) {
@@ -89,12 +89,12 @@ TEST(SprayBake, AFileIsOfItsOwnSettings) {
     }
 }
 
-TEST(SprayBake, TakesNoMoreThanItSaid) {
+TEST(SprayBake, FitsIntoItsForecast) {
     const TemporaryFolder folder;
     for (const char* most : {"1000000", "30"}) {
         BakeOptions options = spray_bake(folder);
-        options.of_format["spray-density"] = "10";
-        options.of_format["spray-most"] = most;
+        options.format_options["spray-density"] = "10";
+        options.format_options["spray-most"] = most;
         const BakeForecast before = forecast_bake(plan_of(options));
         const std::size_t bytes = content_of(options).size();
         EXPECT_LE(bytes, before.bytes) << most;
@@ -102,19 +102,19 @@ TEST(SprayBake, TakesNoMoreThanItSaid) {
     }
 }
 
-TEST(SprayBake, StandsAlone) {
+TEST(SprayBake, IsRefusedBesideOtherProducts) {
     const TemporaryFolder folder;
     const auto refused = [&](const char* products) {
         BakeOptions options = spray_bake(folder);
-        options.of_format["products"] = products;
+        options.format_options["products"] = products;
         EXPECT_THROW(plan_of(options), Error) << products;
     };
     refused("spray,normal");
     refused("normal, spray");
-    refused("normal");  // and yet a lifetime of spray
+    refused("normal");  // with a lifetime of spray
     BakeOptions mesh = spray_bake(folder);
-    mesh.of_format = {{"products", "normal"}};
-    EXPECT_FALSE(plan_of(mesh).has_past());
+    mesh.format_options = {{"products", "normal"}};
+    EXPECT_FALSE(plan_of(mesh).is_sequential());
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ void host_figures(int n, const TableOptions& options, Report& report) {
         [&](double time) { asked_much.query(time, points, samples, {.foam = false}); },
         [&](double) { kept.query(0.0, points, samples, {.foam = false}); },
         [&](double) {
-            played_until += kLeastEventDistance;
+            played_until += kMinEventSpacing;
             played.ocean().perform(played_until, "wind_speed",
                                    std::to_string(10.0 + std::fmod(played_until, 1.0)));
             played.run(played_until);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A fresh Blender for each test, and what its meshes are compared with."""
+"""A fresh Blender for each test, and values to compare its meshes with."""
 
 import contextlib
 import os
@@ -23,9 +23,9 @@ def pytest_configure(config):
 
 @pytest.fixture(autouse=True)
 def empty_file(request):
-    """Nothing of the test before is left: neither data, nor handlers, nor preferences. Factory
-    settings, which switch add-ons off, take ten times as long as a new file: they are for the
-    first test, and after one that touched the preferences."""
+    """Leaves neither data nor handlers nor preferences of the test before. Factory settings, which
+    switch add-ons off, take ten times as long as a new file: they serve the first test, and one
+    after a test that changed the preferences."""
     preferences = bpy.context.preferences
     is_on = "libocean_addon" in preferences.addons
     if is_on and request.node.get_closest_marker("only_reads"):
@@ -46,7 +46,8 @@ def factory_settings(**settings) -> None:
 def built_once(tmp_path_factory):
     """Building a node group takes Blender up to seconds, by the cube of its nodes: what the add-on
     built in one file is brought into the next ones from there."""
-    from libocean_addon import foam_images, material, node_group, water_shader
+    from libocean_addon.look import foam_images, material, water_shader
+    from libocean_addon.sea import node_group
 
     def has_foam() -> bool:  # a group of its own shows these images
         return any(foam_images.MARK in image for image in bpy.data.images)
@@ -90,8 +91,8 @@ def scene():
 
 @contextlib.contextmanager
 def presets_with(**values):
-    """What is added meanwhile has these values from the first on: with fewer samples than a preset,
-    or foam without a past, a sea is made in no time."""
+    """Gives the seas that are added meanwhile these values from the start: a sea with fewer samples
+    than its preset, or with foam without a past, is made in no time."""
     from libocean_addon.bundled import libocean
 
     whole = libocean.preset
@@ -238,12 +239,12 @@ def rendered(scene, path: Path) -> np.ndarray:
     return pixels(path)
 
 
-# What nodes say ---------------------------------------------------------------
+# Values of nodes --------------------------------------------------------------
 
 
 def geometry_group(name: str):
     """A modifier's node group, empty."""
-    from libocean_addon import compat
+    from libocean_addon.shared import compat
 
     group = bpy.data.node_groups.new(name, "GeometryNodeTree")
     compat.add_socket(group, "Geometry", "NodeSocketGeometry")
@@ -252,9 +253,9 @@ def geometry_group(name: str):
 
 
 def by_nodes(formula, arguments: np.ndarray) -> np.ndarray:
-    """What nodes make of these arguments, (n, 3), each at a vertex."""
-    from libocean_addon import compat
-    from libocean_addon.node_builder import Builder
+    """Returns the values that nodes compute from these arguments, (n, 3), each at a vertex."""
+    from libocean_addon.shared import compat
+    from libocean_addon.shared.node_builder import Builder
 
     mesh = bpy.data.meshes.new("Calls")
     mesh.vertices.add(len(arguments))

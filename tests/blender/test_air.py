@@ -9,7 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane
-from libocean_addon import air, compat, first_view, material, water_shader
+from libocean_addon.look import air, first_view, material, water_shader
+from libocean_addon.shared import compat
 from test_material import (
     BLACK,
     EEVEE,
@@ -50,7 +51,7 @@ def test_the_air_hides_what_haze_glsl_says(scene, tmp_path, distance, engine):
 
 
 def test_foam_is_behind_it_too_and_mirrored_water_is_not(scene, tmp_path):
-    """What a mirror shows is no direct view."""
+    """A mirror's picture is no direct view."""
     ob = plane(1e5, 2)
     light_all_round(scene, (0.0, 0.0, 0.0))
     water(ob, Visibility=1.0, Air_Light=(*AIR, 1.0))

@@ -10,8 +10,10 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, pixels, positions, rest
-from libocean_addon import asset_library, assets, foam_images, live, meshes, node_group
+from libocean_addon.assets import asset_library, assets
 from libocean_addon.bundled import libocean
+from libocean_addon.look import foam_images
+from libocean_addon.sea import live, meshes, node_group
 
 PATCH = "Beaufort 4 Patch"
 FOREIGN = "# Mine\nVERSION 1\n\n0a0b6c1e-6a3f-4f0e-9d55-000000000001:Boats:Boats\n"
@@ -64,7 +66,7 @@ def images_of(ob) -> set:
     return {node_group.value(modifier, name) for name in names}
 
 
-# What is in it --------------------------------------------------------------------
+# Its content ----------------------------------------------------------------------
 
 
 def test_the_browser_shows_a_name_a_picture_and_what_it_is(library):
@@ -206,7 +208,7 @@ def test_it_is_saved_as_any_other_sea(library, scene, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "shot.blend"))
     ob = bpy.data.objects[name]
-    assert not meshes.is_stand_in(ob)
+    assert not meshes.is_stand_in(ob.data)
     assert np.abs(positions(ob) - want).max() <= 1e-6
 
 

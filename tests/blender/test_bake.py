@@ -47,7 +47,7 @@ def files(tmp_path: Path) -> Path:
 
 def read_exr(path: Path) -> tuple[dict[str, str], dict[str, np.ndarray]]:
     """Header and channels as bit patterns; what is half in the file would be another type."""
-    from libocean_addon import exr_files
+    from libocean_addon.bake import exr_files
 
     image = exr_files.load_package().InputFile(str(path))
     header = image.header()
@@ -72,7 +72,7 @@ def times(folder: Path) -> dict[str, int]:
 
 
 def failing(call, **arguments) -> str:
-    """What an operator says that must fail."""
+    """Returns the message of an operator that must fail."""
     with pytest.raises(RuntimeError) as failure:
         call(**arguments)
     return str(failure.value)
@@ -107,7 +107,7 @@ def test_the_files_are_those_of_ocean_bake(scene, sea, tmp_path):
 
 
 def test_numbers_are_written_as_the_program_writes_them(sea):
-    from libocean_addon.exr_files import shortest
+    from libocean_addon.volumes.volume_job import shortest
 
     written = "0 690 1e+05 12.5 0.041666666666666664 1e-04 0.001 -0.5 1.5e-07 -1e+05"
     assert " ".join(shortest(float(text)) for text in written.split()) == written
@@ -171,7 +171,7 @@ def test_a_broken_file_never_counts(sea, tmp_path):
 
 def test_a_write_that_fails_leaves_nothing(sea, tmp_path, monkeypatch):
     """A disk that fills up: the package ends a file early and says nothing."""
-    from libocean_addon import exr_files
+    from libocean_addon.bake import exr_files
 
     package = exr_files.load_package()
     output_file = package.OutputFile
@@ -290,7 +290,7 @@ def test_a_horizon_plays_around_the_camera(scene, tmp_path):
 
 
 def test_nothing_is_asked_of_the_library_while_it_plays(scene, sea, monkeypatch):
-    from libocean_addon import open_sea
+    from libocean_addon.sea import open_sea
 
     sea.libocean.use_detail = True
     bpy.ops.libocean.add_material()
@@ -353,8 +353,8 @@ def test_an_animated_period_is_refused(scene, sea, tmp_path):
 
 
 def made_by_an_earlier_version(ob, folder: Path) -> None:
-    """Of its bake there is neither a Jacobian nor detail, in files, record and node group."""
-    from libocean_addon import node_group
+    """Its bake has neither a Jacobian nor detail, in files, record and node group."""
+    from libocean_addon.sea import node_group
 
     record = ob.libocean.bake
     for field in record.fields.split(","):
@@ -370,7 +370,8 @@ def made_by_an_earlier_version(ob, folder: Path) -> None:
 
 
 def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
-    from libocean_addon import bake_state, node_group
+    from libocean_addon.bake import bake_state
+    from libocean_addon.sea import node_group
 
     scene.frame_set(4)
     sea.libocean.use_detail = True
@@ -404,8 +405,8 @@ def test_a_bake_of_an_earlier_version_plays(scene, sea, tmp_path):
 
 @pytest.mark.parametrize("kind", ["PATCH", pytest.param("HORIZON", marks=pytest.mark.slow)])
 def test_sizes_are_told(scene, sea, kind):
-    """What is expected are the samples, of at most three bands; what is there are the files."""
-    from libocean_addon import bake_plan, bake_state, baked
+    """The panel expects the samples of at most three bands, and counts the present files."""
+    from libocean_addon.bake import bake_plan, bake_record, bake_state
 
     sea.libocean.use_detail = True
     if kind == "HORIZON":
@@ -415,7 +416,7 @@ def test_sizes_are_told(scene, sea, kind):
         sea.libocean.resolution, sea.libocean.horizon_vertices = 64, 20000
         sea.libocean.use_detail = True
     bpy.ops.libocean.bake(frame_start=2, frame_end=2)
-    folder = baked.place_of(sea).path
+    folder = bake_record.place_of(sea).path
     one = {path.name.split(".")[1]: read_exr(path)[1] for path in folder.glob("*.0002.exr")}
     bands = [planes for field, planes in one.items() if field.startswith("detail")]
     assert len(bands) == 3
@@ -551,14 +552,14 @@ def test_saved_elsewhere_it_still_knows_its_files(scene, sea, tmp_path):
 
 
 def test_baked_into_another_folder_it_plays_that(scene, sea, tmp_path):
-    from libocean_addon import baked
+    from libocean_addon.bake import bake_record
 
     bpy.ops.libocean.bake()
     shutil.rmtree(files(tmp_path))
     sea.libocean.choppiness = 0.5
     sea.libocean.bake.directory = "//second"
     bpy.ops.libocean.bake()
-    assert baked.place_of(sea).path == tmp_path / "second"
+    assert bake_record.place_of(sea).path == tmp_path / "second"
     scene.frame_set(4)
     playing = shown(sea)
     sea.libocean.use_bake = False
@@ -604,14 +605,14 @@ def test_what_is_turned_plays_the_same_sea(scene, sea, turn):
 
 
 def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
-    from libocean_addon import baked
+    from libocean_addon.bake import bake_record
 
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "shot.blend"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}
-    before = baked.place_of(sea)
+    before = bake_record.place_of(sea)
     recipes = json.loads(sea.libocean.bake.recipes)
     sea.name = "Atlantic"
-    assert baked.place_of(sea) == baked.next_place(sea, recipes) == before
+    assert bake_record.place_of(sea) == bake_record.next_place(sea, recipes) == before
     written = sorted((tmp_path / "ocean_bake").rglob("*.exr"))
     assert bpy.ops.libocean.bake() == {"FINISHED"}  # goes on, there
     assert sorted((tmp_path / "ocean_bake").rglob("*.exr")) == written
@@ -619,11 +620,11 @@ def test_an_object_with_another_name_keeps_its_bake(scene, sea, tmp_path):
     assert sea.libocean.problem == ""
     twin = sea.copy()  # a bake of its own
     bpy.context.collection.objects.link(twin)
-    assert baked.next_place(twin, recipes) != before
+    assert bake_record.next_place(twin, recipes) != before
 
 
 def test_an_object_that_is_renamed_meanwhile_gets_its_bake(sea, tmp_path):
-    from libocean_addon import bake_plan, bake_state
+    from libocean_addon.bake import bake_plan, bake_state
 
     folder = str(tmp_path / "there")
     started = bake_plan.Bake(bpy.context, sea, folder, (2, 3), overwrite=False)
@@ -642,7 +643,7 @@ def test_what_the_library_refuses_is_told(sea, tmp_path):
 
 
 def test_the_panel_says_what_is_baked(scene, sea):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     bpy.ops.libocean.bake()
 
@@ -662,7 +663,7 @@ def test_the_panel_says_what_is_baked(scene, sea):
 
 
 def test_the_panel_compares_a_keyframed_sea_at_its_frame(scene, sea):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     for frame, value in ((2, 0.0), (5, 1.5)):
         sea.libocean.choppiness = value
@@ -691,7 +692,7 @@ def test_a_missing_package_is_told(sea, tmp_path, monkeypatch):
 
 
 def test_a_stopped_bake_keeps_what_is_finished_and_goes_on(scene, sea, tmp_path):
-    from libocean_addon import bake_plan
+    from libocean_addon.bake import bake_plan
 
     planned = bake_plan.Bake(bpy.context, sea, "//ocean_bake/Ocean/", (2, 5), overwrite=False)
     job = planned.job
@@ -731,7 +732,7 @@ def invoke(last):
 
 
 def steps():
-    from libocean_addon import bake, bake_state
+    from libocean_addon.bake import bake, bake_state
 
     invoke(2000)
     while bake.running.job.done < 3:

@@ -52,7 +52,7 @@ def files(folder: Path) -> set[str]:
 
 
 def texts(ob) -> list[str]:
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     return bake_state.faults(ob)
 
@@ -85,7 +85,7 @@ def test_two_files_in_one_folder_keep_their_seas(tmp_path, names, asked):
 
 def test_saved_as_another_version_it_plays_on_and_is_baked_apart(tmp_path):
     """The bake keeps its files; another sea never goes where shot_v001 plays."""
-    from libocean_addon import baked
+    from libocean_addon.bake import bake_record
 
     ob = small(14.0)
     save(tmp_path / "shot_v001.blend")
@@ -98,7 +98,7 @@ def test_saved_as_another_version_it_plays_on_and_is_baked_apart(tmp_path):
     assert files(tmp_path) == {"ocean_bake/Ocean/shot_v001.displacement"}
     ob.libocean.choppiness = 0.5
     bpy.ops.libocean.bake()
-    assert baked.place_of(ob).stem == "shot_v002"
+    assert bake_record.place_of(ob).stem == "shot_v002"
     save(tmp_path / "shot_v002.blend")
     second = shown(ob)
     assert not np.array_equal(second, first)
@@ -173,7 +173,7 @@ def test_another_files_sea_in_a_chosen_folder_is_not_written_over(tmp_path):
 
 def test_a_bake_of_an_earlier_version_keeps_its_files(tmp_path):
     """They begin with `sea`, and their object has neither marks nor a name for them."""
-    from libocean_addon import baked
+    from libocean_addon.bake import bake_record
 
     ob = small(14.0)
     save(tmp_path / "shot.blend")
@@ -198,7 +198,7 @@ def test_a_bake_of_an_earlier_version_keeps_its_files(tmp_path):
     assert set(after) - set(before) == {"sea.displacement.0004.exr"}
     ob.libocean.choppiness = 0.5  # another one: these files may be those of another blend file
     bpy.ops.libocean.bake()
-    assert baked.place_of(ob).stem == "shot"
+    assert bake_record.place_of(ob).stem == "shot"
     assert {name: (folder / name).stat().st_mtime_ns for name in before} == before
 
 
@@ -281,7 +281,7 @@ def test_a_path_of_windows_is_refused_elsewhere(tmp_path, monkeypatch, asked):
 
 @pytest.mark.only_reads
 def test_paths_are_those_of_their_system():
-    from libocean_addon import paths
+    from libocean_addon.shared import paths
 
     assert paths.normal("//a\\b/c") == "//a/b/c"
     assert paths.normal("a\\b") == "a/b"
@@ -292,7 +292,7 @@ def test_paths_are_those_of_their_system():
 
 
 def test_a_measured_file_is_found_behind_backslashes(tmp_path):
-    from libocean_addon import parameter_values
+    from libocean_addon.sea import parameter_values
 
     ob = small(14.0)
     save(tmp_path / "shot.blend")
@@ -309,7 +309,8 @@ class Written:
     """In the place of OpenVDB: what a file would say of itself."""
 
     def __init__(self, monkeypatch):
-        from libocean_addon import compat, vdb_files, volume_job, volumes
+        from libocean_addon.shared import compat
+        from libocean_addon.volumes import vdb_files, volume_job, volumes
 
         monkeypatch.setattr(volumes, "find_command", lambda: None)
         monkeypatch.setattr(compat, "load_openvdb", lambda: object())

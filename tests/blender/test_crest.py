@@ -9,15 +9,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import add_ocean, attribute, in_another_process, plane, positions, presets_with
-from libocean_addon import (
-    compat,
-    first_view,
-    live,
-    material,
-    open_sea,
-    sunlight,
-    water_shader,
-)
+from libocean_addon.look import first_view, material, sunlight, water_shader
+from libocean_addon.sea import facts, open_sea
+from libocean_addon.shared import compat
 from mathutils import Euler, Matrix, Vector
 from test_material import (
     BLACK,
@@ -45,7 +39,7 @@ def crest_light(height: float, jacobian: float, against: float, toward: float) -
 
 
 def expected(jacobian: float, *, azimuth: float = 90.0, tilt: float = TILT) -> np.ndarray:
-    """What comes to the camera, on the side of -y; the water leans to it."""
+    """Returns the light that reaches the camera, on the side of -y; the water leans to it."""
     level = math.cos(math.radians(SUN))
     sun = level * np.array([math.cos(math.radians(azimuth)), math.sin(math.radians(azimuth))])
     against = sun[1] * math.sin(math.radians(VIEW))
@@ -147,7 +141,8 @@ def test_no_triangle_of_it_is_a_lamp(scene):
 
 @pytest.mark.parametrize("kind", ["PATCH", "HORIZON"])
 def test_points_carry_the_jacobian(scene, kind):
-    """Of the displaced surface: less than 1 where waves squeeze it, as on crests; 1 in the mean."""
+    """The Jacobian of the displaced surface is less than 1 where waves squeeze it, as on crests,
+    and 1 in the mean."""
     bpy.ops.libocean.add(kind=kind, preset="beaufort_6")
     ob = bpy.context.object
     if kind == "HORIZON":
@@ -157,9 +152,9 @@ def test_points_carry_the_jacobian(scene, kind):
     print(f"\n{kind}: {jacobian.mean():.3f}, on crests {jacobian[height > 1.5].mean():.3f}")
     assert jacobian[height > 1.5].mean() < 0.9 and jacobian[height < -1.0].mean() > 1.05
     if kind == "PATCH":
-        side = live.map_resolution(ob)
+        side = facts.map_resolution(ob)
         found = np.empty((side, side, 1), np.float32)
-        open_sea.sea_of(ob).sea.fill(29 / 24, [(found, ("jacobian",))])
+        open_sea.sea_of(ob.name_full).sea.fill(29 / 24, [(found, ("jacobian",))])
         mesh = jacobian.reshape(side + 1, side + 1)[:-1, :-1]
         assert np.abs(np.sort(mesh.ravel()) - np.sort(found.ravel())).max() < 1e-6
 

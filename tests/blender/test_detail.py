@@ -20,14 +20,15 @@ from conftest import (
     shine,
     taken,
 )
-from libocean_addon import detail, live, water_shader
 from libocean_addon.bundled import libocean
+from libocean_addon.look import detail, water_shader
+from libocean_addon.sea import facts
 
 # The formulas -------------------------------------------------------------------
 
 
 def corners(x, y):
-    """Of slope_tiles.glsl and copies.glsl: weights and corners of the grid, [3][n]."""
+    """Returns weights and corners of the grid, [3][n], as slope_tiles.glsl and copies.glsl do."""
     scale = 2.0 / 1.6
     grid_x = 1.6 * scale * (x - 0.57735026918962576 * y)
     grid_y = 1.6 * scale * 1.15470053837925153 * y
@@ -149,14 +150,14 @@ def test_mesh_and_detail_and_roughness_are_the_sea(studio, tmp_path, pixel):
     with libocean.preset(PRESET) as sea:
         state, bands = sea.state, sea.detail(0.0).bands
     slopes = {m["resolution"]: m["mean_square_slope"] for m in state["map_slopes"]}
-    mapped, asked = slopes[live.map_resolution(ob)], state["mean_square_slope"]["asked"]
+    mapped, asked = slopes[facts.map_resolution(ob)], state["mean_square_slope"]["asked"]
     left_out = attribute(ob, "slope_variance")[0]
     node, _ = nodes_of(ob)
     node.inputs["Pixel Angle"].default_value = pixel / 100.0
     flat = plane(60.0, 2)
     shine(flat, ob.material_slots[0].material, node.outputs["Detail"])
     bpy.data.objects.remove(ob)
-    # Of a lens this long all is at one distance.
+    # A lens this long sees everything at one distance.
     studio.camera.data.ortho_scale = 50.0 if pixel == 0.0 else 5.0
     studio.render.resolution_x = studio.render.resolution_y = 1000
     seen = taken(studio, tmp_path).astype(np.float64)
@@ -178,7 +179,7 @@ def test_mesh_and_detail_and_roughness_are_the_sea(studio, tmp_path, pixel):
 
 
 def fine_contrast(picture: np.ndarray) -> float:
-    """Of the lower half: what a pixel differs from the mean of the 9 x 9 around it."""
+    """Returns how far each pixel of the lower half differs from the mean of the 9 x 9 around it."""
     grey = picture[: len(picture) // 2].mean(axis=2)
     sums = np.pad(grey, ((1, 0), (1, 0))).cumsum(axis=0).cumsum(axis=1)
     means = (sums[9:, 9:] - sums[:-9, 9:] - sums[9:, :-9] + sums[:-9, :-9]) / 81
@@ -207,7 +208,7 @@ def test_near_water_is_no_silk(scene, tmp_path):
 
 
 def shown_by(ob) -> list[np.ndarray]:
-    """What the images of an object's material hold, longest waves first."""
+    """Returns the pixels of the images in an object's material, longest waves first."""
     node, _ = nodes_of(ob)
     images = {n.image for n in node.node_tree.nodes if n.type == "TEX_IMAGE"}
     images = sorted(images, key=lambda image: image.name)
@@ -268,7 +269,7 @@ def sequences(ob) -> list:
 
 
 def above(ob, scene):
-    """What the detail gives to the water, from straight above."""
+    """Returns the value that the detail gives to the water, from straight above."""
     ob.hide_render = True
     flat = plane(60.0, 2)
     node = nodes_of(ob)[0]

@@ -9,8 +9,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, evaluated_mesh, positions
-from libocean_addon import drafts, live, open_sea
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import drafts, live, open_sea
 
 
 @pytest.fixture
@@ -29,7 +29,7 @@ def waiting(monkeypatch):
 
 @pytest.fixture
 def past():
-    """What the library told the main thread of foam that it followed from its beginning."""
+    """Returns the progress that the library reported to the main thread while it followed foam."""
     told = []
     drafts.watchers[threading.get_ident()] = lambda done, total: told.append((done, total))
     yield told
@@ -115,7 +115,7 @@ def test_the_next_change_stops_the_work_for_the_last(scene, ocean, waiting):
     job.join()
     assert isinstance(job.failure, drafts.CancelledError)
     rest(ocean)
-    assert open_sea.sea_of(ocean).ready[0] == open_sea.sea_of(ocean).changes
+    assert open_sea.sea_of(ocean.name_full).ready[0] == open_sea.sea_of(ocean.name_full).changes
     assert ocean.libocean.problem == ""
 
 
@@ -149,7 +149,7 @@ def test_a_render_is_whole_whatever_is_shown(scene, ocean, waiting):
     ocean.libocean.choppiness = 0.7
     live.show_all([ocean], scene, rendering=True)
     foam = attribute(ocean, "foam")
-    with libocean.parse(open_sea.sea_of(ocean).sea.text) as sea:
+    with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
         want = sea.surface(49 / 24).foam
     side = round(len(foam) ** 0.5)
     index = (np.arange(side) - side // 2) % (side - 1)
@@ -185,7 +185,7 @@ def test_time_that_plays_goes_on_without_its_foam_until_it_is_there(
         scene.frame_set(frame)
         drafts.step()
     assert drafts.progress(ocean.name_full) is None
-    with libocean.parse(open_sea.sea_of(ocean).sea.text) as sea:
+    with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
         assert attribute(ocean, "foam").mean() == pytest.approx(
             sea.surface(4 / 24).foam.mean(), rel=0.02
         )
@@ -195,7 +195,7 @@ def test_a_frame_that_is_asked_for_by_name_is_whole(scene, ocean, waiting):
     """A render of the viewport goes through the frames so."""
     scene.frame_set(200)
     foam = attribute(ocean, "foam").mean()
-    with libocean.parse(open_sea.sea_of(ocean).sea.text) as sea:
+    with libocean.parse(open_sea.sea_of(ocean.name_full).sea.text) as sea:
         assert foam == pytest.approx(sea.surface(199 / 24).foam.mean(), rel=0.02)
 
 
@@ -208,7 +208,7 @@ def test_the_mesh_does_not_grow_without_being_asked(ocean):
     ocean.libocean.resolution = 512
     ocean.libocean.use_foam = False
     ocean.libocean.cascades = 2
-    assert open_sea.sea_of(ocean).sea.map_resolution() == 2048
+    assert open_sea.sea_of(ocean.name_full).sea.map_resolution() == 2048
     assert len(ocean.data.vertices) == before
     ocean.libocean.mesh_resolution = 1024
     assert len(ocean.data.vertices) == 1025**2

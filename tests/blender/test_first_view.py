@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import factory_settings, pixels, presets_with
-from libocean_addon import compat, first_view
+from libocean_addon.look import first_view
+from libocean_addon.shared import compat
 
 
 def rendered(tmp_path, samples=8):

@@ -8,8 +8,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane
-from libocean_addon import parameter_values, sea_text
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import parameter_values
 
 
 @pytest.fixture
@@ -31,9 +31,7 @@ def boat(ocean):
 
 
 def sea_of(ocean):
-    return libocean.parse(
-        sea_text.write(parameter_values.TABLE, parameter_values.values_of(ocean.libocean))
-    )
+    return libocean.parse(parameter_values.values_of(ocean.libocean).text())
 
 
 def assert_rides(boat, pose, tilt=True):
@@ -112,7 +110,7 @@ def test_on_an_ocean_that_is_moved_turned_and_scaled(scene, ocean, boat, follow)
 
 
 def test_it_lies_on_the_mesh_of_a_turned_ocean(scene, ocean, boat):
-    """What floats and what is seen are one sea: the mesh below a small, moved and turned float."""
+    """A float rides the sea that is seen: the mesh below a small, moved and turned float."""
     ocean.location, ocean.rotation_euler.z = (7.3, 3.1, 1.5), math.radians(37)
     boat.libocean_float.length = boat.libocean_float.width = 0.0
     ocean.libocean.resolution = 256
@@ -168,7 +166,7 @@ def test_it_can_be_let_go(scene, ocean, boat):
     assert not bpy.ops.libocean.remove_float.poll()
 
 
-# What moves it beside the waves --------------------------------------------------
+# Motion beside that of the waves -------------------------------------------------
 
 
 def empty(name: str, location=(0.0, 0.0, 0.0), heading=0.0):

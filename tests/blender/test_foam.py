@@ -22,9 +22,10 @@ from conftest import (
     shine,
     taken,
 )
-from libocean_addon import compat, foam_images, foam_nodes, material
 from libocean_addon.bundled import libocean
-from libocean_addon.node_builder import Builder
+from libocean_addon.look import foam_images, foam_nodes, material
+from libocean_addon.shared import compat
+from libocean_addon.shared.node_builder import Builder
 
 # The formulas -------------------------------------------------------------------
 
@@ -86,7 +87,7 @@ def test_they_are_small():
     assert sum(foam_images.get(kind).packed_file.size for kind in foam_images.SIDES) < 3_200_000
 
 
-# What is seen -------------------------------------------------------------------
+# Its look -----------------------------------------------------------------------
 
 
 def foam_of(ob, **inputs):
@@ -226,7 +227,7 @@ def add_uniform(a, b, share):
 
 
 def mask_at(places: np.ndarray, cover: float, direction: float, streaks: float) -> np.ndarray:
-    """What ocean.inc shows at labels near the eye."""
+    """Returns the cover that ocean.inc shows at labels near the eye."""
     cosine, sine = np.cos(np.radians(direction)), np.sin(np.radians(direction))
     x, y = places[..., 0], places[..., 1]
     u, v = (x * cosine + y * sine) / 12, (y * cosine - x * sine) / 12

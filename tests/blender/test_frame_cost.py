@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a played frame costs a vertex, against Blender's own Ocean modifier in the same process."""
+"""The cost of a played frame per vertex, against Blender's own Ocean modifier in one process."""
 
 import statistics
 import time
@@ -8,7 +8,8 @@ import time
 import bpy
 import pytest
 from conftest import evaluated_mesh
-from libocean_addon import images, live, open_sea
+from libocean_addon.sea import live, open_sea
+from libocean_addon.shared import images
 
 FRAMES = range(2, 26)
 LIMIT = 0.35 if bpy.app.version < (4, 2) else 0.20
@@ -48,7 +49,7 @@ def frame_seconds(scene, ob) -> tuple[float, int]:
 
 def library_seconds(ob, side: int) -> float:
     """The library's part of such a frame, into buffers like the add-on's."""
-    sea = open_sea.sea_of(ob).sea
+    sea = open_sea.sea_of(ob.name_full).sea
     buffers = [(images.aligned((side, side)), channels) for channels in open_sea.CHANNELS.values()]
     times = []
     for frame in FRAMES:
@@ -93,7 +94,7 @@ def test_spray_costs_a_few_times_what_the_library_takes_for_it(scene, engine):
     first = time.perf_counter() - start
     scene.frame_set(1)
     seconds, _ = frame_seconds(scene, ob)
-    sea, times = open_sea.sea_of(ob), []
+    sea, times = open_sea.sea_of(ob.name_full), []
     sea.spray(100 / 24, live.spray_settings(ob.libocean))
     for frame in FRAMES:
         start = time.perf_counter()

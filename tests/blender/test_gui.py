@@ -22,7 +22,8 @@ import bpy
 bpy.context.preferences.view.show_splash = False
 picture = sys.argv[sys.argv.index("--") + 1]
 bpy.ops.preferences.addon_enable(module="libocean_addon")
-from libocean_addon import drafts, open_sea, panels
+from libocean_addon.sea import drafts, open_sea
+from libocean_addon import panels
 
 for panel in panels.CLASSES:  # all of them open
     if getattr(panel, "bl_options", None):
@@ -65,7 +66,7 @@ def rest():
 
 
 def is_whole():
-    ready = open_sea.sea_of(bpy.context.object).ready
+    ready = open_sea.sea_of(bpy.context.object.name_full).ready
     assert ready is not None and ready[1:3] == (128, "cover")
     return 2.0
 

@@ -8,8 +8,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import add_ocean, attribute, evaluated_mesh, positions, rest
-from libocean_addon import atlas, changes, meshes, ring_nodes
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import atlas, meshes, ring_nodes
+from libocean_addon.shared import changes
 
 FRAMES = (1, 40, 250)
 ROUND, ODD = 200.0, 137.3
@@ -164,7 +165,7 @@ def faces_of(mesh) -> list[tuple[int, ...]]:
 
 
 def signed_areas(mesh, places: np.ndarray) -> np.ndarray:
-    """Of the faces, seen from above."""
+    """Returns the areas of the faces, seen from above."""
     areas = []
     for face in faces_of(mesh):
         x, y = places[list(face), 0], places[list(face), 1]

@@ -11,18 +11,12 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import plane
-from libocean_addon import (
-    asset_library,
-    changes,
-    first_view,
-    manual,
-    operators,
-    panels,
-    parameter_properties,
-    parameter_values,
-    sea_text,
-)
+from libocean_addon import manual, operators, panels
+from libocean_addon.assets import asset_library
 from libocean_addon.bundled import libocean
+from libocean_addon.look import first_view
+from libocean_addon.sea import parameter_properties, parameter_values, sea_text
+from libocean_addon.shared import changes
 
 UNITS = {"m": "LENGTH", "m/s": "VELOCITY", "m/s^2": "ACCELERATION", "s": "TIME_ABSOLUTE"}
 
@@ -34,7 +28,7 @@ def ocean():
 
 
 def text_of(ob) -> str:
-    return sea_text.write(parameter_values.TABLE, parameter_values.values_of(ob.libocean))
+    return parameter_values.values_of(ob.libocean).text()
 
 
 def test_every_parameter_is_a_property(ocean):
@@ -83,20 +77,6 @@ def test_true_and_false_are_a_property_and_words_of_the_file():
     finally:
         del bpy.types.Scene.toy
         bpy.utils.unregister_class(Toy)
-
-
-def test_a_key_that_comes_later_changes_no_text_of_a_sea_without_it(ocean):
-    later = {"section": "water", "key": "frozen", "type": "bool", "neutral": "false"}
-    shore = {"section": "shore", "key": "slope", "type": "float", "neutral": "0"}
-    table = [*parameter_values.TABLE, later, shore]
-    values = parameter_values.values_of(ocean.libocean)
-    before = sea_text.write(parameter_values.TABLE, values)
-    values.values.update(frozen="false", slope="0")
-    assert sea_text.write(table, values) == before
-    values.values.update(frozen="true", slope="0.1")
-    text = sea_text.write(table, values)
-    assert "frozen = true\n" in text
-    assert "[shore]\nslope = 0.1\n" in text
 
 
 def test_what_the_spectrum_does_not_use_is_not_there(ocean):
@@ -317,13 +297,13 @@ def test_messages_take_no_file_for_a_field(ocean, name):
 
 
 def test_a_measured_sea_without_its_file_keeps_the_sea_that_was(ocean):
-    from libocean_addon import live
+    from libocean_addon.sea import facts
 
-    before = live.state_of(ocean)
+    before = facts.state_of(ocean)
     ocean.libocean.waves[0].spectrum = "measured"
     assert "needs a file" in ocean.libocean.problem
-    assert live.state_of(ocean) == before
-    assert live.warnings_of(ocean) == []
+    assert facts.state_of(ocean) == before
+    assert facts.warnings_of(ocean) == []
     ocean.libocean.waves[0].spectrum = "jonswap"
     assert ocean.libocean.problem == ""
 
@@ -386,9 +366,9 @@ def test_operators_of_a_sea_want_one():
 
 
 def test_the_read_out_is_that_of_the_library(ocean):
-    from libocean_addon import live
+    from libocean_addon.sea import facts
 
-    shown = dict(live.state_of(ocean))
+    shown = dict(facts.state_of(ocean))
     with libocean.parse(text_of(ocean)) as sea:
         height = sea.state["significant_wave_height"]["resolved"]
     assert shown["Wave height"] == f"{height:.2f} m"

@@ -131,7 +131,7 @@ assert np.array_equal(found, np.load(arguments[1]))
 
 
 def test_an_override_that_is_baked_plays_its_bake(overridden, tmp_path):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     ob = overridden()
     live = shown(ob)
@@ -163,7 +163,7 @@ def test_an_override_that_is_baked_plays_its_bake(overridden, tmp_path):
 
 
 def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
-    from libocean_addon import bake_state, baked
+    from libocean_addon.bake import bake_record, bake_state
 
     ob = overridden(baked=True)
     want = shown(ob)
@@ -171,7 +171,7 @@ def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
     ob = opened_again(tmp_path)
     assert np.array_equal(shown(ob), want)
     asset = tmp_path / "asset" / "ocean_bake" / "Ocean"
-    assert baked.place_of(ob).path == asset
+    assert bake_record.place_of(ob).path == asset
     assert bake_state.faults(ob) == []
     # Live in the shot, and the library's bake again.
     ob.libocean.use_bake = False
@@ -189,7 +189,7 @@ def test_an_override_of_a_baked_ocean_plays_that_bake(overridden, tmp_path):
     assert np.array_equal(shown(bpy.context.object), live)
     ob = opened_again(tmp_path)
     assert np.array_equal(shown(ob), live)
-    assert baked.place_of(ob).path == tmp_path / "ocean_bake" / "Ocean"
+    assert bake_record.place_of(ob).path == tmp_path / "ocean_bake" / "Ocean"
     assert {path.name: path.stat().st_mtime_ns for path in asset.iterdir()} == before
 
 
@@ -234,7 +234,7 @@ def test_oceans_of_one_name_from_two_files_are_baked_apart(overridden, tmp_path)
 
 
 def test_missing_files_of_a_linked_bake_stop_a_render(overridden, tmp_path, capfd):
-    """Of an override, of a linked object, and of an instance of a linked collection."""
+    """These are an override, a linked object and an instance of a linked collection."""
     ob = overridden(baked=True)
     scene = bpy.context.scene
     scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
@@ -261,7 +261,7 @@ def test_missing_files_of_a_linked_bake_stop_a_render(overridden, tmp_path, capf
 
 
 def test_paths_of_a_library_go_from_its_file(overridden, tmp_path):
-    from libocean_addon import parameter_values
+    from libocean_addon.sea import parameter_values
 
     def of(ob) -> str:
         return parameter_values.values_of(ob.libocean).waves[0].values["file"]
@@ -276,7 +276,8 @@ def test_paths_of_a_library_go_from_its_file(overridden, tmp_path):
 
 
 def test_an_override_that_blender_made_of_itself_keeps_its_bake(asset, tmp_path):
-    """Of a whole collection: Blender calls it a system override, and keeps nothing of it."""
+    """Blender calls the override of a whole collection a system override and keeps nothing of
+    it."""
     path, _ = asset
     scene = bpy.context.scene
     scene.frame_start = scene.frame_end = 2

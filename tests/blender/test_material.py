@@ -8,14 +8,16 @@ import bpy
 import numpy as np
 import pytest
 from conftest import add_ocean, parallel_camera, pixels_of, plane, positions, shine
-from libocean_addon import compat, material
+from libocean_addon.look import material
+from libocean_addon.shared import compat
 
 IOR = 1.333
 EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
 
 
 def fresnel(degrees: float, ior: float = IOR) -> float:
-    """Of unpolarised light on a smooth dielectric; ior: of the far side over the near side."""
+    """Returns the reflectance of unpolarised light on a smooth dielectric. ior: that of the far
+    side over that of the near side."""
     cosine = math.cos(math.radians(degrees))
     inside = 1 - (1 - cosine**2) / ior**2
     if inside <= 0:
@@ -145,7 +147,7 @@ def test_short_waves_take_the_mirror_from_the_far_sea(scene, tmp_path):
         1.0 + 22.7 * deviation**1.5
     )
     got = seen(scene, tmp_path)
-    # What is thrown down into the next wave is lost.
+    # Light thrown down into the next wave is lost.
     assert (got < fit).all() and (got > 0.7 * fit).all()
     assert (got < 0.7 * fresnel(80.0)).all()
 
@@ -154,7 +156,7 @@ THIN, THICK = np.array((0.22, 0.29, 0.31)), np.array((0.80, 0.80, 0.80))
 
 
 def foam_albedo(cover: float) -> np.ndarray:
-    """Of what is white: foam_mean_thickness of foam_lace.glsl."""
+    """Returns the mean thickness of white foam: foam_mean_thickness of foam_lace.glsl."""
     thickness = cover / 0.7 if cover < 0.35 else 1.0 - 0.175 / cover
     return THIN + (THICK - THIN) * thickness
 

@@ -107,7 +107,7 @@ def test_a_moving_crest_is_blurred_along_its_way(scene, sea, tmp_path):
     look_at(scene, place(sea, frame))
     _, still = moments(scene, tmp_path / "still.exr", blur=False)
     centre, blurred = moments(scene, tmp_path / "blurred.exr", blur=True)
-    # What moves by a way w at an even speed adds w w' / 12 to its covariance.
+    # A point that moves by a way w at an even speed adds w w' / 12 to the covariance.
     added = 12 * (blurred - still)
     length = np.sqrt(np.trace(added))
     print(f"\nthe way {np.linalg.norm(way):.4f} m, the blur {length:.4f} m")

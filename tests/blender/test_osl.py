@@ -307,6 +307,6 @@ def test_materialx_between_samples_and_beyond_the_period(baked, of_materialx):
         assert error(found, east, "") < BOUND
         found = read_by_materialx(baked, of_materialx, "displacement", places((2 * N, -N)))
         assert error(found, values, "") < 1e-4
-    # Of a map that is taken for a finer one the half texel is too short.
+    # The half texel is too short for a map that is read as a finer one.
     found = read_by_materialx(baked, of_materialx, "displacement", places(), resolution=2 * N)
     assert error(found, values, "") > 1e4 * BOUND

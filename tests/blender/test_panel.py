@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the panels show: what applies, in words that fit, and never a traceback."""
+"""The panels show the settings that apply, in words that fit, and never a traceback."""
 
 import re
 import types
@@ -9,17 +9,10 @@ import blf
 import bpy
 import pytest
 from conftest import evaluated_mesh, plane, positions
-from libocean_addon import (
-    drafts,
-    drawing,
-    floating,
-    hints,
-    live,
-    node_group,
-    panels,
-    parameter_values,
-    translations,
-)
+from libocean_addon import hints, panels, translations
+from libocean_addon.floating import floating
+from libocean_addon.sea import drafts, facts, node_group, parameter_values
+from libocean_addon.shared import drawing
 
 PANELS = [cls for cls in panels.CLASSES if issubclass(cls, bpy.types.Panel)]
 
@@ -60,7 +53,7 @@ class Layout:
 
 
 def drawn_by(cls) -> list[str]:
-    """What a panel draws; fails where it would."""
+    """Returns the widgets that a panel draws; raises where it would."""
     drawn: list[str] = []
     cls.draw.__wrapped__(types.SimpleNamespace(layout=Layout(drawn)), bpy.context)
     return drawn
@@ -119,7 +112,7 @@ def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
         raise ValueError("out of order")
 
     monkeypatch.setattr(Layout, "prop", fail)
-    monkeypatch.setattr(live, "state_of", fail)
+    monkeypatch.setattr(facts, "state_of", fail)
     monkeypatch.setattr(drawing, "_told", set())
     for _ in range(3):
         cls.draw(types.SimpleNamespace(layout=layout), bpy.context)
@@ -127,7 +120,7 @@ def test_no_draw_function_raises(ocean, cls, monkeypatch, capsys):
     assert capsys.readouterr().err.count("Traceback") == 1
 
 
-# What applies, in words that fit --------------------------------------------------
+# Settings that apply, in words that fit --------------------------------------------
 
 
 def test_what_does_not_apply_is_not_there(ocean):
@@ -168,7 +161,7 @@ def test_divisors_are_as_many_as_cascades(ocean):
     assert "use_cascade_divisors" not in drawn_by(panels.AdvancedPanel)
     settings.cascades = 3
     assert "cascade_divisors" not in drawn_by(panels.AdvancedPanel)
-    chosen = live.cascade_divisors(ocean)
+    chosen = facts.cascade_divisors(ocean)
     settings.use_cascade_divisors = True
     assert list(settings.cascade_divisors) == [*chosen, 0, 0]
     assert chosen[0] == 1
@@ -202,7 +195,7 @@ def test_raw_inputs_are_out_of_sight(ocean):
             assert item.hide_in_modifier or item.in_out == "OUTPUT" or item.name == "Geometry"
 
 
-# What people should know ------------------------------------------------------------
+# Hints and warnings -----------------------------------------------------------------
 
 
 def test_the_size_of_mesh_and_maps_is_told(ocean):
@@ -250,7 +243,7 @@ def test_limits_that_flatten_the_sea_are_said(ocean):
     ocean.libocean.longest_wavelength = 1e5  # longer than any wave
     assert "limits" not in said()
     ocean.libocean.longest_wavelength = 15.0
-    before = live.share_within_limits(ocean)
+    before = facts.share_within_limits(ocean)
     assert f"leave {before:.0%} of the wave height" in said().replace("  ", " ")
     assert before < 0.5
     ocean.libocean.longest_wavelength = 0.0
@@ -278,7 +271,7 @@ def test_a_plane_of_four_vertices_offers_to_subdivide(scene):
     assert [modifier.type for modifier in ob.modifiers] == ["SUBSURF", "NODES"]
     assert len(ob.data.vertices) == 4  # the mesh itself stays
     vertices = len(evaluated_mesh(ob).vertices)
-    period, samples = ob.libocean.patch_size, live.map_resolution(ob)
+    period, samples = ob.libocean.patch_size, facts.map_resolution(ob)
     assert 200.0 / (vertices**0.5 - 1.0) <= period / samples
     assert vertices <= 513**2
     assert positions(ob)[:, 2].std() > 0.2

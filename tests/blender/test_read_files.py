@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from libocean_addon import compat
+from libocean_addon.shared import compat
 
 pytestmark = pytest.mark.skipif(
     "OCEAN" not in os.environ, reason="OCEAN is not the path of the program"

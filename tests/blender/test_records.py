@@ -7,8 +7,8 @@ from pathlib import Path
 import bpy
 import pytest
 from conftest import add_ocean
-from libocean_addon import live, open_sea, parameter_values, records
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import facts, open_sea, parameter_values, records
 
 SPECTRA = Path(__file__).parents[1] / "data" / "spectra"
 BUOY = str(SPECTRA / "ndbc_41010.data_spec")
@@ -21,7 +21,7 @@ def ocean():
 
 
 def height_of(ob) -> float:
-    return open_sea.sea_of(ob).sea.state["significant_wave_height"]["asked"]
+    return open_sea.sea_of(ob.name_full).sea.state["significant_wave_height"]["asked"]
 
 
 @pytest.mark.parametrize("path", [BUOY, MODEL])
@@ -38,10 +38,10 @@ def test_the_wind_of_the_waves_before_is_not_measured(ocean):
     assert ocean.libocean.waves[0].use_wind_speed
     bpy.ops.libocean.pick_record(filepath=BUOY)
     assert not ocean.libocean.waves[0].use_wind_speed
-    assert any("no wind is known of" in warning for warning in live.warnings_of(ocean))
+    assert any("the wind is unknown" in warning for warning in facts.warnings_of(ocean))
     ocean.libocean.waves[0].wind_speed = 8.0
     assert ocean.libocean.waves[0].use_wind_speed
-    assert not any("no wind" in warning for warning in live.warnings_of(ocean))
+    assert not any("no wind" in warning for warning in facts.warnings_of(ocean))
 
 
 def test_without_a_time_it_is_the_first_record(ocean):

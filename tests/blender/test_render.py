@@ -94,7 +94,7 @@ def test_without_the_add_on_the_sea_is_at_rest(scene, shot, tmp_path):
 
 
 def test_objects_of_all_kinds_are_found_among_many(scene, shot):
-    from libocean_addon import live
+    from libocean_addon.sea import live
 
     other = plane(10.0, 3)
     bpy.ops.libocean.add_modifier()

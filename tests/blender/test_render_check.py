@@ -56,7 +56,7 @@ def render(capfd, frame: int | None = None, subframe: float = 0.0, **arguments) 
 
 
 def stopped(capfd, *frame, **arguments) -> list[str]:
-    """What the console says of a render that is stopped."""
+    """Returns the console's message about a render that is stopped."""
     camera = bpy.context.scene.camera
     with pytest.raises(RuntimeError, match="no camera"):
         render(capfd, *frame, **arguments)
@@ -107,7 +107,7 @@ KINDS = {
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_file_that_is_not_that_of_its_frame_stops_the_render(sea, tmp_path, capfd, kind):
-    from libocean_addon import bake_state
+    from libocean_addon.bake import bake_state
 
     assert render(capfd, 6) == []
     assert bake_state.faults(sea) == []
@@ -184,7 +184,7 @@ def test_files_without_a_name_play(sea, tmp_path, capfd):
 
 def test_an_interrupted_bake_of_another_sea_is_found(sea, tmp_path, capfd):
     """Its first frames are those of the new sea, the others of the one that the object plays."""
-    from libocean_addon import bake_plan
+    from libocean_addon.bake import bake_plan
 
     sea.libocean.choppiness = 0.5
     job = bake_plan.Bake(bpy.context, sea, "", (FIRST, LAST), overwrite=False).job
@@ -268,7 +268,8 @@ def test_what_lies_beyond_the_bake_is_a_warning(scene, sea, capfd):
 
 def test_volumes_of_another_sea_stop_it(scene, tmp_path, capfd, monkeypatch):
     """Written by the add-on, which says what each file must show; of others nothing is known."""
-    from libocean_addon import compat, vdb_files, volume_job, volumes
+    from libocean_addon.shared import compat
+    from libocean_addon.volumes import vdb_files, volume_job, volumes
 
     monkeypatch.setattr(volumes, "find_command", lambda: None)
     monkeypatch.setattr(compat, "load_openvdb", lambda: object())
@@ -363,7 +364,7 @@ IN_A_WINDOW = """
 import json
 
 bpy.ops.preferences.addon_enable(module="libocean_addon")
-from libocean_addon import render_check
+from libocean_addon.bake import render_check
 
 scene, folder = bpy.context.scene, arguments[0]
 bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, "shot.blend"))

@@ -10,8 +10,10 @@ import bpy
 import numpy as np
 import pytest
 from conftest import in_another_process, plane, rendered
-from libocean_addon import changes, drafts, live, parameter_values, sea_text, spray, spray_nodes
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import drafts, live, parameter_values
+from libocean_addon.shared import changes
+from libocean_addon.spray import spray, spray_nodes
 
 SIZE = 50.0
 
@@ -30,9 +32,7 @@ def ocean(scene):
 
 
 def sea_of(ocean):
-    return libocean.parse(
-        sea_text.write(parameter_values.TABLE, parameter_values.values_of(ocean.libocean))
-    )
+    return libocean.parse(parameter_values.values_of(ocean.libocean).text())
 
 
 def points(ocean) -> dict[str, np.ndarray]:
@@ -240,7 +240,7 @@ def test_off_means_gone(scene, ocean):
 def test_a_calm_sea_has_none_and_says_why(scene, ocean):
     bpy.ops.libocean.load_preset(preset="beaufort_3")
     assert points(ocean).get("id", np.empty(0)).size == 0
-    assert "more than 7 m/s" in spray.state_of(ocean)[0]
+    assert "above 7 m/s" in spray.state_of(ocean)[0]
     ocean.libocean.waves[0].wind_speed = 20.0
     assert points(ocean)["id"].size > 0
     assert f"{points(ocean)['id'].size:,} points" == spray.state_of(ocean)[0]
@@ -450,7 +450,7 @@ def test_motion_blur_is_as_long_as_the_way(scene, ocean, tmp_path):
     still = light_of(scene, tmp_path / "still.exr", blur=False)
     blurred = light_of(scene, tmp_path / "blurred.exr", blur=True)
     way = velocity[[0, 2]] * 0.5 / 24  # while the shutter is open
-    # What moves by a way w at an even speed adds w w' / 12 to its covariance.
+    # A point that moves by a way w at an even speed adds w w' / 12 to the covariance.
     added = 12 * (blurred - still)
     assert np.linalg.norm(way) > 0.2
     assert added == pytest.approx(np.outer(way, way), abs=0.06 * float(way @ way))

@@ -12,27 +12,21 @@ import bpy
 import libocean_addon
 import pytest
 from conftest import add_ocean, plane
-from libocean_addon import (
-    bake_state,
-    compat,
-    floating,
-    live,
-    operators,
-    panels,
-    parameter_values,
-    sea_text,
-    translations,
-    water_shader,
-)
+from libocean_addon import operators, panels, translations
+from libocean_addon.bake import bake_state
+from libocean_addon.floating import floating
+from libocean_addon.look import water_shader
+from libocean_addon.sea import facts, parameter_values, sea_text
+from libocean_addon.shared import compat
 
 GERMAN = translations.TABLE["de_DE"]
 CLASSES = [cls for part in libocean_addon.parts() for cls in getattr(part, "CLASSES", ())]
 OPERATORS = [cls for cls in CLASSES if issubclass(cls, bpy.types.Operator)]
-SOURCES = sorted(Path(libocean_addon.__file__).parent.glob("*.py"))
+SOURCES = sorted(Path(libocean_addon.__file__).parent.rglob("*.py"))
 PROPER_NAME = re.compile(r"(Beaufort|Douglas|Jerlov|Seed) |\d+$")  # presets, waters, numbers
 
 
-# What is to be translated -------------------------------------------------------
+# Texts to be translated ---------------------------------------------------------
 
 
 def own_properties(cls) -> list:
@@ -90,7 +84,7 @@ def short_labels() -> set[tuple[str, str]]:
 
 def states() -> set[tuple[str, str]]:
     add_ocean(64, use_material=False)
-    return {(translations.SEA, label) for label, _ in live.state_of(bpy.context.object)}
+    return {(translations.SEA, label) for label, _ in facts.state_of(bpy.context.object)}
 
 
 # The table ----------------------------------------------------------------------
@@ -115,7 +109,7 @@ def test_every_state_and_socket_is_translated():
 @pytest.mark.only_reads
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.name)
 def test_nothing_is_said_untranslated(path):
-    """What is reported, or drawn, is no bare text: only what a variable holds, or tr."""
+    """Reports and drawn labels are no bare texts, but variables or calls of tr."""
     for name, call in calls(path):
         if name in ("report", "poll_message_set", "status_text_set", "BakeError", "LibraryError"):
             said = [node for node in call.args if isinstance(node, (ast.Constant, ast.JoinedStr))]

@@ -11,8 +11,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import pixels, plane, rendered
-from libocean_addon import compat, sun_focus, water_shader
-from libocean_addon.native import libocean
+from libocean_addon.look import sun_focus, water_shader
+from libocean_addon.shared import compat
+from libocean_addon.shared.native import libocean
 from test_material import (
     FAR,
     IOR,
@@ -59,7 +60,7 @@ def test_slopes_bend_it_from_below_as_from_above(scene, tmp_path, degrees, lean,
 
 
 def test_from_both_sides_it_is_one_surface(scene, tmp_path):
-    """What shaders get as the normal is the same from below, turned round, at each place."""
+    """At each place shaders get the same normal from below, turned round."""
     bpy.ops.libocean.add(preset="beaufort_4", use_material=False)
     ob = bpy.context.object
     ob.libocean.resolution = 64
@@ -130,7 +131,7 @@ def window_edge(scene, tmp_path, name: str) -> np.ndarray:
 
 
 def test_detail_breaks_snells_window(scene, tmp_path):
-    """Of the sea's waves flat water has those of the detail alone, or their roughness."""
+    """Flat water has the waves of the detail alone, or their roughness."""
     bpy.ops.libocean.add(preset="beaufort_4")
     ob = bpy.context.object
     ob.libocean.use_detail = True
@@ -215,8 +216,8 @@ def test_light_is_gathered_as_the_command_ocean_bakes_it(scene, tmp_path, sun):
 
 
 def lit_plane(scene, tmp_path, ob, depth: float) -> np.ndarray:
-    """What a white plane below an ocean has of a lamp's light, from below, where nothing is
-    between."""
+    """Returns the light of a lamp on a white plane below an ocean, seen from below without anything
+    in between."""
     bed = plane(ob.libocean.patch_size, 2, "Bed")
     bed.location.z = -depth
     white = bpy.data.materials.new("White")

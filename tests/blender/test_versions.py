@@ -9,8 +9,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import attribute, positions, rest
-from libocean_addon import baked, node_group, parameter_values, sea_text
+from libocean_addon.bake import bake_record
 from libocean_addon.bundled import libocean
+from libocean_addon.sea import node_group, parameter_values
 
 OLD = Path(__file__).parents[1] / "data" / "blender" / "version_1.blend.xz"
 
@@ -31,7 +32,7 @@ def old(old_file):
 
 def sea_of(ob):
     values = parameter_values.values_of(ob.libocean)
-    return libocean.parse(sea_text.write(parameter_values.TABLE, values))
+    return libocean.parse(values.text())
 
 
 def test_the_file_is_old(old_file):
@@ -70,7 +71,7 @@ def test_a_bake_of_its_sea_is_its_own(old):
     """The recipe is what the add-on of commit 2c77838 wrote into the file beside such a bake: a key
     that came later is not in it."""
     settings = old["Ocean"].libocean
-    assert baked.recipe(settings, parameter_values.values_of(settings)) == "554f321c96da373b"
+    assert bake_record.recipe(settings, parameter_values.values_of(settings)) == "554f321c96da373b"
 
 
 def test_what_floats_in_it_floats(old):

@@ -15,8 +15,9 @@ import bpy
 import numpy as np
 import pytest
 from conftest import evaluated_mesh, positions
-from libocean_addon import compat, volume_job, volumes
 from libocean_addon.bundled import libocean
+from libocean_addon.shared import compat
+from libocean_addon.volumes import volume_job, volumes
 from mathutils import Vector
 
 OPENVDB = compat.load_openvdb()
@@ -314,7 +315,8 @@ def test_an_object_plays_them(scene, sea, way, tmp_path):
 
 
 def heights_of(volume, places: np.ndarray) -> list[float]:
-    """Of the mesh that Blender makes of the level set, above places of the world."""
+    """Returns the heights of the mesh that Blender makes of the level set, above places of the
+    world."""
     ob = bpy.data.objects.new("Meshed", bpy.data.meshes.new("Meshed"))
     bpy.context.collection.objects.link(ob)
     ob.matrix_world = volume.matrix_world
@@ -349,7 +351,7 @@ def test_it_lies_where_the_sea_is_and_shows_what_was_written_last(scene, sea, wa
     for seed in (1, 2):
         sea.libocean.seed = seed
         write()
-        told = "Blender shows the files of before" in capfd.readouterr().out
+        told = "Blender shows the previous files" in capfd.readouterr().out
         assert told == (seed == 2 and compat.READS_VOLUMES_ONCE)
         if told:
             break

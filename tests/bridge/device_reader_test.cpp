@@ -1,17 +1,22 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which boards a map may name, and what it may say of each: a key of another driver is a mistake.
+// The boards of a control map: each driver has its own keys, and a key of another driver is a
+// mistake.
 #include <gtest/gtest.h>
 
-#include "ocean/bridge/map_file.hpp"
+#include "ocean/bridge/control_map_file.hpp"
+#include "ocean/bridge/devices.hpp"
+#include "ocean/bridge/firmata_source.hpp"
+#include "ocean/bridge/k8055_source.hpp"
+#include "ocean/bridge/midi_source.hpp"
 #include "ocean/error.hpp"
 
 namespace ocean::bridge {
 namespace {
 
 std::vector<DeviceRule> devices(const std::string& toml) {
-    return parse_map(toml, "test.toml", ValueTable()).devices;
+    return parse_control_map(toml, "test.toml", ValueTable()).devices;
 }
 
 TEST(DeviceReader, EachDriverHasItsKeys) {
@@ -44,13 +49,13 @@ outputs = [13]
 pwm = [9, 44]
 )");
     ASSERT_EQ(read.size(), 5u);
-    EXPECT_EQ(std::get<K8055Device>(read[0].device).address, 3);
-    EXPECT_EQ(std::get<MidiDevice>(read[1].device).port, "");
-    EXPECT_EQ(std::get<MidiDevice>(read[1].device).channel, 0);
-    EXPECT_EQ(std::get<MidiDevice>(read[2].device).port, "nanoKONTROL2");
-    EXPECT_EQ(std::get<MidiDevice>(read[2].device).channel, 16);
-    EXPECT_EQ(std::get<FirmataDevice>(read[3].device).baud, 57600);
-    const auto& mega = std::get<FirmataDevice>(read[4].device);
+    EXPECT_EQ(read[0].device.get<K8055Device>()->address, 3);
+    EXPECT_EQ(read[1].device.get<MidiDevice>()->port, "");
+    EXPECT_EQ(read[1].device.get<MidiDevice>()->channel, 0);
+    EXPECT_EQ(read[2].device.get<MidiDevice>()->port, "nanoKONTROL2");
+    EXPECT_EQ(read[2].device.get<MidiDevice>()->channel, 16);
+    EXPECT_EQ(read[3].device.get<FirmataDevice>()->baud, 57600);
+    const FirmataDevice& mega = *read[4].device.get<FirmataDevice>();
     EXPECT_EQ(mega.port, "/dev/ttyUSB0");
     EXPECT_EQ(mega.baud, 115200);
     EXPECT_EQ(mega.analog, (std::vector<int>{0, 15}));
@@ -70,7 +75,7 @@ class ADevice : public testing::TestWithParam<DeviceMistake> {};
 TEST_P(ADevice, ThatIsWrongIsNamedWithItsLine) {
     try {
         devices("[[device]]\nid = \"b\"\n" + GetParam().keys);
-        ADD_FAILURE() << "was taken";
+        ADD_FAILURE() << "was accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::bad_file);
         EXPECT_NE(std::string(error.what()).find(GetParam().says), std::string::npos)
@@ -108,10 +113,26 @@ INSTANTIATE_TEST_SUITE_P(
         DeviceMistake{with("firmata", "inputs = [2, 2]"), "each once"},
         DeviceMistake{with("firmata", "inputs = [2.5]"), "a list of whole numbers 0 .. 127"},
         DeviceMistake{with("firmata", "pwm = [9]\noutputs = [9]"),
-                      "test.toml:1: pin 9 is there twice"},
-        DeviceMistake{with("firmata", "pullups = [9]\ninputs = [9]"), "pin 9 is there twice"},
+                      "test.toml:1: pin 9 is used twice"},
+        DeviceMistake{with("firmata", "pullups = [9]\ninputs = [9]"), "pin 9 is used twice"},
         DeviceMistake{"driver = \"midi\"\n[[device]]\nid = \"b\"\ndriver = \"midi\"",
-                      "test.toml:4: id = \"b\" is there twice"}));
+                      "test.toml:4: id = \"b\" is used twice"}));
+
+/// Settings are compared by type and value: a map that is read again knows if its boards changed.
+TEST(DeviceSettings, AreEqualIfTypeAndValueAre) {
+    EXPECT_EQ(DeviceSettings(K8055Device{1}), DeviceSettings(K8055Device{1}));
+    EXPECT_NE(DeviceSettings(K8055Device{1}), DeviceSettings(K8055Device{2}));
+    EXPECT_NE(DeviceSettings(K8055Device{}), DeviceSettings(MidiDevice{}));
+    EXPECT_EQ(DeviceSettings(K8055Device{1}).get<MidiDevice>(), nullptr);
+}
+
+TEST(MakeSources, RefusesSettingsOfNoDriver) {
+    struct Unknown {
+        bool operator==(const Unknown&) const = default;
+    };
+    const std::vector<DeviceRule> rules = {{"x", Unknown{}}};
+    EXPECT_THROW(make_sources(rules), Error);
+}
 
 }  // namespace
 }  // namespace ocean::bridge

@@ -29,7 +29,7 @@ std::vector<FirmataReport> parse(const Bytes& bytes) {
     return FirmataParser().feed(bytes);
 }
 
-/// What an Uno says first: protocol 2.5, then the name of its program.
+/// The first bytes of an Uno: protocol 2.5, then the name of its program.
 const Bytes kGreeting = {0xF9, 2, 5, 0xF0, 0x79, 2, 5, 'S', 0, 't', 0, 'd', 0, 0xF7};
 
 TEST(FirmataParser, KnowsWhatABoardSays) {
@@ -147,7 +147,7 @@ class Line {
             }
         }
     }
-    /// Whether the line held more than that.
+    /// Returns true if the line held more than `bytes`.
     bool held_more_than(std::size_t bytes) const {
         std::size_t count = 0;
         std::uint8_t block[4096];

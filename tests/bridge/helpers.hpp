@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of the bridge share: a board that a test moves, and a client without any code of
-// ours but the socket calls.
+// Shared by the tests of the bridge: a board that a test moves, and a client that uses plain socket
+// calls and no code of the library.
 #pragma once
 
 #include <arpa/inet.h>
@@ -25,14 +25,14 @@
 
 namespace ocean::bridge::test {
 
-/// Far beyond what anything takes on a busy machine: a test that runs into it has failed.
+/// Far beyond every duration on a busy machine: a test that reaches this limit has failed.
 inline constexpr int kPatience = 120'000;  // ms
 
-/// The other end of a board: the test reports, and sees what outputs were told.
+/// The other end of a board: the test reports, and sees the values of outputs.
 struct Board {
     Source::Listener listener;
     std::vector<std::pair<std::string, double>> told;
-    std::function<void()> when_told;  // in the server's thread, which it may hold
+    std::function<void()> when_told;  // called in the server's thread, which it may block
 };
 
 class TestSource : public Source {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The hub and the boards that are files: what a script says arrives, a take that is recorded is one
-// that the sea file reads, and a map may change while all goes on.
+// The hub and the boards that are files: the lines of a script arrive, a recorded take can be read
+// with a sea file, and a map may change at run time.
 #include "ocean/bridge/hub.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ std::string content_of(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What a source reported.
+/// Collects the reports of a source.
 class Listening {
   public:
     Source::Listener listener() {
@@ -75,11 +75,11 @@ TEST(Script, LinesAreCheckedOneByOne) {
     EXPECT_EQ(script[1].channel, "board0/d1");
     for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
              {"1 board0/a1\n", "s:1: a line"},
-             {"1 board0/a1 2\n0.5 board0/a1 2\n", "s:2: '0.5' is before"},
+             {"1 board0/a1 2\n0.5 board0/a1 2\n", "s:2: '0.5' is earlier"},
              {"x board0/a1 2\n", "s:1: 'x' is not a number"},
              {"-1 board0/a1 2\n", "s:1: '-1'"},
              {"1 board0/a1 nan\n", "s:1: 'nan'"},
-             {"1 board0 2\n", "s:1: 'board0' is no channel"},
+             {"1 board0 2\n", "s:1: 'board0' is not a channel"},
              {"1 board0/a1 2 3\n", "s:1: '3' is one word too many"}}) {
         try {
             parse_script(text, "s");
@@ -92,7 +92,7 @@ TEST(Script, LinesAreCheckedOneByOne) {
     EXPECT_THROW(make_dummy_source(parse_script("1 board0/a1 256\n", "s")), Error);
 }
 
-TEST(DummySource, IsStillUntilTold) {
+TEST(DummySource, RestsUntilItIsMoved) {
     Listening listening;
     const auto board = make_dummy_source(parse_script("0.01 board0/a1 7\n", "s"));
     board->start(listening.listener());
@@ -112,7 +112,7 @@ TEST(DummySource, IsStillUntilTold) {
     EXPECT_EQ(listening.wait_for(11).size(), 11u);
 }
 
-TEST(ReplaySource, PlaysWhatABoardReportedAndTakesNothing) {
+TEST(ReplaySource, PlaysARecordingAndHasNoOutputs) {
     Listening listening;
     const auto board = make_replay_source(parse_script("0 midi0/cc1 3\n0.01 midi0/cc1 4\n", "s"));
     EXPECT_EQ(board->channels().size(), 1u);
@@ -149,13 +149,13 @@ TEST(Hub, ARecordingIsATakeOfTheSea) {
     ASSERT_LE(take.events.size(), 10u);
     EXPECT_NEAR(take.events[1].seconds - take.events[0].seconds, 1.0, 1e-6);
     EXPECT_NEAR(std::get<double>(take.events.back().value), 249.0 / 255.0 * 30.0, 1e-4);
-    // What is there is not written over.
+    // An existing file is not overwritten.
     hub.start_recording("storm.take", "test");
     hub.stop_recording("", "test");
     EXPECT_TRUE(std::filesystem::exists(folder / "storm_1.take"));
 }
 
-TEST(Hub, WhoShowsTheSeaRecordsIt) {
+TEST(Hub, TheClientThatShowsTheSeaRecordsIt) {
     const Folder folder;
     Hub hub({.take_folder = folder.text()}, {});
     hub.set("app.frame_rate", "60", "127.0.0.1:9");
@@ -183,7 +183,7 @@ TEST(Hub, ATakesNameIsNoPath) {
     EXPECT_EQ(hub.values().number(hub.values().find("app.record")), 0.0);
 }
 
-TEST(Hub, ABoardThatComesBackMovesNothingAndIsToldItsLamps) {
+TEST(Hub, ABoardThatReturnsMovesNothingAndGetsItsOutputs) {
     const auto board = std::make_shared<test::Board>();
     std::vector<std::unique_ptr<Source>> sources;
     sources.push_back(std::make_unique<test::TestSource>(board));
@@ -209,8 +209,8 @@ out = [0, 1]
     turn(3);
     turn(4);
     EXPECT_EQ(wind(), 4.0);
-    hub.board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
-    hub.board_event({BoardEvent::Kind::connected, "board0", "again"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board0", "again"});
     const std::vector<std::pair<std::string, double>> told = {{"board0/dac1", 102.0},
                                                               {"board0/dac1", 102.0}};
     EXPECT_EQ(board->told, told);
@@ -218,7 +218,7 @@ out = [0, 1]
     EXPECT_EQ(wind(), 4.0);
     turn(8);
     EXPECT_EQ(wind(), 8.0);
-    hub.board_event({BoardEvent::Kind::connected, "board1", "another"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board1", "another"});
     turn(7);
     EXPECT_EQ(wind(), 7.0);
     EXPECT_EQ(hub.events(),
@@ -238,13 +238,13 @@ mode = "momentary"
     const auto paused = [&] { return hub.values().number(hub.values().find("app.pause")) == 1.0; };
     for (const double raw : {0.0, 1.0}) hub.report({Clock::now(), "board0/d1", raw});
     ASSERT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::connected, "board0 LOST"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board0 LOST"});
     EXPECT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::busy, "board0", "board0 LOST: another program has it"});
+    hub.on_board_event({BoardEvent::Kind::busy, "board0", "board0 LOST: another program has it"});
     EXPECT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::busy, "board0 LOST", "nothing answers"});
+    hub.on_board_event({BoardEvent::Kind::busy, "board0 LOST", "nothing answers"});
     EXPECT_TRUE(paused());
-    hub.board_event({BoardEvent::Kind::lost, "board0", " CONNECTED: to nothing"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board0", " CONNECTED: to nothing"});
     EXPECT_FALSE(paused());
     EXPECT_EQ(hub.events(), (std::vector<std::string>{
                                 "board0 LOST CONNECTED",
@@ -274,12 +274,12 @@ mode = "toggle"
         hub.report({Clock::now(), "board0/d2", raw});
     }
     ASSERT_EQ(value("app.pause"), 1.0);
-    hub.board_event({BoardEvent::Kind::lost, "board1", "another"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board1", "another"});
     EXPECT_EQ(value("app.pause"), 1.0);
-    hub.board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
+    hub.on_board_event({BoardEvent::Kind::lost, "board0", "unplugged"});
     EXPECT_EQ(value("app.pause"), 0.0);
     EXPECT_EQ(value("app.record"), 1.0);  // it was switched, and not held
-    hub.board_event({BoardEvent::Kind::connected, "board0", "again"});
+    hub.on_board_event({BoardEvent::Kind::connected, "board0", "again"});
     hub.report({Clock::now() + 1s, "board0/d1", 1.0});  // it is held
     EXPECT_EQ(value("app.pause"), 0.0);
     hub.report({Clock::now() + 2s, "board0/d1", 0.0});
@@ -314,10 +314,10 @@ TEST(Hub, AMapIsReadAgainWhenItChanges) {
     };
     EXPECT_EQ(wind_at(5), 5.0);
     write("[0, 20]");
-    hub.look_around();
+    hub.poll_map_file();
     EXPECT_EQ(wind_at(5), 10.0);
     write("[0, 2000]");
-    hub.look_around();
+    hub.poll_map_file();
     EXPECT_EQ(wind_at(5), 10.0);
     const auto events = hub.events();
     ASSERT_EQ(events.size(), 2u);

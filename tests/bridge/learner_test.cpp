@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a hand does with a control becomes the map that fits it, and no other; and every map that is
+// The movement of a control becomes the map that fits it, and no other; and every map that is
 // printed is one.
 #include "ocean/bridge/learner.hpp"
 
@@ -9,7 +9,7 @@
 
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
-#include "ocean/bridge/map_file.hpp"
+#include "ocean/bridge/control_map_file.hpp"
 #include "ocean/error.hpp"
 
 namespace ocean::bridge {
@@ -67,7 +67,7 @@ class Hand {
 
   private:
     std::string checked(std::string map) const {
-        const MapFile file = parse_map(map, "learnt.toml", values_);
+        const ControlMapFile file = parse_control_map(map, "learnt.toml", values_);
         EXPECT_EQ(file.maps.size(), 1u);
         std::ranges::replace(map, '\n', ' ');
         return map;
@@ -107,7 +107,8 @@ TEST(Learner, AsksForBothWaysBeforeItNamesACode) {
         Hand hand;
         const Lessons hint = hand.says("m/cc16", {one, one, one}).rests();
         ASSERT_EQ(hint.size(), 1u);
-        EXPECT_NE(hint[0].find("move it further, an endless knob both ways"), std::string::npos);
+        EXPECT_NE(hint[0].find("move it further, an endless knob in both directions"),
+                  std::string::npos);
         EXPECT_EQ(hand.says("m/cc16", {one}).rests(), Lessons{}) << "it is hinted at once";
     }
     Hand hand;

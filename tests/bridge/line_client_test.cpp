@@ -54,7 +54,7 @@ TEST(LineClient, SetsTheLatestAndHearsNoEcho) {
     client.set("wind_speed", "33");
     EXPECT_EQ(raw.line_with("UPD wind_speed 33"), "UPD wind_speed 33");
     raw.ask("SET wind_speed 44");
-    // Of the values that were said in between none comes after the last that was set.
+    // No earlier value arrives after the last one that was set.
     std::vector<std::string> seen;
     const auto end = Clock::now() + std::chrono::milliseconds(kPatience);
     while ((seen.empty() || seen.back() != "44") && Clock::now() < end) {
@@ -150,7 +150,7 @@ TEST(LineClient, WhatIsNoBridgeIsLeft) {
     ASSERT_EQ(::send(other, "SSH-2.0-x\r\n", 11, MSG_NOSIGNAL), 11);
     const auto lost = wait_for(client, Kind::lost);
     ASSERT_TRUE(lost);
-    EXPECT_EQ(lost->text, "it says: SSH-2.0-x");
+    EXPECT_EQ(lost->text, "not a bridge; it answers: SSH-2.0-x");
     ::close(other);
     ::close(listener);
 }

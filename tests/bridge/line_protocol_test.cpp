@@ -66,7 +66,7 @@ TEST(LineSplitter, ALineIsEditedAsInATerminal) {
         {"FLY\x03PING", "[PING]"},
         {"FLY\xFF\xF8PING", "[PING]"},  // telnet's Erase Line
         {std::string(2000, 'a') + "\x15PING", "[PING]"},
-        {std::string(kLongestLine, 'a') + "\bb", "[" + std::string(kLongestLine - 1, 'a') + "b]"},
+        {std::string(kMaxLineBytes, 'a') + "\bb", "[" + std::string(kMaxLineBytes - 1, 'a') + "b]"},
     };
     for (const auto& [bytes, line] : lines) {
         EXPECT_EQ(lines_of({bytes + "\r\n"}), line) << testing::PrintToString(bytes);
@@ -116,9 +116,9 @@ TEST(LineSplitter, TelnetIsAnsweredWhatItWaitsFor) {
 }
 
 TEST(LineSplitter, ALongLineIsSkippedToItsEnd) {
-    EXPECT_EQ(lines_of({std::string(kLongestLine, 'a') + "\n"}),
-              "[" + std::string(kLongestLine, 'a') + "]");
-    EXPECT_EQ(lines_of({std::string(100 * kLongestLine, 'a') + "\nPING\n"}), "<TOO-LONG>[PING]");
+    EXPECT_EQ(lines_of({std::string(kMaxLineBytes, 'a') + "\n"}),
+              "[" + std::string(kMaxLineBytes, 'a') + "]");
+    EXPECT_EQ(lines_of({std::string(100 * kMaxLineBytes, 'a') + "\nPING\n"}), "<TOO-LONG>[PING]");
 }
 
 TEST(LineSplitter, WhatIsNotUtf8TextIsNamed) {
@@ -156,7 +156,7 @@ TEST(LineProtocol, ALineIsOneRequestOrOneRefusal) {
 
 TEST(LineProtocol, WhatIsSentIsOnePrintableLine) {
     EXPECT_EQ(refusal_line({"RANGE", "a\r\nUPD b 1"}), "ERR RANGE a??UPD b 1");
-    EXPECT_LE(refusal_line({"RANGE", std::string(5000, 'x')}).size(), kLongestLine);
+    EXPECT_LE(refusal_line({"RANGE", std::string(5000, 'x')}).size(), kMaxLineBytes);
     const ServerLine line = parse_server_line("UPD grid.cascade_divisors [1, 7]");
     EXPECT_EQ(line.word + "|" + line.name + "|" + line.rest, "UPD|grid.cascade_divisors|[1, 7]");
 }

@@ -52,7 +52,7 @@ TEST(LineServer, GreetsAndAnswersEachCommand) {
     EXPECT_TRUE(raw.ask("GET choppines").starts_with("ERR UNKNOWN-NAME "));
     EXPECT_TRUE(raw.ask("SET file x").starts_with("ERR READONLY "));
     EXPECT_TRUE(raw.ask("OUT board9/o1 1").starts_with("ERR UNKNOWN-NAME "));
-    EXPECT_EQ(raw.ask("OUT board0/dac1 nan"), "ERR RANGE 'nan' is no number");
+    EXPECT_EQ(raw.ask("OUT board0/dac1 nan"), "ERR RANGE 'nan' is not a number");
     EXPECT_EQ(raw.ask("RECORD"), "ERR USAGE RECORD START|STOP [FILE]");
     EXPECT_EQ(raw.ask("RECORD STOP"), "ERR RANGE nothing is being recorded");
     EXPECT_TRUE(raw.ask("FLY").starts_with("ERR UNKNOWN-COMMAND "));
@@ -107,7 +107,7 @@ TEST(LineServer, WhoShowsTheSeaIsToldOfEachWish) {
         EXPECT_EQ(shows.line_with("UPD app.time " + std::to_string(wish)),
                   "UPD app.time " + std::to_string(wish));
     }
-    // What the program does not tell is the last writer's, as ever.
+    // A value that the program does not own belongs to its last writer, as always.
     RawClient both = served.client();
     EXPECT_EQ(both.ask("SUBSCRIBE choppiness"), "OK");
     for (int i = 0; i < 50; ++i) {
@@ -170,7 +170,7 @@ TEST(LineServer, TelnetsInterruptIsAnswered) {
     EXPECT_EQ(raw.ask("PING"), "OK");
 }
 
-/// What is not read is not kept: a flood of questions is throttled, not stored.
+/// Unread commands are not stored: a flood of questions is throttled.
 TEST(LineServer, AFloodThatNeverReadsIsHeldBack) {
     const Served served({.commands_per_second = 1e6}, kKnob);
     RawClient flood = served.client();
@@ -205,7 +205,7 @@ TEST(LineServer, OneClientTooManyIsToldSo) {
     RawClient first = served.client();
     RawClient second = served.client();
     RawClient third(served.server.endpoint());
-    EXPECT_EQ(third.line(), "ERR BUSY no more clients are taken");
+    EXPECT_EQ(third.line(), "ERR BUSY the bridge has its max number of clients");
     EXPECT_EQ(third.line(), "");
     second.close();
     EXPECT_TRUE(comes_true([&] { return served.server.clients() == 1; }));
@@ -222,7 +222,7 @@ TEST(LineServer, WhoSaysNothingIsLetGoAndWhoListensIsNot) {
         subscriber.emplace(served.client());
     } while (subscriber->ask("SUBSCRIBE wind_speed") != "OK");
     RawClient& listener = *subscriber;
-    EXPECT_EQ(idle.line(), "ERR IDLE nothing was said for too long");
+    EXPECT_EQ(idle.line(), "ERR IDLE no command for too long");
     EXPECT_EQ(idle.line(), "");
     EXPECT_EQ(listener.ask("PING"), "VAL wind_speed unset");
     EXPECT_EQ(listener.line(), "OK");
@@ -272,14 +272,14 @@ TEST(LineServer, ATokenComesFirst) {
     const Served served({.token = "0123456789abcdef"}, kKnob);
     RawClient raw = served.client();
     EXPECT_EQ(raw.ask("PING"), "OK");
-    EXPECT_EQ(raw.ask("GET wind_speed"), "ERR AUTH AUTH TOKEN comes first");
+    EXPECT_EQ(raw.ask("GET wind_speed"), "ERR AUTH send AUTH TOKEN first");
     EXPECT_EQ(raw.ask("AUTH 0123456789abcdef"), "OK");
     EXPECT_EQ(raw.ask("GET wind_speed"), "VAL wind_speed unset");
     RawClient guesser = served.client();
     const auto start = Clock::now();
-    EXPECT_EQ(guesser.ask("AUTH x"), "ERR AUTH this is not the token");
-    EXPECT_EQ(guesser.ask("AUTH y"), "ERR AUTH this is not the token");
-    EXPECT_EQ(guesser.ask("AUTH z"), "ERR AUTH this is not the token");
+    EXPECT_EQ(guesser.ask("AUTH x"), "ERR AUTH wrong token");
+    EXPECT_EQ(guesser.ask("AUTH y"), "ERR AUTH wrong token");
+    EXPECT_EQ(guesser.ask("AUTH z"), "ERR AUTH wrong token");
     EXPECT_EQ(guesser.line(), "");
     EXPECT_GE(Clock::now() - start, 1900ms);  // a second after each; a busy machine adds to it
 }

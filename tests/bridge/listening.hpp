@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a source says, for a test that waits for it.
+// Collects the reports and events of a source, for a test that waits for them.
 #pragma once
 
 #include <chrono>

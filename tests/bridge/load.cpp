@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the bridge reaches on this machine, over loopback: from a board's report to a client's
-// receive, with 1 and 100 clients, beside a reader that has stalled; the same from and to OSC; 1000
-// clients held, and how long it takes to stop with them. Prints a line for each; exits with 1 if a
-// count is wrong, or a stalled reader is felt. usage: bridge_load [--quick]
+// Measures the bridge on this machine, over loopback: the time from a board's report to a client's
+// receive, with 1 and 100 clients, and beside a reader that has stalled; the same from and to OSC;
+// 1000 clients connected at once, and the time to stop with them. Prints a line for each; exits
+// with 1 if a count is wrong, or if a stalled reader delays others. usage: bridge_load [--quick]
 //
 // A hundred reports a second reach a client of an idle machine one by one; a busy machine sends
 // some of them together. Hence --quick, for ctest, has each report wait until the one before has
@@ -264,8 +264,8 @@ bool judge_in_turn() {
         print("1 client, report after report", alone.latencies());
         print("1 client beside a stalled reader", beside.latencies());
         good &= check(told == 2 * kReports, "updates are missing");
-        // Of most updates other programs decide, which run beside a test; a reader that is felt is
-        // felt in each of them, in the fastest too.
+        // Other programs delay most updates of a busy machine. A reader that delays the server
+        // delays each update, the fastest ones too.
         good &=
             check(beside.latencies().quantile(0.1) < 2.0 * alone.latencies().quantile(0.1) + 0.5,
                   "a stalled reader is felt");

@@ -85,7 +85,7 @@ TEST(MidiParser, ItDoesNotMatterWhereAStreamIsCut) {
     }
 }
 
-/// What is joined of a stream, with a clock that the test moves.
+/// Joins the values of a stream, with a clock that the test moves.
 class Joined {
   public:
     Joined& play(const Bytes& bytes) {
@@ -235,7 +235,7 @@ class TestPorts : public MidiPorts {
         system_->receiver = std::move(receiver);
         return true;
     }
-    bool is_still_there() override {
+    bool is_still_connected() override {
         const std::lock_guard lock(system_->mutex);
         return std::ranges::find(system_->names, system_->open) != system_->names.end() &&
                system_->opened_at == system_->plugs;

@@ -125,7 +125,7 @@ void MockK8055::stall() {
         if (!transfer.done && transfer.is_in()) return finish(transfer, -EPIPE);
     }
 }
-/// Whether the program may claim it.
+/// Returns true if the program may claim the board.
 void MockK8055::refuse(bool refused) {
     const std::lock_guard lock(mutex_);
     refused_ = refused;
@@ -198,7 +198,7 @@ gboolean MockK8055::on_ioctl(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* c
     return TRUE;
 }
 
-/// What usbfs answers; a negative error number if it refuses.
+/// Returns the answer of usbfs, or a negative error number if it refuses.
 long MockK8055::answer(gulong request, UMockdevIoctlData* argument) {
     const std::lock_guard lock(mutex_);
     const bool reaps = request == USBDEVFS_REAPURB || request == USBDEVFS_REAPURBNDELAY;

@@ -20,7 +20,7 @@ class MockK8055 {
     using Clock = std::chrono::steady_clock;
     using Bytes = std::vector<std::uint8_t>;
 
-    /// What is seen of the program, from any thread.
+    /// Observations of the program, called from any thread.
     struct Witness {
         std::function<void(const Bytes&)> out = [](const Bytes&) {};
         std::function<void(Clock::time_point)> sent = [](Clock::time_point) {};  // a new state
@@ -38,13 +38,13 @@ class MockK8055 {
     void plug(int address = 0);
     /// Transfers end first, and after `news` the system tells of it: 30 ms and more in a real one.
     void unplug(std::chrono::milliseconds news = std::chrono::milliseconds(10));
-    /// What it reports from the next tick on.
+    /// Sets the report from the next tick on.
     void set(const Bytes& report);
     /// Its own clock, every 10 ms in a real one: a report that is waited for is sent.
     void tick();
     /// The next report fails.
     void stall();
-    /// Whether the program may not claim it.
+    /// Sets if the board refuses the program's claim.
     void refuse(bool refused);
 
   private:

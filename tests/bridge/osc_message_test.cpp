@@ -111,28 +111,28 @@ TEST(OscMessage, ManyMessagesAreMoreThanOneBundle) {
 
 TEST(OscMessage, BrokenBytesAreRefused) {
     for (const auto& [packet, says] : std::vector<std::pair<std::string, std::string>>{
-             {"", "no message"},
+             {"", "not a message"},
              {"/a", "multiple of four"},
-             {"/abc", "no message"},
-             {bytes("abc\0,\0\0\0"), "no message"},
-             {bytes("\0\0\0\0,\0\0\0"), "no message"},
+             {"/abc", "not a message"},
+             {bytes("abc\0,\0\0\0"), "not a message"},
+             {bytes("\0\0\0\0,\0\0\0"), "not a message"},
              {bytes("/a\0\0f\0\0\0\0\0\0\0"), "types of its arguments are missing"},
-             {bytes("/a\0\0,f\0\0"), "not what its types say"},
-             {bytes("/a\0\0,f\0\0\0\0\0\0\0\0\0\0"), "not what its types say"},
-             {bytes("/a\0\0,d\0\0\0\0\0\0"), "not what its types say"},
-             {bytes("/a\0\0,s\0\0abcd"), "not what its types say"},
-             {bytes("/a\0\0,s\0\0ab\0x"), "not what its types say"},
-             {bytes("/a\0x,\0\0\0"), "not what its types say"},
-             {bytes("/a\0\0,fff"), "not what its types say"},
+             {bytes("/a\0\0,f\0\0"), "do not fit its types"},
+             {bytes("/a\0\0,f\0\0\0\0\0\0\0\0\0\0"), "do not fit its types"},
+             {bytes("/a\0\0,d\0\0\0\0\0\0"), "do not fit its types"},
+             {bytes("/a\0\0,s\0\0abcd"), "do not fit its types"},
+             {bytes("/a\0\0,s\0\0ab\0x"), "do not fit its types"},
+             {bytes("/a\0x,\0\0\0"), "do not fit its types"},
+             {bytes("/a\0\0,fff"), "do not fit its types"},
              // liblo would read behind these.
-             {bytes("/a\0\0,b\0\0"), "of the types b; allowed"},
-             {bytes("/a\0\0,b\0\0\0\0\0\4abcd"), "of the types b; allowed"},
-             {bytes("/a\0\0,r\0\0\0\0\0\0"), "of the types r; allowed"},
-             {bytes("/a\0\0,[i]\0\0\0\0\0\0\0\1"), "of the types [i]; allowed"},
+             {bytes("/a\0\0,b\0\0"), "have the types b; allowed"},
+             {bytes("/a\0\0,b\0\0\0\0\0\4abcd"), "have the types b; allowed"},
+             {bytes("/a\0\0,r\0\0\0\0\0\0"), "have the types r; allowed"},
+             {bytes("/a\0\0,[i]\0\0\0\0\0\0\0\1"), "have the types [i]; allowed"},
              {bytes("/a\0\0,") + std::string(17, 'T') + bytes("\0\0"), "too many arguments"},
-             {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "no message"},
+             {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "not a message"},
              {bytes("/a\0\0,s\0\0") + std::string(1025, 'a') + bytes("\0\0\0"), "too long"},
-             {bytes("#bundle\0\0\0\0\0"), "ends in its time"},
+             {bytes("#bundle\0\0\0\0\0"), "ends within its time"},
              {bundle_of({}) + bytes("\0\0\0\4"), "do not fit"},
              {bundle_of({}) + bytes("\xff\xff\xff\xfc/a\0\0"), "do not fit"},
              {bundle_of({}) + bytes("\0\0\0\3/a\0\0"), "do not fit"},
@@ -148,16 +148,16 @@ TEST(OscMessage, BrokenBytesAreRefused) {
 /// A packet of 60 kB could hold three thousand bundles in each other.
 TEST(OscMessage, BundlesInBundlesHaveAnEnd) {
     std::string packet = kFoo;
-    for (int depth = 0; depth < kDeepestOscBundle; ++depth) packet = bundle_of({packet});
+    for (int depth = 0; depth < kMaxOscBundleDepth; ++depth) packet = bundle_of({packet});
     EXPECT_EQ(messages_of(packet).size(), 1u);
     EXPECT_EQ(parse_osc_packet(bundle_of({packet})).left_out,
-              (std::vector<std::string>{"its bundles are too deep"}));
+              (std::vector<std::string>{"its bundles are nested too deeply"}));
     // The stack is safe from the deepest that a packet can hold.
     for (int depth = 0; depth < 3000; ++depth) packet = bundle_of({packet});
     EXPECT_TRUE(messages_of(packet).empty());
 }
 
-/// What a bundle has for other programs, of whatever type, does not take the sea's own with it: an
+/// Messages for other programs in a bundle, of any type, do not affect the sea's own messages: an
 /// element has its own size. [OSC 1.0] has i, f, s, b; its list of types that are less usual the
 /// others.
 TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {
@@ -176,13 +176,13 @@ TEST(OscMessage, WhatABundleHasForOthersIsLeftOutAlone) {
         {bytes("/p\0\0,fbf\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"), "the types fbf; allowed"},
         {bytes("/p\0\0,x\0\0who knows how long\0\0"), "the types x; allowed"},
         {bytes("/p\0\0,") + std::string(18, 'f') + '\0' + std::string(72, '\0'), "too many"},
-        {bytes("/p\0\0,f\0\0"), "not what its types say"},
-        {bytes("/p\0\0,f\0\0\0\0\0\0\0\0\0\0"), "not what its types say"},
+        {bytes("/p\0\0,f\0\0"), "do not fit its types"},
+        {bytes("/p\0\0,f\0\0\0\0\0\0\0\0\0\0"), "do not fit its types"},
         {bytes("/p\0\0f\0\0\0\0\0\0\0"), "types of its arguments are missing"},
-        {bytes("page\0\0\0\0,\0\0\0"), "no message of OSC begins so: page"},
-        {"", "no message of OSC begins so"},
-        {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "no message of OSC begins so"},
-        {bytes("#bundle\0\0\0\0\0"), "ends in its time"},
+        {bytes("page\0\0\0\0,\0\0\0"), "not a message of OSC: page"},
+        {"", "not a message of OSC"},
+        {'/' + std::string(258, 'a') + bytes("\0,\0\0\0"), "not a message of OSC"},
+        {bytes("#bundle\0\0\0\0\0"), "ends within its time"},
         {bundle_of({kFoo}) + bytes("\0\0\0\x40/a\0\0"), "do not fit"},
         {bundle_of({kFoo}) + bytes("\xff\xff\xff\xfc"), "do not fit"},
     };

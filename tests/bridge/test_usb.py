@@ -82,7 +82,7 @@ def test_a_knob_at_rest_is_still(board):
 
 def test_a_board_that_reports_costs_little(board):
     def seconds() -> float:
-        """Of the processor, of all threads of the bridge."""
+        """The processor time of all threads of the bridge [s]."""
         tasks = Path(f"/proc/{board.pid}/task").glob("*/schedstat")
         return sum(int(task.read_text().split()[0]) for task in tasks) * 1e-9
 

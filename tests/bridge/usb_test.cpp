@@ -31,7 +31,7 @@ std::size_t open_descriptors() {
     return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// What both sides saw, in its order.
+/// Collects the observations of both sides in order.
 class Seen {
   public:
     void report(const Report& report) {
@@ -182,7 +182,7 @@ TEST_F(Usb, AStateThatStaysIsReportedOnce) {
     ASSERT_TRUE(seen_.wait([&] { return seen_.values.size() == 9; }));
     const std::size_t before = seen_.look([&] { return seen_.reports_sent; });
     ASSERT_TRUE(seen_.wait([&] { return seen_.reports_sent >= before + 100; }));
-    // What comes of the hundred comes before this.
+    // A report of the hundred would come before this one.
     board_.set(k8055_report(99, 0, 0, 0, 0));
     ASSERT_TRUE(seen_.wait([&] { return seen_.values["board0/a1"] == 99; }));
     EXPECT_EQ(seen_.look([&] { return seen_.counted.size(); }), 1);

@@ -7,7 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+#include <random>
+
 #include "ocean/error.hpp"
+#include "ocean/text.hpp"
 #include "toy_model.hpp"
 
 namespace ocean::bridge {
@@ -83,6 +88,60 @@ TEST(ValueTable, WhatIsRefusedChangesNothing) {
     EXPECT_EQ(refusal_of(table, "spectrum", "measured"), ErrorKind::invalid_value);  // of no record
     EXPECT_EQ(refusal_of(table, "file", "/etc/passwd"), ErrorKind::unsupported);
     EXPECT_EQ(refusal_of(table, "time.take", "x.take"), ErrorKind::unsupported);
+}
+
+/// Returns the outcome of a set(): the error, or the text, the number's bits and the parameters'
+/// bits.
+template <typename Value>
+std::string outcome_of(ValueTable table, std::size_t entry, const Value& value) {
+    try {
+        table.set(entry, value, "board0/a1");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    const double number = table.number(entry);
+    const ParameterRef ref = table.ref(entry);
+    const std::string stored =
+        ref.info == nullptr ? "" : to_text(value_of(table.parameters(), ref));
+    return table[entry].text + " " + std::to_string(std::bit_cast<std::uint64_t>(number)) + " " +
+           stored + " " + std::to_string(table.revision());
+}
+
+TEST(ValueTable, ANumberIsStoredAsItsTextIs) {
+    const ValueTable table;
+    std::vector<double> numbers = {0.0,  -0.0,  1.0,    0.5, 1e-6,     1e15,     15.0588, 1.0 / 3.0,
+                                   0.1,  1e300, 1e-310, 512, 513,      4e9,      -1.0,    75.0,
+                                   30.0, 100.0, 0.01,   NAN, INFINITY, -INFINITY};
+    std::mt19937_64 random(40);
+    for (int i = 0; i < 200; ++i) {
+        numbers.push_back(std::bit_cast<double>(random()));
+        numbers.push_back(std::ldexp(static_cast<double>(random()), -60));
+        numbers.push_back(static_cast<double>(random() % 10000));
+    }
+    for (std::size_t entry = 0; entry < table.entries().size(); ++entry) {
+        if (!table.is_number(entry)) continue;
+        for (const double number : numbers) {
+            ASSERT_EQ(outcome_of(table, entry, number),
+                      outcome_of(table, entry, plain_text(number)))
+                << table[entry].name << " = " << plain_text(number);
+        }
+    }
+}
+
+/// number() has the bits that the text of the entry spells.
+TEST(ValueTable, TheNumberIsThatOfTheText) {
+    ValueTable table;
+    for (std::size_t entry = 0; entry < table.entries().size(); ++entry) {
+        if (!table.is_number(entry)) continue;
+        for (const double value : {1.0, 1.0 / 3.0, 0.1, 64.0}) {
+            try {
+                table.set(entry, value, "board0/a1");
+            } catch (const Error&) {
+                continue;
+            }
+            EXPECT_EQ(table.number(entry), std::stod(table[entry].text)) << table[entry].name;
+        }
+    }
 }
 
 /// Each type of a table, a boolean too, comes back from the line as it went.

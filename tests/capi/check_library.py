@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a built libocean shows and needs, compared with the committed lists beside this file.
+"""Compares the exports and dependencies of a built libocean with the committed lists beside this
+file.
 
 A symbol too many interposes on the host's, one too few breaks a host; a dependency too many is
 missing on somebody's machine. Reads ELF and PE files by nm, readelf and objdump (binutils).

@@ -38,7 +38,8 @@ SYSTEM = ("fcntl.h", "sys/", "unistd.h")
 
 @dataclass(frozen=True)
 class Library:
-    """What a library may use besides itself; paths are files or folders in it, "" is all of it."""
+    """The headers and targets a library may use besides itself; paths are files or folders in it,
+    "" is all of it."""
 
     below: tuple[str, ...]  # libraries; io/file is a part of one: its target and its header
     foreign: dict[str, tuple[str, ...]] = field(default_factory=dict)  # path -> headers begin with
@@ -95,7 +96,7 @@ LIBRARIES = {
     ),
     "gl": Library(
         below=("core", "seafile"),
-        # What EGL and GLX are there is asked of the dynamic linker.
+        # The dynamic linker says whether EGL and GLX are present.
         foreign={"": ("dlfcn.h", "epoxy/", "wave/")},
         links=("${CMAKE_DL_LIBS}", "PkgConfig::epoxy"),
     ),
@@ -181,7 +182,7 @@ def may_use(library: str, owner: str, part: str = "") -> bool:
 
 
 def foreign_headers(library: str, file_name: str) -> tuple[str, ...]:
-    """What the file may include that is neither ours nor the standard library's."""
+    """Returns the headers the file may include that are neither ours nor the standard library's."""
     allowed = ()
     for path, headers in LIBRARIES[library].foreign.items():
         if path in ("", file_name) or file_name.startswith(path + "/"):

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands as values: every kind of option reaches its target, what a rule refuses never runs, a
-// failure becomes one line with the program's name and its exit code, and a program may be one
-// command without a name before it. The words of `ocean` itself are tested by test_usage.py.
+// Claims: every kind of option reaches its target, a command with a refused value does not run, a
+// failure becomes one line with the program's name and an exit code, and a program may be a single
+// command without a name. test_usage.py tests the options of `ocean` itself.
 #include "command_line.hpp"
 
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ TEST(CommandLine, EveryKindOfOptionReachesItsTarget) {
     EXPECT_FALSE(seen.quiet);
 }
 
-TEST(CommandLine, WhatIsNotGivenStaysAsItWas) {
+TEST(CommandLine, OptionsThatAreNotGivenKeepTheirDefaults) {
     Values values;
     EXPECT_EQ(run(single({.options = options_for(values), .run = [](const Context&) {}}), {}).code,
               0);
@@ -97,7 +97,7 @@ TEST(CommandLine, WhatIsNotGivenStaysAsItWas) {
     EXPECT_TRUE(values.list.empty());
 }
 
-TEST(CommandLine, WrongUseNeverRunsAndNamesTheProgram) {
+TEST(CommandLine, WrongUsageNamesTheProgramAndRunsNothing) {
     std::string needed, one_of, filled;
     Values values;
     std::vector<OptionGroup> options = options_for(values);

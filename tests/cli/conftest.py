@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
+from bake_runs import BAKE, pattern
 
 OCEAN = os.environ.get("OCEAN", "")
 if not Path(OCEAN).is_file():
@@ -88,11 +89,11 @@ class Program:
         return path
 
     def files(self, folder: str = "out") -> list[str]:
-        """What lies in a folder, hidden files too."""
+        """Returns the names of the files in a folder, including hidden ones."""
         return sorted(path.name for path in (self.folder / folder).iterdir())
 
     def hashes(self, folder: str) -> dict[str, str]:
-        """Of every file in a folder, the manifest and hidden files too."""
+        """Returns the hashes of all files in a folder, including the manifest and hidden ones."""
         return {
             path.name: hashlib.sha256(path.read_bytes()).hexdigest()
             for path in sorted((self.folder / folder).iterdir())
@@ -108,13 +109,13 @@ class Program:
 
 
 def cpu_seconds(process: subprocess.Popen) -> float:
-    """Of the processor, that all threads of a program have had which nobody has waited for: how far
-    it is, whatever else the machine does."""
+    """Returns the processor time [s] of all threads of a running program: a measure of its progress
+    that does not depend on the load of the machine."""
     return time.clock_gettime(~process.pid << 3 | 2)  # as clock_getcpuclockid() makes it
 
 
 def kill_at(process: subprocess.Popen, seconds: float) -> None:
-    """Kills the program when it has had so many seconds of the processor, if it has not ended."""
+    """Kills the program when it has used that much processor time, unless it has ended."""
     while process.poll() is None and cpu_seconds(process) < seconds:
         time.sleep(0.001)
     process.kill()
@@ -122,7 +123,7 @@ def kill_at(process: subprocess.Popen, seconds: float) -> None:
 
 
 def children_seconds() -> float:
-    """Of the processor, that all programs have had which were started here and have ended."""
+    """Returns the processor time [s] of all child processes that have ended."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
@@ -158,3 +159,12 @@ def display(tmp_path):
         yield ":" + pipe.readline().strip()
     server.terminate()
     server.wait()
+
+
+@pytest.fixture
+def expected(ocean):
+    """The names and hashes of ten frames baked in one run, including the manifest."""
+    ocean.good(*BAKE, pattern("whole"))
+    hashes = ocean.hashes("whole")
+    assert len(hashes) == 21
+    return hashes

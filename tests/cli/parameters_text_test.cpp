@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The listing of `ocean params` is a loop over any table.
+// Claims: the text of `ocean params` is a loop over any table.
 #include "parameters_text.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace ocean::app {
 namespace {
 
-TEST(ParametersText, ListsATableThatIsNoSeas) {
+TEST(ParametersText, ListsTheTableOfAnyModel) {
     const std::string text = parameters_text(listed(test::kKilnTable));
     EXPECT_EQ(text.substr(0, text.find("[kiln.lid]")),
               "[kiln]\n"

@@ -112,7 +112,7 @@ def test_a_truncated_baked_file_is_refused(ocean):
     [
         (["--backend", "gpu"], ["gpu", "radix2"]),
         (["--products", "heights"], ["heights", "height"]),
-        (["--products", "height,height"], ["height", "twice"]),
+        (["--products", "height,height"], ["height", "repeated"]),
         (["--type", "double"], ["double", "half"]),
         (["--axes", "xyz"], ["xyz", "tnb"]),
         (["--layout", "tiled"], ["tiled", "layered"]),
@@ -190,7 +190,7 @@ def test_a_sea_and_points_may_come_out_of_pipes_and_nothing_else_may(ocean):
     ocean.write("points.csv", "x,y\n1,2\n")
     of_files = ocean("query", "sea.toml", "--time", 1, "--points", "points.csv")
     assert of_files.returncode == 0
-    # What bash's <(command) hands over.
+    # The paths that bash passes for <(command).
     with piped(SMALL_SEA) as sea, piped("x,y\n1,2\n") as points:
         of_pipes = ocean(
             *["query", f"/dev/fd/{sea}", "--time", 1, "--points", f"/dev/fd/{points}"],
@@ -239,6 +239,7 @@ def test_a_picture_is_a_png(ocean):
 
 def test_a_plan_for_a_folder_that_cannot_be_says_so(ocean):
     message = ocean.bad("bake", "sea.toml", "-o", "sea.toml/out/s.exr", "-n", code=1)
-    assert "the folder cannot be written" in message and message.endswith("sea.toml is no folder")
+    assert "the folder cannot be written" in message
+    assert message.endswith("sea.toml is not a folder")
     message = ocean.bad("povray", "sea.toml", "-o", "sea.toml/out", "-n", code=1)
     assert "the folder cannot be written" in message

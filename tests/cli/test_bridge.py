@@ -121,7 +121,7 @@ def refusal(*arguments) -> str:
 
 
 def telnet(port: int, text: bytes) -> str:
-    """What telnet shows until the bridge ends the connection."""
+    """Returns the output of telnet until the bridge ends the connection."""
     process = typed([shutil.which("telnet"), "127.0.0.1", str(port)], text)
     out = process.stdout.read()
     process.stdin.close()
@@ -159,7 +159,7 @@ def test_a_script_moves_the_wind_whenever_one_comes(start, tmp_path):
     told = [bridge.line_of(client)]
     while told[-1] and not told[-1].endswith(" wind_speed 30"):
         told.append(bridge.line_of(client))
-    # Who comes late begins later; who reads slowly is told the newest alone.
+    # A late client begins later, and a slow reader gets the newest values alone.
     whole = [
         told[0],
         "EVT WRITER wind_speed board0/a1",
@@ -386,7 +386,7 @@ def test_the_terminal_client_at_a_terminal(start):
         screen.wait_for("surface.choppiness = 1")
         other = bridge.connect()
         assert bridge.ask(other, "SET choppiness 0.5") == "OK"
-        screen.wait_for(r"surface\.choppiness is moved by 127\.0\.0\.1:")
+        screen.wait_for(r"surface\.choppiness is set by 127\.0\.0\.1:")
         screen.wait_for("surface.choppiness = 0.5")
         os.write(ours, b"QUIT\n")
         assert process.wait(timeout=PATIENCE) == 0
@@ -398,7 +398,7 @@ def test_the_terminal_client_at_a_terminal(start):
 
 @pytest.mark.parametrize("slowly", [False, True], ids=["at_once", "slowly"])
 def test_the_terminal_client_where_no_bridge_is(slowly):
-    """Whether it hears that nobody is there before all is typed or after."""
+    """The result does not depend on whether the refusal comes before all is typed or after."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))  # nobody listens, and nobody else can
         port = probe.getsockname()[1]
@@ -468,17 +468,17 @@ def test_learning_prints_the_map_of_what_is_moved(tmp_path, start):
     [
         (["--listen", "0.0.0.0:0"], "only with --token-file"),
         (["--learn", "wind_sped"], "did you mean"),
-        (["--learn", "spectrum"], "spectrum is no number"),
+        (["--learn", "spectrum"], "spectrum is not a number"),
         (["--learn", "--osc", "9100"], "OSC needs no map"),
-        (["--learn", "--client", "127.0.0.1"], "--learn listens to boards"),
+        (["--learn", "--client", "127.0.0.1"], "--learn is for boards"),
         (["--learn", "--map", "no.toml"], "no.toml: no such file"),
-        (["--listen", "127.0.0.1:99999"], "allowed is HOST:PORT"),
+        (["--listen", "127.0.0.1:99999"], "allowed: HOST:PORT"),
         (["--map", "no.toml"], "no.toml: no such file"),
         (["--dummy", "no.txt"], "no.txt: no such file"),
-        (["--dummy", "storm.toml"], "a SEA stands before"),
+        (["--dummy", "storm.toml"], "write the SEA before"),
         (["--replay", "no.txt"], "no.txt: no such file"),
         (["--clients", "0"], "--clients"),
-        (["--set", "wind_speed=3"], "there is none"),
+        (["--set", "wind_speed=3"], "--set requires a SEA"),
         (["no.toml"], "no such file"),
     ],
 )

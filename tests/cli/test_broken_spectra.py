@@ -19,7 +19,7 @@ CASES = [
 ]
 
 
-def test_there_are_two_hundred_of_them_all_different():
+def test_there_are_two_hundred_distinct_broken_files():
     assert len(CASES) >= 200
     assert len({str(case.values[0]) for case in CASES}) == len(CASES)
     without_line = [case.id for case in CASES if case.values[1] is None]
@@ -27,7 +27,7 @@ def test_there_are_two_hundred_of_them_all_different():
 
 
 @pytest.mark.parametrize(("files", "line", "fragment"), CASES)
-def test_what_is_broken_is_told_with_its_line(ocean, files, line, fragment):
+def test_the_error_of_a_broken_file_names_its_line(ocean, files, line, fragment):
     for name, content in files.items():
         ocean.write(name, content)
     first = next(iter(files))

@@ -21,7 +21,7 @@ def bytes_of(ocean, name):
     return (ocean.folder / name).read_bytes()
 
 
-def test_it_is_a_product_beside_others(ocean):
+def test_caustics_are_a_product_beside_others(ocean):
     names = bake(ocean, "-o", "o/s.####.exr", "--products", "displacement,caustics")
     assert names == ["o/s.displacement.0001.exr", "o/s.caustics.0001.exr"]
     spec, pixels = image(ocean, "o/s.caustics.0001.exr")
@@ -40,12 +40,12 @@ def test_it_is_a_product_beside_others(ocean):
     assert (layers[..., spec.channelnames.index("caustics.V")] == pixels[..., 0]).all()
 
 
-def test_light_is_kept(ocean):
+def test_caustics_conserve_light(ocean):
     bake(ocean, "-o", "s.exr", "--products", "caustics", "--type", "float")
     assert abs(image(ocean, "s.exr")[1].astype(np.float64).mean() - 1) < 1e-6
 
 
-def test_the_plane_is_the_floor_where_it_is_near(ocean):
+def test_caustics_fall_on_the_floor_of_shallow_water(ocean):
     for depth, shown in (("3.5", "3.5"), ("40", "10"), ("inf", "10")):
         bake(ocean, "-o", f"{depth}.exr", "--products", "caustics", "--set", f"depth={depth}")
         assert image(ocean, f"{depth}.exr")[0].getattribute("ocean:caustics_depth") == shown
@@ -53,7 +53,7 @@ def test_the_plane_is_the_floor_where_it_is_near(ocean):
     assert image(ocean, "s.exr")[0].getattribute("ocean:caustics_depth") == "25"
 
 
-def test_a_file_makes_itself_again(ocean):
+def test_from_bakes_the_same_file(ocean):
     options = ["--caustics-depth", "4.5", "--sun", "40, 200"]
     bake(ocean, "-o", "a.exr", "--products", "caustics", *options)
     bake(ocean, "-o", "l.exr", "--products", "height,caustics", "--layout", "layered", *options)
@@ -65,12 +65,12 @@ def test_a_file_makes_itself_again(ocean):
     spec = image(ocean, "other.exr")[0]
     assert spec.getattribute("ocean:sun") == "41,200"
     assert spec.getattribute("ocean:caustics_depth") == "4.5"
-    # What is not caustics takes nothing of them along.
+    # Another product gets none of the strings of caustics.
     ocean.good("bake", "--from", "a.exr", "-o", "h.exr", "--products", "height")
     assert image(ocean, "h.exr")[0].getattribute("ocean:sun") is None
 
 
-def test_what_is_kept_is_what_would_be_written(ocean):
+def test_only_files_that_would_be_written_again_are_kept(ocean):
     frames = ["-o", "o/s.####.exr", "--products", "caustics", "--frames", "1-3", "--skip-existing"]
     bake(ocean, *frames, "--threads", "1")
     before = ocean.hashes("o")
@@ -101,6 +101,6 @@ def test_refusals(ocean, arguments, said):
     assert not (ocean.folder / "s.exr").exists()
 
 
-def test_other_formats_have_none(ocean):
+def test_other_formats_refuse_the_product(ocean):
     for name, arguments in (("s.ply", ["--products", "caustics"]), ("s.df3", ["--sun", "30,0"])):
         ocean.bad("bake", "sea.toml", "-o", name, *arguments)

@@ -27,7 +27,7 @@ def numbers(spec, name):
     return [float(part) for part in spec.getattribute(f"ocean:{name}").split(",")]
 
 
-def test_each_band_is_a_file_beside_the_map_s(ocean):
+def test_each_band_has_a_file_of_its_own(ocean):
     names = bake(ocean, "-o", "o/s.####.exr", "--products", "height,detail")
     bands = [f"o/s.detail{band}.0001.exr" for band in (1, 2, 3)]
     assert names == ["o/s.height.0001.exr", *bands]
@@ -53,7 +53,7 @@ def test_each_band_is_a_file_beside_the_map_s(ocean):
     assert bytes_of(ocean, "alone.exr") == bytes_of(ocean, bands[1])
 
 
-def test_the_map_that_is_shown_says_where_they_begin(ocean):
+def test_bands_begin_where_the_map_ends(ocean):
     bake(ocean, "-o", "s.exr", "--products", "detail1", "--resolution", "256", *SMALL)
     spec, pixels = image(ocean, "s.exr")
     assert pixels.shape[0] == 256 and spec.getattribute("ocean:map_resolution") == "256"
@@ -64,7 +64,7 @@ def test_the_map_that_is_shown_says_where_they_begin(ocean):
     assert "no waves left" in said
 
 
-def test_a_file_makes_itself_again(ocean):
+def test_from_bakes_the_same_file(ocean):
     bake(ocean, "-o", "a.exr", "--products", "detail2", "--resolution", "32", "--type", "float")
     bake(ocean, "-o", "b.exr", "--products", "detail1", "--compression", "zip", *SMALL)
     for name in ("a", "b"):
@@ -72,13 +72,13 @@ def test_a_file_makes_itself_again(ocean):
         assert bytes_of(ocean, f"again/{name}.exr") == bytes_of(ocean, f"{name}.exr")
     ocean.good("bake", "--from", "b.exr", "-o", "other.exr", "--detail-samples", "512")
     assert image(ocean, "other.exr")[1].shape[0] == 512
-    # What is no detail takes nothing of it along.
+    # Another product gets none of the strings of detail.
     ocean.good("bake", "--from", "b.exr", "-o", "h.exr", "--products", "height")
     spec, pixels = image(ocean, "h.exr")
     assert pixels.shape[0] == 64 and spec.getattribute("ocean:tile") is None
 
 
-def test_what_is_kept_is_what_would_be_written(ocean):
+def test_only_files_that_would_be_written_again_are_kept(ocean):
     frames = ["-o", "o/s.####.exr", "--products", "detail", "--frames", "1-3", *SMALL]
     dry = bake(ocean, *frames, "--dry-run")
     assert bake(ocean, *frames, "--skip-existing", "--threads", "1") == dry and len(dry) == 9
@@ -94,7 +94,7 @@ def test_what_is_kept_is_what_would_be_written(ocean):
     }
 
 
-def test_a_take_changes_it_frame_by_frame(ocean):
+def test_a_take_changes_the_tiles_of_each_frame(ocean):
     (ocean.folder / "wind.take").write_text("0.0 wind_speed 16\n")
     frames = ("--frames", "1,25", "--set", "take=wind.take", *SMALL)
     bake(ocean, "-o", "o/s.####.exr", "--products", "detail1", *frames)
@@ -109,9 +109,12 @@ def test_a_take_changes_it_frame_by_frame(ocean):
         (["--detail-samples", "256"], "needs detail among the --products"),
         (["--products", "detail", "--detail-samples", "300"], "allowed: a power of two"),
         (["--products", "detail", "--detail-samples", "128"], "256 .. 1024"),
-        (["--products", "detail,detail1"], "detail1 is there twice"),
+        (["--products", "detail,detail1"], "detail1 is repeated"),
         (["--products", "detail3", "--set", "patch_size=40"], "has 2 bands"),
-        (["--products", "detail,height", "--layout", "layered"], "no maps of the sea's size"),
+        (
+            ["--products", "detail,height", "--layout", "layered"],
+            "do not have the size",
+        ),
     ],
 )
 def test_refusals(ocean, arguments, said):
@@ -119,6 +122,6 @@ def test_refusals(ocean, arguments, said):
     assert not (ocean.folder / "s.exr").exists()
 
 
-def test_other_formats_have_none(ocean):
+def test_other_formats_refuse_the_product(ocean):
     for name, arguments in (("s.ply", ["--products", "detail1"]), ("s.df3", SMALL)):
         ocean.bad("bake", "sea.toml", "-o", name, *arguments)

@@ -56,7 +56,7 @@ def test_a_full_disk_is_told_and_leaves_whole_files(ocean, baked, request):
         assert ocean.hashes("disk") == expected
 
 
-def test_killed_at_any_time_it_goes_on(ocean, baked):
+def test_a_bake_killed_at_any_time_is_resumed(ocean, baked):
     command, expected, seconds = baked
     out = ocean.folder / "out"
     for twentieth in range(1, 11):  # half of it, as half of the files is left from before

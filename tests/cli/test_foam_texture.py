@@ -14,7 +14,7 @@ def image(ocean, name):
 
 
 def share_below(texture, cover):
-    """Of bilinear reads, at random places between texels."""
+    """Returns the share of bilinear samples at random points between texels."""
     random = np.random.default_rng(5)
     right, up = np.roll(texture, -1, 1), np.roll(texture, -1, 0)
     corner = np.roll(right, -1, 0)
@@ -33,7 +33,7 @@ def make(ocean, kind, name, *arguments):
 
 
 @pytest.mark.parametrize("kind, period", [("lace", "12"), ("bubbles", "1.3"), ("streaks", "97")])
-def test_covers_hold_in_every_file(ocean, kind, period):
+def test_every_file_is_white_on_the_share_of_its_cover(ocean, kind, period):
     for name, arguments, pixels in (
         ("a.png", [], "uint16"),
         ("a.exr", [], "half"),
@@ -107,7 +107,7 @@ def test_refusals(ocean, arguments, said):
 
 def test_a_folder_that_cannot_be_written(ocean):
     ocean.write("file", "")
-    assert "no folder" in ocean.bad("foam-texture", "lace", "-o", "file/a.png", code=1)
+    assert "is not a folder" in ocean.bad("foam-texture", "lace", "-o", "file/a.png", code=1)
     assert "/dev/full" in ocean.shell(
         "ln -s /dev/full full.png; $OCEAN foam-texture lace --size 64 -o full.png"
     ).stderr.replace("full.png", "/dev/full")

@@ -184,18 +184,18 @@ def test_a_small_patch_is_warned_of(ocean):
 @pytest.mark.parametrize(
     "points, expected",
     [
-        ("x,y\n", "there are no points"),
-        ("", "no header line"),
+        ("x,y\n", "the table has no points"),
+        ("", "the header line is missing"),
         ("x\n1\n", "lacks the column y"),
         ("x,y,tine\n1,2,3\n", "unknown column 'tine'; did you mean time?"),
         ("x,y,time [h]\n1,2,3\n", "the unit 'h' of time is unknown; allowed: s"),
         ("x,y\n1,nan\n", "points.csv:2: y = 'nan'"),
-        ("x,y,name\n1,2,a\n3,4,a\n", "'a' is there twice"),
+        ("x,y,name\n1,2,a\n3,4,a\n", "'a' is repeated"),
         ("x,y,z\n1,2,5\n", "z = 5"),
         ("x,y,z\n1,2,-30\n", "z = -30"),
         ("x,y,time,velocity_x\n1,2,0,1\n", "not both"),
         ("x,y,time\n1,2,0\n1,2,5\n", "covers the times 0 .. 5 s"),
-        ("x,y,time\n1,2,0\n1,2,20\n1,2,15\n", "must grow: 15 comes after 20"),
+        ("x,y,time\n1,2,0\n1,2,20\n1,2,15\n", "must increase: 15 follows 20"),
     ],
 )
 def test_bad_points_are_refused_in_a_line(ocean, points, expected):
@@ -206,10 +206,10 @@ def test_bad_points_are_refused_in_a_line(ocean, points, expected):
     assert not (ocean.folder / "g.csv").exists()
 
 
-def test_a_column_that_is_not_known_is_left_out_and_named(ocean):
+def test_unknown_columns_are_ignored_with_a_warning(ocean):
     ocean.write("points.csv", "x;y;depth\n1,5;2;3\n")
     done = ocean("gauge", "sea.toml", "--points", "points.csv", *RECORD, "-o", "g.csv")
-    assert done.returncode == 0 and "left out columns that are not known: 'depth'" in done.stderr
+    assert done.returncode == 0 and "ignored unknown columns: 'depth'" in done.stderr
     assert (ocean.folder / "g.csv").read_text().splitlines()[1].startswith("0,1,1.5,2,")
 
 

@@ -94,10 +94,10 @@ MACHINES = {
         lambda folder: {"MESA_EXTENSION_OVERRIDE": "-GL_ARB_compute_shader"},
         "has no OpenGL 4.3 core",
     ),
-    "no EGL": (broken_libraries("libEGL.so.1"), "there is no libEGL.so.1 on this machine"),
+    "no EGL": (broken_libraries("libEGL.so.1"), "libEGL.so.1 is missing on this machine"),
     "no OpenGL": (
         broken_libraries("libOpenGL.so.0", "libGL.so.1"),
-        "there is neither libOpenGL.so.0 nor libGL.so.1 on this machine",
+        "libOpenGL.so.0 and libGL.so.1 are missing on this machine",
     ),
 }
 
@@ -134,7 +134,7 @@ def test_a_file_of_the_gpu_is_made_again_by_it_or_not_at_all(ocean):
     assert not (ocean.folder / "again.exr").exists()
 
 
-def test_a_device_that_is_not_there_is_told(ocean):
+def test_a_missing_device_is_refused(ocean):
     message = ocean.bad(*BAKE, "-o", "s.exr", "--backend", "gl", "--egl-device", "63", code=1)
     assert "EGL device 63: there are " in message
     assert "--egl-device" in ocean.bad(*BAKE, "-o", "s.exr", "--egl-device", "first")

@@ -60,7 +60,7 @@ def test_a_sea_that_cannot_be_is_warned_of(ocean):
     ocean.write("swell.toml", SWELL)
     calm = ocean("info", "swell.toml")
     assert re.search(r"Whitecaps +none", calm.stdout)
-    assert "warning: no wind is known of" in calm.stderr
+    assert "warning: the wind is unknown" in calm.stderr
     assert "wind_speed" not in ocean.good("info", "--sea-file", "swell.toml")
     blown = ocean("info", "swell.toml", "--set", "wind_speed=10")
     assert re.search(r"Whitecaps +0\.99 % of the sea", blown.stdout)

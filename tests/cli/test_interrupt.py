@@ -73,7 +73,7 @@ def test_an_interrupted_bake_says_how_far_it_came(ocean, number):
 
 
 @pytest.mark.parametrize("attempt", range(4))
-def test_a_file_in_hand_becomes_whole(ocean, attempt):
+def test_an_interrupt_lets_the_current_file_be_completed(ocean, attempt):
     every = "height,displacement,slope,normal,jacobian,velocity"
     process = start(ocean, "--layout", "layered", "--products", every, "--resolution", "1024")
     out = ocean.folder / "out"

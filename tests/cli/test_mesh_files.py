@@ -23,7 +23,7 @@ def with_seam(values):
 
 @pytest.fixture
 def maps(ocean):
-    """Of frame 3: displacement, normal, foam, velocity, the bottom row first, z up."""
+    """Displacement, normal, foam and velocity of frame 3, the bottom row first, z up."""
     products = "displacement,normal,foam,velocity"
     ocean.good(
         "bake", "sea.toml", "-o", "map.exr", "--frames", "3", "--products", products,
@@ -115,7 +115,7 @@ def test_y_up_turns_every_vector(ocean):
     assert (numpy.cross(b - a, c - a)[:, 1] > 0).mean() > 0.99
 
 
-def test_only_what_is_asked_for(ocean):
+def test_a_mesh_has_the_requested_products_only(ocean):
     bake(ocean, "-o", "a.ply", "--products", "foam")
     assert set(meshio.read(ocean.folder / "a.ply").point_data) == {"s", "t", "foam"}
     bake(ocean, "-o", "b.ply", "--products", "position")
@@ -128,7 +128,7 @@ def test_only_what_is_asked_for(ocean):
 
 
 @pytest.mark.parametrize("extension", ["ply", "obj"])
-def test_a_mesh_remakes_itself(ocean, extension):
+def test_from_bakes_the_same_mesh(ocean, extension):
     arguments = ["--axes", "yup", "--products", "normal,foam", "--resolution", "32"]
     bake(ocean, "-o", f"a.{extension}", *arguments)
     ocean.good("bake", "--from", f"a.{extension}", "-o", f"b.{extension}")
@@ -211,7 +211,7 @@ def test_frames_shards_and_resume(ocean, extension):
     assert len(meshes) == 4
     for name in meshes:
         assert ocean.hashes("out")[name] == ocean.hashes("parts")[name]
-    # What is whole is kept, what is cut off is made again.
+    # A complete file is kept, one that is cut off is written again.
     path = ocean.folder / "out" / meshes[1]
     wanted = path.read_bytes()
     path.write_bytes(wanted[:1000])
@@ -227,7 +227,7 @@ def test_frames_shards_and_resume(ocean, extension):
 
 
 def test_a_mesh_of_512_squared_takes_less_than_two_seconds(ocean):
-    """Of the processor: what runs beside the test does not count."""
+    """Processor time, which other programs do not change."""
     before = children_seconds()
     bake(ocean, "-o", "a.obj", "--resolution", "512")
     used = children_seconds() - before

@@ -50,10 +50,10 @@ def lot(ocean):
         (("povray", "sea.toml", "-o", ".", "-n"), "sea.toml"),
     ],
 )
-def test_what_is_read_is_not_written_over(lot, command, file):
+def test_inputs_are_not_overwritten(lot, command, file):
     content = (lot.folder / file).read_bytes()
     names = lot.files(".")
-    assert "is read by this command" in lot.bad(*command)
+    assert "is an input of this command" in lot.bad(*command)
     assert (lot.folder / file).read_bytes() == content
     assert lot.files(".") == names
 
@@ -72,12 +72,12 @@ def test_what_is_read_is_not_written_over(lot, command, file):
         ("s.vdb", ()),
     ],
 )
-def test_a_frame_is_not_written_over_a_file_of_others(ocean, name, arguments):
+def test_a_frame_does_not_replace_a_file_of_the_user(ocean, name, arguments):
     path = ocean.write(name, "my own picture, or text")
     output = name.removesuffix(".txt")
     for more in ([], ["-n"], ["--skip-existing"]):
         error = ocean.bad("bake", "sea.toml", "-o", output, *arguments, *more)
-        assert f"'{name}' is there and was not written by a bake" in error
+        assert f"'{name}' exists and was not written by a bake" in error
     assert path.read_text() == "my own picture, or text"
     assert ocean.files(".") == sorted(["buoy.toml", name, "sea.toml"])
 
@@ -92,7 +92,7 @@ EXTENSIONS = ["exr", "df3", "png", "inc", "ply", "obj", "usda", "vdb"]
         ("ply", True),
     ],
 )
-def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension, spray):
+def test_frames_of_a_killed_bake_are_replaced(ocean, extension, spray):
     kind = ["--products", "spray"] if spray else []
     command = ("bake", "sea.toml", "-o", f"s.{extension}", *kind)
     ocean.good(*command)
@@ -102,7 +102,7 @@ def test_frames_of_a_bake_that_was_killed_are_its_own(ocean, extension, spray):
     assert ocean.hashes(".") == expected
 
 
-def test_a_frame_takes_the_place_of_a_link_to_another(ocean):
+def test_a_frame_replaces_a_link_to_another_frame(ocean):
     command = ("bake", "sea.toml", "-o", "s.####.exr", "--products", "height", "--frames")
     ocean.good(*command, "1-2")
     expected = ocean.hashes(".")
@@ -115,11 +115,11 @@ def test_a_frame_takes_the_place_of_a_link_to_another(ocean):
 
 
 @pytest.mark.parametrize("name", ["sea.toml", "ocean.inc", "ocean.ini", "ocean_parameters.inc"])
-def test_a_folder_for_povray_keeps_files_of_others(ocean, name):
+def test_a_folder_for_povray_keeps_files_of_the_user(ocean, name):
     ocean.write(f"scene/{name}", "# mine\n")
     for more in ([], ["-n"]):
         error = ocean.bad("povray", "sea.toml", "-o", "scene", *more)
-        assert f"'scene/{name}' is there and was not written by `ocean povray`" in error
+        assert f"'scene/{name}' exists and was not written by `ocean povray`" in error
     assert (ocean.folder / "scene" / name).read_text() == "# mine\n"
     assert ocean.files("scene") == [name]
 
@@ -130,7 +130,7 @@ def test_a_folder_for_povray_is_made_again_from_its_own_sea(ocean):
     ocean.good("povray", "scene/sea.toml", "-o", "scene")
     assert ocean.hashes("scene") == expected
     ocean.good("povray", "sea.toml", "-o", "scene", "--resolution", "32")
-    assert "is read by this command" in ocean.bad(
+    assert "is an input of this command" in ocean.bad(
         "povray", "scene/sea.toml", "-o", "scene", "--set", "wind_speed=3"
     )
 
@@ -144,10 +144,10 @@ def test_a_folder_for_povray_is_made_again_from_its_own_sea(ocean):
         ("mine.exr", ("bake", "sea.toml", "--stage", "h0", "-o", "mine.exr")),
     ],
 )
-def test_a_picture_of_a_command_is_not_written_over_a_file_of_others(ocean, name, command):
+def test_an_image_does_not_replace_a_file_of_the_user(ocean, name, command):
     path = ocean.write(name, "my own picture, or text")
     error = ocean.bad(*command)
-    assert f"'{name}' is there and was not written by `ocean " in error
+    assert f"'{name}' exists and was not written by `ocean " in error
     assert path.read_text() == "my own picture, or text"
     path.unlink()
     ocean.good(*command)
@@ -167,4 +167,4 @@ def test_a_plot_holds_its_sea(ocean):
     ocean.good("spectrum", "sea.toml", "--plot", "a.png")
     assert ocean.good("info", "a.png", "--sea-file") == ocean.good("info", "sea.toml", "--sea-file")
     ocean.good("foam-texture", "lace", "--size", "64", "-o", "b.png")
-    assert "b.png: shows a foam_texture, no sea" in ocean.bad("info", "b.png")
+    assert "b.png: shows a foam_texture instead of a sea" in ocean.bad("info", "b.png")

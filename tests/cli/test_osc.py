@@ -167,19 +167,22 @@ def test_only_the_allowed_are_heard(start):
     assert bridge.line_of(client) == "UPD wind_speed 14"
     bridge.log.wait_for(r"osc 127\.0\.0\.2 is not allowed; its packets are dropped$")
     assert bridge.stop() == 130
-    bridge.log.wait_for("osc: 5 packets of others were dropped")
+    bridge.log.wait_for("osc: 5 packets of addresses that are not allowed were dropped")
 
 
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (["--osc", "0.0.0.0:9100"], "--osc 0.0.0.0:9100: others than this machine"),
+        (["--osc", "0.0.0.0:9100"], "--osc 0.0.0.0:9100: other machines"),
         (["--osc", "[::]:9100"], "only with --osc-allow ADDRESS"),
-        (["--osc", "tablet:9100"], "--osc tablet: is no address"),
+        (["--osc", "tablet:9100"], "--osc tablet: is not an address"),
         (["--osc", "127.0.0.1:99999"], "such as 127.0.0.1:9100"),
-        (["--osc-allow", "127.0.0.1"], "there is none"),
-        (["--osc", "0", "--osc-allow", "127.0.0.1:80"], "--osc-allow 127.0.0.1:80: is no address"),
-        (["--osc-to", "tablet"], "--osc-to tablet: is no address"),
+        (["--osc-allow", "127.0.0.1"], "add --osc"),
+        (
+            ["--osc", "0", "--osc-allow", "127.0.0.1:80"],
+            "--osc-allow 127.0.0.1:80: is not an address",
+        ),
+        (["--osc-to", "tablet"], "--osc-to tablet: is not an address"),
         (["--osc-to", "127.0.0.1:x"], "such as 127.0.0.1:9000"),
     ],
 )

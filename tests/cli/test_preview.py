@@ -251,7 +251,7 @@ def test_a_sequence_is_the_sea_frame_by_frame(folder):
 
 
 def screen(light: numpy.ndarray) -> numpy.ndarray:
-    """What shaders/preview/tone.glsl makes of light."""
+    """Returns the colour that shaders/preview/tone.glsl gives light."""
     above = numpy.maximum(light - 0.6, 0.0)
     rolled = numpy.minimum(light, 0.6) + 0.4 * above / (above + 0.4)
     return numpy.where(rolled < 0.0031308, 12.92 * rolled, 1.055 * rolled ** (1 / 2.4) - 0.055)
@@ -428,7 +428,7 @@ def test_a_performance_is_baked_as_it_was_shown(folder, backend):
     assert len(shown) == 20
     frames = [int(path.stem.split("-")[1]) for path in shown]
     command = [OCEAN, "bake", "performed.toml", "-q", "-o", "####.exr", "--products", "height"]
-    # Of the fine cascade a map holds all waves if it is as fine as that.
+    # A map as fine as the fine cascade holds all of its waves.
     command += ["--type", "float", "--resolution", "1024", "--frames", ",".join(map(str, frames))]
     subprocess.run(command, cwd=folder, check=True, capture_output=True)
     waves = significant_height(folder / "performed.toml")
@@ -576,8 +576,8 @@ class Hand:
         self.drag(x, y, x, y)
 
     def push(self, kind: str, axes: str, buttons: str = "0 0 0 0", polls: int = 3):
-        """What the hand does to a gamepad, until the window has asked for it so often: see
-        tests/preview/fake_gamepad.c. Two times are whole when it asks the third one."""
+        """Sets the state of the gamepad, and waits until the window has read it so often: see
+        tests/preview/fake_gamepad.c. Two frames are complete at the third reading."""
         beside = self.gamepad.with_suffix(".new")
         beside.write_text(f"{kind} {axes} {buttons}")
         beside.rename(self.gamepad)
@@ -599,7 +599,7 @@ class Hand:
         return tomllib.loads((self.folder / name).read_text())
 
     def picture(self) -> numpy.ndarray:
-        """What is shown now, whatever moves."""
+        """Returns the picture that is shown now, even while the sea moves."""
         self.pictures += 1
         name = f"sea-{self.pictures}.png"
         self.key("F12", rest=False)
@@ -757,7 +757,7 @@ def test_a_hand_uses_the_window(hand):
 
 
 def letters(picture: numpy.ndarray, scale: int) -> tuple[int, int]:
-    """Of the title: how many pixels are white, and how many are neither that nor its ground."""
+    """Returns the white pixels of the title, and those that are neither white nor its ground."""
     title = picture[11 * scale : 24 * scale, 29 * scale : 140 * scale].astype(int)
     white = (title > 250).all(axis=2)
     ground = numpy.abs(title - picture[11 * scale, 200 * scale]).max(axis=2) < 4
@@ -765,7 +765,7 @@ def letters(picture: numpy.ndarray, scale: int) -> tuple[int, int]:
 
 
 def title_width(picture: numpy.ndarray, row: int) -> int:
-    """Of the panel's bar of blue, from its first pixel to its last."""
+    """Returns the width of the panel's blue bar, from its first pixel to its last."""
     red, green, blue = picture[row].astype(int).T
     bar = numpy.flatnonzero((blue > 100) & (blue < 140) & (2 * red < blue))
     return bar[-1] - bar[0] + 1
@@ -787,7 +787,7 @@ def test_the_panel_follows_the_window_to_another_screen(hand):
     large = hand.screen()
     assert letters(large, 2) == (4 * white, 0)
     assert title_width(large, 36) == 640 - 2 * 16 - 2  # 720 are more than the window has
-    # What is seen twice as large is where it is touched.
+    # A control that is shown twice as large is clicked at twice its place.
     hand.click(*(2 * place for place in SAVE_SEA))
     hand.wait_for_line("written: sea-changed-1.toml")
     # Back it is as wide as before. A hand moves it: it goes where it
@@ -884,7 +884,7 @@ def test_a_hand_compares_backends(hand):
     said = hand.end()
     used = re.findall(r"the sea by (\w+)", said)
     assert used == ["gl", "radix2", "thesis", "cpu"], said
-    # What was recorded is not lost with the window.
+    # A recording is not lost with the window.
     take = tomllib.loads((hand.folder / "sea-performed-1.toml").read_text())["take"]
     assert take["lines"]
 

@@ -375,10 +375,10 @@ def test_a_lost_bridge_is_told_and_what_it_moved_holds(folder):
         (("--bridge", "nowhere:70000"), 2, "--bridge"),
         (("--follow", "3"), 2, "--bridge"),
         (("--serve", "127.0.0.1:0"), 2, "--serve is for the window"),
-        (("--serve", "127.0.0.1:0", "--bridge", "127.0.0.1:1"), 2, "--serve is a bridge"),
+        (("--serve", "127.0.0.1:0", "--bridge", "127.0.0.1:1"), 2, "--serve runs a bridge"),
         (("--bridge", "127.0.0.1:1", "--token-file", "none"), 2, "none"),
     ],
 )
-def test_what_is_wrong_is_said(folder, arguments, code, words):
+def test_wrong_options_are_refused(folder, arguments, code, words):
     done = preview(folder, "sea.toml", "--probe", "0,0", *arguments)
     assert done.returncode == code and words in done.stderr, done.stderr

@@ -102,7 +102,7 @@ def test_the_tables_of_other_programs_give_the_heights_of_the_plain_one(ocean, t
     assert ocean.good(*words, "points.csv") == ocean.good(*words, plain)
 
 
-def test_columns_that_are_not_known_are_left_out_and_named(ocean):
+def test_unknown_columns_are_ignored_with_a_warning(ocean):
     plain = ocean.good(
         "query", "sea.toml", "--time", 0, "--points", ocean.write("a.csv", "x,y\n1,2\n")
     )
@@ -110,7 +110,7 @@ def test_columns_that_are_not_known_are_left_out_and_named(ocean):
     done = ocean("query", "sea.toml", "--time", "0", "--points", "b.csv")
     assert (done.returncode, done.stdout) == (0, plain)
     assert done.stderr == (
-        "ocean: warning: --points: left out columns that are not known: 'depth [m]', 'time'\n"
+        "ocean: warning: --points: ignored unknown columns: 'depth [m]', 'time'\n"
     )
 
 
@@ -135,14 +135,17 @@ def test_folded_points_are_counted(ocean):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "points.csv: there is no header line; known columns: x, y"),
-        ("\n# x,y\n", "there is no header line"),
+        ("", "points.csv: the header line is missing; known columns: x, y"),
+        ("\n# x,y\n", "the header line is missing"),
         ("x\n1\n", "points.csv:1: the header line lacks the column y"),
         ("x,z\n1,3\n", "points.csv:1: the header line lacks the column y; it has 'z'"),
         ("x,y,nome\n1,2,a\n", "unknown column 'nome'; did you mean name?"),
-        ("1.0,2.0\n", "points.csv:1: there is no header line but numbers; known columns: x, y, na"),
+        (
+            "1.0,2.0\n",
+            "points.csv:1: the header line is missing, the first line has numbers",
+        ),
         ("x [km],y\n1,2\n", "points.csv:1: the unit 'km' of x is unknown; allowed: m"),
-        ("#\nx,y,x\n", "points.csv:2: the column x is there twice"),
+        ("#\nx,y,x\n", "points.csv:2: the column x is repeated"),
         ("x,y\n1,2\n\n1\n", "points.csv:4: fewer cells than the 2 columns"),
         ("x,y\n1,2,\n", "points.csv:2: more cells than the 2 columns"),
         ("x,y\n1,\n", "points.csv:2: y is missing"),
@@ -161,7 +164,7 @@ def test_folded_points_are_counted(ocean):
         ),
         (
             "x;y,name\n1;2,a\n",
-            "points.csv:1: what separates the cells is ambiguous: a semicolon and",
+            "points.csv:1: the separator of the cells is ambiguous: a semicolon and",
         ),
         (b"x,y\n\x00\xff,1\n", "points.csv:2: x = '??'; allowed"),
     ],
@@ -175,7 +178,7 @@ def test_a_bad_table_is_named_with_its_line(ocean, text, message):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--points", "points.csv"], "needed is either --time or --frame"),
+        (["--points", "points.csv"], "either --time or --frame is required"),
         (["--points", "points.csv", "--time", 1, "--frame", 2], "either --time or --frame"),
         (["--time", 1], "--points is required"),
         (["--points", "nowhere.csv", "--time", 1], "nowhere.csv: no such file"),

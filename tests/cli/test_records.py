@@ -37,7 +37,7 @@ def test_a_line_for_each_record_under_a_header(ocean):
     ]
 
 
-def test_what_is_not_known_is_a_dash_or_null(ocean):
+def test_unknown_values_are_a_dash_or_null(ocean):
     ocean.write("one.csv", "frequency,density\n0.1,1\n0.2,3\n0.4,2\n")
     _, line = rows(ocean.good("records", "one.csv"))
     assert line == ["-", "-", "-", "-", "-", "3.35", "5.0", "4.6", "4.0", "-", "-"]

@@ -35,7 +35,7 @@ def read(path) -> dict:
 
 
 def expect_to_go_on(first, second) -> None:
-    """What has not ended is there in the next frame, what is new was born since."""
+    """Checks that particles persist until their end, and that new ones were born since."""
     assert len(first["id"]) > 100 and len(set(first["id"])) == len(first["id"])
     ends = first["age"] + 1 / FPS >= first["life"] - 1e-6
     there = numpy.isin(first["id"], second["id"])
@@ -56,7 +56,7 @@ def expect_to_go_on(first, second) -> None:
     assert abs(way - mean / FPS)[old].max() < 0.05
 
 
-def test_ids_last_from_frame_to_frame(gale):
+def test_ids_persist_from_frame_to_frame(gale):
     gale.good("bake", "gale.toml", "-o", "out/s.####.ply", *SPRAY, "--frames", "1-12")
     frames = [read(gale.folder / f"out/s.{frame:04}.ply") for frame in range(1, 13)]
     for first, second in zip(frames, frames[1:], strict=False):
@@ -101,7 +101,7 @@ def test_the_same_bytes_however_it_is_baked(gale):
             assert gale.hashes(folder)[name] == sha, (folder, name)
 
 
-def test_a_file_remakes_itself(gale):
+def test_from_bakes_the_same_file(gale):
     options = ["--spray-lifetime", "1.5", "--spray-density", "0.7", "--axes", "yup"]
     gale.good("bake", "gale.toml", "-o", "a.ply", *SPRAY, *options, "--set", "seed=4")
     gale.good("bake", "--from", "a.ply", "-o", "b.ply")
@@ -135,7 +135,7 @@ def test_resume_makes_what_is_missing(gale):
     gale.good(*whole, "--skip-existing")
     assert [path.read_bytes() for path in paths] == expected
     assert paths[0].stat().st_mtime_ns == kept
-    # Of other options nothing is kept.
+    # Files of other options are not kept.
     for option in (["--spray-density", "2"], ["--spray-lifetime", "1"], ["--axes", "yup"]):
         gale.good(*whole, "--skip-existing", *option)
         assert paths[0].read_bytes() != expected[0]
@@ -193,11 +193,11 @@ def test_a_dry_run_says_what_it_takes(gale):
     assert b"element vertex 0\n" in (gale.folder / "calm.ply").read_bytes()
 
 
-def test_wrong_options_are_told(gale):
+def test_wrong_options_are_refused(gale):
     def refused(*options):
         return gale.bad("bake", "gale.toml", "-o", "s.ply", *options)
 
-    assert "spray is points of its own" in refused("--products", "spray,normal")
+    assert "spray is a file of points" in refused("--products", "spray,normal")
     assert "--products spray" in refused("--spray-density", "2")
     assert "0.05" in refused(*SPRAY, "--spray-lifetime", "0")
     assert "1000" in refused(*SPRAY, "--spray-density", "1e6")

@@ -32,7 +32,7 @@ def test_a_bad_take_is_named_with_line_name_value_and_range(ocean, text, parts):
         assert part in message
 
 
-def test_a_take_that_is_not_there_is_named_with_the_line_of_the_sea_file(ocean):
+def test_a_missing_take_is_named_with_the_line_of_the_sea_file(ocean):
     ocean.write("take.toml", SEA)
     message = ocean.bad("info", "take.toml")
     assert "take.toml:3: time.take" in message and "no such file" in message
@@ -61,7 +61,7 @@ def test_a_resolved_sea_needs_no_take_file(ocean):
     assert ocean.good("info", "elsewhere/resolved.toml", "--sea-file") == resolved
 
 
-def test_a_take_can_be_set_from_where_the_user_stands(ocean):
+def test_set_of_a_take_is_relative_to_the_working_directory(ocean):
     ocean.write("folder/sea.toml", SEA)
     ocean.write("folder/storm.take", "1 swell 0\n")
     ocean.write("calm.take", "1 swell 1\n")

@@ -33,6 +33,12 @@ def test_long_options_are_kebab_case(ocean):
                 assert word == word.lower() and "_" not in word
 
 
+def test_help_describes_an_option_of_several_formats_once(ocean):
+    text = " ".join(ocean.good("bake", "--help").split())
+    assert text.count("Maximum age of a particle of spray") == 1
+    assert "yup (x, z, -y); default tnb. For .ply, .obj, .usda" in text
+
+
 def test_version_names_the_libraries(ocean):
     text = ocean.good("--version")
     assert text.startswith("ocean 0.")
@@ -77,7 +83,7 @@ def test_a_failed_standard_output_is_an_error(ocean):
         check_failure(done, 1)
 
 
-def test_a_reader_that_leaves_ends_the_program_in_silence(ocean):
+def test_a_closed_pipe_ends_the_program_silently(ocean):
     done = ocean.shell('"$OCEAN" spectrum sea.toml --directional | head -n 1')
     assert done.stderr == ""
     assert done.stdout.startswith("frequency_hz")

@@ -116,13 +116,13 @@ def test_shards_write_the_same_and_a_gap_is_told(ocean):
     whole = ["bake", "sea.toml", "--frames", "1-6", "-o"]
     ocean.good(*whole, "out/sea.usda")
     first = ocean(*whole, "parts/sea.usda", "--shard", "1/3")
-    assert first.returncode == 0 and "not there yet" in first.stderr and "3-6" in first.stderr
+    assert first.returncode == 0 and "do not exist yet" in first.stderr and "3-6" in first.stderr
     assert '"missing": [3,4,5,6]' in (ocean.folder / "parts/sea.manifest.json").read_text()
     stage = (ocean.folder / "parts/sea.usda").read_bytes()
     ocean.good(*whole, "parts/sea.usda", "--shard", "2/3")
     assert (ocean.folder / "parts/sea.usda").read_bytes() == stage
     last = ocean(*whole, "parts/sea.usda", "--shard", "3/3")
-    assert "not there yet" not in last.stderr
+    assert "do not exist yet" not in last.stderr
     assert "missing" not in (ocean.folder / "parts/sea.manifest.json").read_text()
     out, parts = ocean.hashes("out"), ocean.hashes("parts")
     shared = {"sea.usda", "sea.clips.usda", "sea.topology.usdc"}
@@ -131,7 +131,7 @@ def test_shards_write_the_same_and_a_gap_is_told(ocean):
     for name in out:
         if not name.endswith("json"):
             assert out[name] == parts[name], name
-    # What is whole is kept; what is cut off, or gone, is made again.
+    # A complete file is kept; one that is cut off or missing is written again.
     (ocean.folder / "out/sea.0002.usdc").write_bytes(b"PXR-USDC")
     (ocean.folder / "out/sea.topology.usdc").unlink()
     kept = (ocean.folder / "out/sea.0003.usdc").stat().st_mtime_ns
@@ -172,7 +172,7 @@ def test_a_gap_between_chunks_shows_no_other_file_and_is_told(ocean):
     assert first.returncode == 0 and left_out in first.stderr
     assert time_codes(ocean) == (1.0, 3.0, [1.0, 2.0, 3.0])
     second = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "7-9")
-    assert left_out in second.stderr and "not there yet" in second.stderr
+    assert left_out in second.stderr and "do not exist yet" in second.stderr
     assert time_codes(ocean) == (1.0, 9.0, [1.0, 2.0, 3.0, 7.0, 8.0, 9.0])
     stage = Usd.Stage.Open(str(ocean.folder / "out/sea.usda"))
     points = mesh_of(stage).GetPointsAttr()
@@ -182,7 +182,7 @@ def test_a_gap_between_chunks_shows_no_other_file_and_is_told(ocean):
     del stage, points  # USD reads a layer anew when nobody holds it any more
     assert '"missing": [4,5,6]' in (ocean.folder / "out/sea.manifest.json").read_text()
     done = ocean("bake", "sea.toml", "-o", "out/sea.usda", "--frames", "4-6")
-    assert "leaves them out" not in done.stderr and "not there yet" not in done.stderr
+    assert "leaves them out" not in done.stderr and "do not exist yet" not in done.stderr
     bake(ocean, "-o", "whole/sea.usda", "--frames", "1-9")
     assert ocean.hashes("out") == ocean.hashes("whole")
     # A frame that was deleted is a gap again; what has other products or rate is another sea's.
@@ -220,7 +220,7 @@ def test_names_with_quotes_and_at_signs_are_found(ocean):
         assert time_codes(ocean, f"{stem}.usda")[2] == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 
 
-def test_a_frame_remakes_itself(ocean):
+def test_from_bakes_the_same_frame(ocean):
     bake(ocean, "-o", "a.usda", "--frames", "3", "--axes", "yup", "--resolution", "32")
     ocean.good("bake", "--from", "a.0003.usdc", "-o", "b.usda")
     first, second = (ocean.folder / f"{name}.0003.usdc" for name in "ab")
@@ -239,7 +239,7 @@ def test_a_file_that_is_cut_off_anywhere_is_refused(ocean):
                 raise ValueError("refused")
 
 
-def test_what_a_stage_cannot_name_is_refused(ocean):
+def test_names_that_a_stage_cannot_hold_are_refused(ocean):
     for frames in ("1,2,4", "3-1", "-2-2"):
         said = ocean.bad("bake", "sea.toml", "-o", "a.usda", "--frames", frames)
         assert "USD" in said or "--frames" in said

@@ -72,7 +72,7 @@ def test_the_surface_is_where_the_sea_is(ocean, bake, sea):
     voxel = grid.transform.voxelSize()[0]
     values, low = dense(grid)
     inside = values < 0
-    # Of a column the last water has air above: there the distance goes through 0.
+    # The distance is 0 between the highest voxel of water in a column and the air above it.
     i, j = (axis.ravel() for axis in numpy.mgrid[2:N, 2:N])
     columns = inside[i - low[0], j - low[1]]
     top = columns.shape[1] - 1 - columns[:, ::-1].argmax(axis=1)
@@ -296,7 +296,7 @@ def test_spray_is_points(ocean, bake):
     assert path.stat().st_size < len(content)
 
 
-def test_it_is_a_bake_like_all_others(ocean, bake):
+def test_volumes_are_split_resumed_and_baked_again(ocean, bake):
     whole = ["bake", "sea.toml", "--frames", "1-4", "-o"]
     ocean.good(*whole, "out/sea.####.vdb", "--threads", "1")
     ocean.good(*whole, "again/sea.####.vdb", "--threads", "2")
@@ -306,7 +306,7 @@ def test_it_is_a_bake_like_all_others(ocean, bake):
     assert len([name for name in expected if name.endswith(".vdb")]) == 4
     assert len(set(expected.values())) == len(expected)
     assert ocean.hashes("again") == expected and ocean.hashes("parts") == expected
-    # What is cut off, at any place, is made again; nothing else is.
+    # A file that is cut off at any byte is baked again; no other file is.
     second = ocean.folder / "out/sea.0002.vdb"
     content = second.read_bytes()
     for size in (0, 10, 60, 1000, len(content) // 2, len(content) - 1):
@@ -341,7 +341,7 @@ def test_it_is_a_bake_like_all_others(ocean, bake):
         (("--products", "vel,vel"), "each once"),
         (("--box", "1,2,3"), "six numbers"),
         (("--box", "0,0,0,10,10,nan"), "--box"),
-        (("--box", "0,0,0,10,0,5"), "each end is beyond its beginning"),
+        (("--box", "0,0,0,10,0,5"), "the box is empty"),
         (("--box", "0,0,crest,10,10,5"), "--box"),
         (("--voxel", "0"), "--voxel"),
         (("--velocity-voxel", "1e99"), "--velocity-voxel"),
@@ -351,11 +351,11 @@ def test_it_is_a_bake_like_all_others(ocean, bake):
         (("--layout", "layered"), "--layout"),
     ],
 )
-def test_what_is_wrong_is_said(ocean, arguments, words):
+def test_wrong_options_are_refused(ocean, arguments, words):
     assert words in ocean.bad("bake", "sea.toml", "-o", "s.vdb", *arguments)
 
 
-def test_a_box_in_the_air_is_told(ocean):
+def test_a_box_without_water_is_warned_of(ocean):
     done = ocean("bake", "sea.toml", "-o", "s.vdb", "--box", "0,0,20,40,40,30")
     assert done.returncode == 0 and "no water reaches the box" in done.stderr
 

@@ -45,7 +45,7 @@ def fresh(tmp_path_factory):
 
 
 def check_records(ocean, path: Path, expected: list[dict]):
-    """What `ocean records` says, and what the sea made of a record asks for."""
+    """Checks the output of `ocean records`, and the sea made of each record."""
     found = json.loads(ocean.good("records", path, "--json"))
     assert len(found) == len(expected)
     # wavespectra sorts by time; NDBC lists the newest first.

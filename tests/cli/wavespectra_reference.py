@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""What an independent package says of the same spectra: wavespectra, from PyPI.
+"""Reference values of the same spectra from an independent package: wavespectra, from PyPI.
 
 usage: PYTHON tests/cli/wavespectra_reference.py FOLDER > tests/data/wavespectra.json
 

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!inputs) return 0;
     for (std::size_t i = 0; i < inputs->size(); ++i) {
         const double value = (*inputs)[i];
-        if (channels[i].output || !(value >= channels[i].lowest && value <= channels[i].highest)) {
+        if (channels[i].output || !(value >= channels[i].min && value <= channels[i].max)) {
             std::abort();
         }
     }

@@ -26,7 +26,7 @@ void require(bool condition) {
 }
 
 void require_one_line(std::string_view line) {
-    require(!line.empty() && line.size() <= kLongestLine + 64);
+    require(!line.empty() && line.size() <= kMaxLineBytes + 64);
     for (const char c : line) require(static_cast<unsigned char>(c) >= 0x20);
 }
 
@@ -79,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ValueTable values = start;
     for (std::size_t i = 0; i < whole.size(); ++i) {
         require(whole[i].text == pieces[i].text && whole[i].fault == pieces[i].fault);
-        require(whole[i].text.size() <= kLongestLine);
+        require(whole[i].text.size() <= kMaxLineBytes);
         if (whole[i].fault.empty()) run(whole[i].text, values);
     }
     return 0;

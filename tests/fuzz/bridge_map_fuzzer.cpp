@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "ocean/bridge/mapping.hpp"
+#include "ocean/bridge/control_map.hpp"
 #include "ocean/error.hpp"
 #include "ocean/text.hpp"
 
@@ -26,7 +26,7 @@ void set_all(const std::vector<Setting>& settings, ValueTable& values) {
     for (const Setting& setting : settings) {
         require(std::isfinite(setting.value));
         try {
-            values.set(setting.entry, plain_text(setting.value), setting.writer);
+            values.set(setting.entry, setting.value, setting.writer);
         } catch (const Error&) {
             // A rule between parameters, or no whole number.
         }
@@ -38,27 +38,29 @@ void set_all(const std::vector<Setting>& settings, ValueTable& values) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const ValueTable start;
     ValueTable values = start;
-    MapFile file;
+    ControlMapFile file;
     try {
-        file = parse_map({reinterpret_cast<const char*>(data), size}, "fuzz.toml", values);
+        file = parse_control_map({reinterpret_cast<const char*>(data), size}, "fuzz.toml", values);
     } catch (const Error& error) {
         const std::string_view message = error.what();
         require(!message.empty() && message.size() < 4096);
         for (const char c : message) require(static_cast<unsigned char>(c) >= 0x20);
         return 0;
     }
-    Mapping mapping(file, values);
+    ControlMap map(file, values);
     Clock::time_point now{std::chrono::hours(1)};
     for (const double raw :
          {0.0, 255.0, 128.0, 128.0, 1e9, -1e9, 3.5, 65.0, 127.0, 0.0, 1.0, std::nan(""), 0.0}) {
-        for (const MapRule& rule : file.maps) {
-            set_all(mapping.report({now, rule.from, raw}, values), values);
+        for (const ControlRule& rule : file.maps) {
+            set_all(map.report({now, rule.from, raw}, values), values);
         }
         for (int i = 0; i < 3; ++i) {
             now += std::chrono::milliseconds(17);
-            set_all(mapping.advance(now, values), values);
+            set_all(map.advance(now, values), values);
         }
-        for (const Lamp& lamp : mapping.lamps(values)) require(std::isfinite(lamp.value));
+        for (const OutputValue& output : map.changed_outputs(values)) {
+            require(std::isfinite(output.value));
+        }
     }
     return 0;
 }

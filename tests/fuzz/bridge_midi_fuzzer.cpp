@@ -15,8 +15,8 @@
 
 #include "midi_joiner.hpp"
 #include "midi_messages.hpp"
+#include "ocean/bridge/control_map_file.hpp"
 #include "ocean/bridge/learner.hpp"
-#include "ocean/bridge/map_file.hpp"
 
 namespace {
 
@@ -31,10 +31,10 @@ void require(bool condition) {
 void check(const MidiReport& report) {
     const bool is_number = report.kind == MidiKind::nrpn || report.kind == MidiKind::rpn;
     require(report.channel >= 1 && report.channel <= 16);
-    require(report.number >= 0 && report.number <= (is_number ? kMidiWidest : kMidiNumbers - 1));
-    require(report.value >= 0 && report.value <= kMidiWidest);
+    require(report.number >= 0 && report.number <= (is_number ? kMidiMax14 : kMidiNumbers - 1));
+    require(report.value >= 0 && report.value <= kMidiMax14);
     require(report.kind != MidiKind::note || report.value <= 1);
-    require(report.kind != MidiKind::controller || report.value <= kMidiHighest);
+    require(report.kind != MidiKind::controller || report.value <= kMidiMax);
     require(report.kind != MidiKind::pair || report.number < kMidiPairs);
 }
 
@@ -72,7 +72,8 @@ void learn(const std::vector<MidiReport>& reports) {
                        nullptr);
     }
     for (const Lesson& lesson : learner.advance(kStart + std::chrono::hours(1))) {
-        if (lesson.is_map) require(parse_map(lesson.text, "learnt", values).maps.size() == 1);
+        if (lesson.is_map)
+            require(parse_control_map(lesson.text, "learnt", values).maps.size() == 1);
     }
     require(!learner.next());
 }

@@ -28,10 +28,10 @@ void require_same(const OscMessage& message, const OscMessage& written) {
 }
 
 void check(const OscMessage& message) {
-    require(message.address.starts_with('/') && message.address.size() <= kLongestOscAddress);
-    require(message.arguments.size() <= kMostOscArguments);
+    require(message.address.starts_with('/') && message.address.size() <= kMaxOscAddressBytes);
+    require(message.arguments.size() <= kMaxOscArguments);
     for (const OscArgument& argument : message.arguments) {
-        require(osc_text(argument).size() <= kLongestOscText);
+        require(osc_text(argument).size() <= kMaxOscTextBytes);
     }
     if (const auto name = osc_name(message.address)) {
         require(osc_name(osc_address(*name)) == name);
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     const std::vector<OscMessage>& messages = packet.messages;
-    require(messages.size() + packet.left_out.size() <= kMostOscMessages);
+    require(messages.size() + packet.left_out.size() <= kMaxOscMessages);
     std::size_t count = 0;
     for (const OscMessage& message : messages) check(message);
     for (const std::string& bundle : osc_bundles(messages)) {

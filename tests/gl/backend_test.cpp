@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The backend `gl` in an Ocean: foam, hosts' buffers and contexts, what it leaves behind.
+// The backend `gl` in an Ocean: foam, hosts' buffers and contexts, and the state it leaves behind.
 #include <gtest/gtest.h>
 
 #include <epoxy/gl.h>
@@ -30,7 +30,7 @@ using test::wind_sea;
 double largest_difference(std::span<const float> a, std::span<const float> b) {
     double largest = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        // Not std::max, which drops what is not a number.
+        // std::max would drop a NaN.
         const double difference = std::abs(static_cast<double>(a[i]) - b[i]);
         if (!(difference <= largest)) largest = difference;
     }
@@ -119,7 +119,7 @@ TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
     }
     EXPECT_LE(relative_error(surface.channel(Channel::nx), expected.channel(Channel::nx)), 2e-6);
 
-    // Flat maps are of another programme, and so is what is choppy again.
+    // Flat maps use another program, and choppy ones after them again.
     for (const char* choppiness : {"0", "1.2", "0"}) {
         cpu.set("choppiness", choppiness);
         gpu.set("choppiness", choppiness);
@@ -136,7 +136,7 @@ TEST(GlBackend, FlatWaterAndFlatChoppinessAreExact) {
     for (const float height : still.channel(Channel::height)) ASSERT_EQ(height, 0.0f);
 }
 
-/// Of the current context, among the first names.
+/// Counts the objects of the current context among the first names.
 TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
     const gl::HeadlessContext host({.debug = true});
     const gl::HeadlessContext::Current current(host);
@@ -162,7 +162,7 @@ TEST(GlBackend, AThousandFramesInAHostsContextLeaveNothingBehindAndSayNothing) {
     for (const std::string& message : host.messages()) ADD_FAILURE() << message;
 }
 
-/// A GPU that is reset is played by the functions that a driver tells it with.
+/// Simulates a reset of the GPU by replacing the functions by which a driver reports it.
 class PretendedReset {
   public:
     enum class Told { by_an_error, when_asked };
@@ -195,7 +195,7 @@ void expect_reset(Ocean& ocean) {
         EXPECT_EQ(error.kind(), ErrorKind::no_gpu);
         const std::string text = error.what();
         EXPECT_TRUE(text.starts_with("the GPU was reset or taken away while ")) << text;
-        EXPECT_TRUE(text.ends_with("; what was finished is whole")) << text;
+        EXPECT_TRUE(text.ends_with("; finished outputs are complete")) << text;
     }
 }
 

@@ -31,7 +31,7 @@ def main(write_shaders: str, glslang: str, spirv_val: str) -> int:
         shaders = sorted(Path(folder).iterdir())
         kinds = {shader.suffix: shader for shader in shaders}
         assert len(shaders) > 100 and set(kinds) == {".comp", ".vert", ".frag"}
-        # What cannot pass does not pass.
+        # A broken shader must fail.
         for kind, shader in kinds.items():
             wrong = Path(folder) / f"wrong{kind}"
             wrong.write_text(shader.read_text().replace("void main()", "int main()"))

@@ -24,7 +24,7 @@ using test::kAllChannels;
 using test::relative_error;
 using test::wind_sea;
 
-/// The frame that a request asks for, in double.
+/// Returns the frame of a request, computed in double.
 std::vector<std::vector<float>> judged(MapRequest request, ThreadPool& pool) {
     LinearPlanes<double> planes;
     const Radix2Fft<double> fft(request.modes.resolution);
@@ -54,7 +54,7 @@ struct Planes {
         }
     }
     void add(int resolution, Quantity quantity) {
-        // What the frame leaves out is seen.
+        // NaN marks samples that the frame does not write.
         maps.emplace_back(Lattice{resolution, 1.0}.size(), std::nanf("1"));
         outputs.push_back({maps.back().data(), 1, {{{quantity, 1.0f}}}});
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is left behind: objects of the current context, and memory of the process.
+// Leftovers after a test: objects of the current context, and memory of the process.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -21,7 +21,8 @@ inline int count_objects() {
     return count;
 }
 
-/// What this process holds of memory, without what malloc keeps of freed blocks (6 MB or none).
+/// Returns the resident memory of this process, without freed blocks that malloc keeps (6 MB or
+/// none).
 inline double resident_megabytes() {
     malloc_trim(0);
     std::ifstream statm("/proc/self/statm");

@@ -77,6 +77,31 @@ TEST_F(SeaTextures, CascadesAreThoseOfTheCpu) {
     }
 }
 
+TEST_F(SeaTextures, CascadesAreLayersOfOneArray) {
+    Parameters parameters = wind_sea(64, 400.0);
+    parameters.grid.cascades = 3;
+    Ocean sea(parameters);
+    gl::SeaTextures textures;
+    textures.show(sea, 7.5);
+    const gl::CascadeArrays arrays = textures.arrays();
+    ASSERT_EQ(arrays.resolution, 64);
+    constexpr int kLevel = 2;
+    constexpr std::size_t kTexels = 4 * 16 * 16;
+    const auto expect_layers = [&](unsigned array, unsigned gl::CascadeTextures::*of) {
+        std::vector<float> all(3 * kTexels);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, array);
+        glGetTexImage(GL_TEXTURE_2D_ARRAY, kLevel, GL_RGBA, GL_FLOAT, all.data());
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto begin = all.begin() + static_cast<std::ptrdiff_t>(c * kTexels);
+            const std::vector<float> layer(begin, begin + kTexels);
+            EXPECT_EQ(read(textures.cascades()[c].*of, kLevel).texels, layer) << c;
+        }
+    };
+    expect_layers(arrays.displacement, &gl::CascadeTextures::displacement);
+    expect_layers(arrays.gradients, &gl::CascadeTextures::gradients);
+    expect_layers(arrays.moments, &gl::CascadeTextures::moments);
+}
+
 TEST_F(SeaTextures, OfAnotherSeaAreThatSeas) {
     gl::SeaTextures textures;
     for (const double wind : {6.0, 14.0}) {

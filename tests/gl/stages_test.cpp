@@ -18,7 +18,7 @@ namespace {
 int contexts = 0;
 PFNEGLCREATECONTEXTPROC create_context = nullptr;
 
-/// Contexts that are made meanwhile.
+/// Counts the contexts made during its life.
 class ContextCount {
   public:
     ContextCount() {

@@ -9,7 +9,7 @@
 
 #include "frame_plan.hpp"
 #include "shader_text.hpp"
-#include "water_defines.hpp"
+#include "water_program.hpp"
 
 using namespace ocean;
 using namespace ocean::gl;
@@ -60,12 +60,19 @@ int main(int argc, char** argv) {
     for (const int taps : {0, 2}) {
         for (const std::size_t cascades : {1, 2, 5, 10}) {
             const std::size_t covers = cascades == 1 || cascades == 5 ? 1 : 2;
+            const std::size_t tiles = taps == 0 ? 2 : 0;
+            const preview::WaterVariant variant{
+                .cascades = {covers == 1 ? cascades : cascades - cascades / 2,
+                             covers == 1 ? 0 : cascades / 2},
+                .covers = covers,
+                .lace = taps == 0,
+                .tiles = {tiles, covers == 1 ? 0 : tiles},
+                .below = cascades < 5};
             const std::string end = "_" + std::to_string(cascades) + std::to_string(taps);
             for (const std::string name : {"water", "seed"}) {
                 for (const char* kind : {".vert", ".frag"}) {
                     write(name + end, "preview/" + name + kind,
-                          preview::water_defines(
-                              {cascades, covers, taps == 0, taps == 0 ? 2 * covers : 0}, taps));
+                          preview::water_defines(variant, taps));
                 }
             }
         }
@@ -75,7 +82,7 @@ int main(int argc, char** argv) {
     write("permutation", "compute/thesis/permutation.comp", "");
     write("self_check", "compute/self_check.comp", "");
     for (int resolution = 32; resolution <= 8192; resolution *= 2) {
-        // Of little shared memory and of much.
+        // With little shared memory and with much.
         for (const int shared : {32768, 49152}) {
             const PassShape shape = pass_shape(resolution, shared, 1024);
             for (const auto& [name, quantities] : kAsked) {

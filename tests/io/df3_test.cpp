@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: a DF3 file holds each length to half a quantum, offsets on the grid that single precision
-// keeps, normals to 1e-8 in folds too, foam and cover exactly, slope tiles to half a quantum;
-// big-endian, the slices in their order. Foam of a coarser map keeps its mean and its place. What
-// POV-Ray makes of it: tests/povray.
+// Claims: a DF3 file holds lengths to half a quantum, offsets on the grid of single precision,
+// normals to 1e-8 even in folds, foam and cover exactly, slope tiles to half a quantum; it is
+// big-endian and has its slices in order. Foam of a coarser map keeps its mean and its place.
+// tests/povray renders such files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::uint64_t big_endian(const std::string& bytes, std::size_t at, int count) {
     return value;
 }
 
-/// What POV-Ray reads: code / (2^32 - 1).
+/// Returns the value that POV-Ray reads, code / (2^32 - 1).
 double read_voxel(const std::string& bytes, int n, int slice, int j, int i) {
     const auto at = static_cast<std::size_t>((slice * n + j) * n + i);
     return static_cast<double>(big_endian(bytes, 6 + 4 * at, 4)) / 4294967295.0;
@@ -89,7 +89,7 @@ TEST(Df3, HoldsTheMapsInPovRaysAxes) {
     }
 }
 
-TEST(Df3, ThreeSlicesAreThoseOfThePosition) {
+TEST(Df3, ThreeSlicesHoldThePosition) {
     const TemporaryFolder folder;
     const Surface surface = tilted_surface(32);
     io::write_df3(surface, folder.file("all.df3"));
@@ -102,7 +102,7 @@ TEST(Df3, ThreeSlicesAreThoseOfThePosition) {
 }
 
 // A terrain stands still and has no foam: its file has no planes of zeros for them.
-TEST(Df3, SlicesAreAListOfTheSubject) {
+TEST(Df3, HasTheSlicesOfTheSubject) {
     const TemporaryFolder folder;
     const Surface all = tilted_surface(32);
     Surface land(Lattice{32, 100.0}, 0.0, {Channel::height, Channel::nx, Channel::ny, Channel::nz});
@@ -120,7 +120,7 @@ TEST(Df3, SlicesAreAListOfTheSubject) {
     EXPECT_EQ(three.substr(6 + slice), seven.substr(6 + 3 * slice, 2 * slice));
 }
 
-TEST(Df3, SlopeTilesAreTwoSlicesABand) {
+TEST(Df3, SlopeTilesHaveTwoSlicesForEachBand) {
     const TemporaryFolder folder;
     DetailBudget budget;
     budget.bands.resize(2);
@@ -146,7 +146,7 @@ TEST(Df3, SlopeTilesAreTwoSlicesABand) {
     }
 }
 
-TEST(Df3, RefusesWhatItCannotHold) {
+TEST(Df3, RefusesLengthsOutOfRange) {
     const TemporaryFolder folder;
     const auto refused = [&](Channel channel, float value) {
         Surface surface = tilted_surface(32);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: read_exr_header and read_exr_layout answer any bytes with what they say or with Error
-// bad_file, and allocate no more than the file has; the layout is what was written.
+// Claims: read_exr_header and read_exr_layout return the content of any bytes or throw Error
+// bad_file, and allocate no more than the file's size; the layout is read back as written.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -45,7 +45,7 @@ std::string refusal(const std::string& path) {
     return "";
 }
 
-TEST(ExrHeader, SaysWhatIsWrong) {
+TEST(ExrHeader, ErrorsHaveTheReason) {
     const TemporaryFolder folder;
     const std::string bytes = good_file(folder), path = folder.file("bad.exr");
     EXPECT_NE(refusal(folder.file("none.exr")).find("cannot open"), std::string::npos);
@@ -70,7 +70,7 @@ TEST(ExrHeader, SaysWhatIsWrong) {
     EXPECT_NE(refusal(path).find("ends inside"), std::string::npos);
 }
 
-TEST(ExrHeader, LayoutIsWhatWasWritten) {
+TEST(ExrHeader, LayoutIsReadBackAsWritten) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     const Surface surface = test::sample_surface(64);
@@ -91,8 +91,8 @@ TEST(ExrHeader, LayoutIsWhatWasWritten) {
     }
 }
 
-// Of a codec that we lack nothing is said; a picture that is no square is refused.
-TEST(ExrHeader, LayoutOfOtherPeoplesFiles) {
+// A codec that we lack is reported as absent; an image that is not square is refused.
+TEST(ExrHeader, ReadsTheLayoutOfForeignFiles) {
     const TemporaryFolder folder;
     const std::string bytes = good_file(folder), path = folder.file("other.exr");
     const auto value_of = [&bytes](std::string name, std::string type) {

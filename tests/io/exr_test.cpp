@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: EXR bytes do not depend on the run or the thread count; the strings that were written
-// come back; unfit requests and full disks are errors. What other readers see: test_exr_readers.py.
+// Claims: EXR bytes do not depend on the run or the thread count; strings are read back; invalid
+// requests and full disks are errors. test_exr_readers.py reads the files by other programs.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -62,7 +62,7 @@ TEST(Exr, SameBytesForAnyThreadCountAndRun) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(Exr, HeaderStringsComeBack) {
+TEST(Exr, HeaderStringsAreReadBack) {
     const TemporaryFolder folder;
     const Surface surface = test::sample_surface(32, 0.1);
     io::write_exr(image_of(surface, "velocity", -3, {.axes = io::Axes::yup}), folder.file("a.exr"),
@@ -100,7 +100,7 @@ TEST(Exr, TheHeaderIsKnownWithoutASurface) {
             const std::string bytes = read_bytes(folder.file("a.exr"));
             EXPECT_GT(header.size(), kSea.size());
             EXPECT_TRUE(bytes.starts_with(header));
-            EXPECT_LE(bytes.size(), io::most_exr_bytes(empty, io::ExrCompression::piz));
+            EXPECT_LE(bytes.size(), io::max_exr_bytes(empty, io::ExrCompression::piz));
         }
     }
 }
@@ -146,7 +146,7 @@ TEST(Exr, WritesAnyImage) {
     EXPECT_EQ(io::read_exr_header(folder.file("a.exr")).front().text, "mask");
 }
 
-TEST(Exr, DamageAndOtherHeadersAreNotRead) {
+TEST(Exr, RefusesDamagedFilesAndOtherHeaders) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     const Surface surface = test::sample_surface(64);
@@ -182,7 +182,7 @@ TEST(Exr, RefusesChannelsThatWereNotEvaluated) {
 }
 
 // A product without channels (kCausticsProduct) is a map that somebody made of the surface.
-TEST(Exr, AMapThatWasMadeIsWrittenAsItIs) {
+TEST(Exr, WritesMadeMapsUnchanged) {
     const Surface surface = test::sample_surface(32);
     const Products products{&kCausticsProduct, &find_product("height")};
     std::vector<float> samples(32 * 32, 0.25f);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: a target is the old file or the whole new one; no failure leaves a temporary; errors name
-// the path and the system's reason, a full disk included.
+// Claims: a target is the old file or the complete new one; no failure leaves a temporary; errors
+// name the path and the system's reason, including that of a full disk.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -31,7 +31,7 @@ std::string output_error(const std::function<void()>& action) {
     return "";
 }
 
-TEST(AtomicFile, ReplacesWholeFiles) {
+TEST(AtomicFile, ReplacesTheFileCompletely) {
     const TemporaryFolder folder;
     io::write_file_atomically(folder.file("a"), "first");
     io::write_file_atomically(folder.file("a"), "second");
@@ -107,7 +107,7 @@ TEST(AtomicFile, DiskThatFillsUpLeavesTheOldFileAlone) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(AtomicFile, CleanerRemovesTheDeadAndSparesTheLiving) {
+TEST(AtomicFile, CleanerRemovesTemporariesOfEndedProcessesOnly) {
     const TemporaryFolder folder;
     const pid_t child = fork();
     if (child == 0) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: the PNG holds every height to half the quantum that the side file states, first row far,
-// last row and column wrapped, in three quarters of the codes. What POV-Ray makes of it:
-// tests/povray.
+// last row and column wrapped, in three quarters of the codes. tests/povray renders
+// such files.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -84,7 +84,7 @@ TEST(HeightField, HoldsEveryHeightToHalfAQuantum) {
     EXPECT_GE(worst, 0.4 * quantum);  // or the quantum is stated too large
 }
 
-TEST(HeightField, CodesComeBackAndDamageDoesNot) {
+TEST(HeightField, CodesAreReadBackAndDamagedFilesRefused) {
     const TemporaryFolder folder;
     const std::string path = folder.file("h.png");
     const Surface surface = test::sample_surface(64);
@@ -124,7 +124,7 @@ TEST(HeightField, FlatSeaAndErrors) {
 }
 
 // A terrain or a coast is there once: no row and no column is repeated, and it has a place.
-TEST(HeightField, OfAPlaceThatDoesNotRepeatHasItsSamplesAlone) {
+TEST(HeightField, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     const TemporaryFolder folder;
     const int n = 33;
     std::vector<float> heights;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: the horizon mesh shows the surface near, still water behind the true horizon far, in
-// between only waves that its vertices can hold; what it leaves out turns the normals to the eye by
-// the mean of the slopes that an eye would see.
+// Claims: the horizon mesh shows the surface near the eye, still water beyond the true horizon, and
+// in between only waves that its vertices resolve; the others tilt the normals to the eye by the
+// mean of the visible slopes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,7 +125,7 @@ TEST(HorizonMesh, StillWaterIsARoundEarthBeyondItsHorizon) {
     }
 }
 
-TEST(HorizonMesh, ReachesPastThePicturesSides) {
+TEST(HorizonMesh, ExtendsBeyondTheSidesOfTheView) {
     const auto levels = levels_of(4, 0.0);
     for (const double angle : {20.0, 60.0, 100.0}) {
         io::View view = small_view();
@@ -164,7 +164,7 @@ TEST(HorizonMesh, NearVerticesLieOnTheSurface) {
     EXPECT_GT(near, 1000u);
 }
 
-TEST(HorizonMesh, LeavesOutWavesThatWouldAliasAndTurnsTheNormalsInstead) {
+TEST(HorizonMesh, FiltersWavesThatWouldAliasAndTiltsNormalsInstead) {
     const int waves = 64;  // 1 m long: only the finest level holds it
     const double amplitude = 0.02;
     const auto levels = levels_of(waves, amplitude);
@@ -191,7 +191,7 @@ TEST(HorizonMesh, LeavesOutWavesThatWouldAliasAndTurnsTheNormalsInstead) {
 }
 
 // At the samples, where interpolation adds nothing of its own.
-TEST(MapPyramid, ShownAndLeftOutSlopesAddUpAtAnyFineness) {
+TEST(MapPyramid, ResolvedAndFilteredSlopesAddUpAtAnySpacing) {
     const auto levels = levels_of(64, 0.002);
     const io::MapPyramid maps(levels);
     const double whole = 0.5 * std::pow(0.002 * kTwoPi * 64 / kPeriod, 2);
@@ -207,7 +207,7 @@ TEST(MapPyramid, ShownAndLeftOutSlopesAddUpAtAnyFineness) {
     }
 }
 
-TEST(HorizonMesh, NothingPopsBetweenLevels) {
+TEST(HorizonMesh, ChangesContinuouslyBetweenLevels) {
     const auto levels = levels_of(16, 0.2);
     io::View view = small_view();
     view.rows = 2000;
@@ -232,7 +232,7 @@ TEST(HorizonMesh, NothingPopsBetweenLevels) {
     EXPECT_LT(worst, 0.05);  // and in small steps
 }
 
-TEST(HorizonMesh, RefusesUnfitRequests) {
+TEST(HorizonMesh, RefusesInvalidViews) {
     auto levels = levels_of(4, 0.1);
     io::View view = small_view();
     view.height = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: comments hold any text of several lines; a mesh turns as a whole; what is no mesh file of
-// ours is refused by name.
+// Claims: comments hold any text of several lines; a mesh is turned with all its vectors; files
+// that are not our meshes are refused by name.
 #include "ocean/io/mesh_files.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(CommentLines, HoldTextsOfSeveralLines) {
     }
 }
 
-TEST(MeshFiles, SayWhichSeaTheyAre) {
+TEST(MeshFiles, HoldTheirProvenance) {
     const test::TemporaryFolder folder;
     const io::Mesh mesh = io::make_patch_mesh(test::sample_surface(16));
     ASSERT_EQ(mesh.find("velocity")->values.size(), mesh.positions.size());
@@ -59,10 +59,10 @@ TEST(MeshFiles, SayWhichSeaTheyAre) {
     EXPECT_GE(size("b.ply") + 1024, io::ply_bytes(vertices, floats, triangles));
     io::write_obj(mesh, {}, folder.file("b.obj"));
     EXPECT_THROW(io::read_obj_header(folder.file("b.obj")), Error);
-    EXPECT_LE(size("b.obj"), io::most_obj_bytes(vertices, 9, triangles));
+    EXPECT_LE(size("b.obj"), io::max_obj_bytes(vertices, 9, triangles));
 }
 
-TEST(UsdFiles, SayWhatTheyAreAndSurviveNoMutationOfTheirTable) {
+TEST(UsdFiles, HoldTheirProvenanceAndRefuseAMutatedTable) {
     const test::TemporaryFolder folder;
     const io::Mesh mesh = io::make_patch_mesh(test::sample_surface(16));
     const std::vector<io::HeaderString> strings = {{"ocean:sea", "libocean = 1\n[grid]"}};
@@ -89,7 +89,7 @@ TEST(UsdFiles, SayWhatTheyAreAndSurviveNoMutationOfTheirTable) {
     }
 }
 
-TEST(UsdStage, QuotesWhatStandsInTheSea) {
+TEST(UsdStage, QuotesTheTextOfTheSea) {
     const std::vector<io::HeaderString> strings = {{"ocean:sea", "a = \"b\"\\\n"}};
     io::UsdSequence sequence;
     sequence.numbers = {1};
@@ -97,7 +97,7 @@ TEST(UsdStage, QuotesWhatStandsInTheSea) {
     EXPECT_NE(stage.find("\"\"\"a = \\\"b\\\"\\\\\n\"\"\""), std::string::npos) << stage;
 }
 
-TEST(UsdStage, NamesUnevenFramesOneByOne) {
+TEST(UsdStage, ListsUnevenFramesOneByOne) {
     io::UsdSequence sequence;
     sequence.frames = "s.##.usdc";
     sequence.numbers = {1, 2, 5, 100};
@@ -116,7 +116,7 @@ TEST(UsdStage, NamesUnevenFramesOneByOne) {
     EXPECT_NE(io::usd_stage(sequence, {}).find("templateStride = 4"), std::string::npos);
 }
 
-TEST(MeshFiles, TurnAsAWhole) {
+TEST(MeshFiles, AreTurnedWithAllTheirVectors) {
     io::Mesh mesh;
     mesh.positions = {1, 2, 3, 4, 5, 6};
     mesh.normals = {0, 0, 1, 0, 1, 0};
@@ -244,7 +244,7 @@ TEST(PointFiles, HoldEveryAttributeOfEachPoint) {
     EXPECT_THROW(io::write_ply(points, {}, "/dev/full"), Error);
 }
 
-TEST(PointFiles, TurnAsAWhole) {
+TEST(PointFiles, AreTurnedWithAllTheirVectors) {
     io::Points points = two_points();
     io::turn_y_up(points);
     EXPECT_EQ(points.positions, (std::vector<float>{1, 3, -2, 4, 6, -5}));

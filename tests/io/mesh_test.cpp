@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Claims: the patch mesh is the displaced surface to half its vertex grid, its seam closes in bits,
-// it faces up; mesh2 text gives the same floats again.
+// it faces up; mesh2 text reads back as the same floats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ TEST(PatchMesh, IsTheDisplacedSurfaceOnAPowerOfTwoGrid) {
     }
 }
 
-TEST(PatchMesh, SeamsCloseInBits) {
+TEST(PatchMesh, SeamsHaveEqualBits) {
     const int n = 32;
     const io::Mesh mesh = io::make_patch_mesh(gentle_surface(n));
     const auto vertex = [&](int i, int j) {
@@ -128,7 +128,7 @@ TEST(PatchMesh, HasUvFrom0To1AndEveryProductOfTheSurface) {
 }
 
 // A terrain or a coast: heights of a place, nothing that repeats.
-TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesAlone) {
+TEST(PatchMesh, OfADomainThatDoesNotWrapHasItsSamplesOnly) {
     const int columns = 32, rows = 11;
     const Domain domain{{500100.0, -20.0}, {62.0, 5.0}, {columns, rows}, false};
     Surface plane(domain, 0.0, {Channel::height});
@@ -236,7 +236,7 @@ TEST(Mesh2, TextGivesTheSameFloatsInPovRayAxes) {
     EXPECT_EQ(folder.entries(), 3u);
 }
 
-TEST(Mesh2, OfAPlaceSaysWhereItIsUnderTheNamesOfItsSubject) {
+TEST(Mesh2, DeclaresItsDomainUnderTheNamesOfItsSubject) {
     const TemporaryFolder folder;
     const Domain domain{{100.5, -20.0}, {64.0, 32.0}, {3, 3}, false};
     const io::Mesh mesh{.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: read_exr_panorama gives back what was written, cleaned of what is no light, and answers
-// any other bytes with Error bad_file.
+// Claims: read_exr_panorama returns the written light without negative values and NaN, and throws
+// Error bad_file for any other bytes.
 #include "ocean/io/panorama.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ std::string refusal(const std::string& path) {
     return "";
 }
 
-TEST(ExrPanorama, GivesBackWhatIsLight) {
+TEST(ExrPanorama, ReturnsTheWrittenLight) {
     const TemporaryFolder folder;
     for (const io::PixelType type : {io::PixelType::full_float, io::PixelType::half_float}) {
         const Written written = write(folder.file("a.exr"), 64, 32, "RGB", type);
@@ -75,12 +75,13 @@ TEST(ExrPanorama, GivesBackWhatIsLight) {
     }
 }
 
-TEST(ExrPanorama, SaysWhatIsWrong) {
+TEST(ExrPanorama, ErrorsHaveTheReason) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     EXPECT_NE(refusal(folder.file("none.exr")).find("cannot open"), std::string::npos);
     write(path, 32, 32);
-    EXPECT_NE(refusal(path).find("32 x 32; one is twice as wide as high"), std::string::npos);
+    EXPECT_NE(refusal(path).find("32 x 32; a panorama is twice as wide as high"),
+              std::string::npos);
     write(path, 6, 3);
     EXPECT_NE(refusal(path).find("6 x 3"), std::string::npos);
     write(path, 64, 32, "RGZ");

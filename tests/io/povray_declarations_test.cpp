@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parameters of any table as POV-Ray declares them.
+// Claims: parameters of any table are declared in POV-Ray's spelling.
 #include "ocean/io/povray_declarations.hpp"
 
 #include <gtest/gtest.h>

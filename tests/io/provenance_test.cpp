@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What headers say of the subject of a file, and what is read back of them.
+// Claims: headers hold the provenance of a file, and it is read back from them.
 #include "ocean/io/provenance.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ const Provenance kPlane{.kind = "plane",
                         .domain = Domain{{100.5, -20.0}, {64.0, 32.0}, {65, 33}, false}};
 
 // The names are an interface: files of all versions have them.
-TEST(Provenance, OfASeaHasTheStringsThatWerePromised) {
+TEST(Provenance, OfASeaHasThePromisedStrings) {
     std::map<std::string, std::string> header = as_map(io::provenance_strings(kSea));
     EXPECT_TRUE(header.erase("ocean:version"));
     const std::map<std::string, std::string> expected{{"ocean:sea", "libocean = 1\n"},
@@ -67,7 +67,7 @@ TEST(Provenance, OfASeaHasTheStringsThatWerePromised) {
     EXPECT_EQ(header, expected);
 }
 
-TEST(SubjectWords, AreOneRowAKind) {
+TEST(SubjectWords, HaveOneRowForEachKind) {
     const auto texts = [](const io::SubjectWords& words) {
         return words.kind + ", " + words.prim + ", " + words.prefix() + ", " + words.phrase();
     };
@@ -86,7 +86,7 @@ TEST(SubjectWords, AreOneRowAKind) {
     EXPECT_EQ(io::find_provenance(io::provenance_strings(terrain), "f")->kind, "terrain");
 }
 
-TEST(Provenance, ComesBackOfASeaAndOfWhatLiesInOnePlace) {
+TEST(Provenance, IsReadBackForDomainsThatWrapAndThatDoNot) {
     for (const Provenance& one : {kSea, kPlane}) {
         const auto back = io::find_provenance(io::provenance_strings(one), "f");
         ASSERT_TRUE(back) << one.kind;
@@ -99,7 +99,7 @@ TEST(Provenance, ComesBackOfASeaAndOfWhatLiesInOnePlace) {
     }
 }
 
-TEST(Provenance, OfAHeaderWithoutASubjectIsNothingAndBadNumbersAreRefused) {
+TEST(Provenance, IsAbsentWithoutASubjectAndRefusesBadNumbers) {
     EXPECT_FALSE(io::find_provenance({}, "f"));
     const std::vector<HeaderString> other = {{"ocean:field", "height"}, {"sea", "x"}};
     EXPECT_FALSE(io::find_provenance(other, "f"));
@@ -110,7 +110,7 @@ TEST(Provenance, OfAHeaderWithoutASubjectIsNothingAndBadNumbersAreRefused) {
         const std::vector<HeaderString> strings = {{"ocean:sea", "x"}, {"ocean:" + name, text}};
         const Refusal refusal = refusal_of([&] { io::find_provenance(strings, "f.exr"); });
         EXPECT_EQ(refusal.kind, ErrorKind::bad_file);
-        EXPECT_EQ(refusal.message, "f.exr: its ocean:" + name + " is no number");
+        EXPECT_EQ(refusal.message, "f.exr: its ocean:" + name + " is not a number");
     }
 }
 
@@ -137,7 +137,7 @@ TEST(Provenance, IsReadFromImagesByTheirContent) {
     EXPECT_FALSE(io::read_provenance(folder.file("c.toml")));
 }
 
-TEST(Provenance, OfAPictureByOthersOrACutOneIsRefused) {
+TEST(Provenance, IsRefusedForForeignAndTruncatedImages) {
     const TemporaryFolder folder;
     const std::vector<std::uint16_t> grey(64 * 64, 7);
     const std::string png = io::grey_png(64, 64, grey);
@@ -165,7 +165,7 @@ TEST(ForeignFile, IsNotReplacedAndOwnOrEmptyOnesAre) {
     const Refusal refusal = refusal_of([&] { guard(false); });
     EXPECT_EQ(refusal.kind, ErrorKind::invalid_value);
     EXPECT_EQ(refusal.message, "'" + path +
-                                   "' is there and was not written by a test: it is not replaced; "
+                                   "' exists and was not written by a test: it is not replaced; "
                                    "move it or choose another name");
     EXPECT_EQ(test::read_bytes(path), "mine");
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame of a million vertices, with all that a stage has, from its maps to a whole file: against
-// the same number of bytes that are written as they are, of the processor's time, by turns in the
-// same run, which other work holds up alike.
+// Compares the processor time of a frame with a million vertices and all attributes, from its maps
+// to the file, with that of writing as many raw bytes. Both alternate in the same run, so that
+// other work on the machine slows them equally.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace ocean {
 namespace {
 
-/// Of the processor, the system's for a file included.
+/// Returns the processor time, including that of the system for files [s].
 template <typename Work>
 double seconds(const Work& work) {
     const std::clock_t start = std::clock();

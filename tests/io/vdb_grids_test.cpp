@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: points come back from a file as they went into it; a fog has the cross-section of its
-// puffs, none of it under water, the same voxels for any number of threads and either way up; a
-// level set has the distance to a slope, and no hole in a cliff.
+// Claims: points are read back unchanged; a fog has the cross-section of its puffs above the water,
+// and the same voxels for any number of threads and both orientations; a level set has the distance
+// to a slope, and no hole in a cliff.
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
@@ -75,7 +75,7 @@ std::map<std::uint64_t, Attributes> read_points(const std::string& path) {
     return found;
 }
 
-TEST(VdbPoints, ComeBackAsTheyWere) {
+TEST(VdbPoints, AreReadBackUnchanged) {
     const io::Points given = some_points(5000);
     const std::string path = testing::TempDir() + "points.vdb";
     const io::VdbGrid grid = io::make_points(given, 2.5);
@@ -99,7 +99,7 @@ TEST(VdbPoints, ComeBackAsTheyWere) {
     std::filesystem::remove(path);
 }
 
-TEST(VdbPoints, MayBeNone) {
+TEST(VdbPoints, MayBeEmpty) {
     const std::string path = testing::TempDir() + "none.vdb";
     const io::VdbGrid grid = io::make_points({}, 2.5);
     io::write_vdb({&grid, 1}, {}, false, path);
@@ -170,7 +170,7 @@ TEST(VdbDensity, EndsAtTheWater) {
     EXPECT_TRUE(fog({puff}, 11.0f, 1)->empty());
 }
 
-TEST(VdbDensity, IsTheSameForAnyThreadsAndEitherWayUp) {
+TEST(VdbDensity, DoesNotDependOnThreadsOrOrientation) {
     const std::vector<io::DensityPuff> puffs = some_puffs();
     const auto one = fog(puffs, 7.0f, 1);
     const auto many = fog(puffs, 7.0f, 5);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A million columns of water against OpenVDB's own way from a closed mesh to a level set: the
-// processor's time of all threads, by turns in the same run, which other work holds up alike. The
-// mesh has a sixteenth of the columns, or the test would be most of its directory's.
+// Compares the processor time of a level set from a million columns with OpenVDB's own conversion
+// of a closed mesh. Both alternate in the same run, so that other work slows them equally. The mesh
+// has a sixteenth of the columns, or the test would take longer than all others in its folder.
 #include <gtest/gtest.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/MeshToVolume.h>
@@ -27,7 +27,7 @@ constexpr double kVoxel = 500.0 / kSide;
 constexpr double kBottom = -8.0;
 constexpr double kTime = 3.0;
 
-/// Of the processor, by all threads.
+/// Returns the processor time of all threads [s].
 double seconds(const std::function<void()>& work) {
     const std::clock_t start = std::clock();
     work();
@@ -44,7 +44,7 @@ Ocean windy_sea(int side) {
     return Ocean(parameters);
 }
 
-/// What `ocean bake` does for `surface`, inversion of the displacement included.
+/// Makes the grid `surface` as `ocean bake` does, including the inversion of the displacement.
 void by_columns(Ocean& sea, double crest) {
     constexpr double kPeriod = kVoxel * kSide;
     const io::WorldBox box{{0.0, 0.0, kBottom}, {kPeriod, kPeriod, crest}};

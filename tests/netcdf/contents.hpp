@@ -26,7 +26,7 @@ inline std::size_t points(const Content& content, const Variable& v) {
     return count;
 }
 
-/// Of the file, or of its first record that cannot be used.
+/// Returns the fault of the file, or of its first record that cannot be used.
 inline std::string fault_of(const Content& content) {
     try {
         for (const SpectrumRecord& record : records_from(content)) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a NetCDF file says of its directions: words, their order, writers that need none, and SWAN,
-// whose words are wrong.
+// The convention of a NetCDF file's directions: words, their order, writers that need none, and
+// SWAN, whose words are wrong.
 #include "direction_sense.hpp"
 
 #include <gtest/gtest.h>
@@ -122,8 +122,8 @@ struct Said {
     const char* text;
 };
 
-/// Of wavespectra's content whose directions are called `direction`: where the waves of its bin of
-/// 30 degrees travel to, and what it is warned of.
+/// The travel direction of the waves in the bin of 30 degrees, and the warnings, of wavespectra
+/// content whose directions are called `direction`.
 struct Read {
     double travel = kMissing;
     std::string warnings;

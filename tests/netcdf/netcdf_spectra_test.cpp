@@ -264,7 +264,7 @@ TEST(NetcdfRecords, BrokenContentsAreRefusedAndNamed) {
         {[](Content& c) { find(c, "efth").values[5] = HUGE_VAL; }, "a density of inf"},
         {[](Content& c) { find(c, "efth").attributes["units"] = "m2"; }, "efth: units 'm2'"},
         {[](Content& c) { find(c, "efth").attributes["units"] = "m2 s"; },
-         "efth: units 'm2 s': m^2 s is no unit of a density over frequency and direction"},
+         "efth: units 'm2 s': m^2 s is not a unit of a density over frequency and direction"},
         {[](Content& c) {
              find(c, "efth").attributes["units"] = "m";
              find(c, "efth").name = "hs";
@@ -289,7 +289,7 @@ TEST(NetcdfRecords, BrokenContentsAreRefusedAndNamed) {
          "freq: a frequency of"},
         {[](Content& c) { find(c, "freq").attributes["units"] = "m"; }, "freq: units 'm'"},
         {[](Content& c) { find(c, "freq").name = "fr"; }, "no variable with its frequencies"},
-        {[](Content& c) { find(c, "dir").values[1] = 0.0; }, "dir: a direction is there twice"},
+        {[](Content& c) { find(c, "dir").values[1] = 0.0; }, "dir: a direction appears twice"},
         {[](Content& c) { find(c, "dir").values[1] = 1e9; }, "dir: a direction is not"},
         {[](Content& c) { find(c, "dir").attributes["units"] = "m"; }, "dir: units 'm'"},
         {[](Content& c) { find(c, "lat").values[1] = 95.0; }, "lat: 95.0"},
@@ -370,7 +370,7 @@ TEST(CfUnits, TimesAreReadInManySpellings) {
     }
 }
 
-/// What encode makes, and a source that ends after it.
+/// The bytes of encode, and a source that ends after them.
 std::string wire(const Content& content) {
     std::string bytes;
     encode(content, [&](const void* from, std::size_t count) {

@@ -370,7 +370,7 @@ TEST(PublishedLayouts, NegativeNoiseAndABinOfZeroHertzAreCleaned) {
     EXPECT_EQ(record.frequency, (std::vector<double>{0.15, 0.2, 0.25}));
     EXPECT_EQ(record.density[2], 0.0);
     EXPECT_EQ(record.a1.size(), 3u);
-    expect_says(record, "1 of 3 densities are below 0, the least by 5.00 % of the highest");
+    expect_says(record, "1 of 3 densities are below 0, the lowest by 5.00 % of the highest");
     // The trapezoid keeps its energy: 0.05 * (0.5 + 2 - 0.05).
     EXPECT_NEAR(0.05 * (0.5 * record.density[0] + record.density[1]), 0.05 * 2.45, 1e-12);
 }

@@ -70,7 +70,7 @@ class Folder:
             shutil.copytree(exported(sea, *arguments), path, dirs_exist_ok=True)
 
     def run(self, scene: str, *arguments, width=8, height=8, good=True) -> str:
-        """What POV-Ray says of a scene, which begins with ocean.inc."""
+        """Returns POV-Ray's log of a scene, which includes ocean.inc first."""
         return povray(
             self.path,
             '#version 3.7;\n#include "ocean.inc"\n' + scene,
@@ -137,5 +137,5 @@ def floats_of(log):
 
 
 def parse_seconds(log):
-    """Of the processor: other work on the machine counts for less."""
+    """Returns the processor time [s], which depends less on the load of the machine."""
     return float(re.search(r"Parse Time:[^%]*?([\d.]+) CPU-seconds", log).group(1))

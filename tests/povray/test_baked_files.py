@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libocean authors
 # SPDX-License-Identifier: Apache-2.0
-"""What POV-Ray sees of a height_field and of mesh2 files.
+"""POV-Ray renders the heights of a height_field and of mesh2 files.
 
 The height is rendered as a grey value by an orthographic camera whose pixel centres are the grid's
 vertices, in 16 bits: it must agree with the library's heights to the quantum of the picture and of

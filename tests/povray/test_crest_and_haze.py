@@ -40,8 +40,8 @@ def sun(altitude, bearing=0.0):
 
 
 def crest_of_a_plane(folder, altitude, tilt, height, squeeze, near=True):
-    """What is seen of a plane whose normal is tilted towards the sun, degrees, at a height over
-    still water, squeezed along x by a share; and what is expected."""
+    """Returns the rendered and the expected colour of a plane at a height over still water, whose
+    normal is tilted towards the sun [degrees] and which is squeezed along x by a share."""
     eye, at = numpy.array([-20.0, 6.0, 4.0]), numpy.array([5.0, height, -2.0])
     way, declared = sun(altitude)
     across, up = numpy.sin(numpy.radians(tilt)), numpy.cos(numpy.radians(tilt))
@@ -108,7 +108,7 @@ def test_a_crest_is_as_bright_as_the_formula_says(choppy, altitude, tilt, height
     seen, expected = crest_of_a_plane(choppy, altitude, tilt, height, squeeze, near)
     print(f"\n{seen}, expected {expected}: {seen / expected}")
     assert expected.max() > 0.001
-    # Of 16 bits, and in air's colour map between its entries.
+    # The picture has 16 bits, and the colour map of air is interpolated.
     assert seen == pytest.approx(expected, rel=0.02, abs=2e-5)
 
 

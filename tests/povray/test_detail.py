@@ -104,7 +104,7 @@ plane {{ y, 0 pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 1 }}
 
 
 def test_a_normal_leans_by_the_slope_itself(fresh):
-    """Of light from two sides the ratio is (1 - slope)/(1 + slope)."""
+    """The ratio of lights from two sides is (1 - slope)/(1 + slope)."""
     for axis, name in ((0, "1, 0"), (1, "0, 1")):
         lamp = numpy.eye(2)[axis]
         ratio = lit(fresh, lamp) / lit(fresh, -lamp)
@@ -144,7 +144,7 @@ def test_shown_and_left_slopes_are_those_that_the_map_lacks(fresh, tiles):
     assert (numpy.diff(found[:, 0]) >= 0.0).all()
 
 
-def test_near_water_is_not_silk(fresh):
+def test_near_water_shows_the_slope_tiles(fresh):
     """1.6 m above the sea: fine contrast, what a pixel differs from the 9 x 9 around it, in the
     left half of the lower half of a picture."""
 

@@ -41,7 +41,7 @@ def test_the_formulas_are_those_of_foam_lace_glsl(choppy, tmp_path):
 
 
 def level_share(folder, level):
-    """Of the slope that the maps of a level leave out: v of a mesh's uv."""
+    """Returns the share of the slope that the maps of a level leave out: v of a mesh's uv."""
     text = (folder.path / "ocean_parameters.inc").read_text()
     lost = re.search(r"Ocean_Lost_Slopes = array\[\d+\] { (.*?) }", text).group(1).split(", ")
     whole = re.search(r"Ocean_Mean_Square_Slope = (.*?);", text).group(1)
@@ -49,7 +49,7 @@ def level_share(folder, level):
 
 
 def rendered_mean(folder, declared, function, width, length, pixels=500):
-    """Of a function of a flat sheet, as POV-Ray's own pigments show it."""
+    """Returns the mean of a function on a flat sheet, as POV-Ray's own pigments show it."""
     folder.run(
         f"""global_settings {{ assumed_gamma 1.0 }}
 Ocean_Load("sea_0001")
@@ -134,7 +134,7 @@ def test_far_foam_is_as_much_as_near_foam(rough):
 
 
 def test_far_foam_is_as_thick_as_near_foam(rough):
-    """Of coarser maps the thickness of a mean cover would be down to a fifth of this."""
+    """The thickness of a coarser map's mean cover would be as low as a fifth of this."""
     near, _ = rendered_mean(
         rough, LACE, "Ocean_Foam_Of_(x, z, 0, 0.3)*Ocean_Foam_Of_(x, z, 1, 0.3)", WIDE, WIDE
     )
@@ -161,7 +161,7 @@ Ocean_Declare_Far_Thickness_()
 
 
 def test_the_waves_carry_the_net_along(rough):
-    """What is seen at the place of a label is what lies at the label, where there is foam."""
+    """The foam at the displaced position of a label is the texture at the label."""
     log = rough.run(
         f"""Ocean_Load("sea_0001")
 {LACE}{TELL}

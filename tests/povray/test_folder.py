@@ -156,7 +156,7 @@ def test_the_scene_of_every_format_renders(tmp_path, format_):
         ("Ocean_Sky(0)", ["Ocean_Sky comes before Ocean_Sun"]),
     ],
 )
-def test_the_macros_say_what_is_wrong(choppy, scene, words):
+def test_the_macros_explain_errors(choppy, scene, words):
     log = re.sub(r"\s+", " ", choppy.run(scene, good=False))
     for word in words:
         assert word in log
@@ -217,4 +217,4 @@ def test_a_scene_that_is_there_is_kept(tmp_path):
     done = ocean(tmp_path, "povray", "its_sea.toml", "-o", ".", "-v")
     assert done.returncode == 0
     assert (tmp_path / "scene.pov").read_text() == "// mine\n"
-    assert "kept as it is" in done.stderr
+    assert "exists and is kept" in done.stderr

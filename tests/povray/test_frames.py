@@ -65,7 +65,8 @@ def test_frames_beyond_the_export_stop_and_a_still_shows_the_first(tmp_path):
 
 
 def test_the_clock_is_the_time_of_the_frame(tmp_path):
-    """Of all that ocean.ini renders, at even steps and not; of one frame POV-Ray's own is NaN."""
+    """For all frames of ocean.ini, with even and uneven steps; POV-Ray's own clock of one frame is
+    NaN."""
     for name, frames in (("even", "10-30x10"), ("one", "5"), ("first", "1"), ("negative", "-2-1")):
         folder = tmp_path / name
         Folder(folder, SEA, "--frames", frames, *FAST)

@@ -144,7 +144,7 @@ def test_what_ripples_show_and_what_they_hide_glitter_together(choppy):
 @pytest.mark.parametrize("altitude", [12.0, 20.0, 35.0, 50.0])
 @pytest.mark.parametrize("elevation", [0.5, 3.0, 10.0])
 def test_far_glitter_is_that_of_all_slopes(choppy, elevation, altitude):
-    """Of normals that lean to the eye by what it sees."""
+    """For normals that are tilted to the eye by the visible slopes."""
     whole, _ = slopes_of(choppy)
     e, a = numpy.radians([elevation, altitude])
     area, lean = seen_of(numpy.sqrt(whole / 2), numpy.tan(e))

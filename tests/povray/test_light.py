@@ -90,7 +90,7 @@ Ocean_Sky(0)""",
 
 @pytest.mark.parametrize("altitude,clouds", [(2, 0.0), (12, 0.0), (35, 0.0), (70, 0.0), (25, 0.5)])
 def test_the_light_of_the_sky_is_its_irradiance_over_pi(choppy, altitude, clouds):
-    """Of a picture of all of it, each pixel by the sine of its elevation."""
+    """Integrates a picture of the whole sky, with the sine of the elevation as weight."""
     columns, rows = 360, 180
     log = choppy.run(
         f"""global_settings {{ assumed_gamma 1.0 }}

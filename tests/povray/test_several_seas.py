@@ -21,7 +21,7 @@ def frames(format_):
 
 
 def refusal(folder, name):
-    """What Ocean_Load says of a frame."""
+    """Returns the error of Ocean_Load for a frame."""
     return re.sub(r"\s+", " ", folder.run(f'Ocean_Load("{name}")', good=False))
 
 

@@ -121,7 +121,7 @@ class Camera:
         return rays / numpy.linalg.norm(rays, axis=1)[:, None]
 
     def meets_water(self, rays, deepest):
-        """Of an eye above the sea: where a ray sinks below all troughs of a round Earth's sea."""
+        """Returns true for rays from above the sea that sink below all troughs on a round Earth."""
         fall = -rays[:, 1] / numpy.hypot(rays[:, 0], rays[:, 2])
         return fall > numpy.sqrt(2 * (self.eye[1] + deepest) / EARTH)
 

@@ -17,7 +17,7 @@ from conftest import Folder, floats_of, read_png, sea_text
     ],
 )
 def test_light_is_lost_by_beers_law_for_a_camera_under_water(choppy, form, hollow):
-    """Whether or not its user knows of POV-Ray's word `hollow`."""
+    """With and without POV-Ray's keyword `hollow`."""
     form += ' Ocean_Clear_Material("jerlov_3c") ' + hollow + (" }" if "{" in form else "")
     form = form if form.startswith("intersection") else "object { " + form + " }"
     losses = []

@@ -35,7 +35,7 @@ TEST(Horizon, LiesWhereTheWaterHasDroppedByTheHeightOfTheEye) {
         EXPECT_NEAR(earth_drop(horizon_distance(height)), height, 1e-9 * height);
     }
     EXPECT_EQ(horizon_distance(-1.0), 0.0);
-    // Of a round Earth: sqrt((R + h)^2 - R^2), a part in 2500 more from 10 km.
+    // The horizon of a round Earth: sqrt((R + h)^2 - R^2), a part in 2500 more from 10 km.
     const double radius = earth_radius();
     EXPECT_NEAR(horizon_distance(10000.0) / std::sqrt(10000.0 * (2.0 * radius + 10000.0)), 1.0,
                 4e-4);

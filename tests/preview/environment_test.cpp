@@ -23,12 +23,12 @@ namespace ocean::preview {
 namespace {
 
 using Rgb3 = std::array<double, 3>;
-/// Of a unit vector.
+/// A function from a direction, a unit vector, to the light from there.
 using Light = std::function<Rgb3(const std::array<double, 3>&)>;
 
 constexpr int kFiner = 4;  // samples of a texel along a side
 
-/// Of the whole sphere, the nadir first, as the help of --environment says.
+/// Returns a picture of the whole sphere, the nadir first, as the help of --environment says.
 std::vector<float> paint(int width, int height, const Light& light) {
     std::vector<float> rgb;
     for (int j = 0; j < height; ++j) {
@@ -69,7 +69,7 @@ Light sunny(const std::array<double, 3>& sun) {
     };
 }
 
-/// Of a level surface that faces up, over pi.
+/// Returns the irradiance of a level surface that faces up, over pi.
 Rgb3 level_light(int width, int height, const std::vector<float>& rgb) {
     Rgb3 sum{};
     for (int j = height / 2; j < height; ++j) {

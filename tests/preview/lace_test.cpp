@@ -115,7 +115,7 @@ TEST_F(LaceTest, AsMuchIsWhiteAsIsCoveredNearAndFar) {
         const ShownSea sea = covered(cover);
         // Pixels of 0.1 m and 0.3 m see the pattern, those of 1 m a part of it, those of 3 m none.
         for (const int side : {1320, 440, 132, 44}) {
-            // Of larger pixels more pictures, each a part of a pixel beside the other.
+            // Larger pixels need more pictures, each shifted by a part of a pixel.
             const int beside = side < 1320 ? 3 : 1;
             double white = 0.0, squares = 0.0, thick = 0.0;
             for (int picture = 0; picture < beside * beside; ++picture) {

@@ -74,7 +74,7 @@ TEST_F(LiveSeaTest, WhatIsRecordedIsATakeOnTopOfIt) {
     EXPECT_EQ(live.sea().take.events[1].seconds, 4.0);
     EXPECT_EQ(wind(live.sea().parameters), 12.0);
     EXPECT_EQ(live.take_end(), 4.0);
-    // Of what the take plays there is no other value; what it does not play is free.
+    // A parameter that the take plays has no other value; the others are free.
     EXPECT_THROW(live.set(kWind, "9"), Error);
     EXPECT_EQ(wind(live.sea().parameters), 12.0);
     live.set("waves.0.wind_direction", "45");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A row of the panel, without a window: a click on a boolean of any table sets its other value.
-#include "ocean-preview/parameter_row.hpp"
+#include "ocean-preview/panel/parameter_row.hpp"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

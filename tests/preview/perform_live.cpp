@@ -62,7 +62,7 @@ void perform(const std::string& source, const std::string& backend, const std::s
     std::optional<app::BridgeLink> link;
     if (!address.empty()) {
         link.emplace(bridge::LineClientOptions{bridge::parse_endpoint(address, "address")},
-                     app::BridgeWishes{[](bool, const std::string&) {}});
+                     app::BridgeCalls{[](bool, const std::string&) {}});
         while (!link->joined()) link->wait_and_apply(live, std::chrono::milliseconds(20));
         live.settle();
     }

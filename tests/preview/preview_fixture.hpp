@@ -23,7 +23,7 @@ inline Parameters two_cascades() {
     return parameters;
 }
 
-/// A context with a sea in it. Whatever the driver has to say is a failure.
+/// A context with a sea in it. Any message of the driver is a failure.
 class PreviewTest : public ::testing::Test {
   protected:
     void TearDown() override {
@@ -37,7 +37,7 @@ class PreviewTest : public ::testing::Test {
         renderer.draw(sea, camera, look, {.width = width, .height = height});
         return canvas.rgb();
     }
-    /// The numbers of each pixel: see shaders/preview/water.frag.
+    /// Returns the numbers of each pixel: see View::numbers in libocean/preview/view_table.hpp.
     std::vector<float> numbers(Renderer& renderer, const ShownSea& sea, const Camera& camera,
                                int side, const Look& look = {}) {
         const Canvas canvas(side, side, GL_RGBA32F);
@@ -45,7 +45,7 @@ class PreviewTest : public ::testing::Test {
         return canvas.rgba();
     }
 
-    /// Light of each pixel, row after row, the bottom row first: R, G, B, 1.
+    /// Returns the light of each pixel, row after row, the bottom row first: R, G, B, 1.
     std::vector<float> light(Renderer& renderer, const ShownSea& sea, const Camera& camera,
                              const Look& look, int width, int height) {
         const Canvas canvas(width, height, GL_RGBA32F);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the renderer draws is the sea: its heights, its slopes and what they leave to the light,
-// from every place and at every distance.
+// Claims: the renderer draws the sea: its heights, its slopes and the roughness that they leave to
+// the light, from every place and at every distance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,10 +51,10 @@ TEST_F(PreviewTest, TheDrawnHeightIsTheQuerys) {
         const double rms_slope = std::sqrt(state.mean_square_slope.resolved);
         double half_texel_slope = 0.0;  // of each cascade, added up
         for (std::size_t c = 0; c < shown.cascades.size(); ++c) {
-            half_texel_slope += 0.5 * shown.cascades[c].period / shown.cascades[c].resolution *
+            half_texel_slope += 0.5 * shown.cascades[c].period / shown.cascades[c].maps.resolution *
                                 rms_slope * std::sqrt(state.cascades[c].slope);
         }
-        const double texel = shown.cascades.back().period / shown.cascades.back().resolution;
+        const double texel = shown.cascades.back().period / shown.cascades.back().maps.resolution;
         const double least = 1e-3 * shown.significant_wave_height;
 
         std::mt19937 random(3);
@@ -194,9 +194,7 @@ TEST_F(PreviewTest, TheDetailOfALabelIsThatOfTheTilesEverywhere) {
     shown.tiles.resize(1);
     const ShownTile& tile = shown.tiles[0];
     const auto side = static_cast<std::size_t>(tile.samples);
-    std::vector<float> slopes(2 * side * side);
-    glBindTexture(GL_TEXTURE_2D, tile.texture);
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RG, GL_FLOAT, slopes.data());
+    const std::vector<float> slopes = test::layer_texels(tile.texture, tile.layer, 0, GL_RG, 2);
     const auto slope_at = [&](double u, double v, std::size_t component) {
         const double x = (u - std::floor(u)) * tile.samples, y = (v - std::floor(v)) * tile.samples;
         const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y);
@@ -267,7 +265,7 @@ TEST_F(PreviewTest, NearWaterIsNoSilk) {
     EXPECT_GT(with, 3.0 * without) << with << " and " << without;
 }
 
-/// Of the mipmaps' last level.
+/// Returns the mean cover by the last level of the mipmaps.
 double mean_cover(const ShownSea& shown) {
     float mean = 0.0f;
     glBindTexture(GL_TEXTURE_2D, shown.covers[0].texture);
@@ -318,7 +316,8 @@ TEST_F(PreviewTest, ALivePictureDoesNotWaitForItsCover) {
         Ocean same(sea, {});
         const double expected = mean_cover(same, 6.0, 128);
         maps.show(sea, 6.0);
-        // What is solved meanwhile is of the wind before: the next picture asks for this one.
+        // A solution that is in work belongs to the wind before: the next picture requests this
+        // one.
         for (Pending pending; (pending = maps.pending()) != Pending::nothing;) {
             if (pending == Pending::ready) maps.show(sea, 6.0);
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -396,7 +395,7 @@ TEST_F(PreviewTest, WholePeriodsAndLoopsLaterThePictureIsTheSame) {
     EXPECT_GT(largest_difference(shown(4.0), here), 20);
 }
 
-/// Of heights at one period beside each other, where both are more than two periods from the eye.
+/// Returns the correlation of heights one period apart, both more than two periods from the eye.
 double correlation_at_a_period(const std::vector<float>& values, int side, int pixels_a_period) {
     double product = 0.0;
     double square = 0.0;
@@ -540,7 +539,7 @@ TEST_F(PreviewTest, CrestsGlowBeforeTheSunAlone) {
     SeaMaps maps({.compute = false});
     Renderer renderer({.cells = 64});
     const ShownSea shown = maps.show(sea, 5.0);
-    // What the light through crests adds to each pixel, where the sun stands so far from the sight.
+    // The light that crests add to each pixel, with the sun so many degrees beside the sight.
     const auto added = [&](double aside, double amount) {
         const Camera camera{.eye = {0.0, 0.0, 3.0}, .heading = 20.0, .pitch = -6.0};
         Look look{.sun_altitude = 15.0, .sun_bearing = camera.heading + aside};
@@ -612,7 +611,7 @@ TEST_F(PreviewTest, CascadesShownAloneAddUpToTheSea) {
     const double unresolved = shown.mean_square_slope - test::map_slope(shown);
     EXPECT_GT(unresolved, 0.0);
     EXPECT_NEAR((slopes[0] + slopes[1] + unresolved) / slopes[2], 1.0, 0.02);
-    // Of two seas at once it is that cascade of both.
+    // In a cross-fade the shown cascade is that of both seas.
     const auto faded = period(cross_fade(shown, shown, 0.5), 1);
     for (std::size_t p = 1; p < all.size(); p += 4) {
         EXPECT_NEAR(faded[p], std::sqrt(2.0) * second[p], bound);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame_block.hpp"
 #include "preview_fixture.hpp"
-#include "seed_mesh.hpp"
 
 namespace ocean::preview {
 namespace {
@@ -16,7 +16,7 @@ constexpr int kSide = 48;
 
 class SeedTest : public PreviewTest {
   protected:
-    /// Of a square straight below, half the sea's period a side.
+    /// Returns the pixels of a square straight below, half the sea's period a side.
     std::vector<float> below(double x, double y, double height, double metres = 20.0,
                              bool wireframe = false) {
         const double degrees = 2.0 * std::atan(0.5 * metres / height) * 180.0 / kPi;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the preview's textures hold.
+// Values of the preview's textures.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,16 +14,31 @@
 
 namespace ocean::test {
 
+/// Returns the texels of one layer of an array texture, `components` floats each.
+inline std::vector<float> layer_texels(unsigned array, int layer, int level, GLenum format,
+                                       std::size_t components) {
+    GLint width = 0, height = 0, layers = 0;
+    glBindTexture(GL_TEXTURE_2D_ARRAY, array);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, level, GL_TEXTURE_WIDTH, &width);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, level, GL_TEXTURE_HEIGHT, &height);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, level, GL_TEXTURE_DEPTH, &layers);
+    const std::size_t size =
+        components * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::vector<float> all(size * static_cast<std::size_t>(layers));
+    glGetTexImage(GL_TEXTURE_2D_ARRAY, level, format, GL_FLOAT, all.data());
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(size) * layer;
+    return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+}
+
 /// Heights of the shown maps on `resolution` samples along a side of the sea's period: the sum over
 /// its cascades, each wrapped round its own. They need as many samples.
 inline std::vector<float> shown_heights(const preview::ShownSea& sea, int resolution) {
     const auto side = static_cast<std::size_t>(resolution);
     std::vector<float> heights(side * side);
     for (const preview::ShownCascade& cascade : sea.cascades) {
-        if (cascade.resolution != resolution) return {};
-        std::vector<float> texels(4 * side * side);
-        glBindTexture(GL_TEXTURE_2D, cascade.displacement);
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
+        if (cascade.maps.resolution != resolution) return {};
+        const std::vector<float> texels =
+            layer_texels(cascade.maps.displacement, cascade.layer, 0, GL_RGBA, 4);
         const auto periods = static_cast<std::size_t>(std::lround(sea.period / cascade.period));
         for (std::size_t y = 0; y < side; ++y) {
             for (std::size_t x = 0; x < side; ++x) {
@@ -35,14 +50,13 @@ inline std::vector<float> shown_heights(const preview::ShownSea& sea, int resolu
     return heights;
 }
 
-/// Mean square slope that the shown maps have: of the last level of their second moments.
+/// Returns the mean square slope of the shown maps, by the last level of their second moments.
 inline double map_slope(const preview::ShownSea& sea) {
     double sum = 0.0;
     for (const preview::ShownCascade& cascade : sea.cascades) {
-        float last[4] = {};
-        glBindTexture(GL_TEXTURE_2D, cascade.moments);
-        const int level = static_cast<int>(std::lround(std::log2(cascade.resolution)));
-        glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_FLOAT, last);
+        const int level = static_cast<int>(std::lround(std::log2(cascade.maps.resolution)));
+        const std::vector<float> last =
+            layer_texels(cascade.maps.moments, cascade.layer, level, GL_RGBA, 4);
         sum += cascade.weight * cascade.weight * static_cast<double>(last[0] + last[1]);
     }
     return sum;

@@ -31,6 +31,7 @@ def test_bands_are_slope_maps_with_what_they_hold(sea):
         assert band.tile == pytest.approx(max(1.0, 8.3 * band.longest_wave))
         variance = band.variance_x + band.variance_y
         assert read_square(band.slope) == pytest.approx(variance, rel=0.15)
+        assert band.mean_square == pytest.approx(read_square(band.slope), rel=1e-6)
         assert band.covariance > 0.0  # the wind blows towards 30 degrees
     assert detail.bands[-1].shortest_wave == 0.012
 

@@ -20,8 +20,8 @@ def text(path):
 
 SHADER = text("shaders/preview/foam_look.glsl")
 MACROS = text("povray_macros/ocean.inc")
-NODES = text("blender_addon/libocean_addon/foam_nodes.py") + text(
-    "blender_addon/libocean_addon/water_shader.py"
+NODES = text("blender_addon/libocean_addon/look/foam_nodes.py") + text(
+    "blender_addon/libocean_addon/look/water_shader.py"
 )
 LIBRARY = text("libocean/include/ocean/foam_texture.hpp")
 EXPORTER = text("libocean/io/povray/foam_declarations.cpp")

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Archives of spectra: the files of one format are read as one, and what is left out is told.
+// Archives of spectra: files of one format are read as one, and skipped files are reported.
 #include "archive.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct File {
     char type = '0';
 };
 
-/// As `tar` writes it, two empty blocks at its end.
+/// Returns an archive as `tar` writes it, with two empty blocks at its end.
 std::string tar(const std::vector<File>& files) {
     std::string archive;
     for (const File& file : files) {

@@ -12,7 +12,7 @@
 namespace ocean::csv {
 namespace {
 
-/// The columns of numbers, by their titles; what is no number is -1.
+/// Returns the columns of numbers by their titles; -1 for a cell without a number.
 std::string numbers_of(const std::string& content) {
     TableReader table(content, "t.csv");
     std::string text;
@@ -119,7 +119,7 @@ TEST(TableReader, WhatCanBeReadInTwoWaysIsRefused) {
         const std::string refusal = refusal_of(content);
         EXPECT_NE(refusal.find(message), std::string::npos) << refusal;
     };
-    says("a,b;c,d\n1,2;3,4\n", "t.csv:1: what separates the cells is ambiguous: a semicolon");
+    says("a,b;c,d\n1,2;3,4\n", "t.csv:1: the separator of the cells is ambiguous: a semicolon");
     says("x\ty\n1,500\t2,000\n",
          "t.csv:2: the comma of '1,500' is ambiguous: it may separate decim");
     says("x,y\n\"1,500\",\"12,000\"\n", "t.csv:2: the comma of '1,500' is ambiguous");

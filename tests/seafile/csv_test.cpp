@@ -105,7 +105,7 @@ TEST(Csv, EnergyIsTheSameInEveryUnitOverBoth) {
 }
 
 TEST(Csv, TheThreeDirectionColumnsMeanWhatTheySay) {
-    // The value 2 stands at 90.
+    // The value 2 is at 90.
     for (const auto& [title, travel] :
          {std::pair{"direction", 180.0}, {"direction_to", 0.0}, {"direction_cartesian", 90.0}}) {
         const SpectrumRecord record = first(grid(title));
@@ -204,9 +204,9 @@ TEST(Csv, BrokenHeadersAreRefused) {
         {"frequency,density,zzzzzzzzzzzzzzzzzzz", "known: frequency density"},
         {"frequency,station", "density is missing"},
         {"density,station", "frequency is missing"},
-        {"frequency,density,density", "there twice"},
+        {"frequency,density,density", "appears twice"},
         {"frequency (Hz),density (bar/Hz)", "density: units 'bar/Hz'"},
-        {"frequency,density (m2/Hz/deg)", "is no unit of a density over frequency, like m2/Hz"},
+        {"frequency,density (m2/Hz/deg)", "is not a unit of a density over frequency, like m2/Hz"},
         {"frequency,direction,density (m2/Hz)", "over frequency and direction, like m2/Hz/deg"},
         {"frequency (kHz),density", "'kHz' of frequency"},
         {"frequency (rad/s),density", "over rad/s the density needs a unit"},
@@ -230,7 +230,7 @@ TEST(Csv, BrokenRowsAreRefusedWithTheirLine) {
     const std::string head = "time,station,latitude,longitude,depth,frequency,density\n";
     const std::string good = "2020-06-08T03:50,A,1,2,3,.1,1\n2020-06-08T03:50,A,1,2,3,.2,1\n";
     const std::pair<std::string, std::string> broken[] = {
-        {"2020-06-08T03:50,A,1,2,3,.1,1\n", "frequency is there twice"},
+        {"2020-06-08T03:50,A,1,2,3,.1,1\n", "frequency appears twice"},
         {"2020-06-08T03:50,A,1,2,3,.3,-1\n", "the density of bin 3 is not within 0 .. 1e6"},
         {"2020-06-08T03:50,A,1,2,3,.3,1e7\n", "the density '1e7' is not within 0 .. 1e+06"},
         {"2020-06-08T03:50,A,1,2,3,.2,inf\n", "'inf'"},
@@ -270,9 +270,10 @@ TEST(Csv, AGridWithAHoleADoubleOrTooFewDirectionsIsRefused) {
     EXPECT_TRUE(hole.says("s.csv:8: ") && hole.says("no row for 0.1 Hz and 90 degrees"))
         << hole.message;
     const Refusal twice = refusal_of([&] { read(text + "0.1,90,1\n"); });
-    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("there twice")) << twice.message;
+    EXPECT_TRUE(twice.says("s.csv:10: ") && twice.says("appear twice in one record"))
+        << twice.message;
     const Refusal last = refusal_of([&] { read(text + "0.2,270,1\n"); });
-    EXPECT_TRUE(last.says("s.csv:10: ") && last.says("there twice")) << last.message;
+    EXPECT_TRUE(last.says("s.csv:10: ") && last.says("appear twice in one record")) << last.message;
     const Refusal few =
         refusal_of([] { read("frequency,direction,density\n.1,0,1\n.1,9,1\n.2,0,1\n.2,9,1\n"); });
     EXPECT_TRUE(few.says("s.csv:5: ") && few.says("at least 3 directions")) << few.message;

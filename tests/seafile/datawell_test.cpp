@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The reader of Datawell's .spt against the text of such files: densities relative to the highest,
-// directions, the buoy's own height, what the name says, and broken files.
+// directions, the buoy's own height, the information in the file's name, and broken files.
 #include <gtest/gtest.h>
 
 #include <numbers>

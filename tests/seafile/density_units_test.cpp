@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Units of spectral densities: what each spelling is in m^2/Hz or m^2/Hz/degree, by hand.
+// Units of spectral densities: the factor of each spelling to m^2/Hz or m^2/Hz/degree, by hand.
 #include "ocean/internal/density_units.hpp"
 
 #include <gtest/gtest.h>
@@ -126,24 +126,24 @@ TEST(DensityUnits, WhatIsNoDensityIsRefusedAsItWasUnderstood) {
     const auto says = [](const std::string& message, const char* words) {
         EXPECT_NE(message.find(words), std::string::npos) << words << " not in: " << message;
     };
-    says(fault("m2"), "units 'm2': m^2 is no unit of a density over frequency");
-    says(fault("m2 Hz"), "m^2 Hz is no");
-    says(fault("m2/Hz/rad"), "m^2 rad^-1 Hz^-1 is no unit of a density over frequency, like");
-    says(fault("m2/rad/s"), "m^2 s^-1 rad^-1 is no");
-    says(fault("m2/Hz/deg"), "m^2 degree^-1 Hz^-1 is no unit of a density over frequency, like");
+    says(fault("m2"), "units 'm2': m^2 is not a unit of a density over frequency");
+    says(fault("m2 Hz"), "m^2 Hz is not a");
+    says(fault("m2/Hz/rad"), "m^2 rad^-1 Hz^-1 is not a unit of a density over frequency, like");
+    says(fault("m2/rad/s"), "m^2 s^-1 rad^-1 is not a");
+    says(fault("m2/Hz/deg"), "m^2 degree^-1 Hz^-1 is not a unit of a density over frequency, like");
     says(fault("m2 s", DensityOver::frequency_and_direction),
-         "m^2 s is no unit of a density over "
+         "m^2 s is not a unit of a density over "
          "frequency and direction");
-    says(fault("m2 s deg", DensityOver::frequency_and_direction), "m^2 s degree is no");
-    says(fault("m2/Hz/degx", DensityOver::frequency_and_direction), "'degx' is no unit");
-    says(fault("kW/m/Hz"), "'kw' is no unit");
-    says(fault("1"), "a number is no unit");
+    says(fault("m2 s deg", DensityOver::frequency_and_direction), "m^2 s degree is not a");
+    says(fault("m2/Hz/degx", DensityOver::frequency_and_direction), "'degx' is not a known unit");
+    says(fault("kW/m/Hz"), "'kw' is not a known unit");
+    says(fault("1"), "a number is not a unit");
     says(fault(""), "a unit is missing");
-    says(fault("m2/"), "is no unit that is known");
+    says(fault("m2/"), "is not a known unit");
     says(fault("m2/(Hz"), "a parenthesis is not closed");
     says(fault("m2/Hz)"), "')' is not understood");
-    says(fault("m^99 s"), "no power of at most 9");
-    says(fault("1e-300 m2 s"), "no number in 1e-12");
+    says(fault("m^99 s"), "must begin with a power of at most 9");
+    says(fault("1e-300 m2 s"), "must begin with a number, 1e-12 .. 1e12");
     says(fault(std::string(101, 'm')), "too long");
     for (const char* other :
          {"m", "cm2", "J/m2", "m 2.5 s", "m^2.5 s", "m3 s", "m2 s s", "((((((((((", "^2", "per",

@@ -54,7 +54,7 @@ std::vector<double> even_bins(std::size_t count, double first = 0.0) {
 
 TEST(TravelDirection, IsRightInEveryQuadrant) {
     struct Case {
-        double file, from, to;  // the angle of the file, what it means by either nautical reading
+        double file, from, to;  // the angle of the file, and its meaning in either nautical sense
     };
     for (const Case& c : {Case{0, 270, 90},
                           {45, 225, 45},
@@ -157,9 +157,9 @@ TEST(DirectionAxis, FaultsOfBinsAreNamed) {
         {{0, 90, kNaN}, "not a number of degrees"},
         {{0, 90, 1e300}, "not a number of degrees"},
         {{0, 90, std::numeric_limits<double>::infinity()}, "not a number of degrees"},
-        {{0, 90, 90, 180}, "there twice"},
-        {{0, 90, 180, 450}, "there twice"},
-        {{0, 90, 180, 270, 360, 720}, "there twice"},
+        {{0, 90, 90, 180}, "appears twice"},
+        {{0, 90, 180, 450}, "appears twice"},
+        {{0, 90, 180, 270, 360, 720}, "appears twice"},
     };
     for (const auto& [bins, words] : broken) {
         EXPECT_NE(DirectionAxis::fault(bins).find(words), std::string::npos)

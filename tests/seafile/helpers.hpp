@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of ocean::seafile share: errors as values, and equality of seas in every bit.
+// Helpers of the tests of ocean::seafile: errors as values, and bitwise equality of seas.
 #pragma once
 
 #include <bit>
@@ -37,7 +37,7 @@ Refusal refusal_of(Action action) {
     return {};
 }
 
-/// What is wrong with a file, or with the first of its records that cannot be read.
+/// Returns the fault of a file, or of the first of its records that cannot be read.
 template <typename Read>
 Refusal first_fault_of(Read read) {
     std::vector<SpectrumRecord> records;
@@ -81,7 +81,7 @@ inline bool same_value(const ParameterValue& a, const ParameterValue& b) {
     return x != nullptr && y != nullptr ? same_bits(*x, *y) : a == b;
 }
 
-/// The first parameter in which two seas differ in any bit; empty if there is none.
+/// Returns the first parameter in which two seas differ in any bit; empty if they are equal.
 inline std::string difference(const Sea& a, const Sea& b) {
     if (a.parameters.waves.size() != b.parameters.waves.size()) return "waves";
     for (const ParameterInfo& info : parameter_table()) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every preset, asked at random points: the bounds of query.hpp.
+// Every preset, queried at random points: the bounds of query.hpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

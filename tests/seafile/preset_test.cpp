@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Presets say what they are: the scales' heights by our own spectra, on grids that hold them.
+// Presets keep their names: the scales' heights by libocean's own spectra, on grids that hold them.
 #include <gtest/gtest.h>
 
 #include "helpers.hpp"

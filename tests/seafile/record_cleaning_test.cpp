@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What estimators leave in spectra and no sea has: bins of 0 Hz, densities below 0. And what of a
-// file can be used when one of its records cannot.
+// Artefacts that estimators leave in spectra and that no sea has: bins of 0 Hz, densities below 0.
+// And the usable records of a file with a broken one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,8 +41,8 @@ TEST(CleanRecord, ANegativeDensityCountsAsZeroAndTheEnergyStays) {
     EXPECT_NEAR(summarize(record).m0, m0, 1e-12 * m0);
     ASSERT_EQ(record.warnings.size(), 1u);
     EXPECT_EQ(record.warnings[0],
-              "2 of 4 densities are below 0, the least by 5.00 % of the highest: they are taken as "
-              "0, and the others keep the energy");
+              "2 of 4 densities are below 0, the lowest by 5.00 % of the highest: they count as 0, "
+              "and the others keep the energy");
 }
 
 TEST(CleanRecord, OverDirectionsEachFrequencyKeepsItsEnergyToo) {
@@ -81,7 +81,8 @@ TEST(CleanRecord, ABinOfZeroHertzIsLeftOutWithAllThatBelongsToIt) {
     EXPECT_EQ(record.a1, (std::vector<double>{0.2, 0.3}));
     EXPECT_EQ(record.b2, (std::vector<double>{0.2, 0.3}));
     ASSERT_EQ(record.warnings.size(), 1u);
-    EXPECT_EQ(record.warnings[0], "a density of 7 m^2/Hz at 0 Hz, which is no wave, is left out");
+    EXPECT_EQ(record.warnings[0],
+              "a density of 7 m^2/Hz at 0 Hz, which is not a wave, is left out");
     SpectrumRecord grid = record_of({0.0, 0.1, 0.2}, {0.0, 360.0, 360.0});
     grid.direction = {0, 120, 240};
     grid.directional_density = {0, 0, 0, 1, 2, 3, 4, 5, 6};
@@ -141,7 +142,7 @@ TEST(RecordWithFault, IsNoneOfTheListAndIsWarnedOf) {
     ASSERT_EQ(warnings.size(), 3u);
     EXPECT_EQ(warnings[0], "record 2020-01-01T00:00: cannot be read: f:3: wrong");
     EXPECT_EQ(warnings[1], "2 of 3 records: something was assumed");
-    EXPECT_NE(warnings[2].find("2 of 3 records: says nothing of directions"), std::string::npos);
+    EXPECT_NE(warnings[2].find("2 of 3 records: has no directions"), std::string::npos);
 }
 
 TEST(RecordWithFault, OfAManyTheFirstFiftyAreNamed) {
@@ -172,7 +173,7 @@ TEST(RecordWarnings, ReachTheStateOfTheSeaAndItsFile) {
         return std::count(state.warnings.begin(), state.warnings.end(), text);
     };
     EXPECT_EQ(says("waves.0.file: the unit was a \"guess\""), 1);
-    EXPECT_EQ(says("waves.0.file says nothing of directions: the waves travel to "
+    EXPECT_EQ(says("waves.0.file has no directions: the waves travel to "
                    "waves.0.wind_direction = 0, to the east, spread as waves.0.spreading says"),
               1);
 }
@@ -200,7 +201,7 @@ TEST(RecordWarnings, ASpreadNarrowerThanASeaHoldsIsToldWithBoth) {
     };
     const auto said = [](const SeaState& state) {
         return std::count_if(state.warnings.begin(), state.warnings.end(), [](const auto& text) {
-            return text.find("the least that a sea holds") != std::string::npos;
+            return text.find("narrower than any sea") != std::string::npos;
         });
     };
     // A spread of 0: cos^2s of s = 200 has sqrt(2 (1 - 200/201)) = 5.7 degrees.
@@ -209,8 +210,8 @@ TEST(RecordWarnings, ASpreadNarrowerThanASeaHoldsIsToldWithBoth) {
     EXPECT_NEAR(narrow.directional_spread.asked, 5.7, 0.1);
     EXPECT_EQ(said(narrow), 1);
     EXPECT_EQ(std::count(narrow.warnings.begin(), narrow.warnings.end(),
-                         "waves.0.file has a directional spread of 0.0 degrees: the least that a "
-                         "sea holds is taken, 5.7"),
+                         "waves.0.file has a directional spread of 0.0 degrees, narrower than "
+                         "any sea: 5.7 is used"),
               1);
     EXPECT_EQ(said(state_of("a1 = [0.9, 0.9, 0.9]\nb1 = [0.0, 0.0, 0.0]\na2 = [nan, nan, nan]\n"
                             "b2 = [nan, nan, nan]\n")),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Files of kinds that people reported, see tests/data/reports/README.md: the height, peak period
-// and direction that each was made with, how many records can be read, and what is warned of.
+// and direction that each was made with, the number of readable records, and the warnings.
 #include <gtest/gtest.h>
 
 #include <algorithm>

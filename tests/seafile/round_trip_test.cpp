@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What write_sea writes, parse_sea reads back in every bit: no baked sea is another sea.
+// parse_sea reads back every bit that write_sea writes: no baked sea is another sea.
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -256,6 +256,36 @@ TEST(MeasuredRecord, WithAFaultIsRefusedWithItsLine) {
         const Refusal refusal = refusal_of_sea(head + body);
         ASSERT_TRUE(refusal.refused) << body;
         EXPECT_TRUE(refusal.says(words) && refusal.says("test.toml:")) << refusal.message;
+    }
+}
+
+/// A host keeps the values alone: records of several systems, with a take behind them.
+TEST(SeaFileRoundTrip, ValuesMakeTheSameSea) {
+    Sea sea = buoy_sea();
+    add_wave_system(sea, "waves.0");
+    sea.parameters.waves.push_back(sea.parameters.waves[1]);
+    sea.parameters.time.take = "storm.take";
+    sea.take =
+        parse_take("1 wind_speed 12.5\n2.5 waves.0.fetch 50000\n", "storm.take", sea.parameters);
+    std::vector<NamedValue> values;
+    const std::vector<NamedText> kept = sea_values(sea);
+    for (const NamedText& text : kept) values.push_back({text.name, text.value});
+    const Sea again = parse_sea(text_of_values(values), "values", "/nowhere");
+    EXPECT_EQ(difference(again, sea), "");
+    EXPECT_EQ(write_sea(again), write_sea(sea));
+}
+
+TEST(SeaFileRoundTrip, ValuesKeepTheirSpellingAndLeaveOutTheEmpty) {
+    const std::vector<NamedValue> values = {
+        {"fps", "2.50e1"}, {"depth", ""}, {"waves.0.fetch", "1e5"}, {"resolution", "64"}};
+    EXPECT_EQ(text_of_values(values),
+              "libocean = 1\n\n[grid]\nresolution = 64\n\n[time]\nfps = 2.50e1\n\n[[waves]]\n"
+              "fetch = 1e5\n");
+    for (const ParameterInfo& info : parameter_table()) {
+        if (!info.neutral) continue;
+        const std::string name = info.path();
+        const std::vector<NamedValue> neutral = {{name, *info.neutral}};
+        EXPECT_EQ(text_of_values(neutral).find(info.key), std::string::npos) << name;
     }
 }
 

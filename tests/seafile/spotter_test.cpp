@@ -86,7 +86,8 @@ TEST(SpotterCsv, ReadsWhatTheFileSays) {
 
 TEST(SpotterCsv, HeightAndPeriodAreThoseThatTheBuoyReports) {
     const std::vector<SpectrumRecord> records = read_spectra(kSpotterCsvFile);
-    // Of the first, second, fourth and last line. The buoy adds up bins, we use the trapezoid.
+    // The first, second, fourth and last line. The buoy sums bins, libocean uses the trapezoid
+    // rule.
     for (const auto& [line, hs, tp] :
          {std::tuple{0, 0.878, 9.309}, {1, 0.835, 9.309}, {3, 0.653, 5.689}, {20, 0.242, 3.2}}) {
         const SpectrumRecord& record = records[static_cast<std::size_t>(line)];
@@ -145,7 +146,7 @@ TEST(SpotterCsv, BrokenFilesAreRefusedWithTheirLine) {
     const std::tuple<std::string, std::string, int, std::string> broken[] = {
         {"Epoch Time", "Local Time", 1, "the column Epoch Time is missing"},
         {"Latitude (deg)", "Lat", 1, "need each other"},
-        {"f_1 ", "f_0 ", 1, "the column f_0 is there twice"},
+        {"f_1 ", "f_0 ", 1, "the column f_0 appears twice"},
         {"b1_1", "b1_3", 1, "the column b1_1 is missing"},
         {"a2_2", "a2", 2, "2 values of a2 for 3 frequencies"},
         {",1630901521", ",yesterday", 2, "'yesterday' is not a number"},
@@ -277,14 +278,14 @@ TEST(SpotterJson, BrokenFilesAreRefusedWithTheirLine) {
         {"[1.5, 2.5, 1]", "[1.5, 2,5,, 1]", 6, "',' is not what JSON has here"},
         {"0.2, 0.4]", "0.05, 0.4]", 12, "the frequencies do not ascend at bin 2"},
         {"0.2, 0.4]", "-1, 0.4]", 5, "a frequency of -1; allowed: 1e-5 .. 100 Hz"},
-        {"\"b1\":", "\"a1\":", 8, "'a1' is there twice in one spectrum"},
+        {"\"b1\":", "\"a1\":", 8, "'a1' appears twice in one spectrum"},
         {"[0.8, 0, -0.8]", "[0.8, 0, -1.8]", 7, "a moment of -1.8; allowed: -1 .. 1"},
         {"00:27:19.000Z", "00:27:19.000+25:00", 4, "is not UTC like"},
         {"00:27:19.000Z", "00:27:19.Z", 4, "is not UTC like"},
         {"\"2018-02-14T00:27:19.000Z\"", "1518568039", 4, "'timestamp' has a single number"},
         {"-61.0", "-161.0", 4, "a latitude of -161.0; allowed: -90 .. 90"},
         {"173.4", "\"173.4\"", 4, "'longitude' has a text"},
-        {"\"limit\": null", "\"frequencyData\": []", 13, "'frequencyData' is there twice"},
+        {"\"limit\": null", "\"frequencyData\": []", 13, "'frequencyData' appears twice"},
         {"]]},", "]]},\n}", 2, "'}' is not what JSON has here"},
     };
     for (const auto& [from, to, line, words] : broken) {

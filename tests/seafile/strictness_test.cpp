@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The sea-file reader is strict: each kind of mistake ends in an error that names the file, the
-// line, the key, the value and what is allowed.
+// line, the key, the value and the allowed values.
 #include <gtest/gtest.h>
 
 #include <limits>

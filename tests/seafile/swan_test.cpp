@@ -199,7 +199,7 @@ TEST(Swan, TimesAreReadByTheirCodingOption) {
     const Refusal month = refusal_of([] { read(at_time("2", "'30-anf-87 15:30:00'")); });
     EXPECT_TRUE(month.says("s.spec:15: '30-anf-87' where a time like DD-bbb-YY")) << month.message;
     const Refusal refusal = refusal_of([] { read(at_time("4", "15:30:00")); });
-    EXPECT_TRUE(refusal.says("s.spec:3: time coding option 4 tells no dates")) << refusal.message;
+    EXPECT_TRUE(refusal.says("s.spec:3: time coding option 4 has no dates")) << refusal.message;
 }
 
 TEST(Swan, TwoDigitsOfAYearAreWithin1950To2049) {
@@ -268,7 +268,7 @@ TEST(Swan, BrokenFilesAreRefusedWithTheLine) {
         {"0.1000", "0.1O00", ":12: '0.1O00' is not a frequency"},
         {"     4     ", "  1e9     ", ":15: 1e9 directions; allowed: 3 .. 720"},
         {" 90.", " 1234.", ":16: a direction of 1234.; allowed"},
-        {" 90.", " 0.", ":16: a direction is there twice"},
+        {" 90.", " 0.", ":16: a direction appears twice"},
         {"     1                  number of q", " 2 ", ":18: 2 quantities; allowed: 1 .. 1"},
         {"VaDens", "Hs", ":19: 'Hs' is not a quantity; known: VaDens, EnDens"},
         {"m2/Hz/degr", "m2/Hz/gon", ":20: 'm2/Hz/gon' is not a unit of VaDens; known: m2/Hz/degr"},

@@ -61,10 +61,10 @@ TEST(TableFile, EachMistakeIsRefusedWithItsLine) {
          "kiln.toml:3: kiln.bricks = 100: is not a power of two; allowed: a power of two, 16 .. "
          "4096"},
         {"heat = 900\n",
-         "kiln.toml:2: heat = 900: stands outside its section; allowed: below "
+         "kiln.toml:2: heat = 900: is outside its section; allowed: below "
          "[kiln]"},
         {"bowls = 2\n",
-         "kiln.toml:2: bowls = 2: stands outside its section; allowed: below [[kiln.tray]]"},
+         "kiln.toml:2: bowls = 2: is outside its section; allowed: below [[kiln.tray]]"},
         {"[kiln.tray]\n",
          "kiln.toml:2: kiln.tray = a table: is not a list of trays; allowed: [[kiln.tray]], in "
          "double brackets, once for each tray"},
@@ -141,7 +141,7 @@ TEST(SeaFile, OfATerrainSaysSo) {
         refusal_of_sea("[water]\ndepth = 5\n[terrain]\n").says("test.toml:4: is a terrain"));
 }
 
-/// What programs read beside the sentence passes the file's readers.
+/// The fields that programs read beside the sentence pass through the file's readers.
 TEST(SeaFile, MistakesKeepTheirFields) {
     const auto fields = [](const std::string& body) {
         try {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Takes as text: what is read, what is refused and how, and that a saved sea holds its take.
+// Takes as text: accepted lines, refused lines and their messages, and the take inside a saved sea.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -106,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NoTime", "soon swell 0", {"soon: is not a time", "SECONDS NAME VALUE"}},
         Mistake{"EndlessTime", "inf swell 0", {"inf: is not a time"}},
         Mistake{"NanTime", "nan swell 0", {"nan: is not a time"}},
-        Mistake{"NoValue", "7 peak_period", {"7 peak_period: is no event", "SECONDS NAME VALUE"}},
+        Mistake{
+            "NoValue", "7 peak_period", {"7 peak_period: is not an event", "SECONDS NAME VALUE"}},
         Mistake{"TrailingWord", "7 wind_speed 14 m/s", {"= 14: is followed by m/s"}},
         Mistake{"ControlCharacter", "7 wind\x01 3", {"'wind?'"}},
         Mistake{"NulByte", std::string("7 swell 0\0", 10), {"0?"}},

@@ -14,7 +14,7 @@ namespace {
 
 const std::string kBuoyFile = kData + "/spectra/triaxys.DIRSPEC";
 
-/// Three frequencies, waves from the north, east, south and west; north is there twice.
+/// Three frequencies, waves from the north, east, south and west; north is listed twice.
 const std::string kFile =
     "TRIAXYS BUOY DATA REPORT - TAS01970 - TAB01401 - 4857.6668S16631.6837W\r\n"  // 1
     "VERSION = WV (NDS)\r\n"
@@ -73,7 +73,7 @@ TEST(Triaxys, ReadsWhatTheFileSays) {
 }
 
 TEST(Triaxys, TheTableIsPerDegree) {
-    // What the same buoy says at the same time in its file over frequency alone, .NONDIRSPEC.
+    // The same buoy at the same time, in its file over frequency alone, .NONDIRSPEC.
     const SpectrumRecord record = read_spectra(kBuoyFile).front();
     EXPECT_NEAR(record.density[5] / 2.7462840, 1.0, 0.003) << "0.06 Hz";
     EXPECT_NEAR(record.density[12] / 6.9292030, 1.0, 0.003) << "0.13 Hz";
@@ -139,7 +139,8 @@ TEST(Triaxys, BrokenFilesAreRefusedWithTheirLine) {
         {"=   0.100", "=      90", 13, "the last frequency is beyond 100 Hz"},
         {"=       5", "=     721", 10, "'721' directions; allowed: 3 .. 720"},
         {"=       5", "=       4", 14, "'9' after the densities of all directions"},
-        {"=       5", "=       6", 13, "of the directions of the header: a direction is there"},
+        {"=       5", "=       6", 13,
+         "of the directions of the header: a direction appears twice"},
         {"=    90.0", "=   -90.0", 11, "a spacing of '-90.0'"},
         {"4.0E-02", "-4.0E+05", 15, "a density of -4.0E+05; allowed: 0 .. 2500 m^2/Hz/deg"},
         {"4.0E-02", "nan", 15, "'nan' is not a density"},

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Times of records: what is one as text, and minutes since 1970 there and back.
+// Times of records: accepted texts, and minutes since 1970 there and back.
 #include "ocean/internal/utc_time.hpp"
 
 #include <gtest/gtest.h>

@@ -130,13 +130,13 @@ TEST(Wavewatch, NumbersAreReadAsFortranWritesThem) {
     };
     for (const auto& [spelled, value, after] : numbers) {
         std::string_view rest = spelled;
-        EXPECT_EQ(text::take_fortran_number(rest), value) << spelled;
+        EXPECT_EQ(text::next_fortran_number(rest), value) << spelled;
         EXPECT_EQ(rest, after) << spelled;
     }
     for (const std::string none : {"", ".", "-", "E5", "1E", "1E+", "1.2.3", "****", "nan", "inf",
                                    "1x", "1E999", "--1", "0x10", "1,5"}) {
         std::string_view rest = none;
-        EXPECT_EQ(text::take_fortran_number(rest), std::nullopt) << none;
+        EXPECT_EQ(text::next_fortran_number(rest), std::nullopt) << none;
         EXPECT_EQ(rest, none);
     }
 }
@@ -190,7 +190,7 @@ TEST(Wavewatch, BrokenFilesAreRefusedWithTheLine) {
         {" 0.100E+00", " -0.10E+00", ":2: a frequency of -0.10E+00; allowed: 1e-5 .. 100 Hz"},
         {" 0.200E+00", " 200.0", ":2: a frequency of 200.0; allowed"},
         {"0.157E+01", "90.0", ":3: a direction of 90.0; allowed: 0 .. 2 pi"},
-        {"0.157E+01", "0.314E+01", ":3: a direction is there twice"},
+        {"0.157E+01", "0.314E+01", ":3: a direction appears twice"},
         {"0.471E+01\n", "\n", ":4: a direction of 20220912"},
         {"20220912 06", "20221312 06", ":4: '20221312' where a time"},
         {"20220912 060000", "2022-09-12 06:00", ":4: '2022-09-12' where a time"},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cascades: the same energy however many there are, no wave twice and none left out, and small maps
-// that add up to the one surface.
+// Cascades: the energy does not depend on their number, no wave appears twice or is missing, and
+// small maps add up to the one surface.
 #include "ocean/cascades.hpp"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ TEST(Cascades, HaveNoiseOfTheirOwn) {
     ThreadPool pool(1);
     Parameters parameters = cascade_sea(128, 400.0, {1, 2});
     const Modes modes = make_modes(make_directional_spectrum(parameters), parameters, pool);
-    // The same waves: mode (n, m) of the second lattice as (2n, 2m) of a lone finer one.
+    // Both seas have the same waves: mode (n, m) of the second lattice is (2n, 2m) of a finer one.
     parameters.grid = {256, 400.0, 1, {}};
     const Modes lone = make_modes(make_directional_spectrum(parameters), parameters, pool);
     std::complex<double> product = 0.0;
@@ -249,14 +249,14 @@ TEST(CascadeMap, PacksAgainOnlyWhereTheModesAreOthers) {
     EXPECT_TRUE(same(1.0, Backend::cpu));
     EXPECT_TRUE(same(2.0, Backend::cpu));
     EXPECT_EQ(packings, 1);
-    sea.set("choppiness", "0.5");  // of no mode
+    sea.set("choppiness", "0.5");  // affects no mode
     EXPECT_TRUE(same(2.0, Backend::cpu));
     EXPECT_EQ(packings, 1);
     sea.set("wind_speed", "14");
     EXPECT_TRUE(same(2.0, Backend::cpu));
     EXPECT_EQ(packings, 2);
     same(2.0, Backend::dft);
-    // Modes that nobody counts are never taken for others.
+    // Modes without a revision are never confused with others.
     Modes scaled = sea.modes();
     scaled.revision = {};
     kept.planes(scaled, 2.0, {Linear::height}, pool);
@@ -362,7 +362,7 @@ TEST(Cascades, DivisorsThatMakeNoSenseAreRefused) {
         return std::string();
     };
     EXPECT_EQ(message({1, 5}, 2), "");
-    EXPECT_NE(message({1, 5}, 3).find("must be 3 numbers"), std::string::npos);
+    EXPECT_NE(message({1, 5}, 3).find("must have 3 numbers"), std::string::npos);
     EXPECT_NE(message({2, 5}, 2).find("must begin with 1"), std::string::npos);
     EXPECT_NE(message({1, 1}, 2).find("must ascend"), std::string::npos);
     EXPECT_NE(message({1, 9}, 2).find("too far above"), std::string::npos);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Caustics: flat water changes nothing, light is neither lost nor made, crests have their focus
-// where paraxial optics puts it, the sun's bearing and altitude shift what it should, and the map
-// depends neither on threads nor on where its period begins.
+// Caustics: flat water changes nothing, light is neither lost nor gained, crests focus where
+// paraxial optics predicts, the sun's bearing and altitude shift the pattern, and the map depends
+// neither on threads nor on where its period begins.
 #include "ocean/caustics.hpp"
 
 #include <gtest/gtest.h>

@@ -142,8 +142,8 @@ TEST_P(HostChannels, KnowTheChoppiness) {
 
 TEST_P(HostChannels, ThatHaveNoRowAreRefused) {
     Ocean sea = ocean();
-    for (const Channel channel : {kNone, static_cast<Channel>(kMostChannels - 1),
-                                  static_cast<Channel>(kMostChannels), static_cast<Channel>(-5)}) {
+    for (const Channel channel : {kNone, static_cast<Channel>(kMaxChannels - 1),
+                                  static_cast<Channel>(kMaxChannels), static_cast<Channel>(-5)}) {
         EXPECT_THROW(sea.evaluate(0.0, {Channel::height, channel}), Error);
         float value = 0.0f;
         const MapOutput output{&value, 1, {{{channel, 1.0f}}}};
@@ -201,7 +201,7 @@ TEST(Channels, OfAFormulaThatReadsMoreThanItsRowSaysAreNotANumber) {
          "",
          kGradients,
          {},
-         [](const auto& p) { return p.foam_left + channel_formula::whitecap_of(p); },
+         [](const auto& p) { return p.previous_foam + channel_formula::whitecap_of(p); },
          FoamUse::threshold},
         {"sloppiest", "", kSlopes, kSlopes, [](const auto& p) { return p[Linear::height]; }}};
     Ocean sea(stormy_sea(), {.channels = kSloppy});
@@ -235,7 +235,8 @@ TEST(Products, AreFoundByNameAmongThoseThatThereAre) {
     }
 }
 
-/// Of image files whose options leave it open: what moves geometry is float, the rest half.
+/// Image files whose options leave the type open store float for products that move geometry, else
+/// half.
 TEST(Products, StateHowFilesKeepThem) {
     std::string full, always, of_halves;
     for (const Product& product : kProducts) {

@@ -16,7 +16,7 @@ namespace formula = wave::double_precision;
 TEST(CrestLight, IsNumbersByHand) {
     // (0.8 - 0.1) (1.4 - 0.6) 0.9^2 (0.15 + 0.3)^0.7
     EXPECT_NEAR(formula::crest_light(0.8, 0.6, 0.9, -0.3), 0.25937, 1e-5);
-    // High over all, folded, straight against a sun on the horizon, on a side that stands upright.
+    // Very high, folded, straight against a sun on the horizon, on a vertical side.
     EXPECT_DOUBLE_EQ(formula::crest_light(3.0, -1.0, 1.0, -1.0), 1.0);
 }
 
@@ -42,7 +42,7 @@ TEST(CrestLight, GrowsWithHeightSqueezingAndTheSunAhead) {
 TEST(Haze, LeavesTwoPercentAtTheVisibility) {
     EXPECT_EQ(formula::haze(0.0, 2e4), 0.0);
     EXPECT_NEAR(formula::haze(2e4, 2e4), 0.98, 1e-5);
-    // Twice the way: what is left, squared.
+    // At twice the distance the remaining share is squared.
     EXPECT_NEAR(1.0 - formula::haze(2e4, 2e4), std::pow(1.0 - formula::haze(1e4, 2e4), 2), 1e-12);
 }
 

@@ -44,7 +44,7 @@ struct NamedSea {
     Parameters parameters;
 };
 
-/// Of all that changes where a map ends, and what lies beyond.
+/// Returns seas that differ in all that changes where a map ends and what lies beyond.
 std::vector<NamedSea> seas() {
     std::vector<NamedSea> seas = {{"beaufort_4", beaufort(4)}, {"beaufort_7", beaufort(7)}};
     const auto add = [&](const std::string& name, Parameters parameters) -> Parameters& {
@@ -321,7 +321,7 @@ TEST(SlopeTiles, FadesFromAQuarterOfTheMiddleWaveTo12TenthsOfIt) {
     EXPECT_NEAR(formula::slope_footprint(100.0, 0.001, 0.0), 1.0, 1e-12);
 }
 
-// What is measured of the shown slopes, and what is handed to the roughness.
+// The slopes shown and the slopes handed to the roughness add up to the sea's at every distance.
 TEST(SlopeTiles, ShownAndRoughSlopesAreTheSeasAtEveryDistance) {
     constexpr double kPixel = 0.00131, kEye = 2.0;
     constexpr int kSeeds = 8;
@@ -408,7 +408,8 @@ TEST(Detail, LoopsReturn) {
     EXPECT_FALSE(same_bits(ocean.detail(5.25, {0, 256}), start));
 }
 
-// As the surface: what was before stays, what comes is that of the performed sea's own text.
+// As for the surface: slopes before the change stay, later ones are those of the performed sea's
+// text.
 TEST(Detail, APerformedWindChangesIt) {
     const Parameters parameters = test::wind_sea(64, 100.0);
     Ocean ocean(parameters, {1});

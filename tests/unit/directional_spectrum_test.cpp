@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The table holds the energy and the density of what it was made from.
+// The table holds the energy and the density of the spectra that it was made from.
 #include "ocean/directional_spectrum.hpp"
 
 #include <gtest/gtest.h>

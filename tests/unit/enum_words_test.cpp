@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Words come from the enumerators themselves, as many as there are, in their order.
+// Words come from the enumerators themselves, in their number and order.
 #include "ocean/enum_words.hpp"
 
 #include <gtest/gtest.h>

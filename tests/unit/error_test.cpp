@@ -48,10 +48,10 @@ INSTANTIATE_TEST_SUITE_P(
             "resolution = 33; allowed: a power of two, 32 .. 8192",
             {.parameter = "resolution", .value = "33", .allowed = "a power of two, 32 .. 8192"}},
         Refusal{[] { parse_number("9", "--sun", 0.0, 5.0); },
-                "--sun = 9: allowed is a number, 0 .. 5",
+                "--sun = 9; allowed: a number, 0 .. 5",
                 {.parameter = "--sun", .value = "9", .allowed = "a number, 0 .. 5"}},
         Refusal{[] { parse_whole_number("2.5", "--side", 0, 5); },
-                "--side = 2.5: allowed is a whole number",
+                "--side = 2.5; allowed: a whole number",
                 {.parameter = "--side", .value = "2.5", .allowed = "a whole number"}},
         Refusal{[] {
                     require_body({0.0, 0.0, 0.0, -1.0, 1.0});
@@ -59,10 +59,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "length = -1.000000; allowed: 0 .. 100000 m",
                 {.parameter = "length", .value = "-1.000000", .allowed = "0 .. 100000 m"}},
         Refusal{[] { validate(SpraySettings{.lifetime = 20.0}); },
-                "spray: lifetime = 20: allowed is 0.05 .. 10",
+                "spray: lifetime = 20; allowed: 0.05 .. 10",
                 {.parameter = "lifetime", .value = "20", .allowed = "0.05 .. 10"}},
         Refusal{[] { require_foam_texture_size(65); },
-                "the size of a foam texture is 65; allowed is a power of two, 64 .. 4096",
+                "foam texture: size = 65; allowed: a power of two, 64 .. 4096",
                 {.parameter = "size", .value = "65", .allowed = "a power of two, 64 .. 4096"}}));
 
 }  // namespace

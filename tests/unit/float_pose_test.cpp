@@ -98,7 +98,7 @@ TEST_F(FloatOnShortWaves, ABodyMuchLongerThanTheWavesStaysNearlyLevel) {
     }
     // A line fitted to a cosine over a length l >> wave slopes by 12 / (k l^2) at most.
     EXPECT_LT(steepest, std::atan(12.5 / (k_ * 120.0 * 120.0)) * kDegrees);
-    EXPECT_GT(std::atan(k_) * kDegrees, 20.0);  // of the waves themselves
+    EXPECT_GT(std::atan(k_) * kDegrees, 20.0);  // slope of the waves themselves
 }
 
 TEST_F(FloatOnOneWave, RefusesABodyThatIsNone) {

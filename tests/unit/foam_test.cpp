@@ -309,11 +309,10 @@ TEST(FoamPreroll, FullFoamHasFadedInFloatsToo) {
 float over(const FoamLayer& layer, float whitecap, std::size_t i) {
     const float left = layer.map != nullptr ? layer.fade * layer.map[i] : 0.0f;
     const float foam = std::max(whitecap, left);
-    return foam < layer.least ? 0.0f : foam;
+    return foam < layer.cutoff ? 0.0f : foam;
 }
 
-/// Whitecaps that come and go at random, for each sample and each instant its own; they count how
-/// often they are asked for.
+/// Whitecaps that come and go at random, independent for each sample and time; counts its calls.
 class RandomWhitecaps {
   public:
     static constexpr std::size_t kSamples = 257;
@@ -479,7 +478,7 @@ TEST(FoamCost, IsTheTicksThatWereNotSeen) {
     EXPECT_EQ(sea.cost(state, time + 0.06), 0);    // and forth
     EXPECT_EQ(sea.cost(state, time + 0.56), 10);   // a jump within the pre-roll
     EXPECT_EQ(sea.cost(state, time + 60.0), 501);  // and beyond it
-    EXPECT_EQ(sea.cost(state, time), 501);         // back beyond what is kept
+    EXPECT_EQ(sea.cost(state, time), 501);         // before the kept ticks
 }
 
 TEST(FoamCost, ALoopClosesForTheCostOfOneTick) {

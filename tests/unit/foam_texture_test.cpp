@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Textures of foam: a cover is what its share of bilinear reads says, they have no seam, the bits
-// are those of any number of threads, a finer one is the same foam, kinds and seeds are
+// Textures of foam: a cover equals its share of bilinear reads, textures have no seam, the bits do
+// not depend on the number of threads, a finer texture is the same foam, kinds and seeds are
 // independent, streaks follow the wind.
 #include "ocean/foam_texture.hpp"
 
@@ -34,7 +34,7 @@ struct Texture {
         const int mask = size - 1;
         return values[static_cast<std::size_t>((j & mask) * size + (i & mask))];
     }
-    /// As a host reads it, x and y in texels.
+    /// Reads as a host does, x and y in texels.
     double read(double x, double y) const {
         const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
         const double u = x - i, v = y - j;
@@ -170,7 +170,7 @@ TEST(FoamTexture, SeedsAndKindsAreIndependent) {
     }
 }
 
-/// Mean square difference of values so many texels apart.
+/// Returns the mean square difference of values at a distance of (x, y) texels.
 double variogram(const Texture& texture, int x, int y) {
     double sum = 0.0;
     for (int j = 0; j < texture.size; ++j) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gauges: what one reads is the shown surface; what is estimated from a series lies within its own
-// limits of what the sea's modes say, as often as the limits promise.
+// Gauges: a reading is that of the displayed surface; an estimate from a series lies within its own
+// limits of the modes' statistics, as often as the limits promise.
 #include "ocean/gauge.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ struct Coverage {
         ++all;
     }
     double share() const { return static_cast<double>(inside) / all; }
-    /// Of a share of 0.95.
+    /// Returns the standard error of a share of 0.95.
     double standard_error() const { return std::sqrt(0.95 * 0.05 / all); }
 };
 
@@ -188,7 +188,7 @@ TEST(SeaEstimate, StillWaterIsKnownExactlyAndShortSeriesHaveNoLimits) {
 }
 
 /// A Gaussian series of a JONSWAP spectrum with its peak at 0.1 Hz, from lines so dense that no
-/// series of an hour tells them apart.
+/// series of an hour can separate them.
 class GaussianProcess {
   public:
     static constexpr int kSamples = 1 << 17;
@@ -260,8 +260,8 @@ TEST(SeaEstimate, LimitsHoldTheTruthNineteenTimesInTwenty) {
     EXPECT_NEAR(counted_period.share(), 0.95, 3.0 * counted_period.standard_error());
 }
 
-/// The frequency moments of all modes, and their density in the bins of a spectrum as a Hann window
-/// of its segments sees it.
+/// The frequency moments of all modes, and their density in the bins of a spectrum as smoothed by a
+/// Hann window of its segments.
 struct ModeStatistics {
     double m0 = 0.0;
     double m2 = 0.0;
@@ -298,8 +298,8 @@ ModeStatistics mode_statistics(const Parameters& parameters, double step, std::s
     return result;
 }
 
-/// A sea of 14 s waves on a patch so wide that an hour does not tell its modes apart, which the
-/// limits suppose. Not choppy: the gauges' world is the labels'.
+/// A sea of 14 s waves on a patch so wide that an hour cannot separate its modes, as the limits
+/// assume. Not choppy, so that the gauges' points are labels.
 Parameters wide_sea() {
     Parameters parameters = test::wind_sea(128, 16000.0);
     parameters.surface.choppiness = 0.0;
@@ -308,7 +308,7 @@ Parameters wide_sea() {
     return parameters;
 }
 
-/// Of gauges far apart and on no line of the lattice.
+/// Returns the series of gauges far apart and on no line of the lattice.
 std::vector<std::vector<double>> gauge_series(const Parameters& parameters, std::size_t gauges,
                                               int samples, double rate) {
     Ocean ocean(parameters, {.threads = 2});

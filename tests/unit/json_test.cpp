@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the JSON writer writes can be read by every reader of JSON.
+// The output of the JSON writer can be read by every reader of JSON.
 #include "ocean/internal/json.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Json, RefusesWhatIsNotFinite) {
     EXPECT_EQ(ocean::json_number_or_null(0.1).text(), "0.1");
 }
 
-// The caller chooses the digits; what it does not choose reads back to the same bits.
+// The caller chooses the digits; other numbers read back to the same bits.
 TEST(Json, SpellsNumbersAsAsked) {
     EXPECT_EQ(Json(0.1).text(), "0.1");
     EXPECT_EQ(Json(3e5).text(), "3e+05");
@@ -53,7 +53,7 @@ TEST(Json, SpellsNumbersAsAsked) {
     EXPECT_EQ(Json(-1).text(), "-1");
 }
 
-// Objects and arrays nest; lines are only where they were asked for.
+// Objects and arrays nest; lines break only where requested.
 TEST(Json, LaysOutObjectsAndArrays) {
     const JsonObject line = JsonObject().add("a", 1).add("b", nullptr);
     EXPECT_EQ(line.text(), R"({"a": 1, "b": null})");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The kernel of the cpu backend: its codelets, every size and instruction set against transforms in
-// double, and that how a frame is asked for never changes its bits.
+// double, and bits that do not depend on how a frame is requested.
 #include <gtest/gtest.h>
 
 #include <cstring>

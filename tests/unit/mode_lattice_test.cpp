@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Modes that are built again for other waves are those that would have been built at once, and what
-// does not depend on the waves is left alone.
+// Modes rebuilt for other waves equal those built at once, and data that does not depend on the
+// waves is not touched.
 #include "modes/mode_lattice.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@
 namespace ocean {
 namespace {
 
-/// Seas that differ in what a lattice depends on.
+/// Returns seas that differ in the parameters that a lattice depends on.
 std::vector<Parameters> many_seas() {
     std::vector<Parameters> seas(5, test::wind_sea(64));
     seas[0].waves.front().wind_direction = -107.0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A hint names what was mistyped, and nothing where a word was not mistyped.
+// A hint names the mistyped word, and nothing for a word that was not mistyped.
 #include "ocean/internal/nearest_name.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(NearestName, NamesWhatWasMistypedAndNothingElse) {
         {"dirction", "direction"},
         {"wset", "west"},
         {"direction_to", "direction"},
-        // What the tables of others hold beside x and y, and what is no word.
+        // Other columns of people's tables beside x and y, and texts without a word.
         {"", ""},
         {"z", ""},
         {"x?y", ""},

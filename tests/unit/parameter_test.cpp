@@ -50,8 +50,7 @@ TEST(ParameterErrors, HaveTheirPartsAsFields) {
 }
 
 /// The keys without a neutral value are those that every text has. One more would change the text
-/// of each sea, so that no bake and no cache were its own any more: a new row names a neutral
-/// value.
+/// of each sea, and so orphan every bake and cache: a new row has a neutral value.
 TEST(ParameterTable, HasEveryKeyOnceAndEachLaterOneIsNeutral) {
     const std::set<std::string> expected = {"water.depth",
                                             "water.gravity",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea that is played live: what is shown is what its take makes again, and the past stays.
+// A sea that is played live: its take reproduces what was displayed, and the past stays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,7 +116,7 @@ TEST(Perform, CostsTheNewTicksOfFoamAlone) {
     EXPECT_EQ(ticks() - first, 1);  // that of 10.0 s itself, from which on the sea is another
     shown(live, 10.21);
     EXPECT_EQ(ticks() - first, 5);
-    // Of each map its own.
+    // Each map has its own.
     shown(live, 10.21, 32);
     const auto both = ticks();
     for (int i = 1; i <= 4; ++i) {
@@ -139,11 +139,11 @@ TEST(Perform, ThinsAKnobThatNeverRestsAndKeepsItsLastValue) {
     for (std::size_t i = 1; i < events.size(); ++i) {
         EXPECT_LE(events[i - 1].seconds, events[i].seconds);
     }
-    EXPECT_LE(events.back().seconds, 6.0 + kLeastEventDistance);
+    EXPECT_LE(events.back().seconds, 6.0 + kMinEventSpacing);
     EXPECT_EQ(live.sea().at(100.0).waves.front().wind_speed, 15.0);
     EXPECT_EQ(live.sea().at(100.0).surface.choppiness, 0.5 + 0.0005 * (1000 % 7));
     validate(live.sea());
-    // A value that it has already is no event.
+    // A value that the parameter already has adds no event.
     live.perform(10.0, "wind_speed", "15");
     EXPECT_EQ(live.sea().take.events.size(), events.size());
     EXPECT_LE(live.sea().take.events.back().seconds, 6.1);
@@ -153,7 +153,8 @@ TEST(Perform, RefusesWhatATakeCannotHoldAndChangesNothing) {
     Ocean live(played_sea());
     live.perform(5.0, "wind_speed", "12");
     EXPECT_NE(refusal(live, 6.0, "grid.resolution", "128").find("is not live"), std::string::npos);
-    EXPECT_NE(refusal(live, 4.9, "wind_speed", "13").find("is before 5 s"), std::string::npos);
+    EXPECT_NE(refusal(live, 4.9, "wind_speed", "13").find("last performed event, at 5 s"),
+              std::string::npos);
     EXPECT_NE(refusal(live, 6.0, "wind_speed", "76").find("0 .. 75"), std::string::npos);
     EXPECT_NE(refusal(live, 6.0, "wind_speed", ""), "");
     EXPECT_NE(refusal(live, 6.0, "peak_period", "").find("has no value"), std::string::npos);

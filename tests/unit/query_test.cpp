@@ -37,7 +37,7 @@ std::vector<WorldPoint> random_points(std::size_t count, double from, double to)
     return points;
 }
 
-/// A sea, its modes and threads to ask with.
+/// A sea, its modes and the threads that query it.
 struct TestSea {
     Parameters parameters;
     ThreadPool pool{2};
@@ -62,8 +62,8 @@ struct TestSea {
     }
 };
 
-/// What the double-precision sum shows at a place: Newton from the place itself, nothing shared
-/// with the query but the equation.
+/// Displays a point by the double-precision sum: Newton's method from the point itself, sharing
+/// only the equation with the query.
 struct ExactSample {
     double height;
     wave::double_precision::SurfaceNormal normal;
@@ -93,8 +93,8 @@ ExactSample exact_sample(const WaveSum& sum, double choppiness, WorldPoint place
              at.height_rate}};
 }
 
-/// rms errors over the rms of what is measured: of the height, of the velocity vector, and of the
-/// normal over the rms of its tilt.
+/// rms errors relative to the rms of the quantity: of the height, of the velocity vector, and of
+/// the normal relative to the rms of its tilt.
 struct Errors {
     double height, velocity, normal;
 };
@@ -303,7 +303,7 @@ TEST(Query, MovesToOtherTimesAndModesToTheBitsOfANewOne) {
     expect_move_to(sea, 1e6);
 }
 
-/// Of two seas each has counted as many changes.
+/// Both seas have counted as many changes.
 TEST(Query, MovesToTheModesOfAnotherOcean) {
     Parameters parameters = test::wind_sea(64, 200.0);
     Ocean calm(parameters);
@@ -397,7 +397,7 @@ TEST_P(FoldedWave, ShowsTheTopOfItsLoop) {
     EXPECT_LT(folded, 500);
 }
 
-// Of the finer map a block of places is small beside how far labels are displaced.
+// On the finer map a block of points is small compared with the displacement of labels.
 INSTANTIATE_TEST_SUITE_P(Maps, FoldedWave, testing::Values(64, 256));
 
 /// A sea so choppy that it folds in many places.
@@ -407,7 +407,7 @@ Parameters folded_sea() {
     return parameters;
 }
 
-/// Of the shown surface, by differences.
+/// Returns the Jacobian of the displayed surface, by differences.
 double jacobian_at(const SurfaceQuery& query, WorldPoint label) {
     constexpr double kStep = 0.01;
     const WorldPoint a = query.shown(label);
@@ -468,7 +468,7 @@ TEST(Query, OfASeaBeyondAllSenseEndsAndIsFinite) {
     for (const QuerySample& sample : sea.samples(sea.query(), random_points(300, 0.0, 10.0))) {
         EXPECT_TRUE(std::isfinite(sample.height + sample.label[0] + sample.velocity[0]));
         EXPECT_TRUE(std::isfinite(sample.normal[0] + sample.normal[1] + sample.normal[2]));
-        EXPECT_TRUE(sample.undecided);  // lists of what is shown there would be longer than the map
+        EXPECT_TRUE(sample.undecided);  // the lists of labels there would exceed the map
     }
     sea.parameters.surface.choppiness = 0.2;
     int folded = 0;
@@ -575,7 +575,7 @@ TEST(Query, RefusesWhatItCannotAnswerAndWritesNothing) {
         ADD_FAILURE() << "a point that is not finite was taken";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "point 1 = (3.000000, nan); allowed are finite coordinates in metres");
+                     "point 1 = (3.000000, nan); allowed: finite coordinates in metres");
     }
     EXPECT_EQ(samples[0].height, 77.0);
     query.sample({}, {}, sea.pool);
@@ -607,7 +607,7 @@ TEST(OrbitalMotion, OfOneWaveIsThatOfLinearTheoryFromTheSurfaceToTheBottom) {
     EXPECT_EQ(sea.water(-8.01, {.exact = true}).sample({1.0, 2.0}), WaterMotion{});
 }
 
-/// rms of what differs, of that of the second.
+/// Returns the rms of the difference, relative to that of the second.
 double relative_difference(const std::vector<WaterMotion>& a, const std::vector<WaterMotion>& b,
                            double WaterMotion::*component) {
     double error = 0.0;

@@ -75,8 +75,8 @@ std::vector<ParameterValue> ends_of(const ParameterInfo& info) {
     }
     std::vector<ParameterValue> ends = {info.min, info.max};
     if (std::isinf(info.max)) ends.emplace_back(std::numeric_limits<double>::max());
-    if (info.least > 0.0) {
-        ends.emplace_back(info.least);
+    if (info.min_nonzero > 0.0) {
+        ends.emplace_back(info.min_nonzero);
     } else if (info.min <= 0.0) {
         ends.emplace_back(std::numeric_limits<double>::denorm_min());
         ends.emplace_back(1e-100);
@@ -99,7 +99,7 @@ Parameters sea_of(SpectrumKind kind) {
     return parameters;
 }
 
-/// Of so many parts of the table of parameters, one.
+/// One of several parts of the table of parameters.
 class ParameterEnds : public testing::TestWithParam<int> {};
 constexpr int kParts = 6;
 
@@ -107,14 +107,14 @@ TEST_P(ParameterEnds, GiveAFiniteSeaThatEnds) {
     int next = 0;
     for (const ParameterInfo& info : parameter_table()) {
         const bool number = info.type() == "float" || info.type() == "int";
-        if (!number || info.key == "resolution") continue;  // of all tests at the lower end
+        if (!number || info.key == "resolution") continue;  // all tests use its lower end
         if (next++ % kParts != GetParam()) continue;
         for (std::size_t kind = 0; kind < enum_count<SpectrumKind>(); ++kind) {
             for (const ParameterValue& end : ends_of(info)) {
                 SCOPED_TRACE(info.path() + " = " + to_text(end) + ", " +
                              std::string(kEnumWords<SpectrumKind>[kind]));
                 Parameters parameters = sea_of(static_cast<SpectrumKind>(kind));
-                // What foam costs does not depend on the spectrum.
+                // The cost of foam does not depend on the spectrum.
                 const bool foam = kind == 0;
                 assign(parameters, {&info, 0}, end);
                 Ocean sea(parameters, {.threads = 1});

@@ -88,7 +88,7 @@ TEST(SeaFoam, IsNeverLessThanTheWhitecapsAndFadesWithItsLifetime) {
     EXPECT_LE(brief.stage_runs().foam_ticks, 1) << "there is no past to follow";
 }
 
-/// Its height and period are given, its wind is not.
+/// Returns a sea whose height and period are given, and its wind is not.
 Parameters swell(double height, double period) {
     Parameters parameters;
     parameters.grid.resolution = 64;
@@ -101,7 +101,7 @@ Parameters swell(double height, double period) {
 
 bool says_no_wind(const SeaState& state) {
     return std::any_of(state.warnings.begin(), state.warnings.end(), [](const std::string& text) {
-        return text.find("no wind is known of") != std::string::npos;
+        return text.find("the wind is unknown") != std::string::npos;
     });
 }
 
@@ -312,7 +312,7 @@ TEST(SeaFoam, FramesOfATakeAreTheSameAloneAndInSequence) {
             EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size_bytes()), 0) << c << " of " << frame;
         }
     }
-    // The performance is in what was compared, and at its end nothing is built again.
+    // The comparison covers the performance, and at its end nothing is built again.
     EXPECT_GT(sequence.stage_runs().spectrum, 40);
     sequence.evaluate(100.0, {Channel::height});
     const StageRuns settled = sequence.stage_runs();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What `ocean info` says of a sea.
+// The statistics of `ocean info`.
 #include "ocean/sea_state.hpp"
 
 #include <gtest/gtest.h>
@@ -161,8 +161,8 @@ TEST(SeaState, AFetchOfFullDevelopmentGivesTheHeightThatTheWarningNames) {
     }
 }
 
-// A quarter of the energy is the scatter of fully developed seas, (3.6 +- 0.9)e-3 [Young 1999]. It
-// goes with chi^1.1 [Hasselmann 1973].
+// A quarter of the energy is the scatter of fully developed seas, (3.6 +- 0.9)e-3 [Young 1999]. The
+// energy is proportional to chi^1.1 [Hasselmann 1973].
 TEST(SeaState, WarnsOfMoreThanTheScatterOfFullyDevelopedSeas) {
     const double limit = 1.196e4 * 100.0 / 9.81 * std::pow(1.25, 1.0 / 1.1);
     EXPECT_EQ(development_warning(fetch_limited(10.0, 0.99 * limit)), "");
@@ -290,7 +290,7 @@ TEST(SeaState, SlopesOfACoarserMapAreThoseOfACoarserGrid) {
     EXPECT_EQ(state.map_slopes.front().mean_square_slope, 0.0);
     EXPECT_NEAR(state.map_slopes.back().mean_square_slope, state.mean_square_slope.resolved, 1e-12);
 
-    // 64 samples of 100 m hold what 256 of 400 m do.
+    // 64 samples of 100 m hold the same waves as 256 of 400 m.
     Parameters cascades = test::wind_sea(64, 400.0);
     cascades.grid.cascades = 2;
     cascades.grid.cascade_divisors = {1, 4};
@@ -319,11 +319,11 @@ TEST(SeaState, ParametersCountForTheSpectraThatTheTableSaysUseThem) {
     std::size_t tried = 0;
     for (const ParameterInfo& info : parameter_table()) {
         if (!info.in_list() || info.used_by.empty() || info.type() == "text") continue;
-        if (info.key == "estimator") continue;  // of measured directions
+        if (info.key == "estimator") continue;  // for measured directions only
         for (const std::string_view kind : kEnumWords<SpectrumKind>) {
             if (kind == word_of(SpectrumKind::measured)) continue;
             Parameters parameters = test::wind_sea(64, 200.0);
-            parameters.water.depth = 20.0;            // of tma
+            parameters.water.depth = 20.0;            // for tma
             parameters.waves.front().opposing = 0.0;  // so that directions have a mean
             set_parameter(parameters, "waves.0.spectrum", kind);
             const auto before = numbers(parameters);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Claims: a particle of spray keeps its id, its end and its size from frame to frame, round the
-// seam of a loop too; a frame alone has the bits of the sequence; there are as many as turn white;
-// drops fly as drops do.
+// Claims: a particle of spray keeps its id, its end and its size from frame to frame, across the
+// seam of a loop too; a frame alone has the bits of the sequence; there are as many particles as
+// turn white; drops fly as drops do.
 #include "ocean/spray.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ bool equal(const Particles& a, const Particles& b) {
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a.front())) == 0);
 }
 
-/// From one frame to the next, dt later: what has not ended is there, what is new was just born.
+/// Checks two frames dt apart: particles that have not ended are present, new ones were just born.
 void expect_to_go_on(const Particles& first, const Particles& second, double dt) {
     const auto before = by_id(first);
     const auto after = by_id(second);
@@ -200,7 +200,7 @@ TEST(Spray, ThereIsAsMuchAsTurnsWhite) {
             const double end = 0.05 * static_cast<double>(tick + 1) - 1e-6;  // all of it are born
             const auto young = [&](const SpraySettings& asked) {
                 const Particles all = sea.spray(end, asked);
-                EXPECT_LE(all.size(), most_spray(sea.sea(), asked)) << wind;
+                EXPECT_LE(all.size(), max_spray_particles(sea.sea(), asked)) << wind;
                 return static_cast<double>(
                     std::ranges::count_if(all, [](const auto& p) { return p.age < 0.05 - 1e-6; }));
             };
@@ -220,7 +220,7 @@ TEST(Spray, ACalmSeaHasNone) {
         parameters.surface.foam_coverage = FoamCoverage::threshold;  // white crests even so
         Ocean sea(parameters, {.threads = 1});
         EXPECT_TRUE(sea.spray(5.0).empty()) << wind;
-        EXPECT_EQ(most_spray(sea.sea(), {}), 0u);
+        EXPECT_EQ(max_spray_particles(sea.sea(), {}), 0u);
     }
     EXPECT_EQ(spume_onset(7.0), 0.0);
     EXPECT_EQ(spume_onset(9.0), 0.5);
@@ -245,7 +245,7 @@ TEST(Spray, NoMoreThanAskedForAndEverywhereAlike) {
         return static_cast<double>(south) / static_cast<double>(particles.size());
     };
     EXPECT_NEAR(share(thinned), share(all), 0.1);
-    EXPECT_EQ(most_spray(sea.sea(), few), 1000u);
+    EXPECT_EQ(max_spray_particles(sea.sea(), few), 1000u);
     const auto refused = [&](const SpraySettings& wrong) {
         EXPECT_THROW(sea.spray(9.0, wrong), Error);
     };
@@ -375,7 +375,7 @@ TEST(Spray, IsBornOnTheMovingSurface) {
         EXPECT_GE(birth.velocity[2], 4.0);
         EXPECT_GE(birth.velocity[0], -2.0);
     }
-    // And in a whole sea, on what the query finds there.
+    // The same in a whole sea, on its query.
     Ocean sea(windy_sea(20.0, 64, 150.0), {.threads = 1});
     std::vector<WorldPoint> places;
     std::vector<double> heights;
@@ -449,7 +449,7 @@ TEST(Spray, FliesAsLinearDragHasItAndEndsWhereItSays) {
     EXPECT_GT(life_of(birth, 10.0), 0.5);
     birth.velocity[2] = -3.0;
     EXPECT_LT(life_of(birth, 10.0), 1e-6);
-    // A gust that would lift it does not save what has been under water.
+    // A gust that would lift it does not save a particle that has been under water.
     birth.place[2] = 0.1;
     birth.drift[2] = 1.0;
     EXPECT_NEAR(particle_at(birth, life_of(birth, 10.0)).z, 0.0, 1e-9);
@@ -493,14 +493,14 @@ TEST(Mist, IsThatOfTheSprayFrameByFrame) {
     const std::vector<MistPuff> again = sequence.mist(time);
     ASSERT_EQ(mist.size(), again.size());
     EXPECT_EQ(std::memcmp(mist.data(), again.data(), mist.size() * sizeof(MistPuff)), 0);
-    // What has fallen has left its mist.
+    // Fallen drops have left their mist.
     EXPECT_GT(mist.size(), spray_of(alone, 200).size());
     EXPECT_TRUE(Ocean(windy_sea(5.0), {.threads = 1}).mist(time).empty());
 }
 
 TEST(Spray, FollowsATakeAndWhatIsPerformed) {
     Ocean live(windy_sea(14.0), {.threads = 1});
-    spray_of(live, 60);  // beyond what is performed then
+    spray_of(live, 60);  // beyond the performed time
     live.perform(1.5, "wind_speed", "24");
     live.perform(1.5, "wind_direction", "120");
     const Particles shown = spray_of(live, 60);
@@ -510,7 +510,7 @@ TEST(Spray, FollowsATakeAndWhatIsPerformed) {
     Ocean calm(windy_sea(14.0), {.threads = 1});
     EXPECT_TRUE(equal(spray_of(calm, 30), spray_of(again, 30))) << "before the change";
     EXPECT_GT(spray_of(live, 240).size(), spray_of(calm, 240).size());
-    EXPECT_GE(most_spray(live.sea(), {}), spray_of(live, 240).size());
+    EXPECT_GE(max_spray_particles(live.sea(), {}), spray_of(live, 240).size());
     double x = 0.0;
     for (const SprayParticle& particle : spray_of(live, 240)) x += particle.vx;
     EXPECT_LT(x, 0.0) << "the wind has turned";

@@ -87,7 +87,7 @@ TEST(Surface, WavesTravelWhereTheWindGoes) {
             test::coefficients(sea.evaluate(10.0, {Channel::height}), Channel::height);
         const auto after =
             test::coefficients(sea.evaluate(10.0 + step, {Channel::height}), Channel::height);
-        // exp(i (k x - omega t)): what travels along +k turns its coefficient backwards.
+        // exp(i (k x - omega t)): the coefficient of a wave along +k turns backwards.
         std::complex<double> direction = 0.0;
         for (int m = -31; m < 32; ++m) {
             for (int n = -31; n < 32; ++n) {
@@ -335,7 +335,7 @@ TEST(Ocean, EachParameterRunsItsOwnStagesAgainAndNoOthers) {
         parameters.water.depth = 30.0;
         const std::string name = info.path(0);
         if (info.key == "amplitude") parameters.waves.front().amplitude = 2.0;
-        if (info.type() == "text") continue;  // names of files: what they hold is tested elsewhere
+        if (info.type() == "text") continue;  // names of files: their contents are tested elsewhere
         std::string value;
         if (info.type() == "enum") {
             value = info.choices()[1];

@@ -65,7 +65,7 @@ TEST(Table, RefusalsSayWhatTheColumnsAllow) {
     EXPECT_EQ(refusal("kiln.tray.1.bowls", "3"),
               "kiln.tray.1.bowls = 3: is not even; allowed: an even number, 0 .. 64");
     EXPECT_EQ(refusal("kiln.tray.2.bowls", "2"),
-              "kiln.tray.2.bowls: there are 2 trays, numbered from 0");
+              "kiln.tray.2.bowls: only 2 trays exist, numbered from 0");
     for (const char* text : {"1", "yes", "True", ""}) {
         EXPECT_EQ(refusal("vented", text), "kiln.vented = \"" + std::string(text) +
                                                "\": is neither true nor false; allowed: true or "

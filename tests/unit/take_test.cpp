@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A take folded into the parameters: pure, continuous, and settled after a while; and what it does
-// to the surface within one frame.
+// A take folded into the parameters: pure, continuous, and settled after a while; and its effect on
+// the surface within one frame.
 #include "ocean/take.hpp"
 
 #include <gtest/gtest.h>
@@ -241,7 +241,7 @@ TEST(Take, HeightAndPeriodOfAWindSeaDoNotStillItsWind) {
 }
 
 TEST(Take, AWindThatWasUnsetMovesTheHeightThatAnEventFinds) {
-    // Wind and height are unset: the height glides from what the wind of that moment makes.
+    // Wind and height are unset: the height glides from the one that the wind makes at that moment.
     Sea sea =
         sea_with({event(1.0, "wind_speed", 20.0), event(30.0, "significant_wave_height", 1.0)});
     WaveSystem& system = sea.parameters.waves.front();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The pool covers the work once, waits, and passes on what went wrong.
+// The pool covers the work once, waits, and passes on exceptions.
 #include "ocean/thread_pool.hpp"
 
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ TEST(ThreadPool, JobsOfAHostDoAllItemsOnceWhateverItRuns) {
         [](int count, const Job& job) {
             for (int i = count - 1; i >= 0; --i) job(i);
         },
-        [](int, const Job& job) { job(1); },  // fewer than it was asked to
+        [](int, const Job& job) { job(1); },  // runs fewer jobs than requested
         [](int, const Job&) {},
     };
     for (const ThreadPool::RunJobs& host : hosts) {

@@ -78,7 +78,7 @@ struct TableError {
 
 template <typename Density>
 TableError table_error(const WaveSystemTable& table, const Density& density, double peak) {
-    constexpr int kParts = 7;  // of an interval; shares that the refinement does not look at
+    constexpr int kParts = 7;  // of an interval; shares that the refinement does not check
     TableError error;
     const double largest = density(peak);
     for (std::size_t i = 0; i + 1 < table.rows.size(); ++i) {

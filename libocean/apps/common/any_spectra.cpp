@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectrum files of any format; see any_spectra.hpp.
+// See any_spectra.hpp.
 #include "any_spectra.hpp"
 
 #include <cmath>

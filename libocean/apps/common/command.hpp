@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A command as a value: its name, the table of its options and what it does. Whatever reads the
-// command line is behind run_program() (command_line.hpp); nothing here knows of it.
+// A command as a value: its name, the table of its options and its function. It does not depend on
+// the parser of command lines, which run_program() (command_line.hpp) hides.
 #pragma once
 
 #include <functional>
@@ -18,27 +18,27 @@ class InterruptWatch;
 
 /// Options that every command has.
 struct RunOptions {
-    int threads = 0;  // 0 = all
+    int threads = 0;  // 0 = all cores
     bool quiet = false;
     bool verbose = false;
     bool json = false;
 };
 
-/// What a running command works with; lives as long as the program.
+/// The services of a running command; they live as long as the program.
 struct Context {
     const RunOptions& options;
     Console& console;
     InterruptWatch& interrupts;
 };
 
-/// Where the value of an option goes. Must live as long as the command; a bool is a flag, and a
-/// list takes one value each time that the option is given. An optional text may be given without
-/// its value, and is "" then.
+/// The destination of an option's value, which must live as long as the command. A bool is a flag;
+/// a list gets one value for each time that the option is given. An optional text may be given
+/// without a value, and is then "".
 using OptionTarget = std::variant<bool*, int*, std::string*, std::optional<int>*,
                                   std::optional<double>*, std::optional<std::string>*,
                                   std::vector<std::string>*, bool RunOptions::*, int RunOptions::*>;
 
-/// What a value is checked for before the command runs.
+/// The checks of a value before the command runs.
 struct NotEmpty {};
 struct OneOf {
     std::vector<std::string> words;
@@ -53,19 +53,19 @@ inline constexpr bool kRequired = true;
 inline constexpr bool kOptional = false;
 
 struct Option {
-    /// "-o,--output"; "SEA" takes a word without a name; "!--no-foam" is a flag that clears.
+    /// "-o,--output"; "SEA" is a positional argument; "!--no-foam" is a flag that clears.
     std::string names;
     OptionTarget target;
-    std::string type = {};  // of its value, for the help; a flag has none
+    std::string type = {};  // placeholder of its value in the help; empty for a flag
     std::string help = {};
     bool required = kOptional;
     ValueRule rule = {};
-    std::string excludes = {};  // an earlier option that cannot be given beside it
+    std::string excludes = {};  // an earlier option that cannot be combined with it
 };
 
-/// Options that stand together in the help; groups of the same name are one.
+/// A group of options in the help; groups with the same name are merged.
 struct OptionGroup {
-    std::string name;  // "" = Options
+    std::string name;  // "" = "Options"
     std::vector<Option> options;
 };
 
@@ -73,12 +73,12 @@ struct Command {
     std::string name = {};
     std::string summary = {};
     std::vector<OptionGroup> options = {};
-    std::string footer = {};  // "" = that of the program
+    std::string footer = {};  // "" = the program's footer
     /// Throws ocean::Error when it fails.
     std::function<void(const Context&)> run = {};
 };
 
-/// --threads, -q, -v; `json_help` = "" leaves --json out.
+/// Returns --threads, -q and -v, and --json unless `json_help` is "".
 OptionGroup run_options(const std::string& json_help);
 
 }  // namespace ocean::app

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands and their options as CLI11 has them; see command_line.hpp. The one file that knows the
-// parser: it takes longer to compile than all commands together.
+// See command_line.hpp. Only this file includes CLI11, which takes longer to compile than all
+// commands together.
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ namespace ocean::app {
 namespace {
 
 constexpr int kFailed = 1;
-constexpr int kClosedPipe = 128 + SIGPIPE;  // as if it had ended the process
+constexpr int kClosedPipe = 128 + SIGPIPE;  // the exit code of a process that the signal ended
 constexpr int kWrongUsage = 2;
 
 int exit_code(ErrorKind kind) {
@@ -45,7 +45,7 @@ int exit_code(ErrorKind kind) {
     return kWrongUsage;
 }
 
-/// Adds one option to the parser; a call for each kind of target.
+/// Adds an option to the parser, with an overload for each kind of target.
 struct OptionAdder {
     CLI::App& parser;
     const Option& option;
@@ -61,12 +61,13 @@ struct OptionAdder {
         return value(*list)->allow_extra_args(false);
     }
     CLI::Option* operator()(std::optional<std::string>* target) const {
-        const auto take = [target](const CLI::results_t& words) {
-            const bool none = words.empty() || words.front() == "{}";  // as the parser says it
+        const auto set_target = [target](const CLI::results_t& words) {
+            const bool none =
+                words.empty() || words.front() == "{}";  // the parser's word for no value
             *target = none ? std::string() : words.front();
             return true;
         };
-        return parser.add_option(option.names, take, option.help)
+        return parser.add_option(option.names, set_target, option.help)
             ->type_name(option.type)
             ->expected(0, 1);
     }
@@ -115,7 +116,7 @@ void add_options(CLI::App& parser, const std::vector<OptionGroup>& groups,
     }
 }
 
-/// The parser of a program, and which of its commands was asked for.
+/// The parser of a program, with the requested command.
 class CommandLine {
   public:
     CommandLine(const Program& program, RunOptions& run_options)
@@ -136,12 +137,12 @@ class CommandLine {
 
     void parse(int argc, char** argv) {
         for (const std::string_view argument : std::span(argv, static_cast<std::size_t>(argc))) {
-            // Which the parser would read as several short options.
+            // The parser would read it as several short options.
             if (argument.size() > 2 && argument[0] == '-' && argument[1] != '-' &&
                 argument[2] == '=') {
                 throw Error(ErrorKind::invalid_value,
                             std::string(argument) +
-                                ": the value of a short option stands behind "
+                                ": the value of a short option follows after "
                                 "a blank, and a flag has none");
             }
         }
@@ -149,7 +150,7 @@ class CommandLine {
         parser_.parse(argc, argv);
     }
 
-    /// Throws what the command throws.
+    /// Runs the requested command, and throws its error.
     void run(const Context& context) const {
         for (const Command& command : program_.commands) {
             if (parser_.got_subcommand(command.name)) return command.run(context);
@@ -157,7 +158,7 @@ class CommandLine {
         program_.main.run(context);
     }
 
-    /// Help and version go to standard output as they are; a wrong use becomes one line.
+    /// Prints help and version on standard output, and wrong usage as one line of an error.
     int report(const CLI::ParseError& error, Console& console) const {
         if (error.get_exit_code() == 0) return parser_.exit(error);
         std::string message = error.what();
@@ -216,8 +217,8 @@ OptionGroup run_options(const std::string& json_help) {
     OptionGroup group{"Running",
                       {{"--threads", &RunOptions::threads, "N", "Threads to use; 0 = all cores",
                         kOptional, Within{0, 1024}},
-                       {"-q,--quiet", &RunOptions::quiet, "", "Say nothing but errors"},
-                       {"-v,--verbose", &RunOptions::verbose, "", "Say more"}}};
+                       {"-q,--quiet", &RunOptions::quiet, "", "Print errors only"},
+                       {"-v,--verbose", &RunOptions::verbose, "", "Print more details"}}};
     if (!json_help.empty()) group.options.push_back({"--json", &RunOptions::json, "", json_help});
     return group;
 }
@@ -226,7 +227,7 @@ int run_program(int argc, char** argv, const Program& program) {
     const char* name = program.main.name.c_str();
     try {
         const int code = parse_and_run(argc, argv, program);
-        // Help texts are written by the parser: a full disk behind them shows only here.
+        // The parser writes help texts: a full disk is detected only here.
         const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
         if (code != 0 || written) return code;
         if (errno == EPIPE) return kClosedPipe;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From main's arguments to one command that runs: the whole of a program's main.
+// The main function of a program with commands.
 #pragma once
 
 #include <string>
@@ -12,16 +12,16 @@
 namespace ocean::app {
 
 struct Program {
-    /// Its name is the program's; its options stand before the command's name. It runs itself if
-    /// there are no other commands.
+    /// The program itself: its name, and the options before the command's name. It runs if the
+    /// program has no commands.
     Command main;
     std::string version;  // what --version prints
     std::vector<Command> commands = {};
 };
 
-/// Parses, runs one command, and turns every failure into one line on standard error and an exit
-/// code: 0 done, 1 failed at run time, 2 wrong usage or bad sea file, 130 interrupted. Call it
-/// before there is any other thread.
+/// Parses the command line and runs one command. Prints an error as one line on standard error and
+/// returns the exit code: 0 done, 1 failed at run time, 2 wrong usage or bad sea file, 130
+/// interrupted. Must be called before other threads are started.
 int run_program(int argc, char** argv, const Program& program);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a command says, and where; see console.hpp.
+// See console.hpp.
 #include "console.hpp"
 
 #include <unistd.h>
@@ -30,7 +30,7 @@ bool standard_error_is_terminal() {
 
 }  // namespace
 
-// Takes no lock: a reader that stalls must not keep Ctrl-C from being answered.
+// Takes no lock: a stalled reader must not delay the response to Ctrl-C.
 void Console::data(std::string_view text) {
     const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (whole && std::fflush(stdout) == 0) return;
@@ -116,12 +116,12 @@ void Console::skip(int frame, const std::vector<std::string>& files) {
            with_counts({{"frame", frame}}, {{"files", json_array(files)}}));
 }
 
-void Console::fail(int frame, std::string_view message, bool goes_on) {
+void Console::fail(int frame, std::string_view message, bool continues) {
     const std::lock_guard lock(mutex_);
     ++failed_;
     if (options_.json) {
         write_event("failed", with_counts({{"frame", frame}}, {{"message", message}}));
-    } else if (goes_on) {
+    } else if (continues) {
         write_error_line(prefix_ + format_text("frame %d failed: ", frame) + std::string(message));
     }
 }
@@ -174,7 +174,7 @@ void Console::clear_bar() {
     bar_drawn_ = false;
 }
 
-/// In one call, so that lines of several processes do not mix.
+/// Writes a line in one call, so that lines of several processes do not mix.
 void Console::write_error_line(std::string_view line) {
     clear_bar();
     const std::string whole = std::string(line) + '\n';
@@ -189,13 +189,13 @@ void Console::write_event(std::string_view event, const Members& members) {
 }
 
 std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& console) {
-    constexpr double kInterval = 10.0;  // s
-    return [&console, said = now()](std::int64_t done, std::int64_t total) mutable {
-        if (done == 0) said = now();
-        if (now() - said < kInterval) return;
-        said = now();
+    constexpr double kInterval = 10.0;  // [s]
+    return [&console, last_report = now()](std::int64_t done, std::int64_t total) mutable {
+        if (done == 0) last_report = now();
+        if (now() - last_report < kInterval) return;
+        last_report = now();
         console.report("foam",
-                       "foam is followed from where it began: " + std::to_string(done) + " of " +
+                       "computing earlier foam: " + std::to_string(done) + " of " +
                            std::to_string(total) + " ticks",
                        {{"ticks_done", done}, {"ticks", total}});
     };
@@ -203,11 +203,11 @@ std::function<void(std::int64_t, std::int64_t)> foam_progress_on(Console& consol
 
 std::function<void(std::size_t)> progress_on(Console& console, const std::string& steps,
                                              std::size_t total) {
-    constexpr double kInterval = 5.0;  // s
-    return [&console, steps, total, start = now(), said = now()](std::size_t done) mutable {
+    constexpr double kInterval = 5.0;  // [s]
+    return [&console, steps, total, start = now(), last_report = now()](std::size_t done) mutable {
         const double time = now();
-        if (time - said < kInterval) return;
-        said = time;
+        if (time - last_report < kInterval) return;
+        last_report = time;
         const double part = static_cast<double>(done) / static_cast<double>(total);
         const double left = (time - start) * (1.0 / part - 1.0);
         console.report(

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a command says, and where: data and paths on standard output, everything else on standard
-// error, as text for people or as JSON lines for schedulers. Any thread may speak on standard
-// error.
+// The output of a command: data and paths on standard output, everything else on standard error, as
+// readable text or as JSON lines for schedulers. Any thread may write to standard error.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +19,8 @@
 
 namespace ocean::app {
 
-/// Who read standard output has had enough, as `head` does: the program ends without a word.
+/// The reader of standard output, such as `head`, has closed it: the program ends without a
+/// message.
 class ClosedPipe : public std::exception {
   public:
     const char* what() const noexcept override { return "standard output is closed"; }
@@ -28,35 +28,35 @@ class ClosedPipe : public std::exception {
 
 class Console {
   public:
-    /// Of a JSON object.
+    /// The members of a JSON object.
     using Members = std::vector<std::pair<std::string_view, Json>>;
 
-    /// Lines for people begin with the program's name. `options` is read at each call: it is
+    /// Lines of text begin with the program's name. `options` is read at each call, because it is
     /// filled when the command line is parsed.
     Console(const std::string& program, const RunOptions& options)
         : prefix_(program + ": "), options_(options) {}
 
-    /// Standard output; the main thread only. Throws ClosedPipe, or Error output if it cannot be
-    /// written, so that a full disk behind a redirection is not taken for success.
+    /// Writes to standard output; main thread only. Throws ClosedPipe, or Error output if writing
+    /// fails, so that a redirection to a full disk is not reported as a success.
     void data(std::string_view text);
-    /// Standard error. Notes need -v; notes and warnings are silent with -q.
+    /// Write to standard error. Notes are printed with -v only; -q suppresses notes and warnings.
     void note(std::string_view text) { say("note", text, options_.verbose && !options_.quiet); }
     void warning(std::string_view text) { say("warning", text, !options_.quiet); }
     void error(std::string_view text) { say("error", text, true); }
 
-    /// A run of `total` steps begins; `summary` says what is to be done, `more` its JSON line.
+    /// Starts a run of `total` steps; prints `summary`, or `more` as a JSON line.
     void begin(int total, std::string_view summary, const Members& more);
-    /// One more frame is there: its files were written, or kept as they were. Prints their paths
-    /// and the progress.
+    /// Report a frame whose files were written, or kept. Print their paths and the progress.
     void step(int frame, double seconds, const std::vector<std::string>& files);
     void skip(int frame, const std::vector<std::string>& files);
-    /// A frame could not be written. Silent as text if the run ends with it: its error says it.
-    void fail(int frame, std::string_view message, bool goes_on);
-    /// The run went to its end.
+    /// Reports a frame that could not be written. Prints text only if the run continues, because
+    /// the error that ends it has the same message.
+    void fail(int frame, std::string_view message, bool continues);
+    /// Reports the end of the run.
     void finish();
-    /// One line of facts: `text` for people or a JSON object of `event` and `members`.
+    /// Prints `text` as a line, or a JSON object of `event` and `members`.
     void report(std::string_view event, std::string_view text, const Members& members);
-    /// The run is cut off by a signal. Says how far it came.
+    /// Reports that a signal ended the run, with its progress.
     void interrupted();
 
   private:
@@ -73,16 +73,17 @@ class Console {
     const RunOptions& options_;
     std::mutex mutex_;
     int total_ = 0;
-    int done_ = 0;  // skipped ones too
+    int done_ = 0;  // including skipped frames
     int skipped_ = 0;
     int failed_ = 0;
-    double started_ = 0.0;  // s, of the steady clock
+    double started_ = 0.0;  // of the steady clock [s]
     bool bar_drawn_ = false;
 };
 
-/// What an Ocean tells of the foam that it follows, said every few seconds.
+/// Returns a function that reports the progress of computing earlier foam every few seconds.
 std::function<void(std::int64_t done, std::int64_t total)> foam_progress_on(Console& console);
-/// Says every few seconds how many of `total` steps, such as "times", are done.
+/// Returns a function that reports every few seconds how many of `total` steps, such as "times",
+/// are done.
 std::function<void(std::size_t done)> progress_on(Console& console, const std::string& steps,
                                                   std::size_t total);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files that are read; see input_files.hpp.
+// See input_files.hpp.
 #include "input_files.hpp"
 
 #include <filesystem>
@@ -29,10 +29,9 @@ void InputFiles::spare(const std::string& output) const {
     for (const std::string& path : paths_) {
         if (!std::filesystem::equivalent(utf8_path(path), utf8_path(output), missing)) continue;
         const bool same_name = path == output;
-        throw Error(ErrorKind::invalid_value,
-                    "'" + output + "' is read by this command" +
-                        (same_name ? "" : ", as '" + path + "'") +
-                        ": it is not written over; allowed is another file");
+        throw Error(ErrorKind::invalid_value, "'" + output + "' is an input of this command" +
+                                                  (same_name ? "" : ", as '" + path + "'") +
+                                                  ": it is not overwritten; choose another file");
     }
 }
 

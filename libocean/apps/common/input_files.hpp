@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a command reads it does not write over: the user's sea, its spectra, a table of points.
+// The input files of a command, which it must not overwrite: the user's sea, its spectra, a table
+// of points.
 #pragma once
 
 #include <string>
@@ -13,12 +14,12 @@ namespace ocean::app {
 
 class InputFiles {
   public:
-    /// The file of the SEA argument and those that it names (named_files).
+    /// Adds the file of the SEA argument and the files that it names (named_files).
     InputFiles(const SeaArgument& argument, const std::vector<std::string>& named);
-    /// "" and what is no file are let in: they cannot be written over.
+    /// Adds a file; ignores "" and paths that are not files, which cannot be overwritten.
     void add(const std::string& path);
 
-    /// Throws Error invalid_value if `output` is one of them under whatever name, as a link too.
+    /// Throws Error invalid_value if `output` is one of them under any name, including links.
     void spare(const std::string& output) const;
 
   private:

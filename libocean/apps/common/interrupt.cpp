@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ctrl-C; see interrupt.hpp.
+// See interrupt.hpp.
 #include "interrupt.hpp"
 
 #include <cstdlib>
@@ -12,10 +12,10 @@
 namespace ocean::app {
 namespace {
 
-/// Ends the waiting thread; nobody sends it from outside.
+/// Ends the waiting thread; other processes do not send it.
 constexpr int kLeave = SIGUSR1;
 
-/// nohup and job control ignore signals on purpose: those stay ignored.
+/// Returns true for signals that nohup or job control ignore on purpose: they stay ignored.
 bool ignored(int signal_number) {
     struct sigaction action {};
     return ::sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
@@ -24,7 +24,7 @@ bool ignored(int signal_number) {
 }  // namespace
 
 InterruptWatch::InterruptWatch(std::function<void()> farewell) : farewell_(std::move(farewell)) {
-    // A file over its limit and a closed pipe are errors of the write.
+    // A file above its size limit and a closed pipe are reported as errors of the write instead.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     sigemptyset(&signals_);
@@ -44,7 +44,7 @@ InterruptWatch::~InterruptWatch() {
     thread_.join();
 }
 
-// The lock is never given back: whoever would undo the last act waits for the end.
+// The lock is never released: a destructor of LastAct blocks until the process ends.
 void InterruptWatch::end_process() {
     std::unique_lock lock(mutex_);
     ending_ = true;

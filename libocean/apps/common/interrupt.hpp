@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ctrl-C. A thread waits for SIGINT, SIGTERM and SIGHUP, so that what happens then is ordinary code
-// and not a signal handler: it lets the files in hand become whole, begins no other, says farewell
-// and ends the process with kInterruptedExit. Computing needs no care, since it leaves nothing
-// behind.
+// Ctrl-C. A thread waits for SIGINT, SIGTERM and SIGHUP, so that ordinary code instead of a signal
+// handler reacts to them: it lets the current files be completed and no other be started, calls the
+// farewell and ends the process with kInterruptedExit. Computations can be cut off anywhere,
+// because they leave nothing behind.
 #pragma once
 
 #include <condition_variable>
@@ -21,14 +21,15 @@ inline constexpr int kInterruptedExit = 130;
 
 class InterruptWatch {
   public:
-    /// Make it before any other thread: the signals are blocked in all threads started later.
+    /// Must be constructed before other threads: it blocks the signals in all threads started
+    /// later.
     explicit InterruptWatch(std::function<void()> farewell);
     ~InterruptWatch();
     InterruptWatch(const InterruptWatch&) = delete;
     InterruptWatch& operator=(const InterruptWatch&) = delete;
 
-    /// While any of these lives the process does not end. Any thread, one at a time for each: two
-    /// in one thread could wait for each other.
+    /// Keeps the process from ending as long as it lives. Any thread may have one, but not two,
+    /// which could wait for each other.
     class Hold {
       public:
         explicit Hold(InterruptWatch& watch);
@@ -39,11 +40,11 @@ class InterruptWatch {
       private:
         InterruptWatch& watch_;
     };
-    /// After a signal it does not return any more.
+    /// Returns a Hold; after a signal it blocks forever.
     [[nodiscard]] Hold hold() { return Hold(*this); }
 
-    /// What is to be done last of all, before the farewell and when no Hold lives, as long as this
-    /// object does. It must not take a Hold.
+    /// A function that is called before the farewell, when no Hold exists, as long as this object
+    /// lives. It must not call hold().
     class LastAct {
       public:
         LastAct(InterruptWatch& watch, std::function<void()> act);
@@ -68,7 +69,7 @@ class InterruptWatch {
     std::thread thread_;
 };
 
-/// io::write_output, during which the process does not end.
+/// Calls io::write_output with a Hold.
 void write_output(InterruptWatch& interrupts, const std::string& path, std::string_view bytes);
 
 }  // namespace ocean::app

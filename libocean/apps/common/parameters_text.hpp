@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A table of parameters for a terminal.
+// A table of parameters as text for a terminal.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@
 
 namespace ocean::app {
 
-/// Returns the rows below the headings of their sections, as a file has them: default, allowed
-/// values and help of each.
+/// Returns default, allowed values and help of each parameter, below the headings of their sections
+/// in a file.
 std::string parameters_text(std::span<const ListedParameter> parameters);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tables of points that nobody has checked; see point_table.hpp.
+// See point_table.hpp. Tables come from users and are untrusted.
 #include "point_table.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace ocean::app {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
-constexpr std::size_t kShownBytes = 30;  // of a cell in a message
+constexpr std::size_t kShownBytes = 30;  // limit for a cell in a message
 
 using Kind = PointColumn::Kind;
 
@@ -69,7 +69,7 @@ std::string text_of(const LineReader& lines, const PointColumn& column, std::str
     if (cell.size() <= kMaxPointTextBytes && text::printable(cell, cell.size() + 1) == cell) {
         std::string content(cell);
         for (std::size_t at = 0; (at = content.find("\"\"", at)) < content.size(); ++at) {
-            content.erase(at, 1);  // a quote within quotes stands twice
+            content.erase(at, 1);  // a quote within quotes is doubled
         }
         return content;
     }
@@ -99,7 +99,7 @@ std::span<const std::string> PointTable::texts(std::string_view column) const {
 }
 
 /// Finds the known columns of a header line.
-void PointTable::take_columns(const csv::TableReader& reader, std::span<const PointColumn> known) {
+void PointTable::find_columns(const csv::TableReader& reader, std::span<const PointColumn> known) {
     const LineReader& lines = reader.lines();
     const std::vector<std::string_view> names = names_of(known);
     std::vector<std::string> others;
@@ -111,7 +111,7 @@ void PointTable::take_columns(const csv::TableReader& reader, std::span<const Po
             continue;
         }
         const PointColumn& column = known[static_cast<std::size_t>(found - names.begin())];
-        if (has(column.name)) throw lines.fail("the column " + column.name + " is there twice");
+        if (has(column.name)) throw lines.fail("the column " + column.name + " is repeated");
         check_unit(lines, column, title);
         columns_.push_back({column, place, {}, {}});
     }
@@ -119,7 +119,8 @@ void PointTable::take_columns(const csv::TableReader& reader, std::span<const Po
         return text::parse_number(title).has_value();
     });
     if (columns_.empty() && numbers) {
-        throw lines.fail("there is no header line but numbers; known columns: " + listed(names));
+        throw lines.fail("the header line is missing, the first line has numbers; known columns: " +
+                         listed(names));
     }
     for (const std::string& other : others) {
         const std::string_view meant = nearest_name(csv::parse_title(other).name, names);
@@ -133,7 +134,7 @@ void PointTable::take_columns(const csv::TableReader& reader, std::span<const Po
         throw lines.fail("the header line lacks the column " + column.name +
                          (others.empty() ? "" : "; it has " + listed(others)));
     }
-    if (!others.empty()) left_out_ = "left out columns that are not known: " + listed(others);
+    if (!others.empty()) left_out_ = "ignored unknown columns: " + listed(others);
 }
 
 PointTable parse_points(std::string_view text, const std::string& name,
@@ -141,10 +142,10 @@ PointTable parse_points(std::string_view text, const std::string& name,
     csv::TableReader reader(text, name);
     PointTable table;
     if (reader.titles().empty()) {
-        throw reader.lines().fail("there is no header line; known columns: " +
+        throw reader.lines().fail("the header line is missing; known columns: " +
                                   listed(names_of(known)));
     }
-    table.take_columns(reader, known);
+    table.find_columns(reader, known);
     while (reader.next()) {
         if (++table.rows_ > kMaxPoints) {
             throw reader.lines().fail("more than the 10000000 points allowed");

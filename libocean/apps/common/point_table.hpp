@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points of the world as users hand them over: a table with a header line. What `ocean query` and
-// `ocean gauge` read.
+// Points of the world in a table with a header line, the input of `ocean query` and `ocean gauge`.
 #pragma once
 
 #include <cstddef>
@@ -19,29 +18,29 @@ namespace ocean::app {
 
 /// A column that a table may have.
 struct PointColumn {
-    enum class Kind { needed, optional, text };  // text is optional too
+    enum class Kind { needed, optional, text };  // text is optional as well
 
     std::string name;
     Kind kind = Kind::needed;
-    std::string unit{};  // that a title may name; empty = it has none
+    std::string unit{};  // that a title may name; empty = no unit
 };
 
-/// Largest coordinate, m, or other number of a table, either sign.
+/// The limit of coordinates [m] and other numbers of a table, of either sign.
 inline constexpr double kMaxPointNumber = 1e9;
 inline constexpr std::size_t kMaxPoints = 10'000'000;
 inline constexpr std::size_t kMaxPointTextBytes = 80;
 
-/// The rows of a table, column by column. Numbers are finite and within kMaxPointNumber; texts are
+/// The rows of a table, column by column. Numbers are finite and within kMaxPointNumber; a text is
 /// one line of UTF-8.
 class PointTable {
   public:
     std::size_t size() const { return rows_; }
     bool has(std::string_view column) const { return find(column) != nullptr; }
-    /// size() values; none where the table does not have the column.
+    /// Return size() values, or none if the table does not have the column.
     std::span<const double> numbers(std::string_view column) const;
     std::span<const std::string> texts(std::string_view column) const;
-    /// One line that names the columns of the file that are not known and were left out; empty
-    /// where there are none. Row names without a title are not worth a word.
+    /// Returns a line with the names of the unknown columns, which were ignored; empty if there are
+    /// none. A column of row names without a title is ignored silently.
     const std::string& left_out() const { return left_out_; }
 
   private:
@@ -50,25 +49,25 @@ class PointTable {
 
     struct Column {
         PointColumn known;
-        std::size_t place;  // in the file's rows
+        std::size_t place;  // index in the file's rows
         std::vector<double> numbers;
         std::vector<std::string> texts;
     };
     const Column* find(std::string_view column) const;
-    void take_columns(const csv::TableReader& reader, std::span<const PointColumn> known);
+    void find_columns(const csv::TableReader& reader, std::span<const PointColumn> known);
 
     std::vector<Column> columns_;  // in the file's order
     std::string left_out_;
     std::size_t rows_ = 0;
 };
 
-/// Reads a table in any dialect of csv::TableReader. A title is a name in any case, and may name
-/// the unit in () or []. A column that is not known is left out, but for a mistyped name. `name` is
-/// for messages. Throws Error bad_file "NAME:LINE: ...".
+/// Reads a table in any dialect of csv::TableReader. Titles are not case-sensitive and may have a
+/// unit in () or []. Ignores unknown columns, but refuses one whose name resembles a known name.
+/// `name` is for messages. Throws Error bad_file "NAME:LINE: ...".
 PointTable parse_points(std::string_view text, const std::string& name,
                         std::span<const PointColumn> known);
 
-/// The same from a file of at most 1 GiB; "-" = standard input.
+/// Reads the table in a file of at most 1 GiB; "-" = standard input. Throws Error bad_file.
 PointTable read_points(const std::string& path, std::span<const PointColumn> known);
 
 }  // namespace ocean::app

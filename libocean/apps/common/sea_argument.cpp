@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The SEA argument; see sea_argument.hpp.
+// See sea_argument.hpp.
 #include "sea_argument.hpp"
 
 #include <filesystem>
@@ -30,15 +30,15 @@ Sea read_source(const std::string& source) {
                          read_any_spectra);
     }
     if (text::is_pipe_or_device(source)) {
-        // Whose first bytes cannot be read twice.
+        // The first bytes of a pipe cannot be read twice.
         const std::string content = text::read_file_or_pipe(source, kMaxSeaFileBytes);
         return parse_sea(content, source, "", read_any_spectra);
     }
     const auto provenance = io::read_provenance(source);
     if (!provenance) return read_sea(source, read_any_spectra);
     if (provenance->kind != kSeaKind) {
-        throw Error(ErrorKind::bad_file,
-                    source + ": shows a " + text::printable(provenance->kind) + ", no sea");
+        throw Error(ErrorKind::bad_file, source + ": shows a " + text::printable(provenance->kind) +
+                                             " instead of a sea");
     }
     return parse_sea(provenance->text, source, "", read_any_spectra);
 }
@@ -46,7 +46,8 @@ Sea read_source(const std::string& source) {
 void assign(Parameters& parameters, const std::string& name, std::string value) {
     const std::string_view key = find_parameter(name).info->key;
     if ((key == "file" || key == "take") && !value.empty()) {
-        value = std::filesystem::absolute(utf8_path(value)).string();  // where the user stands
+        value = std::filesystem::absolute(utf8_path(value))
+                    .string();  // relative to the working directory
     }
     set_parameter(parameters, name, value);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The SEA argument and --set, which most commands share: from words on the command line to a
-// resolved, validated sea.
+// The argument SEA and the option --set, which most commands share, and the resolved and validated
+// sea that they name.
 #pragma once
 
 #include <string>
@@ -18,13 +18,13 @@ struct SeaArgument {
     std::vector<std::string> assignments;  // name=value, in order
 };
 
-/// SEA and --set.
+/// Returns the options SEA and --set.
 OptionGroup sea_options(SeaArgument& argument, bool required = kRequired);
 
-/// Throws Error.
+/// Returns the sea. Throws Error.
 Sea open_sea(const SeaArgument& argument);
-/// What --set does to a sea that is open: a file that is named is read, from where the user stands.
-/// Throws Error, after which the sea is of no use.
+/// Sets a parameter of an open sea as --set does: a file that the value names is read, relative to
+/// the working directory. Throws Error, after which the sea must not be used.
 void set_in_sea(Sea& sea, const std::string& name, const std::string& value);
 
 }  // namespace ocean::app

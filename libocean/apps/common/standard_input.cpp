@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Standard input, once; see standard_input.hpp.
+// See standard_input.hpp.
 #include "standard_input.hpp"
 
 #include <array>

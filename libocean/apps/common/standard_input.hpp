@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The argument "-" in place of a file.
+// Standard input, for the argument "-" in place of a file.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@ namespace ocean::app {
 
 inline constexpr const char* kStandardInput = "-";
 
-/// All of it. Throws Error bad_file for more than `limit` bytes, and for the second who asks.
+/// Returns all of standard input. Throws Error bad_file for more than `limit` bytes, and at the
+/// second call.
 std::string read_standard_input(std::size_t limit);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text for people; see text.hpp.
+// See text.hpp.
 #include "text.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text for people.
+// Readable texts of numbers, and line breaking.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace ocean::app {
 
-/// printf's %.Nf and %.Ng, as a Json spells its number.
+/// Return printf's %.Nf and %.Ng, for the number formats of Json.
 template <int digits>
 std::string decimals(double value) {
     return format_text("%.*f", digits, value);
@@ -22,13 +22,14 @@ std::string significant(double value) {
     return format_text("%.*g", digits, value);
 }
 
-/// "12.4 MiB".
+/// Returns "12.4 MiB".
 std::string bytes_text(std::uint64_t bytes);
-/// "4.2 s", "1:38", "2:03:10".
+/// Returns "4.2 s", "1:38" or "2:03:10".
 std::string duration_text(double seconds);
-/// Quoted where a reader of CSV would otherwise see more than one cell.
+/// Returns the text, in quotes if a reader of CSV would otherwise see more than one cell.
 std::string csv_cell(const std::string& text);
-/// Lines of at most `width` characters, each after `indent` spaces and with a final newline.
+/// Returns the text in lines of at most `width` characters, each after `indent` spaces and with a
+/// final newline.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width);
 
 }  // namespace ocean::app

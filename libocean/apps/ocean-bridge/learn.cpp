@@ -11,66 +11,74 @@
 
 #include "console.hpp"
 #include "interrupt.hpp"
+#include "ocean/bridge/control_map_file.hpp"
 #include "ocean/bridge/devices.hpp"
+#include "ocean/bridge/k8055_source.hpp"
 #include "ocean/bridge/learner.hpp"
+#include "ocean/bridge/midi_source.hpp"
 #include "ocean/bridge/source.hpp"
 #include "ocean/error.hpp"
 
 namespace ocean::app {
 namespace {
 
-using News = std::variant<bridge::Report, bridge::BoardEvent>;
+using Message = std::variant<bridge::Report, bridge::BoardEvent>;
 
-/// What the boards' threads say, for the main thread.
-class NewsQueue {
+/// Hands reports and events from the boards' threads to the main thread.
+class MessageQueue {
   public:
-    void add(News news) {
+    void add(Message message) {
         const std::lock_guard lock(mutex_);
-        if (news_.size() < kMost) news_.push_back(std::move(news));
+        if (messages_.size() < kMaxMessages) messages_.push_back(std::move(message));
         changed_.notify_one();
     }
-    /// Waits for something to be there, or until then.
-    std::deque<News> wait(std::optional<bridge::Clock::time_point> until) {
+    /// Blocks until a message is available or the time is reached. Returns all messages.
+    std::deque<Message> wait(std::optional<bridge::Clock::time_point> until) {
         std::unique_lock lock(mutex_);
-        const auto is_there = [this] { return !news_.empty(); };
+        const auto is_available = [this] { return !messages_.empty(); };
         if (until) {
-            changed_.wait_until(lock, *until, is_there);
+            changed_.wait_until(lock, *until, is_available);
         } else {
-            changed_.wait(lock, is_there);
+            changed_.wait(lock, is_available);
         }
-        return std::exchange(news_, {});
+        return std::exchange(messages_, {});
     }
 
   private:
-    static constexpr std::size_t kMost = 65536;
+    static constexpr std::size_t kMaxMessages = 65536;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<News> news_;
+    std::deque<Message> messages_;
 };
 
-/// Those of the map; without one each board that can be found without being told where it is.
+/// Returns the boards of the map; without a map, each board that can be found without settings.
 std::vector<bridge::DeviceRule> devices_of(const ServeWords& words,
                                            const bridge::ValueTable& values) {
     if (!words.map.empty()) {
-        return bridge::parse_map(bridge::read_map_text(words.map), words.map, values).devices;
+        return bridge::parse_control_map(bridge::read_map_text(words.map), words.map, values)
+            .devices;
     }
     if (words.dummy || !words.replay.empty()) return {};
     return bridge::devices_to_learn();
 }
 
-/// "[[device]]" of a controller that the map does not have yet, once it is connected.
+/// Returns the [[device]] of a board that has just connected, or "" for another event. The port of
+/// a MIDI controller is the part of its name that stays the same when it is plugged in elsewhere.
 std::string device_lines(const bridge::BoardEvent& event,
                          const std::vector<bridge::DeviceRule>& devices) {
     if (event.kind != bridge::BoardEvent::Kind::connected) return "";
     const auto rule = std::ranges::find(devices, event.board, &bridge::DeviceRule::id);
     if (rule == devices.end()) return "";
-    if (const auto* board = std::get_if<bridge::K8055Device>(&rule->device)) {
-        return "[[device]]\nid = \"" + rule->id +
-               "\"\ndriver = \"k8055\"\naddress = " + std::to_string(board->address) + "\n";
+    const std::string begin = "[[device]]\nid = \"" + rule->id + "\"\ndriver = ";
+    if (const auto* board = rule->device.get<bridge::K8055Device>()) {
+        return begin + "\"k8055\"\naddress = " + std::to_string(board->address) + "\n";
     }
-    // "nanoKONTROL2:nanoKONTROL2 MIDI 1 20:0": what stands before the colon stays at another plug.
-    const std::string port = event.text.substr(0, event.text.find_first_of(":\"\\"));
-    return "[[device]]\nid = \"" + rule->id + "\"\ndriver = \"midi\"\nport = \"" + port + "\"\n";
+    if (rule->device.get<bridge::MidiDevice>() != nullptr) {
+        // "nanoKONTROL2" of "nanoKONTROL2:nanoKONTROL2 MIDI 1 20:0".
+        const std::string port = event.text.substr(0, event.text.find_first_of(":\"\\"));
+        return begin + "\"midi\"\nport = \"" + port + "\"\n";
+    }
+    return "";
 }
 
 }  // namespace
@@ -78,7 +86,7 @@ std::string device_lines(const bridge::BoardEvent& event,
 void learn(const ServeWords& words, const Context& context) {
     if (!words.osc.empty() || !words.osc_to.empty()) {
         throw Error(ErrorKind::invalid_value,
-                    "--learn listens to boards alone; OSC needs no map, its addresses are names");
+                    "--learn is for boards; OSC needs no map, its addresses are names");
     }
     const bridge::ValueTable values(sea_of(words).parameters);
     bridge::Learner learner(values, *words.learn);
@@ -86,18 +94,18 @@ void learn(const ServeWords& words, const Context& context) {
     std::vector<std::unique_ptr<bridge::Source>> sources = file_sources(words);
     for (auto& source : bridge::make_sources(devices)) sources.push_back(std::move(source));
 
-    NewsQueue news;
+    MessageQueue messages;
     const auto stop = [&sources] {
         for (const auto& source : sources) source->stop();
     };
     const InterruptWatch::LastAct last(context.interrupts, stop);
     context.console.report("learn",
-                           "move one control at a time: a fader over its way, an endless knob "
-                           "slowly and both ways, a button twice",
+                           "move one control at a time: a fader over its range, an endless knob "
+                           "slowly in both directions, a button twice",
                            {});
     for (const auto& source : sources) {
-        source->start({[&news](bridge::Report report) { news.add(std::move(report)); },
-                       [&news](bridge::BoardEvent event) { news.add(std::move(event)); }});
+        source->start({[&messages](bridge::Report report) { messages.add(std::move(report)); },
+                       [&messages](bridge::BoardEvent event) { messages.add(std::move(event)); }});
     }
     const auto channel_of = [&](const std::string& name) -> std::optional<bridge::Channel> {
         for (const auto& source : sources) {
@@ -107,13 +115,13 @@ void learn(const ServeWords& words, const Context& context) {
         return std::nullopt;
     };
     for (;;) {
-        for (const News& one : news.wait(learner.next())) {
-            if (const auto* report = std::get_if<bridge::Report>(&one)) {
+        for (const Message& message : messages.wait(learner.next())) {
+            if (const auto* report = std::get_if<bridge::Report>(&message)) {
                 const auto channel = channel_of(report->channel);
                 learner.report(*report, channel ? &*channel : nullptr);
                 continue;
             }
-            const auto& event = std::get<bridge::BoardEvent>(one);
+            const auto& event = std::get<bridge::BoardEvent>(message);
             const std::string text = event_text(event);
             context.console.report("board", text, {{"text", text}});
             if (!words.map.empty()) continue;

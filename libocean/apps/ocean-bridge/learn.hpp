@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean-bridge --learn`: the boards without a network, and the map's lines for what a hand moves.
+// `ocean-bridge --learn`: prints the map's lines for each control that is moved. No network.
 #pragma once
 
 #include "command.hpp"
@@ -10,7 +10,8 @@
 namespace ocean::app {
 
 /// Writes [[device]] and [[map]] to standard output, hints and the boards' events to standard
-/// error, until the process is interrupted. Throws Error.
+/// error, until the process is interrupted. Throws Error for options that are wrong, and for a map
+/// or a sea that cannot be read.
 void learn(const ServeWords& words, const Context& context);
 
 }  // namespace ocean::app

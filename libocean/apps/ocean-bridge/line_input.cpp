@@ -19,11 +19,11 @@
 namespace ocean::app {
 namespace {
 
-constexpr std::size_t kLongest = 4096;
+constexpr std::size_t kMaxLineBytes = 4096;
 
 #ifdef OCEAN_HAVE_LIBEDIT
 constexpr const char* kPrompt = "> ";
-// libedit calls back without an argument; there is one terminal.
+// libedit calls back without an argument, so the one terminal has global variables.
 std::vector<std::string>* typed = nullptr;
 bool* typed_ended = nullptr;
 
@@ -90,7 +90,7 @@ void LineInput::read_plain() {
     for (const char c : std::string_view(block.data(), static_cast<std::size_t>(count))) {
         if (c == '\n') {
             lines_.push_back(std::exchange(partial_, ""));
-        } else if (partial_.size() < kLongest) {
+        } else if (partial_.size() < kMaxLineBytes) {
             partial_ += c;
         }
     }

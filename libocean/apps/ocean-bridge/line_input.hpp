@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines that somebody types: with libedit where there is a terminal and the library, else as they
-// come.
+// Lines of standard input: with an editor if standard input is a terminal and the build has
+// libedit, else unchanged.
 #pragma once
 
 #include <optional>
@@ -18,13 +18,14 @@ class LineInput {
     LineInput(const LineInput&) = delete;
     LineInput& operator=(const LineInput&) = delete;
 
-    /// The lines that are complete, after waiting for some at most so long.
+    /// Blocks until input arrives or the time is over. Returns the complete lines.
     std::vector<std::string> wait(int milliseconds);
     bool ended() const { return ended_; }
-    /// Takes the line being typed off the terminal, and puts it back, so that others may write.
+    /// Removes the line being typed from the terminal, so that other text can be written.
     void hide();
+    /// Shows the line being typed again.
     void show();
-    /// The terminal as it was.
+    /// Restores the terminal's settings.
     void restore();
 
   private:

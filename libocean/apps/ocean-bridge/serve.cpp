@@ -23,7 +23,7 @@ namespace ocean::app {
 namespace {
 
 /// Writes the log in a thread of its own: a reader of standard error that stalls must not stall the
-/// clients. What is then too much is left out and counted.
+/// clients. Lines beyond a limit are left out and counted.
 class Log {
   public:
     explicit Log(Console& console) : console_(console), thread_([this] { write(); }) {}
@@ -31,7 +31,7 @@ class Log {
 
     void add(std::string line) {
         const std::lock_guard lock(mutex_);
-        if (lines_.size() < kMostLines) {
+        if (lines_.size() < kMaxLines) {
             lines_.push_back(std::move(line));
         } else {
             ++left_out_;
@@ -39,14 +39,14 @@ class Log {
         changed_.notify_one();
     }
 
-    /// Writes what is there, but for a reader that does not read waits no longer than a moment.
-    /// False if it is one, and the console is still held by it.
+    /// Writes all lines, but waits only kShutdownGrace for a reader that stalls. Returns false if
+    /// the reader still blocks the console.
     bool finish() {
         std::unique_lock lock(mutex_);
         if (!thread_.joinable()) return true;
         finished_ = true;
         changed_.notify_one();
-        const bool written = done_.wait_for(lock, kLastMoment, [this] { return ended_; });
+        const bool written = done_.wait_for(lock, kShutdownGrace, [this] { return ended_; });
         lock.unlock();
         if (written) {
             thread_.join();
@@ -57,8 +57,8 @@ class Log {
     }
 
   private:
-    static constexpr std::size_t kMostLines = 10000;
-    static constexpr auto kLastMoment = std::chrono::milliseconds(500);
+    static constexpr std::size_t kMaxLines = 10000;
+    static constexpr auto kShutdownGrace = std::chrono::milliseconds(500);
 
     void write() {
         std::unique_lock lock(mutex_);
@@ -110,9 +110,10 @@ std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& word
     std::vector<std::unique_ptr<bridge::Source>> sources;
     if (words.dummy) {
         if (words.dummy->ends_with(".toml")) {
-            throw Error(ErrorKind::invalid_value, "--dummy " + *words.dummy +
-                                                      ": would be its script; a SEA stands before "
-                                                      "--dummy");
+            throw Error(ErrorKind::invalid_value,
+                        "--dummy " + *words.dummy +
+                            ": this would be its script; write the SEA before "
+                            "--dummy");
         }
         std::vector<bridge::ScriptLine> script;
         if (!words.dummy->empty()) script = bridge::read_script(*words.dummy);
@@ -127,13 +128,13 @@ std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& word
 Sea sea_of(const ServeWords& words) {
     if (!words.sea.source.empty()) return open_sea(words.sea);
     if (words.sea.assignments.empty()) return {};
-    throw Error(ErrorKind::invalid_value, "--set changes a SEA; there is none");
+    throw Error(ErrorKind::invalid_value, "--set requires a SEA");
 }
 
 void serve(const ServeWords& words, const std::string& token, const Context& context) {
     bridge::HubOptions hub_options;
     hub_options.sea = sea_of(words);
-    if (!words.dummy && words.replay.empty()) hub_options.devices = bridge::usual_devices();
+    if (!words.dummy && words.replay.empty()) hub_options.devices = bridge::default_devices();
     hub_options.map = words.map;
     if (words.map.empty()) hub_options.map_text = bridge::kDefaultMap;
     bridge::Hub hub(std::move(hub_options), file_sources(words));
@@ -148,10 +149,10 @@ void serve(const ServeWords& words, const std::string& token, const Context& con
     bridge::LineServer server(std::move(options), hub);
     const InterruptWatch::LastAct last(context.interrupts, [&] {
         server.stop();
-        // Who does not read the log does not hear a farewell either.
+        // A reader that does not read the log blocks every further message.
         if (!log.finish()) std::_Exit(kInterruptedExit);
     });
-    // Everything happens in other threads, the end too.
+    // All work, and the end, happens in other threads.
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable never;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The bridge as a program that runs until it is interrupted.
+// `ocean-bridge` as a server.
 #pragma once
 
 #include <memory>
@@ -19,23 +19,23 @@ namespace ocean::app {
 struct ServeWords {
     SeaArgument sea;
     std::string map;
-    std::optional<std::string> dummy;  // "" without a script
+    std::optional<std::string> dummy;  // "" for no script
     std::string replay;
-    std::optional<std::string> learn;  // "" without a name
+    std::optional<std::string> learn;  // "" for the default names
     std::string listen = "127.0.0.1:4747";
     std::string token_file;
     int clients = 64;
-    std::string osc;  // "" without
+    std::string osc;  // "" for no OSC
     std::vector<std::string> osc_allow;
     std::vector<std::string> osc_to;
 };
 
-/// Returns the boards that are files, --dummy and --replay. Throws Error.
+/// Returns the boards that are files: --dummy and --replay. Throws Error bad_file.
 std::vector<std::unique_ptr<bridge::Source>> file_sources(const ServeWords& words);
-/// Returns the sea that was named, or the default one. Throws Error.
+/// Returns the sea that the command line names, or the default sea. Throws Error.
 Sea sea_of(const ServeWords& words);
 
-/// Does not return. Throws Error.
+/// Serves boards and clients until the process is interrupted; never returns. Throws Error.
 void serve(const ServeWords& words, const std::string& token, const Context& context);
 
 }  // namespace ocean::app

@@ -24,7 +24,7 @@ std::string shown(const bridge::ClientEvent& event) {
         case Kind::value:
             return event.name + " = " + event.text;
         case Kind::writer:
-            return event.name + " is moved by " + event.text;
+            return event.name + " is set by " + event.text;
         case Kind::lost:
             return "(no bridge: " + event.text + ")";
         case Kind::refused:
@@ -47,23 +47,23 @@ bool asks_to_quit(const std::string& line) {
 
 void run_terminal_client(const bridge::Endpoint& server, const std::string& token,
                          const Context& context) {
-    constexpr int kLook = 20;  // ms
+    constexpr int kPollInterval = 20;  // [ms]
 
     LineInput input;
     const InterruptWatch::LastAct last(context.interrupts, [&input] { input.restore(); });
     bridge::LineClient client({.server = server, .token = token, .subscribe = false});
-    std::vector<std::string> early;  // typed before there was a connection
-    std::string why_not;             // there is no connection
+    std::vector<std::string> unsent;  // lines typed before the connection
+    std::string failure;              // the reason for no connection
     bool was_connected = false;
     bool leaving = false;
     for (;;) {
-        for (std::string& line : input.wait(kLook)) early.push_back(std::move(line));
+        for (std::string& line : input.wait(kPollInterval)) unsent.push_back(std::move(line));
         if (client.connected()) {
-            for (const std::string& line : early) {
+            for (const std::string& line : unsent) {
                 client.send(line);
                 leaving = leaving || asks_to_quit(line);
             }
-            early.clear();
+            unsent.clear();
             if (input.ended() && !leaving) {
                 leaving = true;
                 client.send("QUIT");
@@ -76,11 +76,11 @@ void run_terminal_client(const bridge::Endpoint& server, const std::string& toke
             was_connected = was_connected || event.kind == Kind::connected;
             if (event.kind != Kind::lost) continue;
             if (leaving) return input.restore();
-            why_not = event.text;
+            failure = event.text;
         }
-        // A pipe does not wait for a bridge to come.
-        if (input.ended() && !was_connected && !why_not.empty()) {
-            throw Error(ErrorKind::output, server.text() + ": " + why_not);
+        // Input of a pipe does not wait for a bridge.
+        if (input.ended() && !was_connected && !failure.empty()) {
+            throw Error(ErrorKind::output, server.text() + ": " + failure);
         }
         if (!events.empty()) input.show();
     }

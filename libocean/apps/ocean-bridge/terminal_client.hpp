@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The specialised client: lines typed with an editor and its history, values live above them.
+// The terminal client: lines are typed with an editor and its history, live values appear above.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace ocean::app {
 
-/// Until QUIT, the end of standard input or an interrupt. Throws Error.
+/// Runs until QUIT, the end of standard input or an interrupt. Throws Error output if standard
+/// input is a pipe and no bridge answers.
 void run_terminal_client(const bridge::Endpoint& server, const std::string& token,
                          const Context& context);
 

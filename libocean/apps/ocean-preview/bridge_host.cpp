@@ -12,12 +12,12 @@
 namespace ocean::app {
 namespace {
 
-constexpr std::size_t kMostLines = 500;
+constexpr std::size_t kMaxLines = 500;
 
 bridge::HubOptions hub_options(const BridgeHostOptions& options, const Sea& sea) {
     bridge::HubOptions hub{.sea = sea, .map = options.map};
     if (options.map.empty()) hub.map_text = bridge::kDefaultMap;
-    if (!options.dummy) hub.devices = bridge::usual_devices();
+    if (!options.dummy) hub.devices = bridge::default_devices();
     return hub;
 }
 
@@ -76,7 +76,7 @@ void BridgeHost::leave_out_clock_of(const std::string& client) {
 void BridgeHost::add(std::string line) {
     const std::lock_guard lock(mutex_);
     if (!left_out_.empty() && line.starts_with(left_out_)) return;
-    if (log_.size() == kMostLines) log_.pop_front();
+    if (log_.size() == kMaxLines) log_.pop_front();
     log_.push_back(std::move(line));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bridge in the preview's own process, which a person starts and stops in the panel: boards and
-// clients come to it as to ocean-bridge.
+// A bridge in the preview's own process, which the panel starts and stops: boards and clients
+// connect to it as to ocean-bridge.
 #pragma once
 
 #include <deque>
@@ -18,9 +18,9 @@ namespace ocean::app {
 
 struct BridgeHostOptions {
     std::string listen = "127.0.0.1:4747";
-    std::string token = {};  // "" = none, which only a loopback address may have
-    std::string map = {};    // a file; "" = the usual one
-    bool dummy = false;      // a board that is not there, instead of those on USB
+    std::string token = {};  // "": none, which only a loopback address may have
+    std::string map = {};    // a file of control maps; "": the default map
+    bool dummy = false;      // a simulated board in place of those on USB
 };
 
 class BridgeHost {
@@ -28,16 +28,16 @@ class BridgeHost {
     BridgeHost();
     ~BridgeHost();
 
-    /// With the values of a sea. Throws Error, and is stopped then.
+    /// Starts the bridge with the values of a sea. Throws Error, and no bridge runs then.
     void start(const BridgeHostOptions& options, const Sea& sea);
-    /// Lets all clients go; twice is once.
+    /// Disconnects all clients. Does nothing if no bridge runs.
     void stop();
     bool is_running() const { return running_ != nullptr; }
-    /// Of one that runs: where it is joined from this machine.
+    /// Returns the address of the running bridge for clients on this machine.
     bridge::Endpoint endpoint() const;
-    /// Connections, lines and events, also of those before; the newest last.
+    /// Returns connections, lines and events, of earlier bridges too, the newest last.
     std::vector<std::string> log() const;
-    /// This client's clock, told twice a second, stays out of the log.
+    /// Keeps this client's clock, which it sends twice a second, out of the log.
     void leave_out_clock_of(const std::string& client);
 
   private:
@@ -47,7 +47,7 @@ class BridgeHost {
 
     mutable std::mutex mutex_;  // of the log
     std::deque<std::string> log_;
-    std::string left_out_;  // what such a line begins with
+    std::string left_out_;  // prefix of lines that are left out
     std::unique_ptr<Running> running_;
 };
 

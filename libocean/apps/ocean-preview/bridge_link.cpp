@@ -17,40 +17,40 @@ namespace {
 using Kind = bridge::ClientEvent::Kind;
 using Clock = std::chrono::steady_clock;
 
-/// The snapshot comes in one piece; who wrote a value stands behind it.
+/// The snapshot arrives in one piece, each value before the name of its writer.
 constexpr std::chrono::milliseconds kSnapshot{300};
 constexpr std::chrono::milliseconds kClockStep{500};
-/// Two clocks that differ by less run together, s.
+/// Clocks that differ by less run together [s].
 constexpr double kSameTime = 0.25;
 
 bool is_of_the_sea(const std::string& name) {
     return !name.starts_with("app.");
 }
 
-/// Whether a value of that name may come from or go to a bridge: no files.
+/// Returns whether values of a parameter may come from or go to a bridge; names of files may not.
 bool is_shared(const ParameterInfo& info) {
     return info.key != "file" && info.key != "take" && info.key != "record";
 }
 
 }  // namespace
 
-BridgeLink::BridgeLink(const bridge::LineClientOptions& options, BridgeWishes wishes)
-    : client_(options), wishes_(std::move(wishes)) {}
+BridgeLink::BridgeLink(const bridge::LineClientOptions& options, BridgeCalls calls)
+    : client_(options), calls_(std::move(calls)) {}
 
 bool BridgeLink::apply(LiveSea& sea) {
-    return take(sea, client_.events());
+    return apply_events(sea, client_.events());
 }
 
 bool BridgeLink::wait_and_apply(LiveSea& sea, std::chrono::milliseconds longest) {
-    return take(sea, client_.wait(longest));
+    return apply_events(sea, client_.wait(longest));
 }
 
-bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& events) {
-    std::map<std::string, std::string> asked;  // by others
+bool BridgeLink::apply_events(LiveSea& sea, const std::vector<bridge::ClientEvent>& events) {
+    std::map<std::string, std::string> requested;  // by other clients
     for (const bridge::ClientEvent& event : events) {
         switch (event.kind) {
             case Kind::connected:
-                say("joined: " + event.text);
+                add_to_log("joined: " + event.text);
                 own_names_ = {own_name(), event.name};
                 values_.clear();
                 movers_.clear();
@@ -58,26 +58,26 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
                 values_known_ = false;
                 break;
             case Kind::lost:
-                say("lost, what there is holds: " + event.text);
+                add_to_log("lost, the sea stays as it is: " + event.text);
                 break;
             case Kind::value:
                 values_[event.name] = event.text;
                 if (is_own(mover(event.name))) {
-                    // Of the clock what was asked before stands: this is how it was.
-                    if (is_of_the_sea(event.name)) asked.erase(event.name);
+                    // An echo of our own clock does not cancel an earlier request for another time.
+                    if (is_of_the_sea(event.name)) requested.erase(event.name);
                 } else if (movers_.contains(event.name)) {
-                    asked[event.name] = event.text;
+                    requested[event.name] = event.text;
                 }
                 break;
             case Kind::writer:
                 movers_[event.name] = event.text;
                 break;
             case Kind::notice:
-                hear_of_recording(event.text);
-                say(event.text);
+                note_recording(event.text);
+                add_to_log(event.text);
                 break;
             case Kind::refused:
-                say(event.text);
+                add_to_log(event.text);
                 break;
             case Kind::reply:
                 break;
@@ -85,23 +85,23 @@ bool BridgeLink::take(LiveSea& sea, const std::vector<bridge::ClientEvent>& even
     }
     bool changed = false;
     applying_ = true;
-    for (const auto& [name, value] : asked) {
+    for (const auto& [name, value] : requested) {
         try {
-            changed = take_value(sea, name, value) || changed;
+            changed = apply_value(sea, name, value) || changed;
         } catch (const Error& error) {
-            say(error.what());
+            add_to_log(error.what());
         }
     }
     applying_ = false;
     if (!values_known_ && !values_.empty() && Clock::now() - joined_ > kSnapshot) {
         values_known_ = true;
-        say("its values have come");
-        tell_values(sea, false);
+        add_to_log("its values have come");
+        send_values(sea, false);
     }
     return changed;
 }
 
-bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::string& value) {
+bool BridgeLink::apply_value(LiveSea& sea, const std::string& name, const std::string& value) {
     const auto number = [&] { return parse_number(value, name, -1e9, 1e9); };
     if (name == "app.pause") {
         const bool paused = number() != 0.0;
@@ -113,13 +113,13 @@ bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::st
     }
     if (name == "app.record") {
         const bool record = number() != 0.0;
-        if (record != sea.recording() && !another_shows()) wishes_.record(record, take_name_);
+        if (record != sea.recording() && !another_shows()) calls_.record(record, take_name_);
         return true;
     }
     if (name == "app.time") {
-        // Another window's clock runs as ours does.
-        const bool told_by_shower = another_shows() && mover(name) == mover("app.frame_rate");
-        if (told_by_shower && std::abs(number() - sea.time()) < kSameTime) return false;
+        // A clock of another window runs at the same rate as ours.
+        const bool sent_by_shower = another_shows() && mover(name) == mover("app.frame_rate");
+        if (sent_by_shower && std::abs(number() - sea.time()) < kSameTime) return false;
         sea.go_to(number());
         return true;
     }
@@ -129,43 +129,44 @@ bool BridgeLink::take_value(LiveSea& sea, const std::string& name, const std::st
     const bool live = parameter.info->change == ParameterClass::live;
     if (!live && to_text(value_of(sea.sea().parameters, parameter)) == value) return false;
     sea.set(name, value);
-    if (!live && !told_of_rebuild_) {
-        told_of_rebuild_ = true;
-        say(name + ": makes another sea; applied, and in no take");
+    if (!live && !noted_rebuild_) {
+        noted_rebuild_ = true;
+        add_to_log(name + ": makes another sea; applied, and in no take");
     }
     return true;
 }
 
-/// "RECORD START storm.take by ...", "RECORD STOP -": it comes before app.record does.
-void BridgeLink::hear_of_recording(const std::string& event) {
+/// Notes the name of a take: "RECORD START storm.take by ..." and "RECORD STOP -" arrive before
+/// app.record does.
+void BridgeLink::note_recording(const std::string& event) {
     std::string_view words = event;
-    if (take_word(words) != "RECORD") return;
-    const std::string_view what = take_word(words);
-    const std::string_view name = take_word(words);
+    if (next_word(words) != "RECORD") return;
+    const std::string_view what = next_word(words);
+    const std::string_view name = next_word(words);
     if (what == "START") take_name_.clear();
     if (name != "-" && bridge::is_take_name(name)) take_name_ = name;
 }
 
-void BridgeLink::tell_values(const LiveSea& sea, bool moved_too) {
+void BridgeLink::send_values(const LiveSea& sea, bool moved_too) {
     const Parameters& parameters = sea.sea().parameters;
     for (const auto& [name, value] : values_) {
         if (!is_of_the_sea(name) || (movers_.contains(name) && !moved_too)) continue;
         ParameterRef parameter = find_parameter(name);
         if (parameter.item >= parameters.waves.size() || !is_shared(*parameter.info)) continue;
         const std::string ours = to_text(value_of(parameters, parameter));
-        if (!ours.empty() && ours != value) tell(name, ours);
+        if (!ours.empty() && ours != value) send(name, ours);
     }
 }
 
-void BridgeLink::tell(const std::string& name, const std::string& value) {
+void BridgeLink::send(const std::string& name, const std::string& value) {
     if (applying_) return;
-    const auto told = told_.find(name);
+    const auto sent = sent_.find(name);
     const auto theirs = values_.find(name);
-    if (told != told_.end() && told->second == value && theirs != values_.end() &&
+    if (sent != sent_.end() && sent->second == value && theirs != values_.end() &&
         theirs->second == value) {
         return;
     }
-    told_[name] = value;
+    sent_[name] = value;
     is_of_the_sea(name) ? client_.set(name, value) : client_.report(name, value);
 }
 
@@ -184,23 +185,23 @@ bool BridgeLink::another_shows() const {
     return !shower.empty() && !is_own(shower) && rate != values_.end() && rate->second != "0";
 }
 
-void BridgeLink::tell_clock(const LiveSea& sea, double frame_rate) {
-    if (!joined() || another_shows() || Clock::now() - clock_told_ < kClockStep) return;
-    clock_told_ = Clock::now();
-    tell("app.frame_rate", format_text("%.1f", frame_rate));
-    tell("app.time", format_text("%.3f", sea.time()));
-    tell("app.pause", sea.paused ? "1" : "0");
-    tell("app.speed", shortest_text(static_cast<float>(sea.speed)));
-    // A window that has never recorded says nothing of it: its "0" could be sent while another's
-    // wish to record is on the wire, and would end that take.
-    if (sea.recording() || told_.contains("app.record")) {
-        tell("app.record", sea.recording() ? "1" : "0");
+void BridgeLink::send_clock(const LiveSea& sea, double frame_rate) {
+    if (!joined() || another_shows() || Clock::now() - clock_sent_ < kClockStep) return;
+    clock_sent_ = Clock::now();
+    send("app.frame_rate", format_text("%.1f", frame_rate));
+    send("app.time", format_text("%.3f", sea.time()));
+    send("app.pause", sea.paused ? "1" : "0");
+    send("app.speed", shortest_text(static_cast<float>(sea.speed)));
+    // A window that has never recorded sends no "0": it could cross another client's request to
+    // record, and would end that take.
+    if (sea.recording() || sent_.contains("app.record")) {
+        send("app.record", sea.recording() ? "1" : "0");
     }
 }
 
-void BridgeLink::say(std::string text) {
-    if (log_.size() == kMostLines) log_.erase(log_.begin());
-    if (wishes_.said) wishes_.said(text);
+void BridgeLink::add_to_log(std::string text) {
+    if (log_.size() == kMaxLines) log_.erase(log_.begin());
+    if (calls_.logged) calls_.logged(text);
     log_.push_back(std::move(text));
 }
 

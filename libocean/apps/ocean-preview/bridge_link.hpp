@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sea joined to a bridge: what a knob or another client moves there moves here, and what a
-// person moves here is told there.
+// The connection of a sea to a bridge: values that a knob or another client sets there change the
+// sea here, and changes here are sent there.
 #pragma once
 
 #include <array>
@@ -18,66 +18,67 @@
 
 namespace ocean::app {
 
-/// What the bridge's app.* ask for, beside the clock, which is the sea's.
-struct BridgeWishes {
-    /// `name` is what the take is to be called, "" anything.
+/// Calls that the bridge causes; the link itself applies its clock and its parameters to the sea.
+struct BridgeCalls {
+    /// Starts or stops recording. name: of the take; "" leaves it open.
     std::function<void(bool on, const std::string& name)> record;
-    /// Called with each line of the log, where somebody reads it at once.
-    std::function<void(const std::string& line)> said = {};
+    /// Receives each line of the log at once; may be empty.
+    std::function<void(const std::string& line)> logged = {};
 };
 
 class BridgeLink {
   public:
-    BridgeLink(const bridge::LineClientOptions& options, BridgeWishes wishes);
+    BridgeLink(const bridge::LineClientOptions& options, BridgeCalls calls);
 
-    /// Applies what has come: values that somebody there has written, not those that it began
-    /// with; these are told the sea's. Of a lost bridge what there is holds. Returns whether the
-    /// sea changed.
+    /// Applies the values that clients of the bridge have set since the last call. Values that the
+    /// bridge has from its start are not applied: the sea's are sent to it. When the connection is
+    /// lost the sea stays as it is. Returns whether the sea has changed.
     bool apply(LiveSea& sea);
-    /// The same, after waiting for something to come.
+    /// Waits for events of the bridge, at most `longest`, and applies them like apply().
     bool wait_and_apply(LiveSea& sea, std::chrono::milliseconds longest);
-    /// Of the sea, changed here.
-    void tell(const std::string& name, const std::string& value);
-    /// All of the sea's that the bridge has otherwise; those too that somebody there has moved.
-    void tell_values(const LiveSea& sea, bool moved_too);
-    /// Its clock, and how many frames a second are shown: some times a second. Of several windows
-    /// the one that came first tells it, and the others' clocks follow.
-    void tell_clock(const LiveSea& sea, double frame_rate);
+    /// Sends a parameter of the sea that was changed here, or a value of the application.
+    void send(const std::string& name, const std::string& value);
+    /// Sends all parameters that the bridge has other values of; `moved_too`: also those that its
+    /// clients have set.
+    void send_values(const LiveSea& sea, bool moved_too);
+    /// Sends the sea's clock and the frames a second, twice a second. Of several windows the first
+    /// one sends its clock, and the clocks of the others follow it.
+    void send_clock(const LiveSea& sea, double frame_rate);
 
     bool connected() const { return client_.connected(); }
-    /// And all of its values have come.
+    /// Returns whether the bridge is connected and all of its values have arrived.
     bool joined() const { return connected() && values_known_; }
-    /// "waves.0.wind_speed": "board0/a1".
+    /// Returns who has set each value: "waves.0.wind_speed": "board0/a1".
     const std::map<std::string, std::string>& movers() const { return movers_; }
-    /// This program among them, "" before it was joined.
+    /// Returns the name of this program among them, "" before it has joined.
     const std::string& own_name() const { return own_names_.back(); }
-    /// What it said and what was refused, the newest last; at most kMostLines.
+    /// Returns lines of the bridge and refusals, the newest last, kMaxLines at most.
     const std::vector<std::string>& log() const { return log_; }
-    std::vector<std::string> take_log() { return std::exchange(log_, {}); }
+    std::vector<std::string> extract_log() { return std::exchange(log_, {}); }
 
-    static constexpr std::size_t kMostLines = 200;
+    static constexpr std::size_t kMaxLines = 200;
 
   private:
-    bool take(LiveSea& sea, const std::vector<bridge::ClientEvent>& events);
-    bool take_value(LiveSea& sea, const std::string& name, const std::string& value);
+    bool apply_events(LiveSea& sea, const std::vector<bridge::ClientEvent>& events);
+    bool apply_value(LiveSea& sea, const std::string& name, const std::string& value);
     std::string mover(const std::string& name) const;
     bool is_own(const std::string& writer) const;
-    /// The bridge's clock is that of another window.
+    /// Returns whether another window sends the bridge's clock.
     bool another_shows() const;
-    void hear_of_recording(const std::string& event);
-    void say(std::string text);
+    void note_recording(const std::string& event);
+    void add_to_log(std::string text);
 
     bridge::LineClient client_;
-    BridgeWishes wishes_;
+    BridgeCalls calls_;
     std::map<std::string, std::string> values_;  // as the bridge has them
-    std::map<std::string, std::string> told_;    // as it was told them last
+    std::map<std::string, std::string> sent_;    // as they were sent last
     std::map<std::string, std::string> movers_;
-    std::array<std::string, 2> own_names_;  // of the connection that was lost, and of this one
+    std::array<std::string, 2> own_names_;  // in the previous connection and in this one
     std::string take_name_;
     std::vector<std::string> log_;
     bool applying_ = false;
-    bool told_of_rebuild_ = false;
-    std::chrono::steady_clock::time_point clock_told_{};
+    bool noted_rebuild_ = false;
+    std::chrono::steady_clock::time_point clock_sent_{};
     std::chrono::steady_clock::time_point joined_{};
     bool values_known_ = false;
 };

@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kStep{20};
-constexpr std::chrono::seconds kLongestJoin{3};
+constexpr std::chrono::seconds kMaxJoinTime{3};
 
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -25,13 +25,13 @@ void run_with_bridge(const bridge::LineClientOptions& options, double seconds, L
                      Console& console, const std::function<void(double milliseconds)>& changed) {
     BridgeLink link(options, {.record = [](bool, const std::string&) {}});
     const Clock::time_point start = Clock::now();
-    while (!link.joined() && Clock::now() - start < kLongestJoin) {
+    while (!link.joined() && Clock::now() - start < kMaxJoinTime) {
         link.wait_and_apply(sea, kStep);
     }
-    const auto say_what_came = [&] {
-        for (const std::string& line : link.take_log()) console.note("bridge: " + line);
+    const auto note_log = [&] {
+        for (const std::string& line : link.extract_log()) console.note("bridge: " + line);
     };
-    say_what_came();
+    note_log();
     if (!link.joined()) {
         throw Error(ErrorKind::output, "no bridge answers at " + options.server.text());
     }
@@ -40,7 +40,7 @@ void run_with_bridge(const bridge::LineClientOptions& options, double seconds, L
     const Clock::time_point joined = Clock::now();
     while (std::chrono::duration<double>(Clock::now() - joined).count() < seconds) {
         const bool moved = link.wait_and_apply(sea, kStep);
-        say_what_came();
+        note_log();
         if (!moved) continue;
         const Clock::time_point heard = Clock::now();
         sea.settle();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bridge joined without a window.
+// A connection to a bridge without a window.
 #pragma once
 
 #include <functional>
@@ -12,9 +12,9 @@
 
 namespace ocean::app {
 
-/// Joins, applies what has been moved there, and calls `changed` once; then, for so many seconds,
-/// whenever the sea has been moved again, with the milliseconds since that was heard. Values hold
-/// at once, nothing glides. Throws Error output where no bridge is to be had.
+/// Joins the bridge, applies the values that its clients have set and calls `changed` once; then,
+/// for so many seconds, after each further change of the sea, with the milliseconds since it
+/// arrived. Values hold at once, nothing glides. Throws Error output if no bridge answers.
 void run_with_bridge(const bridge::LineClientOptions& options, double seconds, LiveSea& sea,
                      Console& console, const std::function<void(double milliseconds)>& changed);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What each part of a frame costs.
+// The cost of each stage of a frame.
 #pragma once
 
 #include <functional>
@@ -14,25 +14,26 @@
 
 namespace ocean::app {
 
-/// Milliseconds of each stage, the GPU's work included: it is waited for after each, so that their
-/// sum is more than a frame that is not measured.
+/// Milliseconds of each stage, the GPU's work included. It waits for the GPU after each stage, so
+/// that the sum is more than the time of a frame that is not measured.
 class FrameBudget {
   public:
-    /// For the options of who does the work.
+    /// Returns the callback for the options of SeaMaps and Renderer.
     gl::AfterStage after_stage();
-    /// Something begins that is no stage of before.
+    /// Begins a stage now: the time before belongs to none.
     void begin();
     void end_frame() { ++frames_; }
-    /// "stage,median,worst" and a line for each, in the order of the work, then for all of a frame.
+    /// Returns "stage,median,worst" and a line for each stage [ms] in the order of the work, then
+    /// one for the whole frame.
     std::string table() const;
 
   private:
     void add(std::string_view stage, double milliseconds);
 
-    double before_ = 0.0;  // ms, of a steady clock
+    double before_ = 0.0;  // [ms] of a steady clock
     std::size_t frames_ = 0;
     std::vector<std::string> order_;
-    std::map<std::string, std::vector<double>, std::less<>> stages_;  // a number a frame
+    std::map<std::string, std::vector<double>, std::less<>> stages_;  // [ms] of each frame
 };
 
 }  // namespace ocean::app

@@ -19,7 +19,7 @@ constexpr double kFadeSeconds = 1.0;
 /// Seas that have so much in common take each other's place at any moment without a jump.
 constexpr double kSameWaves = 0.9;
 /// Glides that no take has, before they are forgotten: each costs a little at every time.
-constexpr std::size_t kMostGlides = 2000;
+constexpr std::size_t kMaxGlides = 2000;
 
 double end_of(const Sea& sea) {
     return sea.take.empty() ? sea.parameters.time.start : sea.take.events.back().seconds;
@@ -48,7 +48,6 @@ preview::ShownSea LiveSea::show() {
     if (!before_) return shown;
     maps_before_->set_detail(near_detail);
     const preview::ShownSea from = maps_before_->show(*before_, time_before_);
-    if (from.cascades.size() + shown.cascades.size() > options_.most_cascades) return shown;
     return preview::cross_fade(from, shown, faded_, correlation_);
 }
 
@@ -135,7 +134,7 @@ void LiveSea::set(const std::string& name, const std::string& value) {
     Sea changed = sea();
     set_in_sea(changed, name, value);
     if (live && changed.parameters.time.loop_period == 0.0 && time_ >= performed_until_) {
-        if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMostGlides) {
+        if (ocean_->sea().take.events.size() > kept_.take.events.size() + kMaxGlides) {
             become(kept_);
         }
         perform(name, value);

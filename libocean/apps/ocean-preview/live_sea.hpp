@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea that runs: its clock, changes of it while it runs, and what of them is recorded.
+// A running sea: its clock, its changes while it runs, and their recording.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace ocean::app {
 
-/// How a sea is computed: by compute shaders in the current context, as `maps` say, or else by the
+/// How a sea is computed: by compute shaders in the current context if `maps` say so, else by the
 /// sea's own backend.
 struct Computing {
     Backend backend = Backend::cpu;
@@ -25,77 +25,80 @@ struct Computing {
 
 struct LiveSeaOptions {
     int threads = 0;
-    /// Throws Error where it cannot be computed.
+    /// Returns how to compute a sea. Throws Error if it cannot be computed.
     std::function<Computing(const Sea&)> computing;
-    std::size_t most_cascades = preview::kMostCascades;  // the renderer's
-    /// Of foam by the sea's backend; that of computed maps is in `computing`.
+    /// Start of the foam of the sea's own backend; `computing` has that of compute shaders.
     FoamStart foam_start = FoamStart::empty;
 };
 
-/// Needs the context that was current when it was made to be current in every call, the destructor
-/// too. All that throws Error then has changed nothing.
+/// The OpenGL context of the constructor must be current in every call, also in the destructor. A
+/// function that throws Error has changed nothing.
 class LiveSea {
   public:
     LiveSea(Sea sea, LiveSeaOptions options);
 
+    /// Returns the sea at its time, or two seas that are faded into each other. Throws Error.
     preview::ShownSea show();
 
-    // The clock: seconds of the sea over those of the wall.
+    // The clock of the sea [s].
     double time() const { return time_; }
-    /// So many seconds of the wall go by; a pause is none, but for a sea that fades into another.
+    /// Advances the clock by `speed` times so many seconds, unless it is paused. A cross-fade
+    /// advances also in a pause.
     void advance(double wall_seconds);
-    /// Back in time a recording ends, and what glided is as it was saved.
+    /// Sets the clock. A step back ends a recording, and gliding parameters have their saved
+    /// values.
     void go_to(double time);
     bool paused = false;
-    /// The waves too short for the maps are shown too.
+    /// Shows the waves too short for the maps.
     bool near_detail = true;
-    double speed = 1.0;
-    /// Seconds from the sea's start after which it plays from there again; nothing: it goes on.
-    /// Not while it records.
+    double speed = 1.0;  // seconds of the sea in a second
+    /// Seconds from the sea's start after which it starts again, except while it records; nothing:
+    /// it goes on.
     std::optional<double> play_again_after;
 
-    // Changes of it.
-    /// A live parameter glides to the value from now on, unless the sea has a loop; what else is
-    /// changed makes another sea, into which this one fades over a second. Throws Error, of what
-    /// the take plays while nothing is recorded too.
+    // Changes.
+    /// Sets a parameter. A live parameter glides to the value from now on, unless the sea has a
+    /// loop; any other change makes another sea, into which this one fades over a second. Throws
+    /// Error, also for a live parameter that the take plays while nothing is recorded.
     void set(const std::string& name, const std::string& value);
-    /// What glides is where it was going, at once. Not while it records.
+    /// Gives gliding parameters their final values and ends a cross-fade. Gliding goes on while it
+    /// records.
     void settle();
-    /// Another sea, its clock at its start.
+    /// Fades into another sea, its clock at its start. Throws Error.
     void open(Sea sea);
-    /// Called when they have: for who must be told.
+    /// Called after set() and open(); may be empty.
     std::function<void(const std::string& name, const std::string& value)> after_set;
     std::function<void()> after_open;
-    /// The options' `computing` has another answer.
+    /// Computes the sea anew if the options' `computing` has another answer. Throws Error.
     void compute_anew();
     bool fading() const { return before_ != nullptr; }
 
     // The take.
-    /// From now on live changes are events of the take; those that it had from now on are dropped.
-    /// Throws Error of a sea with a loop.
+    /// Makes live changes events of the take from now on, and drops later events that it has.
+    /// Throws Error for a sea with a loop.
     void start_recording();
     void stop_recording();
     bool recording() const { return recording_; }
-    /// When the last event is; the start where there is none.
+    /// Returns the time of the last event, or of the start if the take has none [s].
     double take_end() const;
 
-    /// What is to be saved: the sea as it was opened or changed, and its take.
+    /// Returns the sea to save: as it was opened or changed, with its take.
     const Sea& sea() const { return recording_ ? ocean_->sea() : kept_; }
-    /// Of the sea at its time, gliding: what is shown.
+    /// Returns the shown parameters: those of the sea at its time, gliding.
     const Parameters& now();
     Ocean& ocean() { return *ocean_; }
     const Computing& computing() const { return computing_; }
-    /// Seconds until foam that began empty is what it always is.
+    /// Returns the seconds until foam that began empty has settled.
     double foam_settling() const;
-    /// Returns whether the sea will look otherwise though its clock stands; see SeaMaps.
+    /// Returns whether the sea will look different although its clock stands; see SeaMaps.
     preview::Pending pending() const { return maps_->pending(); }
 
   private:
     OceanOptions ocean_options(const Computing& computing) const;
-    /// The shown sea is another one from now on, its clock at that time, and the one before fades
-    /// into it. Where that would be a jump, for one fades already, it waits.
+    /// Shows another sea with its clock at a time, into which the sea before fades. The change
+    /// waits if a fade is in progress and would jump.
     void fade_to(const Sea& sea, double time);
-    /// The shown sea is that one, at once.
+    /// Shows another sea at once.
     void become(const Sea& sea);
     void perform(const std::string& name, const std::string& value);
 
@@ -104,19 +107,19 @@ class LiveSea {
     Sea kept_;  // what is saved while nothing is recorded
     bool recording_ = false;
     double time_;
-    double performed_until_;        // nothing may be performed before
-    std::unique_ptr<Ocean> ocean_;  // what is shown: with glides that no take has
+    double performed_until_;        // no change may be performed before
+    std::unique_ptr<Ocean> ocean_;  // the shown sea, with glides that no take has
     std::unique_ptr<preview::SeaMaps> maps_;
-    // The sea that fades away, its own clock, how far it has gone: 0 .. 1, and how much of its
-    // waves the other one has too.
+    // The sea that fades away, its clock, its progress 0 .. 1, and the correlation of its waves
+    // with those of the shown sea.
     std::unique_ptr<Ocean> before_;
     std::unique_ptr<preview::SeaMaps> maps_before_;
     double time_before_ = 0.0;
     double faded_ = 0.0;
     double correlation_ = 0.0;
-    bool waiting_ = false;  // another sea is to come when this one has faded in
+    bool waiting_ = false;  // another sea follows when this one has faded in
     Parameters now_;
-    std::optional<double> now_time_;  // of them; nothing if they are not known
+    std::optional<double> now_time_;  // of now_; nothing if it is out of date
 };
 
 }  // namespace ocean::app

@@ -13,7 +13,7 @@
 #include "offscreen_run.hpp"
 #include "picture_list.hpp"
 #include "preview_options.hpp"
-#include "window.hpp"
+#include "window/window.hpp"
 
 namespace ocean::app {
 namespace {
@@ -22,19 +22,20 @@ constexpr char kFooter[] =
     R"(SEA is a sea file, a baked EXR file or preset:NAME.
 Keys: W A S D Q E move, Shift is fast, dragging turns, the wheel zooms; Space
 pauses, R records, V changes the view, C the camera, F shows the mesh, P probes,
-Tab hides the panel, Ctrl Z takes a change back, Ctrl R reads the sea file again,
-F12 saves the picture, Escape ends; a take that was not saved is, first. A gamepad's sticks move and turn, its A
-pauses, B changes the camera, X the view, Y goes back to where it began.
---probe prints x,y, the height of the mesh there and that of the maps (m), the
-square of the slope that is shown, the mean square slope that the light gets as
-roughness and the share of foam; nothing behind x,y where nothing is drawn.
-Letters and controls of the panel are as large as the screen asks for that the
-window is on, and follow it to another one; --scale F (0.5 .. 8) says it instead.
--v tells scripts how far the window is, on standard error: "the panel has scale
-2" when that is another one, "the window is open" when it shows its first
-picture and listens, "written: FILE" for each file, and
-"at rest: 1280x720, mouse at 90,40, 12 keys, 3 clicks, 0 held" whenever all that
-was done is shown and nothing moves until more is: the clock stands, the sea has
+Tab hides the panel, Ctrl Z undoes a change, Ctrl R reads the sea file again, F12
+saves the picture, Escape closes the window; a take that is in no file is saved
+then. A gamepad's sticks move and turn, its A
+pauses, B changes the camera, X the view, Y returns to the start.
+--probe prints x,y, the height of the mesh and of the maps at that place (m), the
+square of the shown slope, the mean square slope that the light receives as
+roughness, and the share of foam; only x,y where no water is drawn.
+Letters and controls of the panel follow the scale of the screen that the window
+is on; --scale F (0.5 .. 8) sets another one.
+-v reports the state of the window to scripts, on standard error: "the panel has
+scale 2" when the scale changes, "the window is open" when it shows its first
+picture and receives input, "written: FILE" for each file, and
+"at rest: 1280x720, mouse at 90,40, 12 keys, 3 clicks, 0 held" whenever all input
+is shown and nothing moves until there is more: the clock stands, the sea has
 faded, foam is complete. The numbers are the window's size, the mouse's place,
 the keys and buttons pressed since the start, and those that are down. Lines of
 its bridge begin with "bridge:", among them "joined" and "its values have come".
@@ -58,8 +59,7 @@ void run(const PreviewWords& words, const Context& context) {
         throw Error(ErrorKind::invalid_value, "--scale is for the window; --size is of a picture");
     }
     if (options.bridge && !words.pictures.empty()) {
-        throw Error(ErrorKind::invalid_value,
-                    "--pictures are of the sea as its file has it: no --bridge");
+        throw Error(ErrorKind::invalid_value, "--pictures shows the sea of its file: no --bridge");
     }
     const auto warn = [&] {
         const Parameters parameters = sea.at(sea.parameters.time.start);

@@ -28,7 +28,7 @@
 namespace ocean::app {
 namespace {
 
-/// A context, and what computes the sea there.
+/// A context, and the backend that computes the sea.
 struct Device {
     std::unique_ptr<gl::HeadlessContext> context;
     Backend backend;
@@ -75,7 +75,7 @@ std::string probe_line(preview::Renderer& renderer, const preview::ShownSea& sho
     return line + "\n";
 }
 
-/// In a context that is current.
+/// Pictures of one sea in the current context.
 class OffscreenRun {
   public:
     OffscreenRun(const PreviewOptions& options, const Sea& sea, const Context& context,
@@ -93,6 +93,7 @@ class OffscreenRun {
         const preview::ShownSea& shown = shown_at(time);
         for (const auto& place : options_.probes) {
             context_.console.data(probe_line(renderer_, shown, options_, place));
+            warn_of_left_out();
         }
     }
 
@@ -108,6 +109,7 @@ class OffscreenRun {
         const InterruptWatch::Hold whole = context_.interrupts.hold();
         write_picture(path, renderer_, shown, options.camera, options.look, draw_options(options),
                       options.samples.value_or(kSamples));
+        warn_of_left_out();
     }
 
     void record(const std::string& stem) {
@@ -149,6 +151,12 @@ class OffscreenRun {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         context_.console.step(number, seconds.count(), {path});
     }
+    /// Warns once of the parts of the last picture that the driver has too few texture units for.
+    void warn_of_left_out() {
+        const std::string words = preview::text(renderer_.left_out());
+        if (words.empty() || std::exchange(warned_, true)) return;
+        context_.console.warning(words);
+    }
     static preview::SeaMapsOptions settled(preview::SeaMapsOptions maps) {
         maps.foam_start = FoamStart::settled;
         maps.live = false;
@@ -162,13 +170,14 @@ class OffscreenRun {
     preview::Renderer renderer_;
     gl::StageMaker stages_;
     std::optional<preview::ShownSea> shown_;  // what maps_ holds
+    bool warned_ = false;
 };
 
-/// The sea as a bridge has moved it.
+/// Draws the sea with the values that a bridge has, and follows its changes.
 void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Context& context,
                       const Device& device, double time) {
     const gl::ContextInfo& info = device.context->info();
-    // Who follows a knob does not wait for foam to settle.
+    // A probe that follows a knob does not wait for foam to settle.
     const FoamStart foam = options.follow > 0.0 ? FoamStart::empty : FoamStart::settled;
     const auto computing = [&](const Sea& of) {
         Computing computing = computing_for(device.backend, options, of, info);
@@ -198,10 +207,11 @@ void draw_with_bridge(const PreviewOptions& options, const Sea& sea, const Conte
     run_with_bridge(*options.bridge, options.follow, live, context.console, show);
 }
 
-/// Frames as a window has them, at the sea's own rate, into a canvas of the picture's size.
+/// Draws frames like a window, at the sea's own rate, into a canvas of the picture's size, and
+/// prints the time of their stages.
 void print_budget(const PreviewOptions& options, const Sea& sea, const Context& context,
                   const Device& device, double start) {
-    constexpr int kBefore = 10;  // shaders are compiled, memory comes
+    constexpr int kBefore = 10;  // frames that compile shaders and allocate memory
     FrameBudget warm, budget;
     FrameBudget* measured = &warm;
     const gl::AfterStage after_stage = [&](std::string_view stage) {

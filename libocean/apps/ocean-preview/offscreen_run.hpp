@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Probes, a picture, a sequence of pictures: what needs no window.
+// Probes, a picture, a list or a sequence of pictures, without a window.
 #pragma once
 
 #include <string>
@@ -14,10 +14,11 @@
 
 namespace ocean::app {
 
-/// "storm" of "seas/storm.toml" and of "preset:storm".
+/// Returns the name of a sea without its folder and ending: "storm" of "seas/storm.toml" and of
+/// "preset:storm".
 std::string stem_of(const std::string& source);
 
-/// Throws Error.
+/// Prints the requested probes, draws the requested pictures, and prints the budget. Throws Error.
 void run_offscreen(const PreviewOptions& options, const std::vector<ListedPicture>& pictures,
                    const Sea& sea, const std::string& source, const Context& context);
 

@@ -54,8 +54,8 @@ void write_picture(const std::string& path, preview::Renderer& renderer,
     options.linear = OutputPattern(path).extension() == ".exr";
     const preview::Canvas canvas(options.width, options.height,
                                  options.linear ? GL_RGBA32F : GL_RGBA8, samples);
-    // Of what is finer than pixels: else one light for all samples is as smooth, and four times as
-    // fast.
+    // Near detail is finer than pixels; without it one light for all samples is as smooth and four
+    // times as fast.
     if (!sea.tiles.empty()) options.shaded_samples = canvas.samples();
     renderer.draw(sea, camera, look, options);
     if (options.linear) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sea as a file: a picture for screens, or the light itself for compositors.
+// Pictures as files: colours for screens, or linear light for compositors.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace ocean::app {
 
-/// Throws Error invalid_value, which names the option, of a file that is neither .png nor .exr.
+/// Throws Error invalid_value, which names the option, unless the file ends in .png or .exr.
 void require_picture_name(const std::string& path, const std::string& option);
 
-/// Throws Error output unless the folder of a picture exists, before it is drawn in vain.
+/// Throws Error output unless the folder of a picture exists, so that no picture is drawn in vain.
 void require_picture_folder(const std::string& path);
 
-/// Of a pixel, so that crests have no steps.
+/// Samples of a pixel by default, so that crests have no steps.
 inline constexpr int kSamples = 4;
 
-/// Draws what `options` says, in a canvas of its own and of its width and height, and writes it:
-/// .png as a screen shows it; .exr as it is before that, linear, Rec. 709, times the exposure, R,
-/// G, B of 32 bits; of so many samples a pixel, fewer if the driver has fewer. Atomic. The context
-/// of the renderer must be current, its framebuffer is the window's own afterwards. Throws Error.
+/// Draws a picture as `options` say into a canvas of its own and writes it atomically: .png as a
+/// screen shows it; .exr linear, Rec. 709, times the exposure, R, G, B of 32 bits. samples: of a
+/// pixel, up to the driver's limit. The renderer's context must be current; its framebuffer is the
+/// window's afterwards. Throws Error.
 void write_picture(const std::string& path, preview::Renderer& renderer,
                    const preview::ShownSea& sea, const preview::Camera& camera,
                    const preview::Look& look, preview::DrawOptions options, int samples);

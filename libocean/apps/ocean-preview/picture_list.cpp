@@ -18,8 +18,8 @@ namespace ocean::app {
 namespace {
 
 constexpr std::size_t kMaxListBytes = std::size_t{16} << 20;
-constexpr double kMostNumber = 1e300;
-constexpr int kMostWholeNumber = 1'000'000'000;
+constexpr double kMaxNumber = 1e300;
+constexpr int kMaxWholeNumber = 1'000'000'000;
 
 std::vector<std::string> words_of(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\r";
@@ -41,7 +41,7 @@ std::vector<std::string> words_of(std::string_view line) {
     return words;
 }
 
-/// Whether an option is of one picture and not of the sea or the whole run.
+/// Returns whether an option belongs to one picture, and not to the sea or the whole run.
 bool is_of_a_picture(const OptionGroup& group, const Option& option) {
     constexpr std::array kGroups{"When", "Camera", "Light", "Picture"};
     constexpr std::array kOthers{"--offscreen", "--record", "--frames", "--pictures", "--probe"};
@@ -49,8 +49,8 @@ bool is_of_a_picture(const OptionGroup& group, const Option& option) {
            std::ranges::count(kOthers, option.names) == 0;
 }
 
-/// What the words of all pictures say is given up where a line says what excludes it.
-void give_up_for(const std::string& name, PreviewWords& words) {
+/// Clears the options of all pictures that an option of a line excludes.
+void clear_excluded(const std::string& name, PreviewWords& words) {
     if (name == "--time") words.frame.reset();
     if (name == "--frame") words.time.reset();
     if (name == "--look-at") words.heading.reset(), words.pitch.reset();
@@ -82,10 +82,10 @@ void assign(const Option& option, const std::string& value) {
             } else if constexpr (std::is_same_v<Target, std::string*>) {
                 *target = value;
             } else if constexpr (std::is_same_v<Target, std::optional<double>*>) {
-                *target = parse_number(value, option.names, -kMostNumber, kMostNumber);
+                *target = parse_number(value, option.names, -kMaxNumber, kMaxNumber);
             } else if constexpr (std::is_same_v<Target, std::optional<int>*>) {
                 *target =
-                    parse_whole_number(value, option.names, -kMostWholeNumber, kMostWholeNumber);
+                    parse_whole_number(value, option.names, -kMaxWholeNumber, kMaxWholeNumber);
             }
         },
         option.target);
@@ -135,7 +135,7 @@ ListedPicture picture_of(const std::vector<std::string>& line, PreviewWords word
     words.offscreen = line[0];
     const std::vector<OptionGroup> groups = preview_option_groups(words);
     const std::vector<GivenOption> given = given_options(line, groups);
-    for (const auto& [option, value] : given) give_up_for(option.names, words);
+    for (const auto& [option, value] : given) clear_excluded(option.names, words);
     for (const auto& [option, value] : given) assign(option, value);
     if (words.time && words.frame) {
         throw Error(ErrorKind::invalid_value, "--frame excludes --time");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The file of --pictures: many pictures of one sea from one start, for most of what a small picture
-// takes is the start.
+// The file of --pictures: many pictures of one sea from one start, because the start takes longer
+// than a small picture.
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@ struct ListedPicture {
     PreviewOptions options;
 };
 
-/// Reads FILE.png or FILE.exr and options of when, camera, light and picture from each line of a
-/// file; what a line does not name is as `words` have it. Blanks separate, "..." holds them
-/// together, and the rest of a line from a word that begins with # on is a comment. Throws Error
-/// with the number of the line, and if there is no picture in the file.
+/// Returns the pictures of a file. A line names FILE.png or FILE.exr and options of time, camera,
+/// light and picture; other options are those of `words`. Blanks separate words, "..." may contain
+/// them, and a word that begins with # starts a comment. Throws Error with the number of the line,
+/// or if the file has no picture.
 std::vector<ListedPicture> read_picture_list(const std::string& file, const PreviewWords& words);
 
 }  // namespace ocean::app

@@ -16,7 +16,7 @@
 namespace ocean::app {
 namespace {
 
-constexpr double kFarthest = 1e9;  // m
+constexpr double kFarthest = 1e9;  // [m]
 
 /// "1,2.5,3" for an option.
 template <std::size_t kCount>
@@ -74,7 +74,7 @@ void place_camera(const PreviewWords& words, preview::Camera& camera) {
     if (!words.look_at.empty()) {
         if (words.heading || words.pitch) {
             throw Error(ErrorKind::invalid_value,
-                        "--look-at and --heading or --pitch both turn it");
+                        "--look-at and --heading or --pitch both turn the camera");
         }
         camera.look_at(place(words.look_at, "--look-at"));
     }
@@ -90,7 +90,8 @@ void join_bridge(const PreviewWords& words, PreviewOptions& options) {
     options.host = {.token = token, .map = words.board_map, .dummy = words.dummy};
     if (options.serve) options.host.listen = words.serve;
     if (options.serve && !words.bridge.empty()) {
-        throw Error(ErrorKind::invalid_value, "--serve is a bridge, and --bridge joins another");
+        throw Error(ErrorKind::invalid_value,
+                    "--serve runs a bridge, and --bridge joins another one");
     }
     if (words.bridge.empty()) {
         if (!words.follow) return;
@@ -140,92 +141,97 @@ std::vector<OptionGroup> preview_option_groups(PreviewWords& words) {
            "--time"}}},
         {"Camera",
          {{"--eye", &words.eye, "X,Y,Z",
-           "Where it is, metres; Z above still water (default 0,0,8)"},
+           "Place of the camera, metres; Z above still water (default 0,0,8)"},
           {"--look-at", &words.look_at, "X,Y,Z", "A point in the middle of the picture"},
           {"--heading", &words.heading, "DEG",
-           "Counter-clockwise from +x, the way that it looks (default 0)"},
-          {"--pitch", &words.pitch, "DEG", "Above the horizontal (default -4)"},
+           "Direction of the view, counter-clockwise from +x (default 0)"},
+          {"--pitch", &words.pitch, "DEG", "Angle of the view above the horizontal (default -4)"},
           {"--angle", &words.angle, "DEG", "Horizontal field of view (default 60)"}}},
         {"Light",
          {{"--sun", &words.sun, "ALTITUDE,BEARING",
            "Degrees above the horizon, and counter-clockwise from +x (default 35,70)"},
           {"--environment", &words.environment, "FILE.exr",
-           "A sky over longitude and latitude instead, z up: its top row is the zenith, its middle "
-           "looks along +x, what is right of it lies clockwise seen from above; the sun in it is "
-           "found"},
+           "A sky over longitude and latitude in place of the computed one: its top row is the "
+           "zenith, its middle column lies along +x, columns right of it clockwise seen from "
+           "above; "
+           "its sun is found"},
           {"--environment-turn", &words.environment_turn, "DEG",
-           "Turns it counter-clockwise, seen from above"},
-          {"--exposure", &words.exposure, "E", "Times the light (default 1)"},
+           "Turns that sky counter-clockwise, seen from above"},
+          {"--exposure", &words.exposure, "E", "Factor of the light (default 1)"},
           {"--visibility", &words.visibility, "M",
-           "Metres after which haze leaves 2 % of contrasts, clear air 40000, 0: no haze (default "
-           "60000)"},
+           "Distance at which haze leaves 2 % of contrasts, metres; clear air 40000, 0: no haze "
+           "(default 60000)"},
           {"--crest-light", &words.crest_light, "F",
-           "Times the sun's light through crests that are before it (default 1)"},
+           "Factor of the sun's light through crests in front of it (default 1)"},
           {"--water", &words.water, "TYPE", "Optical type of the water (default jerlov_ii)",
            kOptional, OneOf{water_names()}}}},
         {"Picture",
          {{"--offscreen", &words.offscreen, "FILE",
-           "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr its "
-           "light, "
-           "linear and times the exposure"},
+           "Write one picture; needs no display: FILE.png as a screen shows it, FILE.exr as "
+           "linear light times the exposure"},
           {"--record", &words.record, "FOLDER",
            "Write a picture for each of --frames: FOLDER/sea.0001.png; needs no display", kOptional,
            NotEmpty{}, "--offscreen"},
-          {"--frames", &words.frames, "LIST", "1-250x2, in comma lists; of --record"},
+          {"--frames", &words.frames, "LIST",
+           "Frames of --record, for example 1-250x2; a comma separates ranges"},
           {"--pictures", &words.pictures, "LIST.txt",
-           "Write a picture for each line of a file, all from one start: FILE, and the options of "
-           "when, camera, light and picture in which it differs from what is given here, such as "
+           "Write a picture for each line of a file, all from one start. A line is FILE and the "
+           "options of when, camera, light and picture that differ from those given here, such as "
            "north.png --heading 90",
            kOptional, NotEmpty{}, "--offscreen"},
           {"--size", &words.size, "WxH",
-           "Pixels (default 1280x720; of a window times its screen's scale, as far as the screen "
-           "goes)"},
+           "Pixels (default 1280x720; a window multiplies this by its screen's scale, up to the "
+           "screen's size)"},
           {"--samples", &words.samples, "N",
-           "Of a pixel, 1 .. 64 or what the driver has (default 4; 1 in a window without a GPU)",
+           "Samples of a pixel, 1 .. 64, up to the driver's limit (default 4; 1 in a window "
+           "without "
+           "a GPU)",
            kOptional, Within{1, 64}},
           {"--view", &words.view, "VIEW",
-           "What is shown; of h0, spectrum (h(k, t)) and butterfly a pixel for each wave",
+           "The field to show; h0, spectrum (h(k, t)) and butterfly have a pixel for each wave",
            kOptional, OneOf{all_view_names()}},
           {"--look", &words.look, "LOOK",
            "physical (default), or seed: ten by ten periods in plain light and fog, as teaching "
-           "programs draw it",
+           "programs draw the sea",
            kOptional, OneOf{preview::look_names()}},
-          {"--wireframe", &words.wireframe, "", "The mesh alone"},
-          {"--cascade", &words.cascade, "N", "The waves of one cascade alone, from 0"},
+          {"--wireframe", &words.wireframe, "", "Draw the mesh without surfaces"},
+          {"--cascade", &words.cascade, "N", "Show only the waves of one cascade, from 0"},
           {"--probe", &words.probes, "X,Y",
-           "Print the height that is drawn at a place of the world, metres, and that of the "
-           "maps there; may be given more than once"}}},
+           "Print the drawn height at a place of the world, metres, and the height of the maps "
+           "there; may be repeated"}}},
         {"Window",
          {{"--scale", &words.scale, "F",
-           "Letters and controls F times as large, 0.5 .. 8 (default: what the screen asks for "
-           "that the window is on)"}}},
+           "Letters and controls F times as large, 0.5 .. 8 (default: the scale of the window's "
+           "screen)"}}},
         {"Bridge",
          {{"--bridge", &words.bridge, "HOST:PORT",
-           "Join an ocean-bridge: its knobs and clients move the sea, and hear what moves here"},
+           "Join an ocean-bridge: its knobs and clients change the sea, and receive changes made "
+           "here"},
           {"--serve", &words.serve, "HOST:PORT",
-           "Be a bridge: boards and clients come to this window; the panel starts and stops it too",
+           "Run a bridge in this window: boards and clients connect to it; the panel starts and "
+           "stops it too",
            kOptional, NotEmpty{}},
-          {"--board-map", &words.board_map, "FILE", "Which knob of its boards turns what",
-           kOptional, NotEmpty{}},
-          {"--dummy", &words.dummy, "", "Its board is one that is not there"},
-          {"--token-file", &words.token_file, "FILE", "What the bridge asks for"},
+          {"--board-map", &words.board_map, "FILE",
+           "Control map of its boards: which knob sets which parameter", kOptional, NotEmpty{}},
+          {"--dummy", &words.dummy, "", "Simulate its board"},
+          {"--token-file", &words.token_file, "FILE", "File with the bridge's token"},
           {"--follow", &words.follow, "S",
-           "For S seconds print the probes again whenever the bridge has moved the sea, behind "
-           "the milliseconds since that was heard"}}},
+           "For S seconds print the probes again after each change by the bridge, behind the "
+           "milliseconds since the change arrived"}}},
         {"Computing",
          {{"--backend", &words.backend, "NAME",
-           "What computes the sea: auto (default) is gl on a real GPU of OpenGL 4.3, else cpu; "
-           "radix2, dft and thesis are there to compare with",
+           "Backend that computes the sea: auto (default) is gl on a GPU with OpenGL 4.3, else "
+           "cpu; radix2, dft and thesis are for comparison",
            kOptional, OneOf{{"auto", "gl", "cpu", "radix2", "dft", "thesis"}}},
           {"--map", &words.map, "N", "Samples of a cascade's map along a side"},
-          {"--foam-map", &words.foam_map, "N", "Samples of the map of foam"},
-          {"--cells", &words.cells, "N", "Of a level of the mesh, 16 .. 512 in steps of 8"},
+          {"--foam-map", &words.foam_map, "N", "Samples of the foam's map along a side"},
+          {"--cells", &words.cells, "N", "Cells of a level of the mesh, 16 .. 512 in steps of 8"},
           {"--no-detail", &words.no_detail, "",
-           "Leave the waves too short for the maps to the roughness"},
+           "Show the waves too short for the maps as roughness only"},
           {"--budget", &words.budget, "N",
-           "Draw N frames, some more before them, and print what each stage of one takes, ms",
-           kOptional, Within{1, 100000}},
-          {"--egl-device", &words.egl_device, "N", "Of the devices that EGL lists, from 0"}}},
+           "Draw N frames after a few to warm up, and print the time of each stage, ms", kOptional,
+           Within{1, 100000}},
+          {"--egl-device", &words.egl_device, "N", "Device to draw on, of EGL's list, from 0"}}},
     };
 }
 
@@ -249,7 +255,7 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
     options.view = words.view;
     options.has_size = !words.size.empty();
     if (options.has_size) options.size = picture_size(words.size);
-    if (words.scale) options.scale = within(*words.scale, "--scale", kLeastScale, kLargestScale);
+    if (words.scale) options.scale = within(*words.scale, "--scale", kMinScale, kMaxScale);
     options.backend = words.backend;
     if (words.map) options.map = power_of_two(*words.map, "--map");
     if (words.foam_map) options.foam_map = power_of_two(*words.foam_map, "--foam-map");
@@ -269,9 +275,10 @@ PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& envi
     if (!words.offscreen.empty()) {
         require_picture_name(words.offscreen, "--offscreen");
         if (is_stage_picture(words.view) && OutputPattern(words.offscreen).extension() != ".png") {
-            throw Error(ErrorKind::invalid_value, "--view " + words.view +
-                                                      ": is written as .png; its numbers are by "
-                                                      "`ocean bake --stage`");
+            throw Error(ErrorKind::invalid_value,
+                        "--view " + words.view +
+                            " can only be written as .png; `ocean bake --stage` writes its "
+                            "numbers");
         }
     }
     options.offscreen = words.offscreen;

@@ -21,7 +21,7 @@
 
 namespace ocean::app {
 
-/// As it was typed.
+/// The options as they were typed.
 struct PreviewWords {
     SeaArgument sea;
     std::string eye, look_at, sun, size, view = "shaded", look = "physical", backend = "auto";
@@ -36,17 +36,17 @@ struct PreviewWords {
     bool wireframe = false, no_detail = false;
 };
 
-// Of the panel.
-inline constexpr float kLeastScale = 0.5f;
-inline constexpr float kLargestScale = 8.0f;
+// Scales of the panel.
+inline constexpr float kMinScale = 0.5f;
+inline constexpr float kMaxScale = 8.0f;
 
 struct PreviewOptions {
     preview::Camera camera;
     preview::Look look;
     std::string view = "shaded";  // or a stage of the transform
     std::array<int, 2> size = {1280, 720};
-    bool has_size = false;         // it was given
-    std::optional<double> scale;   // of the panel; without one that of the window's screen
+    bool has_size = false;         // --size was given
+    std::optional<double> scale;   // of the panel; default: the scale of the window's screen
     std::string backend = "auto";  // of the maps
     std::optional<int> map;
     std::optional<int> foam_map;
@@ -56,24 +56,25 @@ struct PreviewOptions {
     std::optional<int> samples;  // of a pixel
     int budget = 0;              // frames to measure
     std::string offscreen;
-    std::string record;       // a folder
-    std::vector<int> frames;  // for it
+    std::string record;       // folder of a sequence
+    std::vector<int> frames;  // of the sequence
     std::vector<std::array<double, 2>> probes;
     bool wireframe = false;
-    bool detail = true;                               // waves too short for the maps
-    std::optional<int> cascade;                       // alone
+    bool detail = true;                               // shows waves too short for the maps
+    std::optional<int> cascade;                       // shown alone
     std::optional<bridge::LineClientOptions> bridge;  // to join
-    double follow = 0.0;                              // s
-    BridgeHostOptions host;                           // of a bridge of its own
-    bool serve = false;                               // it runs from the start on
+    double follow = 0.0;                              // [s]
+    BridgeHostOptions host;                           // of a bridge in this process
+    bool serve = false;                               // that bridge runs from the start
 };
 
+/// Returns the options of the program, which write into `words`.
 std::vector<OptionGroup> preview_option_groups(PreviewWords& words);
-/// Skies by the names of their files: one that several pictures have is read once.
+/// Skies by the names of their files: a sky of several pictures is read once.
 using EnvironmentFiles = std::map<std::string, std::shared_ptr<const preview::Environment>>;
-/// Throws Error invalid_value.
+/// Returns the values of the options, and reads the sky that they name. Throws Error.
 PreviewOptions preview_options(const PreviewWords& words, EnvironmentFiles& environments);
-/// Throws Error invalid_value if they ask for what the sea does not have.
+/// Throws Error invalid_value if the options name a cascade that the sea does not have.
 void require_fit(const PreviewOptions& options, const Sea& sea);
 
 }  // namespace ocean::app

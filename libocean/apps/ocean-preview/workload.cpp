@@ -13,14 +13,13 @@
 namespace ocean::app {
 namespace {
 
-/// Samples of the largest maps, cells of the mesh and the share of the pixels that a processor that
-/// plays a GPU draws in time.
+/// Max samples of maps, cells of the mesh and share of the pixels along a side for a software GPU.
 constexpr int kSoftwareMap = 256;
 constexpr int kSoftwareFoamMap = 512;
 constexpr int kSoftwareCells = 64;
 constexpr double kSoftwareScale = 0.5;
 /// Direct sums are N^3 work.
-constexpr int kLargestDft = 64;
+constexpr int kMaxDft = 64;
 
 bool has_compute(const gl::ContextInfo& context) {
     return context.major > 4 || (context.major == 4 && context.minor >= 3);
@@ -52,8 +51,8 @@ std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInf
                std::to_string(context.minor);
     }
     const int resolution = sea.parameters.grid.resolution;
-    if (backend == Backend::dft && resolution > kLargestDft) {
-        return "takes seas of at most " + std::to_string(kLargestDft) +
+    if (backend == Backend::dft && resolution > kMaxDft) {
+        return "takes seas of at most " + std::to_string(kMaxDft) +
                " samples a side; grid.resolution is " + std::to_string(resolution);
     }
     return "";
@@ -83,7 +82,7 @@ Computing computing_for(const Backend& backend, const PreviewOptions& options, c
     if (options.foam_map) maps.foam_resolution = *options.foam_map;
     if (backend == Backend::dft) {
         maps.cascade_resolution = grid.resolution;
-        maps.foam_resolution = kLargestDft;
+        maps.foam_resolution = kMaxDft;
     }
     return computing;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a machine can compute and draw in time.
+// The backends, and the work that a machine can do within a frame.
 #pragma once
 
 #include <span>
@@ -15,26 +15,26 @@
 
 namespace ocean::app {
 
-/// gl, which leaves everything on the GPU; cpu; and radix2, dft and thesis to compare with.
+/// Returns gl, which leaves everything on the GPU, cpu, and radix2, dft and thesis for comparison.
 std::span<const Backend> preview_backends();
-/// One of those, or nothing for "auto". Throws Error.
+/// Returns the backend of a name, or nothing for "auto". Throws Error.
 std::optional<Backend> preview_backend(const std::string& name);
-/// Whether it needs a context that computes.
+/// Returns whether the backend needs OpenGL 4.3.
 bool computes_by_shaders(const Backend& backend);
-/// Why a backend cannot compute a sea in a context; empty: it can.
+/// Returns why a backend cannot compute a sea in a context, or "" if it can.
 std::string why_not(const Backend& backend, const Sea& sea, const gl::ContextInfo& context);
-/// gl where the sea can be computed in that context, and fast; else cpu.
+/// Returns gl for a GPU with OpenGL 4.3, else cpu.
 const Backend& best_backend(const gl::ContextInfo& context);
 
-/// Maps as the options say, or such as the machine can make in time, live. Throws Error
-/// invalid_value where the backend cannot.
+/// Returns live maps of the requested sizes, or of sizes that the machine can make within a frame.
+/// Throws Error invalid_value if the backend cannot compute the sea.
 Computing computing_for(const Backend& backend, const PreviewOptions& options, const Sea& sea,
                         const gl::ContextInfo& context);
 preview::RendererOptions renderer_for(const PreviewOptions& options,
                                       const gl::ContextInfo& context);
-/// Of a pixel that is drawn again and again.
+/// Returns the samples of a pixel in a window.
 int live_samples(const PreviewOptions& options, const gl::ContextInfo& context);
-/// Of a window's pixels along a side, those that are drawn.
+/// Returns the drawn pixels over the window's pixels, along a side.
 double pixel_scale(const gl::ContextInfo& context);
 
 }  // namespace ocean::app

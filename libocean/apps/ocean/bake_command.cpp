@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean bake`: frames of a sea into files for other programs. What its options mean is settled by
-// make_bake_plan; those of a format come from the format.
+// `ocean bake`: writes frames of a sea as files for other programs. make_bake_plan resolves its
+// options; the options of a format come from the format.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -28,7 +28,7 @@ namespace {
 struct Typed {
     BakeOptions bake;
     SeaArgument sea;
-    std::map<std::string, bool> flags;  // of formats
+    std::map<std::string, bool> flags;  // options of formats without a value
     std::string egl_device, stage;
     bool dry_run = false;
 };
@@ -36,41 +36,44 @@ struct Typed {
 std::vector<OptionGroup> common_options(Typed& typed, const Catalogue& catalogue) {
     BakeOptions& bake = typed.bake;
     return {
-        // SEA or --from, which is checked when both are known.
+        // Either SEA or --from is required, which the plan checks.
         sea_options(typed.sea, kOptional),
         {"Sea",
          {{"--from", &bake.from, "FRAME.exr",
-           "A baked file in place of SEA: the sea, and all options below that are not given"},
+           "Take the sea and all options below that are not given from a baked file, in place of "
+           "SEA"},
           {"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
         {"Output",
          {
              {"-o,--output", &bake.output, "FILE",
-              "out/sea.####.exr, a lone # is four digits; " + catalogue.extensions("or"),
+              "Path with the frame number as ####, such as out/sea.####.exr; formats: " +
+                  catalogue.extensions("or"),
               kRequired},
              {"--frames", &bake.frames, "RANGES",
               "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
              {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames, such as 2/5"},
              {"--skip-existing", &bake.skip_existing, "",
-              "Keep complete files of the same sea and options, which takes reading them"},
-             {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},
+              "Keep complete files of the same sea and options, after reading them"},
+             {"--keep-going", &bake.keep_going, "",
+              "Continue with the other frames when one fails"},
              {"-n,--dry-run", &typed.dry_run, "",
-              "Print the files and how much room they need; write nothing"},
+              "Print the files and the disk space that they need; write nothing"},
              {"--resolution", &bake.resolution, "R",
               "Samples along a side, a power of two; default: the sea's grid"},
              {"--backend", &bake.backend, "NAME",
               catalogue.backend_names() + "; default cpu. auto: gl on a GPU, else cpu"},
 #if OCEAN_HAS_GL
              {"--egl-device", &typed.egl_device, "N",
-              "The GPU for gl, of those that EGL lists, from 0; default: the first"},
+              "Index of the GPU for gl in the list of EGL, from 0; default: the first one"},
              {"--stage", &typed.stage, "STAGE",
-              "In place of products, what lies before a map, as EXR: h0, spectrum, butterfly, "
-              "horizontal-1 .. and vertical-1 .., by the backend thesis"},
+              "Write an intermediate stage of the transform as EXR, in place of products: h0, "
+              "spectrum, butterfly, horizontal-1 .. and vertical-1 .., by the backend thesis"},
 #endif
          }},
     };
 }
 
-/// The option of that name that another format has too.
+/// Returns the option of that name if another format has it already; else null.
 Option* find_option(std::vector<OptionGroup>& groups, const std::string& name) {
     for (OptionGroup& group : groups) {
         const auto found = std::ranges::find(group.options, name, &Option::names);
@@ -79,18 +82,47 @@ Option* find_option(std::vector<OptionGroup>& groups, const std::string& name) {
     return nullptr;
 }
 
+/// The help of an option, for the formats that share it.
+struct FormatHelp {
+    std::string help;
+    std::vector<std::string> extensions;
+};
+using FormatHelps = std::map<std::string, std::vector<FormatHelp>>;  // by the option's name
+
+void add_help(const FormatOption& option, const BakeFormat& format, FormatHelps& helps) {
+    std::vector<FormatHelp>& known = helps["--" + option.name];
+    auto same = std::ranges::find(known, option.help, &FormatHelp::help);
+    if (same == known.end()) same = known.insert(known.end(), {option.help, {}});
+    same->extensions.emplace_back(format.extension);
+}
+
+/// Returns the help of the first format, then the help of others that differs, with their names.
+std::string joined(const std::vector<FormatHelp>& helps) {
+    std::string text;
+    for (const FormatHelp& one : helps) {
+        std::string names;
+        for (const std::string& extension : one.extensions) {
+            names += (names.empty() ? "" : ", ") + extension;
+        }
+        const bool is_first = &one == &helps.front();
+        if (!is_first) text += ". For " + names + ": ";
+        text += one.help;
+        if (is_first && one.extensions.size() > 1) text += " (" + names + ")";
+    }
+    return text;
+}
+
 OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalogue& catalogue,
-                           std::vector<OptionGroup>& before) {
+                           std::vector<OptionGroup>& before, FormatHelps& helps) {
     OptionGroup group{std::string(format.family), {}};
-    if (format.options == nullptr) return group;
     for (const FormatOption& option : format.options(catalogue)) {
         const std::string name = "--" + option.name;
-        if (Option* same = find_option(before, name)) {
-            same->help += ". Of " + std::string(format.extension) + ": " + option.help;
-        } else if (option.value.empty()) {
+        add_help(option, format, helps);
+        if (find_option(before, name) != nullptr) continue;
+        if (option.value.empty()) {
             group.options.push_back({name, &typed.flags[option.name], "", option.help});
         } else {
-            std::string& value = typed.bake.of_format[option.name];
+            std::string& value = typed.bake.format_options[option.name];
             group.options.push_back({name, &value, option.value, option.help});
         }
     }
@@ -99,10 +131,12 @@ OptionGroup format_options(Typed& typed, const BakeFormat& format, const Catalog
 
 std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) {
     std::vector<OptionGroup> groups = common_options(typed, catalogue);
+    FormatHelps helps;
     for (const BakeFormat* format : catalogue.formats) {
-        OptionGroup group = format_options(typed, *format, catalogue, groups);
+        OptionGroup group = format_options(typed, *format, catalogue, groups, helps);
         if (!group.options.empty()) groups.push_back(std::move(group));
     }
+    for (const auto& [name, help] : helps) find_option(groups, name)->help = joined(help);
     for (OptionGroup& group : std::span(groups).subspan(1)) {
         for (Option& option : group.options) {
             if (std::holds_alternative<std::string*>(option.target)) option.rule = NotEmpty{};
@@ -114,7 +148,7 @@ std::vector<OptionGroup> bake_options(Typed& typed, const Catalogue& catalogue) 
 void run(const Typed& typed, const Catalogue& catalogue, const Context& context) {
     BakeOptions options = typed.bake;
     for (const auto& [name, given] : typed.flags) {
-        if (given) options.of_format[name] = "yes";
+        if (given) options.format_options[name] = "yes";
     }
     options.source = typed.sea.source;
     options.threads = context.options.threads;
@@ -126,14 +160,16 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
         gl::use_egl_device(parse_whole_number(typed.egl_device, "--egl-device", 0, 63));
     }
     if (!typed.stage.empty()) {
-        const bool of_format = std::ranges::any_of(
-            options.of_format, [](const auto& option) { return !option.second.empty(); });
-        if (of_format || !options.backend.empty() || options.skip_existing || typed.dry_run) {
+        const bool has_format_option = std::ranges::any_of(
+            options.format_options, [](const auto& option) { return !option.second.empty(); });
+        if (has_format_option || !options.backend.empty() || options.skip_existing ||
+            typed.dry_run) {
             throw Error(ErrorKind::invalid_value,
-                        "--stage goes with SEA, -o, --frames, --resolution and --egl-device alone");
+                        "--stage can be combined with SEA, -o, --frames, --resolution and "
+                        "--egl-device only");
         }
         options.backend = "thesis";
-        options.of_format["products"] = "height";
+        options.format_options["products"] = "height";
     }
 #endif
     const BakePlan plan = make_bake_plan(options, catalogue);
@@ -149,23 +185,23 @@ void run(const Typed& typed, const Catalogue& catalogue, const Context& context)
 }
 
 constexpr char kFooter[] =
-    R"(With -o out/sea.####.exr a product goes into out/sea.<product>.0001.exr, and several
-frames of -o out/sea.exr into the same; one product of one frame is out/sea.exr itself. A
-lone # is four digits, ## and more are as many as they are: sea.#.exr and sea.####.exr are
-the same names. %04d and $F4 are understood too. Finished paths are printed on standard
-output in the order of the frames, progress on standard error.
+    R"(-o out/sea.####.exr writes out/sea.<product>.0001.exr for each product and frame. So does
+-o out/sea.exr if it has several files to write; one product of one frame is out/sea.exr
+itself. A lone # is four digits, two or more are one digit each: sea.#.exr and sea.####.exr
+are the same names. %04d and $F4 are equivalent to ####. Paths of finished files are printed
+on standard output in the order of the frames, progress on standard error.
 
-out/sea.manifest.json lists the files with their SHA-256, and with that of their pixels
-whatever the compression. Shards, chunks (--frames 1-10, then 11-20) and repeated runs
-merge into it, and into the list of frames of a USD stage, in any order and at once; the
-stage leaves out frames of another sea or other options, with a warning. However a bake
-is split, cut off or repeated, the same bytes come out; an interrupted one leaves only
-whole files.
+out/sea.manifest.json lists the files with the SHA-256 of their bytes and of their pixels,
+which does not depend on the compression. Shards, chunks (--frames 1-10, then 11-20) and
+repeated runs merge into it, and into the frame list of a USD stage, in any order and
+concurrently; the stage leaves out frames of another sea or of other options, with a
+warning. A bake writes the same bytes if it is split, interrupted or repeated; an
+interrupted bake leaves complete files only.
 
 Events of --json: start, then for each frame one of frame, skipped, failed, with the
 counts done, skipped, failed and total; last done or interrupted; error and warning
 with a message; plan with -n. Exit codes: 0 done, 1 a frame failed (disk, memory),
-2 wrong usage or bad sea file, 130 interrupted, 141 nobody reads standard output any more.)";
+2 wrong usage or bad sea file, 130 interrupted, 141 standard output was closed.)";
 
 }  // namespace
 

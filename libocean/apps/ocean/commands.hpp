@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The commands of `ocean`, a file each. Whatever the options of a command are read into belongs to
-// the command that is returned.
+// The commands of `ocean`, one file each. A returned command owns the values of its options.
 #pragma once
 
 #include "command.hpp"
@@ -14,7 +13,7 @@ struct Catalogue;
 namespace ocean::app {
 
 Command info_command();
-/// The catalogue must outlive the command.
+/// Refers to the catalogue, which must outlive the command.
 Command bake_command(const Catalogue& catalogue);
 Command povray_command();
 Command query_command();

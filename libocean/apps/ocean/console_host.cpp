@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bake seen from a terminal; see console_host.hpp.
+// See console_host.hpp.
 #include "console_host.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ void ConsoleHost::begin(const BakePlan& plan, const WorkShare& share) {
     const int frames = static_cast<int>(plan.frames.size());
     if (frames == 0) {
         return context_.console.begin(
-            0, "--shard " + plan.shard + " is empty: there are fewer frames", {});
+            0, "--shard " + plan.shard + " is empty: the bake has fewer frames", {});
     }
     const double period = plan.domain().size[0];
     const double shortest = plan.shortest_wave();
@@ -36,12 +36,12 @@ void ConsoleHost::frame_baked(int frame, double seconds, const std::vector<std::
     context_.console.step(frame, seconds, files);
 }
 
-void ConsoleHost::frame_kept(int frame, const std::vector<std::string>& files) {
+void ConsoleHost::frame_skipped(int frame, const std::vector<std::string>& files) {
     context_.console.skip(frame, files);
 }
 
-void ConsoleHost::frame_failed(int frame, const std::string& message, bool goes_on) {
-    context_.console.fail(frame, message, goes_on);
+void ConsoleHost::frame_failed(int frame, const std::string& message, bool continues) {
+    context_.console.fail(frame, message, continues);
 }
 
 void ConsoleHost::end() {
@@ -60,14 +60,14 @@ std::function<void(std::int64_t, std::int64_t)> ConsoleHost::foam_progress() {
     return foam_progress_on(context_.console);
 }
 
-void ConsoleHost::whole(const std::function<void()>& write) {
+void ConsoleHost::run_uninterrupted(const std::function<void()>& write) {
     const InterruptWatch::Hold hold = context_.interrupts.hold();
     write();
 }
 
-void ConsoleHost::if_interrupted(std::function<void()> last_act) {
+void ConsoleHost::set_interrupt_handler(std::function<void()> handler) {
     last_act_.reset();
-    if (last_act) last_act_.emplace(context_.interrupts, std::move(last_act));
+    if (handler) last_act_.emplace(context_.interrupts, std::move(handler));
 }
 
 void show_forecast(const BakeForecast& forecast, const BakeForecast& beside, Console& console) {

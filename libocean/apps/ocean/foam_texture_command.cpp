@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean foam-texture`: textures of foam as images for other renderers.
+// `ocean foam-texture`: writes textures of foam as images for other renderers.
 #include "ocean/foam_texture.hpp"
 
 #include <algorithm>
@@ -46,14 +46,14 @@ std::uint32_t seed_of(const std::string& text) {
                 "--seed " + text + ": allowed is a whole number, 0 .. 4294967295");
 }
 
-/// The type of an EXR file's samples, by what was typed.
+/// Returns the type of an EXR file's samples that --type requests.
 io::PixelType pixel_type(const std::string& type) {
     if (type.empty() || type == "half") return io::PixelType::half_float;
     if (type == "float") return io::PixelType::full_float;
     throw Error(ErrorKind::invalid_value, "--type " + type + ": allowed are half, float");
 }
 
-/// Whether it is an EXR file, else a PNG file.
+/// Returns true if the output is an EXR file, false for a PNG file.
 bool is_exr(const FoamTextureOptions& options) {
     const std::filesystem::path extension = utf8_path(options.output).extension();
     if (extension == ".exr") return true;
@@ -62,8 +62,9 @@ bool is_exr(const FoamTextureOptions& options) {
                     "-o " + options.output + ": allowed are NAME.png and NAME.exr");
     }
     if (options.type.empty()) return false;
-    throw Error(ErrorKind::invalid_value,
-                "--type " + options.type + ": is of EXR files; a PNG file has 16 bits of grey");
+    throw Error(
+        ErrorKind::invalid_value,
+        "--type " + options.type + ": only EXR files have it; a PNG file has 16 bits of grey");
 }
 
 io::Image image_of(const FoamTextureOptions& options, const FoamTextureSettings& settings,
@@ -124,17 +125,17 @@ void run(const FoamTextureOptions& options, const Context& context) {
 
 std::string footer() {
     std::string text =
-        "Values are 0 .. 1: a place is white where the texture is below the cover of its foam.\n"
-        "`texture < cover` holds on exactly the share `cover` of the area, as renderers read it,\n"
-        "between texels too; what is low is the last to vanish. Kinds, each made for a tile of\n"
+        "Values are 0 .. 1: a point is white where the texture is below the cover of its foam.\n"
+        "`texture < cover` holds on exactly the share `cover` of the area, with the bilinear\n"
+        "interpolation of renderers as well; low values vanish last. Each kind has a tile of\n"
         "its own size, which repeats without a seam:\n";
     for (const FoamTextureInfo& info : kFoamTextures) {
         text += format_text("  %-8s %4s m  %s\n", std::string(info.name).c_str(),
                             shortest_text(info.period).c_str(), std::string(info.help).c_str());
     }
     return text +
-           "Read it as data, not as a colour. The image's bottom row is the tile's south. The\n"
-           "header says kind, tile, seed and version.";
+           "Read it as data, not as a colour. The bottom row of the image is the south of the\n"
+           "tile. The header has kind, tile, seed and version.";
 }
 
 }  // namespace
@@ -143,17 +144,17 @@ Command foam_texture_command() {
     auto options = std::make_shared<FoamTextureOptions>();
     return {
         .name = "foam-texture",
-        .summary = "A texture of foam that tiles: lace, bubbles or streaks",
+        .summary = "Write a texture of foam that tiles: lace, bubbles or streaks",
         .options = {{"Texture",
                      {{"KIND", &options->kind, "", "lace, bubbles or streaks", kRequired},
                       {"--size", &options->size, "N",
-                       "Texels a side, a power of two, 64 .. 4096; default 1024"},
-                      {"--seed", &options->seed, "S",
-                       "0 .. 4294967295, default 1: another one is other foam"}}},
+                       "Texels along a side, a power of two, 64 .. 4096; default 1024"},
+                      {"--seed", &options->seed, "S", "Random seed, 0 .. 4294967295; default 1"}}},
                     {"Output",
                      {{"-o,--output", &options->output, "FILE",
                        "NAME.png (16 bits of grey) or NAME.exr (channel Y)", kRequired},
-                      {"--type", &options->type, "TYPE", "Of EXR files: half (default) or float"}}},
+                      {"--type", &options->type, "TYPE",
+                       "Sample type of EXR files: half (default) or float"}}},
                     run_options("")},
         .footer = footer(),
         .run = [options](const Context& context) { run(*options, context); },

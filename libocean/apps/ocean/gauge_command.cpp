@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean gauge`: virtual wave gauges, fixed or moving, read over time by summing all modes, and
-// what a wave scientist makes of their records.
+// `ocean gauge`: reads virtual wave gauges, fixed or moving, over time by summing all modes, and
+// estimates wave statistics from their records.
 #include <cmath>
 #include <memory>
 
@@ -33,16 +33,16 @@ struct GaugeOptions {
     std::string spectrum;
 };
 
-/// The request, every word of it checked.
+/// The validated options.
 struct GaugePlan {
     SampleTimes times;
     double degrees_of_freedom;
     std::vector<Gauge> gauges;
-    std::string left_out;  // of the table of points
+    std::string left_out;  // of PointTable
 };
 
 SampleTimes sample_times(const GaugeOptions& options) {
-    constexpr double kMostSamples = 1e9;
+    constexpr double kMaxSamples = 1e9;
     SampleTimes times{};
     times.from = parse_number(options.from, "--from", -1e9, 1e9);
     times.to = parse_number(options.to, "--to", -1e9, 1e9);
@@ -51,7 +51,7 @@ SampleTimes sample_times(const GaugeOptions& options) {
         throw Error(ErrorKind::invalid_value,
                     "--to = " + options.to + ": allowed is --from or later, " + options.from);
     }
-    if ((times.to - times.from) * times.rate > kMostSamples) {
+    if ((times.to - times.from) * times.rate > kMaxSamples) {
         throw Error(ErrorKind::invalid_value,
                     format_text("--rate = %s: %.3g samples from %s to %s s; allowed are 1e+09",
                                 options.rate.c_str(), (times.to - times.from) * times.rate,
@@ -81,8 +81,8 @@ GaugePlan plan_of(const GaugeOptions& options, const Sea& sea) {
     return plan;
 }
 
-/// Limits are those of an endless sea. An hour in a small patch tells its single modes apart, and
-/// what they add up to depends on the place.
+/// Warns of a patch that is too small for the confidence limits, which are those of an infinite
+/// sea: a long record in a small patch resolves single modes, whose sum depends on the place.
 void warn_of_single_modes(Ocean& ocean, const SampleTimes& times, Console& console) {
     constexpr double kEnoughModes = 50.0;
     const double duration = times.to - times.from;
@@ -92,12 +92,12 @@ void warn_of_single_modes(Ocean& ocean, const SampleTimes& times, Console& conso
     console.warning(
         format_text("grid.patch_size = %g m holds few waves of each period: a record of %g s "
                     "depends on its place "
-                    "more than the confidence limits say, unless the patch is %.0f m or more",
+                    "more than the confidence limits state, unless the patch is %.0f m or more",
                     patch, duration, patch * std::sqrt(kEnoughModes / modes)));
 }
 
 void require_room(const GaugePlan& plan, Ocean& ocean, int threads) {
-    constexpr std::uint64_t kTextBytes = 400;  // of one reading, in a string that grows
+    constexpr std::uint64_t kTextBytes = 400;  // of one reading, in a growing string
     const std::size_t samples = plan.times.count();
     const std::uint64_t text = std::uint64_t{samples} * plan.gauges.size() * kTextBytes;
     require_memory(
@@ -141,12 +141,12 @@ void run(const GaugeOptions& options, const Context& context) {
 
 constexpr char kFooter[] =
     R"(FILE has a header line and the columns x, y (m); name; z (m, 0 = still water, the default,
-and negative below); velocity_x, velocity_y (m/s) of a gauge that moves on from x, y; or
-time (s): the rows of one name are then its track, straight in between. Separators, decimal
-commas, units and further columns are as `ocean help query` says.
-Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the surface shown at
-x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, without
-the hydrostatic part) at z by linear theory, above still water as at z = 0.
+and negative below); velocity_x, velocity_y (m/s) of a gauge that moves from x, y on; or
+time (s): the rows of one name are then its track, with straight lines in between. For
+separators, decimal commas, units and further columns see `ocean query --help`.
+Readings: time, gauge, x, y; elevation (m) and slope_x, slope_y of the displaced surface
+at x, y; velocity_x, velocity_y, velocity_z (m/s) of the water and its pressure (Pa, without
+the hydrostatic part) at z by linear theory; above still water the values of z = 0.
 .npy: float64 of the shape (times, gauges, 10), the columns as in the CSV without gauge.
 Printed: zero up-crossing waves, H1/3, Hmax, their mean period Tz; Hs = 4 sqrt(m0) and
 Tm02 = sqrt(m0/m2); the periods and Hs with 95 % confidence limits. --json has more.)";
@@ -157,23 +157,24 @@ Command gauge_command() {
     auto options = std::make_shared<GaugeOptions>();
     return {
         .name = "gauge",
-        .summary = "Read virtual wave gauges over time, and estimate the sea",
-        .options =
-            {sea_options(options->sea),
-             {"Record",
-              {{"--points", &options->points, "FILE",
-                "Table of the gauges, see below; - = standard input", kRequired},
-               {"--from", &options->from, "SECONDS", "First time, s", kRequired},
-               {"--to", &options->to, "SECONDS", "Last time, s", kRequired},
-               {"--rate", &options->rate, "HZ", "Samples a second", kRequired}}},
-             {"Output",
-              {{"-o,--output", &options->output, "FILE",
-                "Write the readings here: .npy for NumPy, else CSV"},
-               {"--spectrum", &options->spectrum, "FILE",
-                "Write the estimated spectra here, as CSV"},
-               {"--degrees-of-freedom", &options->degrees_of_freedom, "N",
-                "Of each density of the spectrum, at least: more are surer and less fine; 40"}}},
-             run_options("Print one JSON object; progress as JSON lines")},
+        .summary = "Read virtual wave gauges over time, and estimate wave statistics",
+        .options = {sea_options(options->sea),
+                    {"Record",
+                     {{"--points", &options->points, "FILE",
+                       "Table of the gauges, see below; - = standard input", kRequired},
+                      {"--from", &options->from, "SECONDS", "First time [s]", kRequired},
+                      {"--to", &options->to, "SECONDS", "Last time [s]", kRequired},
+                      {"--rate", &options->rate, "HZ", "Samples per second", kRequired}}},
+                    {"Output",
+                     {{"-o,--output", &options->output, "FILE",
+                       "Write the readings here: .npy for NumPy, else CSV"},
+                      {"--spectrum", &options->spectrum, "FILE",
+                       "Write the estimated spectra here, as CSV"},
+                      {"--degrees-of-freedom", &options->degrees_of_freedom, "N",
+                       "Minimum for each density of the spectrum: more give narrower confidence "
+                       "limits and a "
+                       "coarser spectrum; default 40"}}},
+                    run_options("Print one JSON object; progress as JSON lines")},
         .footer = kFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };

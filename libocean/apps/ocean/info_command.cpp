@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean info`: what a sea is, asked by its spectrum and resolved by its grid, in the numbers that
-// wave people use. Also reads a sea back out of a baked file.
+// `ocean info`: prints the quantities of a sea that oceanographers use, as its spectrum asks for
+// and as its grid resolves. Also reads a sea back from a baked file.
 #include <memory>
 
 #include "commands.hpp"
@@ -34,9 +34,9 @@ void run(const InfoOptions& info, const Context& context) {
 }
 
 constexpr char kFooter[] =
-    R"(asked: integral of the spectrum; resolved: sum over the modes of the grid. Directions in
-degrees counter-clockwise from +x (east), the way the waves travel; nautical ones
-clockwise from north, where they come from.)";
+    R"(asked: integral of the spectrum; resolved: sum over the modes of the grid. Directions are
+in degrees counter-clockwise from +x (east), towards which the waves travel; nautical
+directions are clockwise from north, from which the waves come.)";
 
 }  // namespace
 
@@ -44,11 +44,11 @@ Command info_command() {
     auto info = std::make_shared<InfoOptions>();
     return {
         .name = "info",
-        .summary = "Say what a sea is: heights, periods, grid",
+        .summary = "Describe a sea: heights, periods, grid",
         .options = {sea_options(info->sea),
                     {"Output",
                      {{"--sea-file", &info->sea_file, "",
-                       "Print the resolved sea file instead, as a baked file holds it"}}},
+                       "Print the resolved sea file instead, the text that baked files hold"}}},
                     run_options("Print one JSON object; warnings as JSON lines")},
         .footer = kFooter,
         .run = [info](const Context& context) { run(*info, context); },

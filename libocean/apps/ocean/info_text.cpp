@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a sea is, in a few lines; see info_text.hpp.
+// See info_text.hpp.
 #include "info_text.hpp"
 
 #include <cmath>
@@ -60,12 +60,12 @@ std::string state_text(const SeaState& state) {
         text += asked_resolved("  nautical, from", from, " deg", "%.1f");
         text += asked_resolved("Directional spread", state.directional_spread, " deg", "%.1f");
     } else {
-        text += row("", "flat: there are no waves");
+        text += row("", "flat: no waves");
     }
     return text + row("Energy resolved", format_text("%.2f %%", 100.0 * state.energy_resolved));
 }
 
-/// Waves whose speed a loop hardly changes need no line of their own.
+/// Returns the speed errors of a loop; waves whose speed it hardly changes get no line.
 std::string loop_text(const SeaState& state, double period) {
     constexpr double kNotWorthALine = 0.001;
     std::string text = row("Loop", format_text("%g s; waves are %.2f %% off their speed, rms",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What `ocean info` prints for people.
+// The text of `ocean info`.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace ocean::app {
 
-/// Lines of what `sea` is, in the numbers that wave people use; `source` is its name.
+/// Returns a description of the sea in the quantities of oceanography; `source` is its name.
 std::string info_text(const Sea& sea, const std::string& source, const SeaState& state,
                       const FrameCost& cost);
 

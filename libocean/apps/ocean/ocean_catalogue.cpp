@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The catalogue of the `ocean` command; see ocean_catalogue.hpp.
+// See ocean_catalogue.hpp.
 #include "ocean_catalogue.hpp"
 
 #if OCEAN_HAS_GL

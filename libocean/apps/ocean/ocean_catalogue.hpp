@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What this program can bake, and with what.
+// The catalogue of bakes of the `ocean` command.
 #pragma once
 
 #include "ocean/bake/catalogue.hpp"
 
 namespace ocean::app {
 
-/// standard_catalogue(), and the GPU's backends where the program was built with them.
+/// Returns standard_catalogue() with the GPU's backends if the program was built with them.
 const Catalogue& ocean_catalogue();
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The `ocean` command: all its commands and what it says of itself.
+// See ocean_program.hpp.
 #include "ocean_program.hpp"
 
 #include "command_line.hpp"

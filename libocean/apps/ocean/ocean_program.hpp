@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The `ocean` command as a function, so that its main is a line and a test can add to it.
+// The `ocean` command as a function, so that a test can extend its catalogue.
 #pragma once
 
 #include "ocean/bake/catalogue.hpp"
 
 namespace ocean::app {
 
-/// The exit code; see run_program(). `catalogue`: what `ocean bake` can bake.
+/// Returns the exit code; see run_program(). `catalogue` is that of `ocean bake`.
 int run_ocean(int argc, char** argv, const Catalogue& catalogue = standard_catalogue());
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean params`: what there is to set in a sea, with units, ranges and meaning.
+// `ocean params`: lists the parameters of a sea with units, ranges and meaning.
 #include <memory>
 
 #include "commands.hpp"

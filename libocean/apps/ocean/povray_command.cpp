@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean povray`: a folder that POV-Ray renders as it is. Its frames are baked like any others;
-// around them lie the macros, the sea's parameters, a scene and the settings of its animation.
+// `ocean povray`: writes a folder that POV-Ray renders as it is. Its frames are baked like any
+// others; the folder also has the macros, the sea's parameters, a scene and the settings of its
+// animation.
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -25,7 +26,7 @@
 namespace ocean::app {
 namespace {
 
-constexpr int kLargestMap = 2048;
+constexpr int kMaxPovrayResolution = 2048;
 
 struct Typed {
     BakeOptions bake;
@@ -53,23 +54,24 @@ BakePlan make_povray_plan(const Typed& typed, const std::string& folder, const C
     options.source = typed.sea.source;
     options.output = folder + "/sea_####" + extension_of(typed.format);
     options.threads = context.options.threads;
-    options.largest_map = kLargestMap;
-    if (df3) options.of_format["fine-map"] = "yes";
-    if (df3) options.of_format["detail-map"] = "yes";
-    if (df3 && !typed.near_only) options.of_format["far-maps"] = "yes";
-    if (typed.format == "mesh2") options.of_format["mesh-foam"] = "yes";
+    options.max_resolution = kMaxPovrayResolution;
+    if (df3) options.format_options["fine-map"] = "yes";
+    if (df3) options.format_options["detail-map"] = "yes";
+    if (df3 && !typed.near_only) options.format_options["far-maps"] = "yes";
+    if (typed.format == "mesh2") options.format_options["mesh-foam"] = "yes";
     options.open_subject = [&typed](const std::string& source) {
         return make_subject(open_sea({source, typed.sea.assignments}));
     };
     BakePlan plan = make_bake_plan(options, standard_catalogue());
-    if (plan.resolution <= kLargestMap) return plan;
+    if (plan.resolution <= kMaxPovrayResolution) return plan;
     throw Error(ErrorKind::invalid_value,
-                format_text("--resolution = %d: allowed is at most %d, of which POV-Ray makes "
+                format_text("--resolution = %d: allowed is at most %d, for which POV-Ray makes "
                             "a mesh of 2 GiB",
-                            plan.resolution, kLargestMap));
+                            plan.resolution, kMaxPovrayResolution));
 }
 
-/// What POV-Ray needs to make a mesh of a frame's map: measured, 500 bytes and 12 us a vertex.
+/// Reports the cost of POV-Ray's mesh of a frame's map: 500 bytes and 12 us for each vertex,
+/// measured.
 void warn_of_cost(const BakePlan& plan, Console& console) {
     if (plan.format->name == "height_field") return;
     const double vertices = std::pow(plan.resolution + 1.0, 2.0);
@@ -81,11 +83,12 @@ void warn_of_cost(const BakePlan& plan, Console& console) {
                     {"povray_parse_seconds", Json(12e-6 * vertices, decimals<1>)}});
 }
 
-/// Other files of these names are not ours to write over.
-void require_own_files(const std::vector<FolderFile>& files, const std::string& folder) {
+/// Throws Error invalid_value if a file of the folder exists and another program wrote it.
+void refuse_to_overwrite_foreign_files(const std::vector<FolderFile>& files,
+                                       const std::string& folder) {
     for (const FolderFile& file : files) {
         const std::string path = folder + "/" + file.name;
-        if (file.users) continue;
+        if (file.is_users) continue;
         io::refuse_to_replace_foreign_file(path, "`ocean povray`", [&] {
             const std::string opening = file.opening();
             return text::first_bytes(path, opening.size()) == opening;
@@ -95,7 +98,7 @@ void require_own_files(const std::vector<FolderFile>& files, const std::string& 
 
 bool is_kept(const FolderFile& file, const std::string& path) {
     std::error_code error;
-    return file.users && std::filesystem::exists(utf8_path(path), error);
+    return file.is_users && std::filesystem::exists(utf8_path(path), error);
 }
 
 BakeForecast forecast_folder(const std::vector<FolderFile>& files, const std::string& folder) {
@@ -113,7 +116,7 @@ void write_folder(const std::vector<FolderFile>& files, const std::string& folde
     for (const FolderFile& file : files) {
         const std::string path = folder + "/" + file.name;
         if (is_kept(file, path)) {
-            context.console.note(path + " is there already: kept as it is");
+            context.console.note(path + " exists and is kept");
             continue;
         }
         io::write_file_atomically(path, file.text);
@@ -121,12 +124,12 @@ void write_folder(const std::vector<FolderFile>& files, const std::string& folde
     }
 }
 
-/// Lists the frames anew: another chunk may have made some meanwhile.
+/// Writes the lists of frames again: another chunk may have baked some meanwhile.
 void update_frame_lists(const BakePlan& plan, const SeaState& state, const std::string& folder,
                         const Context& context) {
     const InterruptWatch::Hold whole = context.interrupts.hold();
     const io::FolderLock lock(folder);
-    const std::vector<int> frames = united(plan.all_frames, povray_frames_there(plan).of_plan);
+    const std::vector<int> frames = united(plan.all_frames, povray_existing_frames(plan).of_plan);
     for (const FolderFile& file : povray_frame_lists(plan, state, frames)) {
         const std::string path = folder + "/" + file.name;
         if (text::first_bytes(path, file.text.size() + 1) == file.text) continue;
@@ -139,21 +142,21 @@ void run(const Typed& typed, const Context& context) {
     const BakePlan plan = make_povray_plan(typed, folder, context);
     const Sea& sea = sea_of(*plan.subject);
     const SeaState state = Ocean(sea.parameters, {.threads = plan.threads}).state();
-    const FramesThere there = povray_frames_there(plan);
+    const ExistingFrames existing = povray_existing_frames(plan);
     std::vector<FolderFile> files =
-        povray_folder_files(plan, state, united(plan.all_frames, there.of_plan));
+        povray_folder_files(plan, state, united(plan.all_frames, existing.of_plan));
     const InputFiles inputs(typed.sea, named_files(sea));
     for (const FolderFile& file : files) {
-        // The sea of the folder itself makes the folder again.
+        // The folder's own sea.toml may be the source.
         const std::string path = folder + "/" + file.name;
         if (text::first_bytes(path, file.text.size() + 1) != file.text) inputs.spare(path);
     }
     for (const std::string& path : output_paths(plan)) inputs.spare(path);
-    require_own_files(files, folder);
+    refuse_to_overwrite_foreign_files(files, folder);
     io::require_folder(folder);
     warn_of_cost(plan, context.console);
     const std::string warning =
-        foreign_frames_warning(there, plan.all_frames, folder + "/ocean.ini");
+        foreign_frames_warning(existing, plan.all_frames, folder + "/ocean.ini");
     if (!warning.empty()) context.console.warning(warning);
     if (typed.dry_run) {
         return show_forecast(forecast_bake(plan), forecast_folder(files, folder), context.console);
@@ -176,7 +179,7 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
         {"Sea",
          {{"--fps", &bake.fps, "RATE", "Frames per second, in place of the sea's time.fps"}}},
         {"Output",
-         {{"-o,--output", &typed.folder, "DIR", "The folder, made where it is missing", kRequired},
+         {{"-o,--output", &typed.folder, "DIR", "The folder, created if it is missing", kRequired},
           {"--frames", &bake.frames, "RANGES",
            "FIRST-LAST[xSTEP] in comma lists, such as 1-250x2; default: the sea's first frame"},
           {"--format", &typed.format, "FORMAT",
@@ -186,25 +189,25 @@ std::vector<OptionGroup> povray_options(Typed& typed) {
           {"--resolution", &bake.resolution, "R",
            "Samples along a side, a power of two up to 2048; default: the sea's grid"},
           {"--near-only", &typed.near_only, "",
-           "Leave out the coarser maps, that draw the sea to the horizon"},
+           "Leave out the coarser maps, which show the sea up to the horizon"},
           {"--shard", &bake.shard, "I/N", "Only the I-th of N parts of the frames"},
           {"--skip-existing", &bake.skip_existing, "", "Keep complete frames of the same sea"},
-          {"--keep-going", &bake.keep_going, "", "Go on with the other frames when one fails"},
+          {"--keep-going", &bake.keep_going, "", "Continue with the other frames when one fails"},
           {"-n,--dry-run", &typed.dry_run, "",
-           "Print the files and how much room they need; write nothing"}}},
+           "Print the files and the disk space that they need; write nothing"}}},
         run_options("Progress, warnings and errors as JSON lines"),
     };
 }
 
 constexpr char kFooter[] =
     R"(Then, in the folder: povray ocean.ini. Its scene.pov is yours to change and is never
-written over; ocean.inc holds the macros, ocean_parameters.inc what the sea is, and
-sea.toml is the sea itself. The folder needs nothing of libocean, and no other file.
+overwritten; ocean.inc has the macros, ocean_parameters.inc the parameters of the sea, and
+sea.toml is the sea file. The folder is complete: it needs neither libocean nor other files.
 
-Frame n of POV-Ray, its frame_number, shows frame n of the sea, whatever was exported, and
-clock is its time in seconds; at a frame that is not there POV-Ray stops with an error that
-names those that are. Chunks (--frames 1-10, then 11-20) and shards merge into ocean.ini
-and ocean_parameters.inc, in any order and at once; frames of another sea, format or
+Frame n of POV-Ray, its frame_number, always shows frame n of the sea, and clock is its
+time in seconds; at a frame that was not written POV-Ray stops with an error that lists
+the existing frames. Chunks (--frames 1-10, then 11-20) and shards merge into ocean.ini
+and ocean_parameters.inc, in any order and concurrently; frames of another sea, format or
 resolution are left out, with a warning.)";
 
 }  // namespace

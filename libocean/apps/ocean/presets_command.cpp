@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean presets`: seas to begin with.
+// `ocean presets`: lists the built-in seas.
 #include <memory>
 
 #include "commands.hpp"
@@ -34,7 +34,7 @@ Command presets_command() {
     auto name = std::make_shared<std::string>();
     return {
         .name = "presets",
-        .summary = "List the presets, or print one's sea file",
+        .summary = "List the presets, or print the sea file of one",
         .options = {{"", {{"NAME", name.get(), "", "Print the sea file of this preset"}}},
                     {"Output",
                      {{"--json", &RunOptions::json, "", "Print the list as a JSON array"}}}},

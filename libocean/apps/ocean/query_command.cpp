@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean query`: the shown surface at points of the world, as CSV in, CSV out.
+// `ocean query`: prints the displaced surface at points of the world; reads and writes CSV.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,8 @@
 namespace ocean::app {
 namespace {
 
-constexpr std::size_t kBatch = 1 << 16;  // points at a time, so that a long list needs no memory
+constexpr std::size_t kBatch =
+    1 << 16;  // points at a time, so that a long list needs little memory
 constexpr char kHeader[] =
     "x,y,height,normal_x,normal_y,normal_z,velocity_x,velocity_y,velocity_z,foam";
 constexpr char kOrbitalHeader[] = ",orbital_velocity_x,orbital_velocity_y,orbital_velocity_z";
@@ -42,7 +43,7 @@ class QueryRun {
     QueryRun(const QueryCommandOptions& options, const Context& context)
         : options_(options), context_(context), sea_(open_sea(options.sea)) {
         if (options.time.has_value() == options.frame.has_value()) {
-            throw Error(ErrorKind::invalid_value, "needed is either --time or --frame");
+            throw Error(ErrorKind::invalid_value, "either --time or --frame is required");
         }
         time_ = options.time ? *options.time : sea_.time_of(*options.frame);
         require_finite("--time", time_);
@@ -76,10 +77,11 @@ class QueryRun {
                 folded_, table.size()));
         }
         if (undecided_ > 0) {
-            context_.console.warning(format_text(
-                "%zu of %zu points lie where the sea is so folded that its top sheet is not known, "
-                "the first at %s; less choppiness does",
-                undecided_, table.size(), first_undecided_.c_str()));
+            context_.console.warning(
+                format_text("%zu of %zu points lie where the sea is folded so much that its top "
+                            "sheet is unknown, "
+                            "the first at %s; reduce choppiness",
+                            undecided_, table.size(), first_undecided_.c_str()));
         }
     }
 
@@ -130,7 +132,7 @@ class QueryRun {
         return text;
     }
 
-    /// Maps hold single precision: more digits would say nothing.
+    /// Writes the digits of single precision, which maps have.
     void append_values(std::string& text, std::span<const double> values) const {
         for (const double value : values) {
             text += ',';
@@ -145,19 +147,19 @@ class QueryRun {
     double time_ = 0.0;
     std::size_t folded_ = 0;
     std::size_t undecided_ = 0;
-    std::string first_undecided_;  // its place
-    std::string text_;             // for a file
+    std::string first_undecided_;  // its coordinates
+    std::string text_;             // of the file
 };
 
 constexpr char kFooter[] =
-    R"(Columns: x,y,height (m), normal_x,y,z (unit, up), velocity_x,y,z (m/s, of the shown
-point), foam (0 .. 1). The displacement is inverted: the row says what is seen at x,y.
-Where crests have folded over, a point takes the top sheet. A column name of the points
-stands last.
-FILE has a header line with the columns x, y and perhaps name; a unit may follow: x [m].
-Cells stand between commas, semicolons, tabs or blanks; beside all but commas, numbers may
-have a decimal comma. UTF-8 or UTF-16. Other columns are left out with a warning; a table
-that can be read in two ways is an error.)";
+    R"(Columns: x,y,height (m), normal_x,y,z (unit vector, up), velocity_x,y,z (m/s, of the
+surface point), foam (0 .. 1). The displacement is inverted: a row describes the surface
+that is visible at x,y. Where crests have folded over, it describes the top sheet. A column
+name of the points comes last.
+FILE has a header line with the columns x, y and optionally name; a unit may follow: x [m].
+Cells are separated by commas, semicolons, tabs or blanks; unless commas separate cells,
+numbers may have a decimal comma. UTF-8 or UTF-16. Other columns are ignored with a warning;
+an ambiguous table is an error.)";
 
 }  // namespace
 
@@ -175,17 +177,18 @@ Command query_command() {
                 "input",
                 kRequired},
                {"--time", &options->time, "T", "Seconds"},
-               {"--frame", &options->frame, "N", "A frame of the sea instead of a time"}}},
+               {"--frame", &options->frame, "N", "Number of a frame, in place of --time"}}},
              {"Accuracy",
-              {{"--exact", &query.exact, "", "Add up all modes in double: slow"},
+              {{"--exact", &query.exact, "", "Sum all modes in double precision: slow"},
                {"--refine", &query.refine, "K",
-                "1, 2, 4 ...: interpolate between finer maps (default 1: 2e-3 of the rms height "
-                "or better)"},
+                "Interpolate maps that are 1, 2, 4 ... times as fine; default 1, with an error of "
+                "at "
+                "most 2e-3 of the rms height"},
                {"!--no-foam", &query.foam, "",
-                "Leave the foam at 0: its past takes far longer than all the rest"}}},
+                "Leave foam at 0: computing earlier foam takes far longer than all the rest"}}},
              {"Output",
               {{"--orbital", &options->orbital_z, "Z",
-                "Also the velocity of the water at this height, 0 = still water: columns "
+                "Add the velocity of the water at this height, 0 = still water, as columns "
                 "orbital_velocity_x,y,z"},
                {"-o,--output", &options->output, "FILE", "Write the CSV here"}}},
              run_options("")},

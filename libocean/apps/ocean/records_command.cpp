@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean records`: what a file of measured spectra holds, before a sea is made of it.
+// `ocean records`: lists the records in a file of measured spectra, before a sea uses one.
 #include <cmath>
 #include <memory>
 
@@ -20,7 +20,7 @@ std::string cell(double value, const char* number) {
 }
 
 std::string direction_cell(const RecordSummary& summary) {
-    // To the degree, so that 359.7 is 0 and not 360.
+    // Rounds to degrees first, so that 359.7 is 0 and not 360.
     return cell(std::fmod(std::round(coming_from(summary.mean_direction * 180.0 / kPi)), 360.0),
                 "%.0f");
 }
@@ -56,11 +56,11 @@ constexpr char kFooter[] =
     R"(Reads NDBC real-time, hourly, five-day and historical tables, Sofar Spotter CSV and JSON,
 Datawell .spt, TRIAXYS spectra, Nortek AWAC (NMEA), Obscape, Octopus, WAVEWATCH III point
 output, SWAN spectra, CSV and NetCDF, packed with gzip or not, or several text files in a tar;
-recognised by their content. `Tp` is the period of the highest density, `Te` = m-1 / m0 that
-of the energy, `Tm01` = m0 / m1 the mean one. `from` is the mean direction that the waves come
-from, degrees clockwise from north; `spread` the circular standard deviation. A record that
-cannot be read is marked, and a warning says why. A sea takes one of them: spectrum =
-"measured", file, and record = a time, place = a station or LATITUDE,LONGITUDE.)";
+recognised by their content. `Tp` is the period of the maximal density, `Te` = m-1 / m0 the
+energy period, `Tm01` = m0 / m1 the mean period. `from` is the mean direction from which the
+waves come, in degrees clockwise from north; `spread` is the circular standard deviation. A
+record that cannot be read is marked, and a warning has the reason. A sea uses one record by
+spectrum = "measured", file, record = a time, and place = a station or LATITUDE,LONGITUDE.)";
 
 }  // namespace
 
@@ -68,7 +68,7 @@ Command records_command() {
     auto file = std::make_shared<std::string>();
     return {
         .name = "records",
-        .summary = "List what a file of measured spectra holds",
+        .summary = "List the records in a file of measured spectra",
         .options = {{"",
                      {{"FILE", file.get(), "", "Spectra of a buoy or a wave model", kRequired}}},
                     run_options("Print one JSON array")},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean spectrum`: the directional spectrum of a sea as CSV, from the one table that modes, CPU
-// and GPU read, and as a picture.
+// `ocean spectrum`: prints the directional spectrum of a sea as CSV, from the table that modes, CPU
+// and GPU share, and draws it as a plot.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -59,7 +59,7 @@ void run(const SpectrumOptions& options, const Context& context) {
     const std::filesystem::path picture = utf8_path(options.plot);
     if (picture.has_extension() && picture.extension() != ".png") {
         throw Error(ErrorKind::invalid_value,
-                    "--plot " + options.plot + ": the picture is a PNG; allowed is NAME.png");
+                    "--plot " + options.plot + ": the plot is a PNG file; allowed is NAME.png");
     }
     if (!options.plot.empty()) {
         io::refuse_to_replace_foreign_file(options.plot, "`ocean spectrum --plot`",
@@ -85,10 +85,10 @@ void run(const SpectrumOptions& options, const Context& context) {
 
 constexpr char kFooter[] =
     R"(Columns: frequency_hz, density_m2_per_hz, mean_direction_deg, directional_spread_deg
-(empty without energy), at the rows of libocean's own table: the trapezoid over them is
-the variance m0, and 4 sqrt(m0) the significant wave height.
+(empty without energy), at the rows of libocean's own table: the trapezoidal rule over
+them gives the variance m0, and 4 sqrt(m0) is the significant wave height.
 With --directional: frequency_hz, direction_deg, density_m2_per_hz_per_deg.
-Directions in degrees counter-clockwise from +x (east), the way the waves travel.)";
+Directions are in degrees counter-clockwise from +x (east), towards which the waves travel.)";
 
 }  // namespace
 
@@ -97,14 +97,15 @@ Command spectrum_command() {
     return {
         .name = "spectrum",
         .summary = "Print the spectrum as CSV, or draw it with --plot",
-        .options = {sea_options(options->sea),
-                    {"Output",
-                     {{"--directional", &options->directional, "",
-                       "The two-dimensional spectrum: a line for each frequency and direction"},
-                      {"-o,--output", &options->output, "FILE", "Write the CSV here"},
-                      {"--plot", &options->plot, "FILE.png",
-                       "Draw both spectra as a PNG picture; CSV then only with -o"}}},
-                    run_options("")},
+        .options =
+            {sea_options(options->sea),
+             {"Output",
+              {{"--directional", &options->directional, "",
+                "Print the two-dimensional spectrum, with a line for each frequency and direction"},
+               {"-o,--output", &options->output, "FILE", "Write the CSV here"},
+               {"--plot", &options->plot, "FILE.png",
+                "Draw both spectra as a PNG file; CSV is then written with -o only"}}},
+             run_options("")},
         .footer = kFooter,
         .run = [options](const Context& context) { run(*options, context); },
     };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A spectrum as CSV; see spectrum_csv.hpp.
+// See spectrum_csv.hpp.
 #include "spectrum_csv.hpp"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ std::span<const double> row_of(const DirectionalSpectrum& spectrum, std::size_t 
     return spectrum.table().subspan(row * columns, columns);
 }
 
-/// "mean,spread" in degrees of one row, empty cells where there is no energy. The spread is
-/// sqrt(2 (1 - r)), r the length of the mean direction vector.
+/// Returns "mean,spread" of one row [degrees], with empty cells if it has no energy. The spread is
+/// sqrt(2 (1 - r)), where r is the length of the mean direction vector.
 std::string direction_cells(std::span<const double> row) {
     std::complex<double> vector = 0.0;
     double sum = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What `ocean spectrum` prints: the table that modes, CPU and GPU read.
+// The CSV of `ocean spectrum`: the table that modes, CPU and GPU share.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace ocean::app {
 
-/// One line for each row of the table, so that the trapezoid over them is the exact variance.
+/// Returns a line for each row of the table; the trapezoidal rule over them is the exact variance.
 std::string frequency_csv(const DirectionalSpectrum& spectrum);
-/// One line for each row and direction.
+/// Returns a line for each row and direction.
 std::string directional_csv(const DirectionalSpectrum& spectrum);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stages of the transform as EXR files; see stage_images.hpp.
+// See stage_images.hpp.
 #include "stage_images.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// `ocean bake --stage`: what lies between the modes and a map, a file a frame.
+// `ocean bake --stage`: the stages between the modes and a map, one file for each frame.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace ocean::app {
 
-/// Writes the stage of each frame of the plan, which was made for one product, as EXR. Throws
+/// Writes the stage of each frame of the plan as EXR. The plan must be for one product. Throws
 /// Error.
 void bake_stage(const BakePlan& plan, const std::string& stage, const Context& context);
 

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Maps for POV-Ray as density files: one a frame and, for the sea to the horizon, coarser ones
-// beside it, sea_0001_far1.df3 and so on. For what floats there is sea_0001_fine.df3, of twice the
-// samples: between samples a wave of two is not to be found, one of four is. For the light of near
-// water there is sea_0001_detail.df3, the slopes of waves too short for the map. A density file has
-// no room for words: sea_0001.df3.inc tells a scene what these are of.
+// Maps for POV-Ray as density files:
+//   sea_0001.df3         the map of a frame
+//   sea_0001_far1.df3    and so on: coarser maps, for the sea to the horizon
+//   sea_0001_fine.df3    position at twice the samples, for floating objects: a wave of two samples
+//                        cannot be interpolated, one of four can
+//   sea_0001_detail.df3  slopes of the waves too short for the map, for the light of near water
+//   sea_0001.df3.inc     their description for a scene; a density file holds no text
 #include "ocean/io/df3.hpp"
 
 #include <algorithm>
 
 #include "formats/formats.hpp"
-#include "ocean/bake/plan.hpp"
+#include "ocean/bake/typed_format.hpp"
 #include "ocean/detail.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/internal/memory.hpp"
@@ -25,61 +27,62 @@ namespace ocean {
 namespace {
 
 std::vector<FormatOption> list_options(const Catalogue&) {
-    return {{"far-maps", "", "Coarser maps beside that of each frame, a third more data"},
-            {"fine-map", "",
-             "Height and displacement at twice the samples beside each frame, for exact heights of "
-             "places, twice its data; where the map has not four samples of its shortest wave"},
-            {"detail-map", "",
-             "Slope tiles of the waves too short for the map beside each frame, at most a third of "
-             "its data from 512 samples on"}};
+    return {
+        {"far-maps", "", "Write coarser maps beside that of each frame, a third more data"},
+        {"fine-map", "",
+         "Write height and displacement at twice the samples beside each frame, for exact heights "
+         "of places, twice its data; only if the map has fewer than four samples of its "
+         "shortest wave",
+         "", kSeaKind},
+        {"detail-map", "",
+         "Write slope tiles of the waves too short for the map beside each frame, at most a third "
+         "of its data from 512 samples on",
+         "", kSeaKind}};
 }
 
-struct Settings {
+struct Df3Settings {
     bool far_maps = false;
     bool fine_map = false;
     bool detail_map = false;
     DetailSettings detail = {};
-    int detail_bands = 0;  // in the file; 0: there is none
+    int detail_bands = 0;       // in the file; 0: no file
+    io::Df3Slices slices = {};  // of the subject's maps
 };
 
-const Settings& settings_of(const BakePlan& plan) {
-    return std::any_cast<const Settings&>(plan.settings);
+Df3Settings read_options(const BakeOptions& options, const Catalogue&) {
+    return {!options.format_option("far-maps").empty(), !options.format_option("fine-map").empty(),
+            !options.format_option("detail-map").empty()};
 }
 
-std::any read_options(const BakeOptions& options, const Catalogue&) {
-    return Settings{!options.format_option("far-maps").empty(),
-                    !options.format_option("fine-map").empty(),
-                    !options.format_option("detail-map").empty()};
+/// Returns the samples along a side of the fine map, or 0 if the map itself is fine enough.
+int fine_resolution(const BakePlan& draft) {
+    constexpr int kMaxFineSamples = 4096;  // 200 MB
+    const double shortest = draft.shortest_wave();
+    const double cell = draft.subject->domain(draft.resolution).step(0);
+    const int fine = 2 * draft.resolution;
+    return shortest < 4.0 * cell && fine <= kMaxFineSamples ? fine : 0;
 }
 
-/// Samples along a side of the fine map, or 0 where the map itself is fine enough.
-int fine_resolution(const BakePlan& begun) {
-    constexpr int kLargest = 4096;  // 200 MB
-    const double shortest = begun.shortest_wave();
-    const double cell = begun.subject->domain(begun.resolution).step(0);
-    const int fine = 2 * begun.resolution;
-    return shortest < 4.0 * cell && fine <= kLargest ? fine : 0;
-}
-
-FormatPlan settle(const BakePlan& begun) {
-    Settings settings = settings_of(begun);
-    FrameMaps maps{io::df3_channels(io::df3_slices()), {begun.resolution}};
-    if (settings.far_maps) maps.resolutions = halving_resolutions(begun.resolution);
+FormatPlan<Df3Settings> resolve(const BakePlan& draft, const Df3Settings& requested) {
+    Df3Settings settings = requested;
+    settings.slices = io::df3_slices(draft.subject->kind());
+    FrameMaps maps{io::df3_channels(settings.slices), {draft.resolution}};
+    if (settings.far_maps) maps.resolutions = halving_resolutions(draft.resolution);
     if (settings.fine_map) {
-        maps.finer = fine_resolution(begun);
+        maps.finer = fine_resolution(draft);
         maps.finer_channels = io::df3_channels(io::df3_position_slices());
     }
     if (settings.detail_map) {
-        // As fine as the map, so that the files grow alike.
-        settings.detail = {begun.resolution, std::clamp(begun.resolution, kLeastDetailSamples,
+        // As many samples as the map has, so that both files grow alike.
+        settings.detail = {draft.resolution, std::clamp(draft.resolution, kMinDetailSamples,
                                                         DetailSettings{}.samples)};
         settings.detail_bands = static_cast<int>(
-            detail_bands(sea_of(*begun.subject).parameters, settings.detail).size());
+            detail_bands(sea_of(*draft.subject).parameters, settings.detail).size());
     }
     return {maps, settings};
 }
 
-/// "sea_0001.df3", "_fine" -> "sea_0001_fine.df3".
+/// Returns "sea_0001_fine.df3" for "sea_0001.df3" and "_fine".
 std::string path_with(const std::string& path, const std::string& ending) {
     const std::size_t dot = path.rfind('.');
     return path.substr(0, dot) + ending + path.substr(dot);
@@ -89,7 +92,7 @@ bool is_fine(const BakePlan& plan, const BakeFile& file) {
     return plan.maps.finer > 0 && file.part == plan.maps.resolutions.size();
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+std::vector<BakeFile> list_files(const BakePlan& plan, const Df3Settings& settings, int frame) {
     const std::string path = plan.pattern.file(frame);
     std::vector<BakeFile> files;
     for (std::size_t part = 0; part < plan.maps.resolutions.size(); ++part) {
@@ -99,24 +102,24 @@ std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
     if (plan.maps.finer > 0) {
         files.push_back({path_with(path, "_fine"), frame, files.size(), "map"});
     }
-    if (settings_of(plan).detail_bands > 0) {
+    if (settings.detail_bands > 0) {
         files.push_back({path_with(path, "_detail"), frame, files.size(), "map"});
     }
     files.push_back({path + ".inc", frame, files.size(), "map"});
     return files;
 }
 
-std::string recipe(const BakePlan& plan, const BakeFile& file) {
+std::string recipe(const BakePlan& plan, const Df3Settings& settings, const BakeFile& file) {
     if (!file.path.ends_with(".inc")) return bake_recipe(plan, file.frame);
     return bake_recipe(plan, file.frame,
                        "maps " + std::to_string(plan.maps.resolutions.size()) + "\ndetail " +
-                           std::to_string(settings_of(plan).detail_bands) + "\n");
+                           std::to_string(settings.detail_bands) + "\n");
 }
 
 constexpr std::string_view kOpening = "// A frame for POV-Ray";
 
-/// A square of whole maps' size with the slices of a map or a position, or two for each slope tile;
-/// or words that open as ours do.
+/// Recognises a square of a map's resolution with the slices of a map, of a position, or two for
+/// each slope tile; and texts with our opening.
 bool is_baked(const BakeFile& file) {
     if (file.path.ends_with(".inc")) {
         return text::first_bytes(file.path, kOpening.size()) == kOpening;
@@ -127,31 +130,32 @@ bool is_baked(const BakeFile& file) {
         return static_cast<unsigned char>(head[i]) << 8 | static_cast<unsigned char>(head[i + 1]);
     };
     const auto slices = static_cast<std::size_t>(size_at(4));
+    // A subject that stands still has as many slices as a position.
     return size_at(0) == size_at(2) && is_resolution(size_at(0)) &&
-           (slices == io::df3_slices().size() || slices == io::df3_position_slices().size() ||
-            (slices % 2 == 0 && slices <= std::size_t{2 * kMostDetailBands}));
+           (slices == io::df3_slices(kSeaKind).size() ||
+            slices == io::df3_position_slices().size() ||
+            (slices % 2 == 0 && slices <= std::size_t{2 * kMaxDetailBands}));
 }
 
-std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
-    constexpr std::uint64_t kWords = 2048;
+std::uint64_t max_bytes(const BakePlan& plan, const Df3Settings& settings, const BakeFile& file) {
+    constexpr std::uint64_t kTextBytes = 2048;
     const std::vector<int>& maps = plan.maps.resolutions;
-    if (file.part < maps.size()) return io::df3_bytes(maps[file.part], io::df3_slices().size());
+    if (file.part < maps.size()) return io::df3_bytes(maps[file.part], settings.slices.size());
     if (is_fine(plan, file))
         return io::df3_bytes(plan.maps.finer, io::df3_position_slices().size());
-    if (file.path.ends_with(".inc")) return kWords;
-    const Settings& settings = settings_of(plan);
+    if (file.path.ends_with(".inc")) return kTextBytes;
     return io::slopes_df3_bytes(settings.detail.samples, settings.detail_bands);
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan) {
-    const Settings& settings = settings_of(plan);
+std::uint64_t frame_bytes(const BakePlan& plan, const Df3Settings& settings) {
     if (settings.detail_bands == 0) return 0;
     return detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
            maps_bytes(settings.detail.samples, 2 * settings.detail_bands);
 }
 
-/// Three heights, so that words and map are known to be of one frame.
-std::string witnesses(const Surface& map) {
+/// Returns the declaration of three heights, by which a scene checks that text and map belong to
+/// one frame.
+std::string check_heights(const Surface& map) {
     const auto height_at = [&map](int i, int j) {
         const auto place = static_cast<std::size_t>(j * map.resolution() + i);
         return shortest_text(static_cast<double>(map.channel(Channel::height)[place]));
@@ -162,43 +166,47 @@ std::string witnesses(const Surface& map) {
            " };  // m, at <0, 0>, <1/2, 1/4>, <1/4, 1/2> periods\n";
 }
 
-void write(const FrameWork& work, std::span<const BakeFile> files) {
+void write(const FrameWork& work, const Df3Settings& settings, std::span<const BakeFile> files) {
     for (const BakeFile& file : files.first(work.maps.size())) {
         const io::Df3Slices slices =
-            is_fine(work.plan, file) ? io::df3_position_slices() : io::df3_slices();
-        work.put(file, [&] { io::write_df3(work.maps[file.part], file.path, slices); });
+            is_fine(work.plan, file) ? io::df3_position_slices() : settings.slices;
+        work.write_and_verify(file,
+                              [&] { io::write_df3(work.maps[file.part], file.path, slices); });
     }
     Detail detail;
-    if (settings_of(work.plan).detail_bands > 0) {
-        detail = ocean_of(work.source).detail(work.time(), settings_of(work.plan).detail);
+    if (settings.detail_bands > 0) {
+        detail = ocean_of(work.source).detail(work.time(), settings.detail);
         const BakeFile& file = files[work.maps.size()];
-        work.put(file, [&] { io::write_slopes_df3(detail, file.path); });
+        work.write_and_verify(file, [&] { io::write_slopes_df3(detail, file.path); });
     }
-    work.put(files.back(), [&] {
+    work.write_and_verify(files.back(), [&] {
         io::write_file_atomically(
             files.back().path,
             std::string(kOpening) + ": what Ocean_Load of ocean.inc asks for.\n" +
-                io::povray_frame_declarations(work.provenance()) + witnesses(work.maps.front()) +
+                io::povray_frame_declarations(work.provenance()) +
+                check_heights(work.maps.front()) +
                 io::povray_foam_declarations(work.maps.first(work.plan.maps.resolutions.size())) +
                 io::povray_detail_declarations(detail));
     });
 }
 
-}  // namespace
-
-const BakeFormat kDf3Format = {
+constexpr BakeFormatOf<Df3Settings> kOf = {
     .name = "df3",
     .extension = ".df3",
     .family = "DF3 files",
     .options = list_options,
     .read_options = read_options,
-    .settle = settle,
+    .resolve = resolve,
     .files = list_files,
     .recipe = recipe,
     .is_baked = is_baked,
     .frame_bytes = frame_bytes,
-    .most_bytes = most_bytes,
+    .max_bytes = max_bytes,
     .write = write,
 };
+
+}  // namespace
+
+const BakeFormat kDf3Format = bake_format<kOf>();
 
 }  // namespace ocean

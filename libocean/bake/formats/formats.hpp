@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The formats of this folder, and what several of them need.
+// The formats of this folder, and the helpers that several of them share.
 #pragma once
 
 #include <span>
@@ -28,39 +28,42 @@ extern const BakeFormat kVdbFormat;
 std::string listing(const std::vector<std::string>& words, std::string_view conjunction);
 
 /// Returns the products of "normal, foam". Throws Error invalid_value for a name that is unknown or
-/// there twice.
+/// repeated.
 std::vector<const Product*> find_products(const std::string& list, const Catalogue& catalogue);
 
 /// The products that files of a format can hold, for the one parser of --products.
 struct ProductChoice {
-    std::span<const Product> known;     // in which names are looked up
-    std::string_view usual;             // the list where none is typed
+    std::span<const Product> known;     // the rows in which names are looked up
+    std::string_view default_list;      // used if --products is not given
     const Product* alone = nullptr;     // points, never beside others; not among `known`
-    std::string_view nothing = {};      // stands for no product: "position"
+    std::string_view nothing = {};      // the word for no product: "position"
     std::string_view holder = {};       // of `allowed` in messages: "a mesh"
-    std::string_view allowed = {};      // of `known`, "normal,foam"; empty: all
-    std::string_view one_refusal = {};  // of any list that does not fit; empty: one for each cause
+    std::string_view allowed = {};      // names among `known`, "normal,foam"; empty: all
+    std::string_view one_refusal = {};  // for any list that does not fit; empty: one for each cause
 };
 
 struct ChosenProducts {
     std::vector<const Product*> products;
-    bool usual = false;  // no product was asked for
+    bool is_default = false;  // --products was not given
 
     bool has(const Product& product) const;
 };
 
-/// Returns what --products asks for. Throws Error invalid_value.
+/// Returns the products that --products requests. Throws Error invalid_value.
 ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& choice);
 
 /// Returns those products of a default list whose channels the subject has.
-std::vector<const Product*> those_of(const Subject& subject,
-                                     const std::vector<const Product*>& products);
+std::vector<const Product*> available_products(const Subject& subject,
+                                               const std::vector<const Product*>& products);
 
-/// --axes of what lies in the world, zup if it is not given. Throws Error invalid_value for tnb,
-/// which is of maps alone: "of a mesh allowed are ...".
-io::Axes read_up_axes(const BakeOptions& options, std::string_view what);
+/// Returns true if points of the subject move sideways, by dx and dy.
+bool is_displaced(const Subject& subject);
 
-/// R, R/2, ... 32.
+/// Returns the --axes of data in world coordinates; the default is zup. Throws Error invalid_value
+/// for tnb, which only maps have; `holder` names the data in the message, "a mesh".
+io::Axes read_up_axes(const BakeOptions& options, std::string_view holder);
+
+/// Returns R, R/2, ... 32.
 std::vector<int> halving_resolutions(int resolution);
 
 }  // namespace ocean

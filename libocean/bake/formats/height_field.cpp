@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// POV-Ray's height_field: a 16-bit PNG of the heights by place, with what its codes mean beside it,
+// POV-Ray's height_field: a 16-bit PNG of the heights by place; beside it the meaning of its codes,
 // for people (.txt) and for scenes (.inc).
 #include "ocean/io/height_field.hpp"
 #include "formats/formats.hpp"
-#include "ocean/bake/plan.hpp"
+#include "ocean/bake/typed_format.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
 #include "ocean/io/povray_declarations.hpp"
@@ -16,18 +16,22 @@ namespace {
 
 enum Part : std::size_t { kImage, kDescription, kDeclarations };
 
-FormatPlan settle(const BakePlan& begun) {
-    return {{{Channel::height}, {begun.resolution}, true}, {}};
+NoSettings read_options(const BakeOptions&, const Catalogue&) {
+    return {};
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+FormatPlan<NoSettings> resolve(const BakePlan& draft, const NoSettings&) {
+    return {{{Channel::height}, {draft.resolution}, true}, {}};
+}
+
+std::vector<BakeFile> list_files(const BakePlan& plan, const NoSettings&, int frame) {
     const std::string path = plan.pattern.file(frame);
     return {{path, frame, kImage, "height"},
             {path + ".txt", frame, kDescription, "height"},
             {path + ".inc", frame, kDeclarations, "height"}};
 }
 
-std::string recipe(const BakePlan& plan, const BakeFile& file) {
+std::string recipe(const BakePlan& plan, const NoSettings&, const BakeFile& file) {
     return bake_recipe(plan, file.frame);
 }
 
@@ -37,8 +41,8 @@ bool opens_with(const std::string& path, std::string_view opening) {
     return text::first_bytes(path, opening.size()) == opening;
 }
 
-/// A grey PNG of 16 bits with the first row and column again, or with our text beside it; and texts
-/// that open as ours do.
+/// Recognises a grey PNG of 16 bits that repeats its first row and column or has our text beside
+/// it, and texts with our opening.
 bool is_baked(const BakeFile& file) {
     constexpr std::size_t kHead = 26;  // signature, length and name of IHDR, its first five values
     const std::string head = text::first_bytes(file.path, kHead);
@@ -57,49 +61,54 @@ bool is_baked(const BakeFile& file) {
     return is_resolution(side_at(16) - 1) || opens_with(file.path + ".txt", kDescriptionOpening);
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan) {
+std::uint64_t frame_bytes(const BakePlan& plan, const NoSettings&) {
     return plan.subject->by_place_bytes(plan.resolution);
 }
 
-std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
+std::uint64_t max_bytes(const BakePlan& plan, const NoSettings&, const BakeFile& file) {
     constexpr std::uint64_t kSmallFile = 4096;
-    return file.part == kImage ? io::most_height_field_bytes(plan.resolution) : kSmallFile;
+    return file.part == kImage ? io::max_height_field_bytes(plan.resolution) : kSmallFile;
 }
 
-void write(const FrameWork& work, std::span<const BakeFile> files) {
+void write(const FrameWork& work, const NoSettings&, std::span<const BakeFile> files) {
     const Product* const heights[] = {&find_product("height")};
     const io::Image image = io::product_image(heights, {}, work.provenance(), work.maps.front());
-    work.put(files[kImage], [&] { io::write_height_field(image, files[kImage].path); });
-    work.put(files[kDescription], [&] {
+    work.write_and_verify(files[kImage],
+                          [&] { io::write_height_field(image, files[kImage].path); });
+    work.write_and_verify(files[kDescription], [&] {
         io::write_file_atomically(files[kDescription].path, io::height_field_description(image));
     });
-    work.put(files[kDeclarations], [&] {
+    work.write_and_verify(files[kDeclarations], [&] {
         io::write_file_atomically(files[kDeclarations].path,
                                   io::height_field_declarations(image) +
                                       io::povray_frame_declarations(work.provenance()));
     });
 }
 
-bool read_pixels(const BakePlan&, const BakeFile& file, int, const io::ByteSink& sink) {
+bool read_pixels(const BakePlan&, const NoSettings&, const BakeFile& file, int,
+                 const io::ByteSink& sink) {
     if (file.part != kImage) return false;
     io::read_height_field(file.path, sink);
     return true;
 }
 
-}  // namespace
-
-const BakeFormat kHeightFieldFormat = {
+constexpr BakeFormatOf<NoSettings> kOf = {
     .name = "height_field",
     .extension = ".png",
     .family = "Height fields",
-    .settle = settle,
+    .read_options = read_options,
+    .resolve = resolve,
     .files = list_files,
     .recipe = recipe,
     .is_baked = is_baked,
     .frame_bytes = frame_bytes,
-    .most_bytes = most_bytes,
+    .max_bytes = max_bytes,
     .write = write,
     .read_pixels = read_pixels,
 };
+
+}  // namespace
+
+const BakeFormat kHeightFieldFormat = bake_format<kOf>();
 
 }  // namespace ocean

@@ -4,53 +4,55 @@
 // Wavefront OBJ: normals, and the foam as the colour of each vertex.
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
+#include "ocean/bake/typed_format.hpp"
 #include "ocean/io/mesh_files.hpp"
 
 namespace ocean {
 namespace {
 
 constexpr std::string_view kProducts = "normal,foam";
-constexpr bool kAll = false;  // unless some are asked for
+constexpr bool kAll = false;  // unless --products is given
 
 std::vector<FormatOption> list_options(const Catalogue&) {
     return plain_mesh_options(kProducts, kAll);
 }
 
-std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
+PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
     return read_plain_mesh(
         options, choose_products(options, plain_mesh_products(catalogue, kProducts, kAll)));
 }
 
-std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
+std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
-    return comments + io::most_obj_bytes(plain_mesh_vertices(plan),
-                                         plain_mesh_of(plan).floats_with_uv(),
-                                         plain_mesh_triangles(plan));
+    return comments + io::max_obj_bytes(plain_mesh_vertices(plan), mesh.floats_with_uv(),
+                                        plain_mesh_triangles(plan));
 }
 
-void write(const FrameWork& work, std::span<const BakeFile> files) {
-    const io::Mesh mesh = make_plain_mesh(work);
-    const auto strings = plain_mesh_strings(work.plan, work.frame);
-    work.put(files.front(), [&] { io::write_obj(mesh, strings, files.front().path); });
+void write(const FrameWork& work, const PlainMesh& settings, std::span<const BakeFile> files) {
+    const io::Mesh mesh = make_plain_mesh(work, settings);
+    const auto strings = plain_mesh_strings(work.plan, settings, work.frame);
+    work.write_and_verify(files.front(), [&] { io::write_obj(mesh, strings, files.front().path); });
 }
 
-}  // namespace
-
-const BakeFormat kObjFormat = {
+constexpr BakeFormatOf<PlainMesh> kOf = {
     .name = "obj",
     .extension = ".obj",
     .family = "Mesh files OBJ",
     .options = list_options,
     .read_options = read_options,
-    .settle = settle_plain_mesh,
+    .resolve = resolve_plain_mesh,
     .files = list_plain_mesh,
     .recipe = plain_mesh_recipe,
     .is_baked = is_plain_mesh,
     .frame_bytes = plain_mesh_bytes,
-    .most_bytes = most_bytes,
+    .max_bytes = max_bytes,
     .write = write,
     .read_header = io::read_obj_header,
     .adopt = adopt_plain_mesh,
 };
+
+}  // namespace
+
+const BakeFormat kObjFormat = bake_format<kOf>();
 
 }  // namespace ocean

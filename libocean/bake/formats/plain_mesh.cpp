@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kNormalAlone = "normal";
 constexpr std::string_view kNothing = "position";
 
-/// How our PLY and OBJ begin, and what stands before their first comment's name.
+/// The openings of our PLY and OBJ, and the text before the name of their first comment.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOpenings = {
     {{"ply\nformat binary_little_endian 1.0\n", "1.0\ncomment ocean:"},
      {"# The surface of ", ", by libocean\n# ocean:"}}};
@@ -42,53 +42,48 @@ std::uint64_t PlainMesh::floats() const {
 
 std::vector<FormatOption> plain_mesh_options(std::string_view products, bool all) {
     return {{"products", "LIST",
-             "Of " + std::string(products) + ", or position for no more than that; default " +
+             "Comma list of " + std::string(products) +
+                 ", or position for the vertices alone; default " +
                  (all ? "all" : std::string(kNormalAlone))},
             {"axes", "AXES", "zup (x, y, z) or yup (x, z, -y); default zup"}};
 }
 
 ProductChoice plain_mesh_products(const Catalogue& catalogue, std::string_view products, bool all) {
     return {.known = catalogue.products,
-            .usual = all ? products : kNormalAlone,
+            .default_list = all ? products : kNormalAlone,
             .nothing = kNothing,
             .holder = "a mesh",
             .allowed = products};
 }
 
 PlainMesh read_plain_mesh(const BakeOptions& options, const ChosenProducts& chosen) {
-    return {chosen.products, chosen.usual, read_up_axes(options, "a mesh")};
+    return {chosen.products, chosen.is_default, read_up_axes(options, "a mesh")};
 }
 
-const PlainMesh& plain_mesh_of(const BakePlan& plan) {
-    return std::any_cast<const PlainMesh&>(plan.settings);
-}
-
-FormatPlan settle_plain_mesh(const BakePlan& begun) {
+FormatPlan<PlainMesh> resolve_plain_mesh(const BakePlan& draft, const PlainMesh& requested) {
     using enum Channel;
-    PlainMesh mesh = plain_mesh_of(begun);
-    if (mesh.usual) mesh.products = those_of(*begun.subject, mesh.products);
-    FrameMaps maps{{height}, {begun.resolution}};
-    // A subject that is not displaced has no dx and dy.
-    if (begun.subject->channels().contains({dx, dy})) maps.channels = {dx, dy, height};
+    PlainMesh mesh = requested;
+    if (mesh.is_default) mesh.products = available_products(*draft.subject, mesh.products);
+    FrameMaps maps{{height}, {draft.resolution}};
+    if (is_displaced(*draft.subject)) maps.channels = {dx, dy, height};
     for (const Product* product : mesh.products) maps.channels = maps.channels | product->set();
     return {maps, mesh};
 }
 
-std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, int frame) {
+std::vector<BakeFile> list_plain_mesh(const BakePlan& plan, const PlainMesh&, int frame) {
     return {{plan.pattern.file(frame), frame, 0, "mesh"}};
 }
 
-std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, int frame) {
+std::vector<io::HeaderString> plain_mesh_strings(const BakePlan& plan, const PlainMesh& mesh,
+                                                 int frame) {
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
-    const PlainMesh& mesh = plain_mesh_of(plan);
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(mesh.axes))});
     strings.push_back({"ocean:field", names_of(mesh)});
     return strings;
 }
 
-std::string plain_mesh_recipe(const BakePlan& plan, const BakeFile& file) {
-    const PlainMesh& mesh = plain_mesh_of(plan);
+std::string plain_mesh_recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     return bake_recipe(
         plan, file.frame,
         "mesh " + names_of(mesh) + " " + std::string(io::axes_name(mesh.axes)) + " uv extent\n");
@@ -120,28 +115,28 @@ std::uint64_t plain_mesh_triangles(const BakePlan& plan) {
            static_cast<std::uint64_t>(domain.samples[1] - seam);
 }
 
-std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan) {
-    return plain_mesh_vertices(plan) * plain_mesh_of(plan).floats() * sizeof(float);
+std::uint64_t plain_mesh_vertex_bytes(const BakePlan& plan, const PlainMesh& mesh) {
+    return plain_mesh_vertices(plan) * mesh.floats() * sizeof(float);
 }
 
 std::uint64_t plain_mesh_uv_bytes(const BakePlan& plan) {
     return plain_mesh_vertices(plan) * 2 * sizeof(float);
 }
 
-std::uint64_t plain_mesh_bytes(const BakePlan& plan) {
-    return plain_mesh_vertex_bytes(plan) + plain_mesh_uv_bytes(plan) +
+std::uint64_t plain_mesh_bytes(const BakePlan& plan, const PlainMesh& mesh) {
+    return plain_mesh_vertex_bytes(plan, mesh) + plain_mesh_uv_bytes(plan) +
            plain_mesh_triangles(plan) * 3 * sizeof(int);
 }
 
-io::Mesh make_plain_mesh(const FrameWork& work, io::Faces faces) {
+io::Mesh make_plain_mesh(const FrameWork& work, const PlainMesh& settings, io::Faces faces) {
     io::Mesh mesh = io::make_patch_mesh(work.maps.front(), faces);
-    if (plain_mesh_of(work.plan).axes == io::Axes::yup) io::turn_y_up(mesh);
+    if (settings.axes == io::Axes::yup) io::turn_y_up(mesh);
     return mesh;
 }
 
 void adopt_plain_mesh(const BakedHeader& header, const Catalogue&, BakeOptions& options) {
-    options.take("products", header.text("field"));
-    options.take("axes", header.text("axes"));
+    options.set_default("products", header.text("field"));
+    options.set_default("axes", header.text("axes"));
 }
 
 }  // namespace ocean

@@ -2,16 +2,29 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Binary PLY: normals, foam and velocity at each vertex of a mesh, or the points of spray.
+#include <variant>
+
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
 #include "formats/spray_points.hpp"
+#include "ocean/bake/typed_format.hpp"
 #include "ocean/io/mesh_files.hpp"
 
 namespace ocean {
 namespace {
 
 constexpr std::string_view kProducts = "normal,foam,velocity";
-constexpr bool kAll = true;  // unless some are asked for
+constexpr bool kAll = true;  // unless --products is given
+
+using MeshOrSpray = std::variant<PlainMesh, SprayPoints>;
+
+const SprayPoints* spray_of(const MeshOrSpray& settings) {
+    return std::get_if<SprayPoints>(&settings);
+}
+
+const PlainMesh& mesh_of(const MeshOrSpray& settings) {
+    return std::get<PlainMesh>(settings);
+}
 
 std::vector<FormatOption> list_options(const Catalogue&) {
     std::vector<FormatOption> options = plain_mesh_options(kProducts, kAll);
@@ -20,7 +33,7 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return options;
 }
 
-std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
+MeshOrSpray read_options(const BakeOptions& options, const Catalogue& catalogue) {
     ProductChoice choice = plain_mesh_products(catalogue, kProducts, kAll);
     choice.alone = &kSprayProduct;
     const ChosenProducts chosen = choose_products(options, choice);
@@ -29,43 +42,51 @@ std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
     return read_plain_mesh(options, chosen);
 }
 
-std::vector<const Product*> list_products(const BakePlan& begun) {
-    return spray_of(begun) != nullptr ? std::vector{&kSprayProduct} : plain_mesh_of(begun).products;
+std::vector<const Product*> list_products(const BakePlan&, const MeshOrSpray& settings) {
+    if (spray_of(settings)) return {&kSprayProduct};
+    return mesh_of(settings).products;
 }
 
-FormatPlan settle(const BakePlan& begun) {
-    return spray_of(begun) != nullptr ? settle_spray(begun) : settle_plain_mesh(begun);
+FormatPlan<MeshOrSpray> resolve(const BakePlan& draft, const MeshOrSpray& requested) {
+    if (spray_of(requested)) return {spray_maps(draft), requested};
+    FormatPlan<PlainMesh> mesh = resolve_plain_mesh(draft, mesh_of(requested));
+    return {std::move(mesh.maps), std::move(mesh.settings)};
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
-    return spray_of(plan) != nullptr ? list_spray(plan, frame) : list_plain_mesh(plan, frame);
+std::vector<BakeFile> list_files(const BakePlan& plan, const MeshOrSpray& settings, int frame) {
+    if (spray_of(settings)) return list_spray(plan, frame);
+    return list_plain_mesh(plan, mesh_of(settings), frame);
 }
 
-std::string recipe(const BakePlan& plan, const BakeFile& file) {
-    return spray_of(plan) != nullptr ? spray_recipe(plan, file) : plain_mesh_recipe(plan, file);
+std::string recipe(const BakePlan& plan, const MeshOrSpray& settings, const BakeFile& file) {
+    if (const auto* spray = spray_of(settings)) return spray_recipe(plan, *spray, file);
+    return plain_mesh_recipe(plan, mesh_of(settings), file);
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan) {
-    return spray_of(plan) != nullptr ? spray_frame_bytes(plan) : plain_mesh_bytes(plan);
+std::uint64_t frame_bytes(const BakePlan& plan, const MeshOrSpray& settings) {
+    if (const auto* spray = spray_of(settings)) return spray_frame_bytes(plan, *spray);
+    return plain_mesh_bytes(plan, mesh_of(settings));
 }
 
-std::uint64_t most_bytes(const BakePlan& plan, const BakeFile&) {
+std::uint64_t max_bytes(const BakePlan& plan, const MeshOrSpray& settings, const BakeFile&) {
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096;
-    if (spray_of(plan) != nullptr) return comments + io::points_ply_bytes(most_spray_points(plan));
-    return comments + io::ply_bytes(plain_mesh_vertices(plan), plain_mesh_of(plan).floats_with_uv(),
+    if (const auto* spray = spray_of(settings)) {
+        return comments + io::points_ply_bytes(max_spray_points(plan, *spray));
+    }
+    return comments + io::ply_bytes(plain_mesh_vertices(plan), mesh_of(settings).floats_with_uv(),
                                     plain_mesh_triangles(plan));
 }
 
-void write(const FrameWork& work, std::span<const BakeFile> files) {
+void write(const FrameWork& work, const MeshOrSpray& settings, std::span<const BakeFile> files) {
     const std::string& path = files.front().path;
-    if (spray_of(work.plan) != nullptr) {
-        const io::Points points = make_spray_points(work);
-        const auto strings = spray_strings(work.plan, work.frame);
-        work.put(files.front(), [&] { io::write_ply(points, strings, path); });
+    if (const auto* spray = spray_of(settings)) {
+        const io::Points points = make_spray_points(work, *spray);
+        const auto strings = spray_strings(work.plan, *spray, work.frame);
+        work.write_and_verify(files.front(), [&] { io::write_ply(points, strings, path); });
     } else {
-        const io::Mesh mesh = make_plain_mesh(work);
-        const auto strings = plain_mesh_strings(work.plan, work.frame);
-        work.put(files.front(), [&] { io::write_ply(mesh, strings, path); });
+        const io::Mesh mesh = make_plain_mesh(work, mesh_of(settings));
+        const auto strings = plain_mesh_strings(work.plan, mesh_of(settings), work.frame);
+        work.write_and_verify(files.front(), [&] { io::write_ply(mesh, strings, path); });
     }
 }
 
@@ -74,24 +95,26 @@ void adopt(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& o
     adopt_spray(header, options);
 }
 
-}  // namespace
-
-const BakeFormat kPlyFormat = {
+constexpr BakeFormatOf<MeshOrSpray> kOf = {
     .name = "ply",
     .extension = ".ply",
     .family = "Mesh files PLY",
     .options = list_options,
     .read_options = read_options,
     .products = list_products,
-    .settle = settle,
+    .resolve = resolve,
     .files = list_files,
     .recipe = recipe,
     .is_baked = is_plain_mesh,
     .frame_bytes = frame_bytes,
-    .most_bytes = most_bytes,
+    .max_bytes = max_bytes,
     .write = write,
     .read_header = io::read_ply_header,
     .adopt = adopt,
 };
+
+}  // namespace
+
+const BakeFormat kPlyFormat = bake_format<kOf>();
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What several formats read of their options: --products and --axes.
+// Options that several formats have: --products and --axes.
 #include <algorithm>
 #include <iterator>
 
@@ -26,20 +26,20 @@ std::vector<const Product*> parse_products(const std::string& list,
         const std::string name(csv::trimmed(part));
         const Product* product = &find_product(name, known);
         if (std::ranges::find(products, product) != products.end()) {
-            refuse(list, name + " is there twice");
+            refuse(list, name + " is repeated");
         }
         products.push_back(product);
     }
     return products;
 }
 
-/// Returns true if the list is that product. Throws Error where it is one of several.
+/// Returns true if the list is that product alone. Throws Error if it is one of several.
 bool is_alone(const std::string& list, const Product& product) {
     if (list == product.name) return true;
     for (const std::string& part : split(list, ',')) {
         if (csv::trimmed(part) != product.name) continue;
         const std::string name(product.name);
-        refuse(list, name + " is points of its own; allowed is --products " + name + " alone");
+        refuse(list, name + " is a file of points; allowed is --products " + name + " alone");
     }
     return false;
 }
@@ -70,8 +70,8 @@ bool ChosenProducts::has(const Product& product) const {
 ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& choice) {
     const std::string& typed = options.format_option("products");
     ChosenProducts chosen;
-    chosen.usual = typed.empty();
-    const std::string list = chosen.usual ? std::string(choice.usual) : typed;
+    chosen.is_default = typed.empty();
+    const std::string list = chosen.is_default ? std::string(choice.default_list) : typed;
     if (choice.alone != nullptr && is_alone(list, *choice.alone)) {
         chosen.products = {choice.alone};
     } else if (choice.nothing.empty() || list != choice.nothing) {
@@ -86,22 +86,26 @@ ChosenProducts choose_products(const BakeOptions& options, const ProductChoice& 
     return chosen;
 }
 
-std::vector<const Product*> those_of(const Subject& subject,
-                                     const std::vector<const Product*>& products) {
-    std::vector<const Product*> there;
-    std::ranges::copy_if(products, std::back_inserter(there), [&](const Product* product) {
+std::vector<const Product*> available_products(const Subject& subject,
+                                               const std::vector<const Product*>& products) {
+    std::vector<const Product*> available;
+    std::ranges::copy_if(products, std::back_inserter(available), [&](const Product* product) {
         return subject.channels().contains(product->set());
     });
-    return there;
+    return available;
 }
 
-io::Axes read_up_axes(const BakeOptions& options, std::string_view what) {
+bool is_displaced(const Subject& subject) {
+    return subject.channels().contains({Channel::dx, Channel::dy});
+}
+
+io::Axes read_up_axes(const BakeOptions& options, std::string_view holder) {
     const std::string& text = options.format_option("axes");
     if (text.empty()) return io::Axes::zup;
     const io::Axes axes = io::find_axes(text);
     if (axes != io::Axes::tnb) return axes;
     throw Error(ErrorKind::invalid_value,
-                "--axes tnb: of " + std::string(what) + " allowed are zup and yup");
+                "--axes tnb: allowed for " + std::string(holder) + " are zup and yup");
 }
 
 }  // namespace ocean

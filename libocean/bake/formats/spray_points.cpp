@@ -17,9 +17,9 @@ namespace {
 
 constexpr const char* kLifetime = "spray-lifetime";
 constexpr const char* kDensity = "spray-density";
-constexpr const char* kMost = "spray-most";
+constexpr const char* kMaxSpray = "spray-most";
 
-/// The settings as they are typed and as a header says them.
+/// A setting as it is typed, and as a header states it.
 struct Setting {
     const char* option;
     const char* string;
@@ -28,33 +28,34 @@ struct Setting {
 std::vector<Setting> settings_of(const SpraySettings& spray) {
     return {{kLifetime, "spray_lifetime", shortest_text(spray.lifetime)},
             {kDensity, "spray_density", shortest_text(spray.density)},
-            {kMost, "spray_most", std::to_string(spray.most)}};
+            {kMaxSpray, "spray_most", std::to_string(spray.most)}};
 }
 
 }  // namespace
 
 std::vector<FormatOption> spray_options() {
-    const SpraySettings usual;
+    const SpraySettings defaults;
     return {
         {kLifetime, "SECONDS",
-         "Greatest age of a particle of spray, 0.05 to 10, in a loop at most half of it; default " +
-             shortest_text(usual.lifetime)},
+         "Maximum age of a particle of spray, 0.05 to 10, in a loop at most half of its period; "
+         "default " +
+             shortest_text(defaults.lifetime)},
         {kDensity, "NUMBER",
          "Particles of spray for each m^2 that turns white, 0 to 1000; default " +
-             shortest_text(usual.density)},
-        {kMost, "COUNT",
-         "Particles of spray that are alive at once, about: a sea that would have more has them "
-         "thinner; default " +
-             std::to_string(usual.most)},
+             shortest_text(defaults.density)},
+        {kMaxSpray, "COUNT",
+         "Approximate limit of particles of spray that are alive at once: a sea that would have "
+         "more has them thinned out; default " +
+             std::to_string(defaults.most)},
     };
 }
 
-void refuse_spray_options(const BakeOptions& options, std::string_view made_of_it) {
+void refuse_spray_options(const BakeOptions& options, std::string_view products) {
     for (const Setting& setting : settings_of({})) {
         const std::string& value = options.format_option(setting.option);
         if (value.empty()) continue;
         throw Error(ErrorKind::invalid_value, "--" + std::string(setting.option) + " " + value +
-                                                  ": needs --products " + std::string(made_of_it));
+                                                  ": needs --products " + std::string(products));
     }
 }
 
@@ -70,7 +71,7 @@ SpraySettings read_spray_settings(const BakeOptions& options) {
     typed(kDensity, settings.density, [](const std::string& text, const std::string& name) {
         return parse_number(text, name, 0.0, 1000.0);
     });
-    typed(kMost, settings.most, [](const std::string& text, const std::string& name) {
+    typed(kMaxSpray, settings.most, [](const std::string& text, const std::string& name) {
         return parse_whole_number(text, name, 1, 100'000'000);
     });
     validate(settings);
@@ -89,24 +90,20 @@ std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& setting
     return strings;
 }
 
-const SprayPoints* spray_of(const BakePlan& plan) {
-    return std::any_cast<SprayPoints>(&plan.settings);
-}
-
-FormatPlan settle_spray(const BakePlan& begun) {
-    FrameMaps maps{{}, {spray_lattice(sea_of(*begun.subject).parameters.grid).resolution}};
-    maps.has_past = true;
-    return {maps, begun.settings};
+FrameMaps spray_maps(const BakePlan& draft) {
+    FrameMaps maps{{}, {spray_lattice(sea_of(*draft.subject).parameters.grid).resolution}};
+    maps.sequential = true;
+    return maps;
 }
 
 std::vector<BakeFile> list_spray(const BakePlan& plan, int frame) {
     return {{plan.pattern.file(frame), frame, 0, std::string(kSprayProduct.name)}};
 }
 
-std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
+std::vector<io::HeaderString> spray_strings(const BakePlan& plan, const SprayPoints& spray,
+                                            int frame) {
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
-    const SprayPoints& spray = *spray_of(plan);
-    // What is emitted on the sea's own lattice is the same for any --resolution.
+    // Spray is emitted on the sea's own lattice: it is the same for any --resolution.
     const int resolution = plan.subject->default_resolution();
     strings.push_back({"ocean:resolution", std::to_string(resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(spray.axes))});
@@ -117,28 +114,27 @@ std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame) {
     return strings;
 }
 
-std::string spray_recipe(const BakePlan& plan, const BakeFile& file) {
-    const SprayPoints& spray = *spray_of(plan);
+std::string spray_recipe(const BakePlan& plan, const SprayPoints& spray, const BakeFile& file) {
     std::string lines = "spray " + std::string(io::axes_name(spray.axes));
     for (const auto& string : spray_setting_strings(spray.settings)) lines += " " + string.text;
     return bake_recipe(plan, file.frame, lines + "\n");
 }
 
-std::uint64_t most_spray_points(const BakePlan& plan) {
-    return most_spray(sea_of(*plan.subject), spray_of(plan)->settings);
+std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray) {
+    return max_spray_particles(sea_of(*plan.subject), spray.settings);
 }
 
-std::uint64_t spray_frame_bytes(const BakePlan& plan) {
-    const std::uint64_t most = most_spray_points(plan);
+std::uint64_t spray_frame_bytes(const BakePlan& plan, const SprayPoints& spray) {
+    const std::uint64_t points = max_spray_points(plan, spray);
     const Grid& grid = sea_of(*plan.subject).parameters.grid;
-    return spray_bytes(most) + io::points_bytes(most) +
+    return spray_bytes(points) + io::points_bytes(points) +
            maps_bytes(plan.finest(), kSprayChannels.size()) +
            work_bytes(grid, plan.backend, kSprayChannels, plan.finest());
 }
 
-io::Points make_spray_points(const FrameWork& work) {
+io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray) {
     const std::vector<SprayParticle> particles =
-        ocean_of(work.source).spray(work.time(), spray_of(work.plan)->settings);
+        ocean_of(work.source).spray(work.time(), spray.settings);
     io::Points points;
     const std::size_t count = particles.size();
     points.positions.reserve(3 * count);
@@ -159,7 +155,7 @@ io::Points make_spray_points(const FrameWork& work) {
         points.radii.push_back(static_cast<float>(particle.radius));
         points.ids.push_back(particle.id);
     }
-    if (spray_of(work.plan)->axes == io::Axes::yup) io::turn_y_up(points);
+    if (spray.axes == io::Axes::yup) io::turn_y_up(points);
     return points;
 }
 
@@ -170,7 +166,8 @@ void adopt_spray(const BakedHeader& header, BakeOptions& options) {
 
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options) {
     for (const Setting& setting : settings_of({})) {
-        if (header.has(setting.string)) options.take(setting.option, header.text(setting.string));
+        if (header.has(setting.string))
+            options.set_default(setting.option, header.text(setting.string));
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spray of a frame as a file of points whose header says what it is: what the formats of such
-// files share. The product `spray` stands alone.
+// The spray of a frame as a file of points whose header describes it: the part that the formats of
+// such files share. A file with the product `spray` holds no other product.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@
 namespace ocean {
 
 inline constexpr Product kSprayProduct = {"spray", {}, 0, "", false, kSeaKind};
-/// For the help of --products.
+/// A sentence for the help of --products.
 inline constexpr std::string_view kSprayProductHelp =
     "; or spray alone: particles that the wind tears off where the sea turns white";
 
@@ -26,26 +26,26 @@ struct SprayPoints {
     io::Axes axes = io::Axes::zup;
 };
 
-/// --spray-lifetime, --spray-density, --spray-most.
+/// Returns --spray-lifetime, --spray-density and --spray-most.
 std::vector<FormatOption> spray_options();
-/// Throws Error invalid_value for an option of spray: what is asked for is not `made_of_it`.
-void refuse_spray_options(const BakeOptions& options, std::string_view made_of_it);
+/// Throws Error invalid_value for an option of spray if the products have none; `products` names
+/// those that would.
+void refuse_spray_options(const BakeOptions& options, std::string_view products);
 SpraySettings read_spray_settings(const BakeOptions& options);
 SprayPoints read_spray(const BakeOptions& options);
-/// Null where the plan's format makes something else.
-const SprayPoints* spray_of(const BakePlan& plan);
 
-/// As a header and a recipe say them.
+/// Returns the settings as headers and recipes state them.
 std::vector<io::HeaderString> spray_setting_strings(const SpraySettings& settings);
 
-FormatPlan settle_spray(const BakePlan& begun);
+FrameMaps spray_maps(const BakePlan& draft);
 std::vector<BakeFile> list_spray(const BakePlan& plan, int frame);
-std::vector<io::HeaderString> spray_strings(const BakePlan& plan, int frame);
-std::string spray_recipe(const BakePlan& plan, const BakeFile& file);
-/// Of a frame, at most.
-std::uint64_t most_spray_points(const BakePlan& plan);
-std::uint64_t spray_frame_bytes(const BakePlan& plan);
-io::Points make_spray_points(const FrameWork& work);
+std::vector<io::HeaderString> spray_strings(const BakePlan& plan, const SprayPoints& spray,
+                                            int frame);
+std::string spray_recipe(const BakePlan& plan, const SprayPoints& spray, const BakeFile& file);
+/// Returns the number of points of a frame, an upper bound.
+std::uint64_t max_spray_points(const BakePlan& plan, const SprayPoints& spray);
+std::uint64_t spray_frame_bytes(const BakePlan& plan, const SprayPoints& spray);
+io::Points make_spray_points(const FrameWork& work, const SprayPoints& spray);
 void adopt_spray_settings(const BakedHeader& header, BakeOptions& options);
 void adopt_spray(const BakedHeader& header, BakeOptions& options);
 

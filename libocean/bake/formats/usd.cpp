@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A USD stage of text, sea.usda; beside it a crate file a frame, sea.0001.usdc, one with the faces,
-// sea.topology.usdc, and what tells readers the attributes of the frames, sea.clips.usda.
+// sea.topology.usdc, and the manifest of the frames' attributes, sea.clips.usda.
 #include "ocean/io/usd.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "formats/formats.hpp"
 #include "formats/plain_mesh.hpp"
+#include "ocean/bake/typed_format.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/checked_text.hpp"
 #include "ocean/io/output_file.hpp"
@@ -29,12 +30,12 @@ std::vector<FormatOption> list_options(const Catalogue&) {
     return plain_mesh_options(kProducts, kAll);
 }
 
-std::any read_options(const BakeOptions& options, const Catalogue& catalogue) {
+PlainMesh read_options(const BakeOptions& options, const Catalogue& catalogue) {
     return read_plain_mesh(
         options, choose_products(options, plain_mesh_products(catalogue, kProducts, kAll)));
 }
 
-/// Throws unless they are FIRST-LASTxSTEP.
+/// Throws Error invalid_value unless the frames are FIRST-LASTxSTEP.
 void require_even_steps(const std::vector<int>& frames) {
     if (io::even_step(frames)) return;
     throw Error(ErrorKind::invalid_value,
@@ -54,18 +55,18 @@ std::string stem_of(const BakePlan& plan) {
     return path.substr(0, path.size() - (kManifest.size() - 1)) + "sea";
 }
 
-FormatPlan settle(const BakePlan& begun) {
-    require_even_steps(begun.all_frames);
-    if (begun.all_frames.front() < 0) {
+FormatPlan<PlainMesh> resolve(const BakePlan& draft, const PlainMesh& requested) {
+    require_even_steps(draft.all_frames);
+    if (draft.all_frames.front() < 0) {
         throw Error(ErrorKind::invalid_value,
                     "a USD stage names its frames by ####, which has no sign: allowed are frames "
                     "from 0 on");
     }
-    if (file_name(stem_of(begun)).find('\\') != std::string::npos) {
+    if (file_name(stem_of(draft)).find('\\') != std::string::npos) {
         throw Error(ErrorKind::invalid_value,
-                    "a USD stage takes '\\' in a name for a folder: allowed are other names");
+                    "a USD stage reads '\\' in a name as a folder: allowed are names without it");
     }
-    return settle_plain_mesh(begun);
+    return resolve_plain_mesh(draft, requested);
 }
 
 std::string with_ending(const std::string& path, std::string_view ending) {
@@ -76,11 +77,11 @@ std::string frame_path(const BakePlan& plan, int frame) {
     return with_ending(plan.pattern.with_token().file(frame), kFrameEnding);
 }
 
-std::vector<BakeFile> list_files(const BakePlan& plan, int frame) {
+std::vector<BakeFile> list_files(const BakePlan& plan, const PlainMesh&, int frame) {
     return {{frame_path(plan, frame), frame, 0, "mesh"}};
 }
 
-std::vector<BakeFile> list_shared(const BakePlan& plan) {
+std::vector<BakeFile> list_shared(const BakePlan& plan, const PlainMesh&) {
     const int first = plan.all_frames.front();
     const std::string stem = stem_of(plan);
     return {{stem + std::string(kStageEnding), first, kStage, "stage"},
@@ -92,7 +93,7 @@ bool is_shared(const BakeFile& file) {
     return file.product != "mesh";
 }
 
-/// The name of a frame with # in the place of its digits.
+/// Returns the name of a frame with # in the place of its digits.
 std::string frame_template(const BakePlan& plan) {
     std::string name = file_name(frame_path(plan, 0));
     const std::size_t end = name.rfind('0', name.rfind('.'));
@@ -106,13 +107,12 @@ io::SubjectWords words_of(const BakePlan& plan) {
     return io::subject_words(plan.subject->kind());
 }
 
-io::UsdSequence sequence_of(const BakePlan& plan) {
-    const PlainMesh& mesh = plain_mesh_of(plan);
+io::UsdSequence sequence_of(const BakePlan& plan, const PlainMesh& mesh) {
     std::vector<io::Attribute> attributes;
     for (const Product* product : mesh.products) {
         attributes.push_back({std::string(product->name), product->count, {}, product->vector});
     }
-    const std::vector<BakeFile> shared = list_shared(plan);
+    const std::vector<BakeFile> shared = list_shared(plan, mesh);
     return {.topology = file_name(shared[kTopology].path),
             .manifest = file_name(shared[kClips].path),
             .frames = frame_template(plan),
@@ -123,27 +123,28 @@ io::UsdSequence sequence_of(const BakePlan& plan) {
             .words = words_of(plan)};
 }
 
-std::string shared_text(const BakePlan& plan, const BakeFile& file) {
-    const io::UsdSequence sequence = sequence_of(plan);
+std::string shared_text(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
+    const io::UsdSequence sequence = sequence_of(plan, mesh);
     if (file.part == kClips) return io::usd_clip_manifest(sequence);
-    return io::usd_stage(sequence, plain_mesh_strings(plan, plan.all_frames.front()));
+    return io::usd_stage(sequence, plain_mesh_strings(plan, mesh, plan.all_frames.front()));
 }
 
-void write_shared(const BakePlan& plan, const BakeFile& file) {
+void write_shared(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     if (file.part == kTopology) {
         return io::write_usd_topology(plan.domain(), words_of(plan), file.path);
     }
-    io::write_file_atomically(file.path, shared_text(plan, file));
+    io::write_file_atomically(file.path, shared_text(plan, mesh, file));
 }
 
-std::string recipe(const BakePlan& plan, const BakeFile& file) {
-    if (!is_shared(file)) return plain_mesh_recipe(plan, file);
-    const std::string text = file.part == kTopology ? "st\n" : shared_text(plan, file);
+std::string recipe(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
+    if (!is_shared(file)) return plain_mesh_recipe(plan, mesh, file);
+    const std::string text = file.part == kTopology ? "st\n" : shared_text(plan, mesh, file);
     return bake_recipe(plan, file.frame, file.product + "\n" + text);
 }
 
-/// The subject, its samples and what the mesh holds; not the time, the backend and the version.
-bool is_of_plan(const BakePlan& plan, const BakeFile& file) {
+/// Compares the subject, its samples, the axes and the products, but not the time, the backend or
+/// the version.
+bool matches_plan(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
     std::vector<io::HeaderString> found;
     try {
         found = io::read_usd_header(file.path);
@@ -154,9 +155,9 @@ bool is_of_plan(const BakePlan& plan, const BakeFile& file) {
         const auto string = std::ranges::find(strings, name, &io::HeaderString::name);
         return string == strings.end() ? std::string() : string->text;
     };
-    // A file has them by lines.
-    const std::vector<io::HeaderString> wanted =
-        io::parse_comment_lines(io::comment_lines(plain_mesh_strings(plan, file.frame), "-"), "-");
+    // A file holds its strings as comment lines.
+    const std::vector<io::HeaderString> wanted = io::parse_comment_lines(
+        io::comment_lines(plain_mesh_strings(plan, mesh, file.frame), "-"), "-");
     return std::ranges::all_of(
         std::array{"ocean:" + std::string(plan.subject->kind()), std::string("ocean:frame"),
                    std::string("ocean:resolution"), std::string("ocean:axes"),
@@ -177,8 +178,8 @@ bool is_baked(const BakeFile& file) {
     return head.starts_with("#usda") && head.find(mark) != std::string::npos;
 }
 
-std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
-    // Of each frame a stage may have a name and two pairs of numbers.
+std::uint64_t max_bytes(const BakePlan& plan, const PlainMesh& mesh, const BakeFile& file) {
+    // A stage may hold a name and two pairs of numbers for each frame.
     const std::uint64_t list = plan.all_frames.size() * (2 * file.path.size() + 64);
     const std::uint64_t comments = 2 * plan.subject_text.size() + 4096 + list;
     const std::uint64_t faces = plain_mesh_triangles(plan) / 2;
@@ -186,39 +187,43 @@ std::uint64_t most_bytes(const BakePlan& plan, const BakeFile& file) {
         return comments + faces * 5 * sizeof(int) + plain_mesh_uv_bytes(plan);
     }
     if (is_shared(file)) return comments;
-    return comments + plain_mesh_vertex_bytes(plan);
+    return comments + plain_mesh_vertex_bytes(plan, mesh);
 }
 
-void write(const FrameWork& work, std::span<const BakeFile> files) {
-    const io::Mesh mesh = make_plain_mesh(work, io::Faces::none);
-    const auto strings = plain_mesh_strings(work.plan, work.frame);
-    work.put(files.front(),
-             [&] { io::write_usd_frame(mesh, strings, work.frame, files.front().path); });
+void write(const FrameWork& work, const PlainMesh& settings, std::span<const BakeFile> files) {
+    const io::Mesh mesh = make_plain_mesh(work, settings, io::Faces::none);
+    const auto strings = plain_mesh_strings(work.plan, settings, work.frame);
+    work.write_and_verify(
+        files.front(), [&] { io::write_usd_frame(mesh, strings, work.frame, files.front().path); });
 }
 
-}  // namespace
-
-const BakeFormat kUsdFormat = {
+constexpr BakeFormatOf<PlainMesh> kOf = {
     .name = "usda",
     .extension = kStageEnding,
     .frame_extension = kFrameEnding,
     .family = "USD stages",
     .options = list_options,
     .read_options = read_options,
-    .settle = settle,
+    .resolve = resolve,
     .files = list_files,
-    .shared_files = list_shared,
-    .write_shared = write_shared,
-    .frame_lists = 1,
-    .is_of_plan = is_of_plan,
-    .hides_gaps = true,
+    .shared =
+        SharedFilesOf<PlainMesh>{
+            .list = list_shared,
+            .write = write_shared,
+            .frame_lists =
+                FrameListsOf<PlainMesh>{
+                    .count = 1, .matches_plan = matches_plan, .interpolates_missing_frames = true}},
     .recipe = recipe,
     .is_baked = is_baked,
     .frame_bytes = plain_mesh_vertex_bytes,
-    .most_bytes = most_bytes,
+    .max_bytes = max_bytes,
     .write = write,
     .read_header = io::read_usd_header,
     .adopt = adopt_plain_mesh,
 };
+
+}  // namespace
+
+const BakeFormat kUsdFormat = bake_format<kOf>();
 
 }  // namespace ocean

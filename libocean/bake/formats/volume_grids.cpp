@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The grids of a volume: how much memory they need, and how a frame's columns and puffs become a
-// level set, a velocity and a fog.
+// The grids of a volume: the memory that they need, and the way from a frame's columns and puffs to
+// a level set, a velocity and a fog.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +17,8 @@
 namespace ocean {
 namespace {
 
-/// Numbers of all voxels of the box, to crests higher than any that comes.
-struct Numbers {
+/// Counts of voxels, columns and puffs of the box, with room for the highest possible crests.
+struct GridCounts {
     std::uint64_t surface = 0;
     std::uint64_t velocity = 0;
     std::uint64_t density = 0;
@@ -28,47 +28,47 @@ struct Numbers {
     std::uint64_t voxels() const { return surface + velocity + density; }
 };
 
-Numbers most_numbers(const BakePlan& plan) {
-    const VolumeSettings& settings = volume_settings_of(plan);
+GridCounts max_counts(const BakePlan& plan, const VolumeSettings& settings) {
     const double crest = settings.to_the_crest() ? settings.heights.top : 0.0;
     const io::WorldBox box = settings.world_box(crest);
     constexpr int kLeaf = 8;
-    Numbers numbers;
+    GridCounts counts;
     if (settings.surface) {
         const auto voxels = io::voxels_around(box, settings.voxel, io::kLevelSetBand + kLeaf);
-        numbers.surface = voxels.voxels();
-        numbers.columns = voxels.columns();
+        counts.surface = voxels.voxels();
+        counts.columns = voxels.columns();
     }
     if (settings.velocity) {
         const auto voxels = io::voxels_around(box, settings.velocity_voxel, kLeaf);
-        numbers.velocity = 3 * voxels.voxels();
-        numbers.columns = std::max(numbers.columns, voxels.columns());
+        counts.velocity = 3 * voxels.voxels();
+        counts.columns = std::max(counts.columns, voxels.columns());
     }
     if (settings.density) {
-        constexpr double kUpwards = 5.0;  // m/s, and as much is spread
+        constexpr double kUpwards = 5.0;  // [m/s]; mist spreads by as much
         const double reach = 2.0 * kUpwards * settings.spray.lifetime;
         const auto voxels =
             io::voxels_around(settings.world_box(crest + reach), settings.velocity_voxel, kLeaf);
-        numbers.density = voxels.voxels();
-        numbers.columns = std::max(numbers.columns, voxels.columns());
+        counts.density = voxels.voxels();
+        counts.columns = std::max(counts.columns, voxels.columns());
         const double period = plan.domain().size[0];
         double copies = 1.0;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             copies *= (box.high[axis] - box.low[axis] + 2.0 * reach) / period + 1.0;
         }
-        numbers.puffs = static_cast<std::uint64_t>(
-            copies * static_cast<double>(most_spray(sea_of(*plan.subject), settings.spray)));
+        counts.puffs =
+            static_cast<std::uint64_t>(copies * static_cast<double>(max_spray_particles(
+                                                    sea_of(*plan.subject), settings.spray)));
     }
-    return numbers;
+    return counts;
 }
 
 QueryOptions height_query(const BakePlan& plan) {
     return {.foam = false, .resolution = plan.resolution};
 }
 
-/// Waves that the velocity's voxels hold: two of them, at least.
-QueryOptions velocity_query(const BakePlan& plan) {
-    const double voxel = volume_settings_of(plan).velocity_voxel;
+/// Returns a query of the waves that the velocity's voxels resolve: at least two voxels long.
+QueryOptions velocity_query(const BakePlan& plan, const VolumeSettings& settings) {
+    const double voxel = settings.velocity_voxel;
     const double period = plan.domain().size[0];
     int resolution = kMinResolution;
     while (2 * resolution <= plan.resolution && 2 * resolution * voxel <= period * (1.0 + 1e-9)) {
@@ -77,12 +77,11 @@ QueryOptions velocity_query(const BakePlan& plan) {
     return {.foam = false, .resolution = resolution};
 }
 
-/// Returns the bytes of the mist's puffs and of the spray that they come from.
-std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
+/// Returns the bytes of the mist's puffs and of the spray that makes them.
+std::uint64_t mist_bytes(const BakePlan& plan, const SpraySettings& spray, std::uint64_t puffs) {
     const Grid& grid = sea_of(*plan.subject).parameters.grid;
-    const SpraySettings& spray = volume_settings_of(plan).spray;
     const int lattice = spray_lattice(grid).resolution;
-    return spray_bytes(most_spray(sea_of(*plan.subject), spray)) +
+    return spray_bytes(max_spray_particles(sea_of(*plan.subject), spray)) +
            puffs * (sizeof(io::DensityPuff) + 2 * sizeof(std::uint32_t)) +
            maps_bytes(lattice, kSprayChannels.size()) +
            work_bytes(grid, plan.backend, kSprayChannels, lattice);
@@ -90,30 +89,30 @@ std::uint64_t mist_bytes(const BakePlan& plan, std::uint64_t puffs) {
 
 }  // namespace
 
-std::uint64_t volume_frame_bytes(const BakePlan& plan) {
-    const Numbers numbers = most_numbers(plan);
-    constexpr std::uint64_t kOfColumn =
-        sizeof(io::SurfaceColumn) + sizeof(float) + 8 * sizeof(io::Velocity);  // a leaf's layers
-    // Leaves have a mask too.
+std::uint64_t volume_frame_bytes(const BakePlan& plan, const VolumeSettings& settings) {
+    const GridCounts counts = max_counts(plan, settings);
+    constexpr std::uint64_t kColumnBytes = sizeof(io::SurfaceColumn) + sizeof(float) +
+                                           8 * sizeof(io::Velocity);  // the layers of a leaf
     const std::uint64_t mist =
-        volume_settings_of(plan).density ? mist_bytes(plan, numbers.puffs) : std::uint64_t{0};
-    return mist + numbers.voxels() * (sizeof(float) + 1) + numbers.columns * kOfColumn +
+        settings.density ? mist_bytes(plan, settings.spray, counts.puffs) : std::uint64_t{0};
+    // A voxel has a value and a share of its leaf's mask.
+    return mist + counts.voxels() * (sizeof(float) + 1) + counts.columns * kColumnBytes +
            plan.subject->query_bytes(height_query(plan)) +
-           2 * plan.subject->query_bytes(velocity_query(plan));
+           2 * plan.subject->query_bytes(velocity_query(plan, settings));
 }
 
-std::uint64_t most_volume_bytes(const BakePlan& plan) {
-    const Numbers numbers = most_numbers(plan);
-    const std::uint64_t size = volume_settings_of(plan).half_floats ? 2 : sizeof(float);
-    return 2 * plan.subject_text.size() + 8192 + numbers.voxels() * size;
+std::uint64_t max_volume_bytes(const BakePlan& plan, const VolumeSettings& settings) {
+    const GridCounts counts = max_counts(plan, settings);
+    const std::uint64_t size = settings.half_floats ? 2 : sizeof(float);
+    return 2 * plan.subject_text.size() + 8192 + counts.voxels() * size;
 }
 
 namespace {
 
-/// Calls take(first, samples) for pieces of the columns.
-template <typename Take>
+/// Calls receive(first, samples) for one piece of the columns after the other.
+template <typename Receive>
 void query_columns(const FrameWork& work, const io::VoxelRange& voxels, const QueryOptions& options,
-                   const Take& take) {
+                   const Receive& receive) {
     constexpr std::size_t kPiece = 1 << 16;
     const auto width = static_cast<std::size_t>(voxels.count[0]);
     std::vector<WorldPoint> points;
@@ -126,14 +125,14 @@ void query_columns(const FrameWork& work, const io::VoxelRange& voxels, const Qu
         }
         samples.resize(points.size());
         work.source.query(work.time(), points, samples, options);
-        take(first, samples);
+        receive(first, samples);
     }
 }
 
-/// Holds the surface at the columns of a range, and counts the folds.
+/// The surface at the columns of a range, with its highest crest [m] and a count of the folds.
 struct Columns {
     std::vector<io::SurfaceColumn> surface;
-    double crest = -kFarthestInVolumes;
+    double crest = -kMaxVolumeCoordinate;
     std::size_t folded = 0;
 
     std::vector<float> heights() const {
@@ -159,13 +158,14 @@ Columns columns_of(const FrameWork& work, const io::VoxelRange& voxels) {
     return columns;
 }
 
-/// The range of a box that ends so many voxels above its crests.
+/// Returns the voxels of the box, up to a level-set band above `crest` [m] and `beyond` voxels
+/// around it.
 io::VoxelRange range_to(const VolumeSettings& settings, double voxel, int beyond, double crest) {
     return io::voxels_around(settings.world_box(crest + io::kLevelSetBand * voxel), voxel, beyond);
 }
 
-io::VdbGrid make_surface(const FrameWork& work, io::VolumeAxes axes) {
-    const VolumeSettings& settings = volume_settings_of(work.plan);
+io::VdbGrid make_surface(const FrameWork& work, const VolumeSettings& settings,
+                         io::VolumeAxes axes) {
     const Columns columns =
         columns_of(work, range_to(settings, settings.voxel, io::kLevelSetBand, 0.0));
     if (columns.folded > 0) {
@@ -183,28 +183,30 @@ io::VdbGrid make_surface(const FrameWork& work, io::VolumeAxes axes) {
                               columns.surface, axes, work.source.pool());
 }
 
-io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
-    constexpr int kBeyond = 1;  // so that what is read at the box's sides has voxels around it
-    const VolumeSettings& settings = volume_settings_of(work.plan);
+io::VdbGrid make_velocity(const FrameWork& work, const VolumeSettings& settings,
+                          io::VolumeAxes axes) {
+    constexpr int kBeyond =
+        1;  // a reader interpolates at the sides of the box: it needs neighbours
     const double size = settings.velocity_voxel;
     const Columns columns = columns_of(work, range_to(settings, size, kBeyond, 0.0));
     const io::VoxelRange voxels = range_to(settings, size, kBeyond, columns.crest);
     const std::vector<float> heights = columns.heights();
 
-    const QueryOptions query = velocity_query(work.plan);
+    const QueryOptions query = velocity_query(work.plan, settings);
     const auto width = static_cast<std::size_t>(voxels.count[0]);
     std::vector<WaterPoint> points(voxels.columns());
     std::vector<WaterMotion> motions(voxels.columns());
-    double moved_at = -kFarthestInVolumes;  // the depth that the motions are of
+    double motion_depth = -kMaxVolumeCoordinate;  // z of `motions` [m]
     const auto layer = [&](int k, std::span<io::Velocity> out) {
-        const double z = std::min(size * k, 0.0);  // above still water as at it
-        if (z != moved_at) {
+        const double z =
+            std::min(size * k, 0.0);  // above still water the motion of still water's level
+        if (z != motion_depth) {
             for (std::size_t at = 0; at < points.size(); ++at) {
                 points[at] = {voxels.place(0, static_cast<int>(at % width)),
                               voxels.place(1, static_cast<int>(at / width)), z};
             }
             ocean_of(work.source).water_motion(work.time(), points, motions, query);
-            moved_at = z;
+            motion_depth = z;
         }
         for (std::size_t at = 0; at < out.size(); ++at) {
             out[at] = {static_cast<float>(motions[at].velocity_x),
@@ -215,7 +217,7 @@ io::VdbGrid make_velocity(const FrameWork& work, io::VolumeAxes axes) {
     return io::make_velocity(voxels, heights, layer, axes, work.source.pool());
 }
 
-/// The puffs of all copies of the period that reach into the box.
+/// Returns the puffs of all copies of the period that reach into the box.
 std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSettings& settings) {
     const double period = work.plan.domain().size[0];
     const std::array<double, 6>& box = *settings.box;
@@ -241,8 +243,7 @@ std::vector<io::DensityPuff> puffs_around(const FrameWork& work, const VolumeSet
     return puffs;
 }
 
-io::VdbGrid make_mist(const FrameWork& work, io::VolumeAxes axes) {
-    const VolumeSettings& settings = volume_settings_of(work.plan);
+io::VdbGrid make_mist(const FrameWork& work, const VolumeSettings& settings, io::VolumeAxes axes) {
     const double voxel = settings.velocity_voxel;
     const std::vector<io::DensityPuff> puffs = puffs_around(work, settings);
     if (puffs.empty()) {
@@ -260,15 +261,15 @@ io::VdbGrid make_mist(const FrameWork& work, io::VolumeAxes axes) {
 
 }  // namespace
 
-void write_volumes(const FrameWork& work, std::span<const BakeFile> files) {
-    const VolumeSettings& settings = volume_settings_of(work.plan);
+void write_volumes(const FrameWork& work, const VolumeSettings& settings,
+                   std::span<const BakeFile> files) {
     const io::VolumeAxes axes{settings.axes == io::Axes::yup};
     std::vector<io::VdbGrid> grids;
-    if (settings.surface) grids.push_back(make_surface(work, axes));
-    if (settings.velocity) grids.push_back(make_velocity(work, axes));
-    if (settings.density) grids.push_back(make_mist(work, axes));
-    work.put(files.front(), [&] {
-        io::write_vdb(grids, volume_strings(work.plan, work.frame), settings.half_floats,
+    if (settings.surface) grids.push_back(make_surface(work, settings, axes));
+    if (settings.velocity) grids.push_back(make_velocity(work, settings, axes));
+    if (settings.density) grids.push_back(make_mist(work, settings, axes));
+    work.write_and_verify(files.front(), [&] {
+        io::write_vdb(grids, volume_strings(work.plan, settings, work.frame), settings.half_floats,
                       files.front().path);
     });
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The settings of a bake of volumes: which grids, of which box, in voxels of which size.
+// The settings of a bake of volumes: its grids, its box and the size of its voxels.
 #pragma once
 
 #include <array>
@@ -11,31 +11,30 @@
 #include <vector>
 
 #include "formats/spray_points.hpp"
-#include "ocean/bake/format.hpp"
-#include "ocean/bake/plan.hpp"
 #include "ocean/io/product_image.hpp"
 #include "ocean/io/vdb.hpp"
 
 namespace ocean {
 
-/// Beyond all coordinates of a box [m].
-inline constexpr double kFarthestInVolumes = 1e7;
+/// The limit of all coordinates of a box [m].
+inline constexpr double kMaxVolumeCoordinate = 1e7;
 
 struct VolumeSettings {
-    bool usual = false;  // nobody asked for products
+    bool is_default = false;  // --products was not given
     bool surface = false;
     bool velocity = false;
     bool density = false;
     bool half_floats = false;
     io::Axes axes = io::Axes::zup;
-    // Settled before the plan is made; what was not typed is NaN or 0 until then.
-    std::optional<std::array<double, 6>> box;  // low and high x, y, z; NaN at the end: the crest
-    double voxel = 0.0;                        // m
-    double velocity_voxel = 0.0;
-    HeightRange heights;  // of the subject
-    /// m^2 of cross-section for each m^2 that turns white: a strong gale leaves 3 km of sight.
+    // Values that were not given are absent or 0 until resolve_volumes().
+    std::optional<std::array<double, 6>> box;  // low and high x, y, z [m]; last NaN: the crest
+    double voxel = 0.0;                        // [m]
+    double velocity_voxel = 0.0;               // [m]
+    HeightRange heights;                       // of the subject
+    /// Cross-section of the mist for each area that turns white [m^2 / m^2]; in a strong gale the
+    /// default leaves a visibility of 3 km.
     double mist = 0.05;
-    SpraySettings spray;  // whose births the mist is of
+    SpraySettings spray;  // the spray whose births make the mist
 
     bool to_the_crest() const { return std::isnan(box->back()); }
     std::vector<const Product*> product_rows() const;
@@ -44,8 +43,5 @@ struct VolumeSettings {
     /// Returns the box, as high as `crest` [m] where it ends at the crests.
     io::WorldBox world_box(double crest) const;
 };
-
-/// Returns the settings of a plan of volumes.
-const VolumeSettings& volume_settings_of(const BakePlan& plan);
 
 }  // namespace ocean

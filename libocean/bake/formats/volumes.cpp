@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The options of volumes, and how they become settings and provenance; see volumes.hpp. Every grid
-// is sampled at places of the world: there are no maps.
+// The options of volumes as settings, headers and recipes; see volumes.hpp. Grids are sampled at
+// places of the world and need no maps.
 #include "formats/volumes.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr Product kVolumeProducts[] = {{"surface", {}, 0, "m"},
 constexpr const Product& kSurface = kVolumeProducts[0];
 constexpr const Product& kVelocity = kVolumeProducts[1];
 constexpr const Product& kDensity = kVolumeProducts[2];
-constexpr std::string_view kUsualProducts = "surface,vel";  // without vel where no water moves
+constexpr std::string_view kDefaultProducts = "surface,vel";  // without vel if no water moves
 constexpr std::string_view kCrest = "crest";
 
 }  // namespace
@@ -63,29 +63,28 @@ std::string VolumeSettings::box_text() const {
 
 io::WorldBox VolumeSettings::world_box(double crest) const {
     const std::array<double, 6>& side = *box;
-    // A level set that ends above the crests: the band is whole.
+    // The level set must end above the crests, so that its band is complete.
     const double top = to_the_crest() ? crest : side[5];
     return {{side[0], side[1], side[2]}, {side[3], side[4], std::max(top, side[2] + 1e-3)}};
-}
-
-const VolumeSettings& volume_settings_of(const BakePlan& plan) {
-    return std::any_cast<const VolumeSettings&>(plan.settings);
 }
 
 std::vector<FormatOption> volume_options() {
     return {
         {"products", "LIST",
-         "Of surface (a level set), vel (the water's velocity) and density (mist of spray); "
+         "Comma list of surface (a level set), vel (the water's velocity) and density (mist of "
+         "spray); "
          "default " +
-             std::string(kUsualProducts) + std::string(kSprayProductHelp)},
+             std::string(kDefaultProducts) + std::string(kSprayProductHelp)},
         {"box", "X0,Y0,Z0,X1,Y1,Z1",
-         "Of the world, m, z up from still water, Z1 a number or crest; default: one period, "
+         "Box in world coordinates [m], z up from still water, Z1 a number or crest; default: one "
+         "period, "
          "from twice the wave height and at least 4 m below still water, or the bottom, to "
          "the highest crest"},
-        {"voxel", "METRES", "Of the surface; default the period / the resolution"},
-        {"velocity-voxel", "METRES", "Of the velocity and the density; default twice the voxel"},
+        {"voxel", "METRES", "Size of the surface's voxels; default the period / the resolution"},
+        {"velocity-voxel", "METRES",
+         "Size of the voxels of velocity and density; default twice --voxel"},
         {"mist", "NUMBER",
-         "Of the density: m^2 of cross-section for each m^2 that turns white, 0 to 1000; "
+         "Cross-section of the mist, m^2 for each m^2 that turns white, 0 to 1000; "
          "default " +
              shortest_text(VolumeSettings{}.mist)},
         {"type", "TYPE", "float or half; default float"},
@@ -98,46 +97,47 @@ namespace {
     throw Error(ErrorKind::invalid_value, message);
 }
 
-/// One more than `limit`, at most.
+/// Returns the fields of a comma list, none if it has more than `limit`.
 std::vector<std::string_view> fields_of(const std::string& list, std::size_t limit) {
     return csv::split(list, ',', limit).value_or(std::vector<std::string_view>{});
 }
 
 std::array<double, 6> read_box(const std::string& text) {
-    const std::string what = "--box " + text;
+    const std::string option = "--box " + text;
     const std::vector<std::string_view> sides = fields_of(text, 6);
     std::array<double, 6> box{};
-    if (sides.size() != box.size()) refuse(what + ": allowed are six numbers, X0,Y0,Z0,X1,Y1,Z1");
+    if (sides.size() != box.size()) refuse(option + ": allowed are six numbers, X0,Y0,Z0,X1,Y1,Z1");
     for (std::size_t i = 0; i < box.size(); ++i) {
         const bool is_crest = i + 1 == box.size() && sides[i] == kCrest;
-        box[i] = is_crest ? std::nan("")
-                          : parse_number(sides[i], what, -kFarthestInVolumes, kFarthestInVolumes);
+        box[i] = is_crest
+                     ? std::nan("")
+                     : parse_number(sides[i], option, -kMaxVolumeCoordinate, kMaxVolumeCoordinate);
     }
     for (std::size_t i = 0; i < 3; ++i) {
         if (box[i] >= box[i + 3])
-            refuse(what + ": each end is beyond its beginning, or it is empty");
+            refuse(option + ": the box is empty; each of X1, Y1, Z1 must be above X0, Y0, Z0");
     }
     return box;
 }
 
 double read_voxel(const std::string& option, const std::string& text) {
-    constexpr double kSmallest = 1e-4;
+    constexpr double kMinVoxel = 1e-4;
     return text.empty()
                ? 0.0
-               : parse_number(text, "--" + option + " " + text, kSmallest, kFarthestInVolumes);
+               : parse_number(text, "--" + option + " " + text, kMinVoxel, kMaxVolumeCoordinate);
 }
 
 }  // namespace
 
 ProductChoice volume_choice() {
     return {.known = kVolumeProducts,
-            .usual = kUsualProducts,
-            .one_refusal = "of a volume allowed are surface, vel and density, each once"};
+            .default_list = kDefaultProducts,
+            .one_refusal = "allowed for a volume are surface, vel and density, each once"};
 }
 
-std::any read_volumes(const BakeOptions& options, const ChosenProducts& chosen) {
+VolumeSettings read_volumes(const BakeOptions& options, const ChosenProducts& chosen) {
     VolumeSettings settings;
-    settings.usual = chosen.usual;
+    settings.is_default = chosen.is_default;
     settings.surface = chosen.has(kSurface);
     settings.velocity = chosen.has(kVelocity);
     settings.density = chosen.has(kDensity);
@@ -163,16 +163,23 @@ std::any read_volumes(const BakeOptions& options, const ChosenProducts& chosen) 
     return settings;
 }
 
-std::vector<const Product*> volume_products(const BakePlan& begun) {
-    const VolumeSettings& settings = volume_settings_of(begun);
-    return settings.usual ? std::vector{&kSurface} : settings.product_rows();
+std::vector<const Product*> volume_products(const VolumeSettings& settings) {
+    return settings.is_default ? std::vector{&kSurface} : settings.product_rows();
 }
 
-FormatPlan settle_volumes(const BakePlan& begun) {
-    VolumeSettings settings = volume_settings_of(begun);
-    if (settings.usual && begun.subject->kind() != kVelocity.subject) settings.velocity = false;
-    const Domain domain = begun.subject->domain(begun.resolution);
-    settings.heights = begun.subject->height_range();
+FrameMaps volume_maps(const BakePlan& draft, const VolumeSettings& settings) {
+    FrameMaps maps{{}, {draft.resolution}};
+    maps.sequential = settings.density;
+    return maps;
+}
+
+VolumeSettings resolve_volumes(const BakePlan& draft, const VolumeSettings& requested) {
+    VolumeSettings settings = requested;
+    if (settings.is_default && draft.subject->kind() != kVelocity.subject) {
+        settings.velocity = false;
+    }
+    const Domain domain = draft.subject->domain(draft.resolution);
+    settings.heights = draft.subject->height_range();
     if (settings.voxel == 0.0) settings.voxel = domain.step(0);
     if (settings.velocity_voxel == 0.0) settings.velocity_voxel = 2.0 * settings.voxel;
     if (!settings.box) {
@@ -183,17 +190,16 @@ FormatPlan settle_volumes(const BakePlan& begun) {
                         domain.origin[1] + domain.size[1],
                         std::nan("")};
     }
-    FrameMaps maps{{}, {begun.resolution}};
-    maps.has_past = settings.density;
-    return {maps, settings};
+    return settings;
 }
 
-std::vector<BakeFile> list_volumes(const BakePlan& plan, int frame) {
-    return {{plan.pattern.file(frame), frame, 0, volume_settings_of(plan).products()}};
+std::vector<BakeFile> list_volumes(const BakePlan& plan, const VolumeSettings& settings,
+                                   int frame) {
+    return {{plan.pattern.file(frame), frame, 0, settings.products()}};
 }
 
-std::vector<io::HeaderString> volume_strings(const BakePlan& plan, int frame) {
-    const VolumeSettings& settings = volume_settings_of(plan);
+std::vector<io::HeaderString> volume_strings(const BakePlan& plan, const VolumeSettings& settings,
+                                             int frame) {
     std::vector<io::HeaderString> strings = io::provenance_strings(provenance_of(plan, frame));
     strings.push_back({"ocean:resolution", std::to_string(plan.resolution)});
     strings.push_back({"ocean:axes", std::string(io::axes_name(settings.axes))});
@@ -212,8 +218,8 @@ std::vector<io::HeaderString> volume_strings(const BakePlan& plan, int frame) {
     return strings;
 }
 
-std::string volume_recipe(const BakePlan& plan, const BakeFile& file) {
-    const VolumeSettings& settings = volume_settings_of(plan);
+std::string volume_recipe(const BakePlan& plan, const VolumeSettings& settings,
+                          const BakeFile& file) {
     std::string lines =
         "vdb " + settings.products() + " " + settings.box_text() + " " +
         shortest_text(settings.voxel) + " " + shortest_text(settings.velocity_voxel) + " " +
@@ -226,12 +232,12 @@ std::string volume_recipe(const BakePlan& plan, const BakeFile& file) {
 }
 
 void adopt_volumes(const BakedHeader& header, BakeOptions& options) {
-    options.take("box", header.text("box"));
-    options.take("voxel", header.text("voxel"));
-    options.take("velocity-voxel", header.text("velocity_voxel"));
-    options.take("type", header.text("type"));
+    options.set_default("box", header.text("box"));
+    options.set_default("voxel", header.text("voxel"));
+    options.set_default("velocity-voxel", header.text("velocity_voxel"));
+    options.set_default("type", header.text("type"));
     if (!header.has("mist")) return;
-    options.take("mist", header.text("mist"));
+    options.set_default("mist", header.text("mist"));
     adopt_spray_settings(header, options);
 }
 

@@ -19,85 +19,87 @@
 namespace ocean {
 namespace {
 
-/// m, where there is no floor above it: waves of three metres gather light about here.
-constexpr double kUsualDepth = 10.0;
-constexpr const char* kUsualSun = "90,0";
+/// [m], for a sea that is deeper: waves of three metres focus light at about this depth.
+constexpr double kDefaultDepth = 10.0;
+constexpr const char* kDefaultSun = "90,0";
 
-struct Settings {
-    std::optional<double> depth;  // as typed
-    CausticsSettings made_with;   // with the depth that the sea has
+struct CausticsRequest {
+    std::optional<double> depth;  // [m], as given
+    CausticsSettings resolved;    // with the depth of the sea
 };
 
 std::vector<FormatOption> list_options() {
-    return {{"caustics-depth", "METRES",
-             "Of the level plane that caustics fall on; default: the sea's depth, 10 at most"},
-            {"sun", "ALTITUDE,BEARING",
-             "Of caustics, degrees above the horizon and counter-clockwise from +x; default " +
-                 std::string(kUsualSun)}};
+    return {
+        {"caustics-depth", "METRES",
+         "Depth of the level plane that caustics fall on; default: the sea's depth, 10 at most"},
+        {"sun", "ALTITUDE,BEARING",
+         "Direction of the sun for caustics, degrees above the horizon and counter-clockwise from "
+         "+x; default " +
+             std::string(kDefaultSun)}};
 }
 
-Settings read(const BakeOptions& options) {
-    Settings settings;
+CausticsRequest read(const BakeOptions& options) {
+    CausticsRequest settings;
     const std::string& depth = options.format_option("caustics-depth");
     const std::string& sun = options.format_option("sun");
     if (!depth.empty()) {
         settings.depth =
-            parse_number(depth, "--caustics-depth", kLeastCausticsDepth, kMostCausticsDepth);
+            parse_number(depth, "--caustics-depth", kMinCausticsDepth, kMaxCausticsDepth);
     }
-    const std::vector<std::string> angles = split(sun.empty() ? kUsualSun : sun, ',');
+    const std::vector<std::string> angles = split(sun.empty() ? kDefaultSun : sun, ',');
     if (angles.size() != 2) {
         throw Error(ErrorKind::invalid_value,
                     "--sun " + sun + ": two numbers are needed, ALTITUDE,BEARING");
     }
-    settings.made_with.sun_altitude =
-        parse_number(csv::trimmed(angles[0]), "--sun, altitude", kLeastCausticsSun, 90.0);
-    settings.made_with.sun_bearing =
+    settings.resolved.sun_altitude =
+        parse_number(csv::trimmed(angles[0]), "--sun, altitude", kMinCausticsSunAltitude, 90.0);
+    settings.resolved.sun_bearing =
         parse_number(csv::trimmed(angles[1]), "--sun, bearing", -3600.0, 3600.0);
     return settings;
 }
 
 /// The plane lies no deeper than the water.
-MadePlan<Settings> settle(const BakePlan& begun, const Settings& asked,
-                          const std::vector<const Product*>& products) {
-    const double water = sea_of(*begun.subject).parameters.water.depth;
-    Settings settings = asked;
-    settings.made_with.depth = asked.depth.value_or(std::min(water, kUsualDepth));
-    if (settings.made_with.depth > water) {
+MadePlan<CausticsRequest> resolve(const BakePlan& draft, const CausticsRequest& requested,
+                                  const std::vector<const Product*>& products) {
+    const double water = sea_of(*draft.subject).parameters.water.depth;
+    CausticsRequest settings = requested;
+    settings.resolved.depth = requested.depth.value_or(std::min(water, kDefaultDepth));
+    if (settings.resolved.depth > water) {
         throw Error(ErrorKind::invalid_value,
-                    "--caustics-depth " + shortest_text(settings.made_with.depth) +
-                        ": the sea is " + shortest_text(water) + " m deep");
+                    "--caustics-depth " + shortest_text(settings.resolved.depth) + ": the sea is " +
+                        shortest_text(water) + " m deep");
     }
     return {products, kCausticsChannels, settings};
 }
 
-std::vector<io::HeaderString> strings(const BakePlan&, const Settings& settings, int,
+std::vector<io::HeaderString> strings(const BakePlan&, const CausticsRequest& settings, int,
                                       const Product&) {
-    const CausticsSettings& caustics = settings.made_with;
+    const CausticsSettings& caustics = settings.resolved;
     return {{"ocean:caustics_depth", shortest_text(caustics.depth)},
             {"ocean:sun",
              shortest_text(caustics.sun_altitude) + "," + shortest_text(caustics.sun_bearing)}};
 }
 
-std::uint64_t frame_bytes(const BakePlan& plan, const Settings&) {
+std::uint64_t frame_bytes(const BakePlan& plan, const CausticsRequest&) {
     return caustics_bytes(plan.resolution);
 }
 
-MadeFrame make(const FrameWork& work, const Settings& settings) {
+MadeFrame make(const FrameWork& work, const CausticsRequest& settings) {
     ThreadPool pool(work.threads);
-    return [map = make_caustics(work.maps.front(), settings.made_with, pool)](
+    return [map = make_caustics(work.maps.front(), settings.resolved, pool)](
                const Product&) mutable { return MadeSamples{.map = std::move(map)}; };
 }
 
 void adopt(const BakedHeader& header, BakeOptions& options) {
-    options.take("caustics-depth", header.text("caustics_depth"));
-    options.take("sun", header.text("sun"));
+    options.set_default("caustics-depth", header.text("caustics_depth"));
+    options.set_default("sun", header.text("sun"));
 }
 
-constexpr MadeProductOf<Settings> kOf = {
+constexpr MadeProductOf<CausticsRequest> kOf = {
     .products = {&kCausticsProduct, 1},
     .options = list_options,
     .read = read,
-    .settle = settle,
+    .resolve = resolve,
     .strings = strings,
     .frame_bytes = frame_bytes,
     .make = make,

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Slope tiles among the products of image files: a file for each band of the waves that the frame's
-// map is too coarse for.
-#include <cmath>
+// Slope tiles as products of image files: a file for each band of the waves that the frame's map is
+// too coarse for.
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +13,7 @@
 #include "ocean/directional_spectrum.hpp"
 #include "ocean/error.hpp"
 #include "ocean/internal/memory.hpp"
+#include "ocean/provenance.hpp"
 #include "ocean/sea_subject.hpp"
 #include "ocean/text.hpp"
 #include "ocean/thread_pool.hpp"
@@ -23,10 +23,10 @@
 namespace ocean {
 namespace {
 
-constexpr int kUsualSamples = DetailSettings{}.samples;
+constexpr int kDefaultSamples = DetailSettings{}.samples;
 
-/// What the spectrum has in the bands at each frame, for the headers of their files: found once for
-/// all frames of a sea without a take. Several threads at once.
+/// Caches the share of the spectrum in each band, for the headers of the bands' files: computed
+/// once for each frame of a sea with a take, once for all frames of any other sea. Any thread.
 class DetailBudgets {
   public:
     DetailBudget of(const BakePlan& plan, int frame, const DetailSettings& settings) {
@@ -46,28 +46,29 @@ class DetailBudgets {
     std::map<int, DetailBudget> found_;
 };
 
-struct Settings {
-    std::optional<int> samples;              // as typed
-    DetailSettings detail = {};              // with the map that is shown
-    std::shared_ptr<DetailBudgets> budgets;  // of the bands among the products
+struct TileSettings {
+    std::optional<int> samples;              // along a side of a tile, as given
+    DetailSettings detail = {};              // with the resolution of the frame's map
+    std::shared_ptr<DetailBudgets> budgets;  // shared by all frames
 };
 
 std::vector<FormatOption> list_options() {
     return {{"detail-samples", "N",
-             "A side of each slope tile of detail: 256, 512 or 1024; default " +
-                 std::to_string(kUsualSamples)}};
+             "Samples along a side of each slope tile: 256, 512 or 1024; default " +
+                 std::to_string(kDefaultSamples)}};
 }
 
-Settings read(const BakeOptions& options) {
-    Settings settings;
+TileSettings read(const BakeOptions& options) {
+    TileSettings settings;
     if (const std::string& samples = options.format_option("detail-samples"); !samples.empty()) {
-        settings.samples = parse_whole_number(samples, "--detail-samples", kLeastDetailSamples,
-                                              kMostDetailSamples);
+        settings.samples =
+            parse_whole_number(samples, "--detail-samples", kMinDetailSamples, kMaxDetailSamples);
     }
     return settings;
 }
 
-/// Returns which band it is, 0 ..; none for `detail`, all of them, and for other products.
+/// Returns the index of the product's band; none for `detail`, which is all bands, and for other
+/// products.
 std::optional<std::size_t> band_of(const Product& product) {
     for (std::size_t i = 1; i < kDetailProducts.size(); ++i) {
         if (kDetailProducts[i].name == product.name) return i - 1;
@@ -75,8 +76,8 @@ std::optional<std::size_t> band_of(const Product& product) {
     return std::nullopt;
 }
 
-/// Returns the list with all bands that there are in the place of `detail`. Throws Error for one
-/// that the sea has not beside maps of that resolution, and for one that is there twice.
+/// Returns the list with all bands of the sea in the place of `detail`. Throws Error for a band
+/// that the sea does not have beside maps of that resolution, and for a band that is repeated.
 std::vector<const Product*> with_bands(const std::vector<const Product*>& products,
                                        const Parameters& parameters,
                                        const DetailSettings& settings) {
@@ -101,7 +102,7 @@ std::vector<const Product*> with_bands(const std::vector<const Product*>& produc
             const Product* const one = &kDetailProducts[i + 1];
             if (std::ranges::find(all, one) != all.end()) {
                 throw Error(ErrorKind::invalid_value,
-                            "--products: " + std::string(one->name) + " is there twice");
+                            "--products: " + std::string(one->name) + " is repeated");
             }
             all.push_back(one);
         }
@@ -109,41 +110,29 @@ std::vector<const Product*> with_bands(const std::vector<const Product*>& produc
     return all;
 }
 
-MadePlan<Settings> settle(const BakePlan& begun, const Settings& asked,
-                          const std::vector<const Product*>& products) {
-    const DetailSettings detail = {begun.resolution, asked.samples.value_or(kUsualSamples)};
-    return {with_bands(products, sea_of(*begun.subject).parameters, detail),
+MadePlan<TileSettings> resolve(const BakePlan& draft, const TileSettings& requested,
+                               const std::vector<const Product*>& products) {
+    const DetailSettings detail = {draft.resolution, requested.samples.value_or(kDefaultSamples)};
+    return {with_bands(products, sea_of(*draft.subject).parameters, detail),
             {},
-            {asked.samples, detail, std::make_shared<DetailBudgets>()}};
+            {requested.samples, detail, std::make_shared<DetailBudgets>()}};
 }
 
-int tile_samples(const Settings& settings) {
+int tile_samples(const TileSettings& settings) {
     return settings.detail.samples;
 }
 
-/// A variance in eight decimals: all machines agree on them.
-std::string variance_text(double variance) {
-    return shortest_text(std::round(variance * 1e8) / 1e8);
-}
-
-std::vector<io::HeaderString> strings(const BakePlan& plan, const Settings& settings, int frame,
+std::vector<io::HeaderString> strings(const BakePlan& plan, const TileSettings& settings, int frame,
                                       const Product& product) {
     const DetailBudget budget = settings.budgets->of(plan, frame, settings.detail);
     const DetailBand& band = budget.bands[band_of(product).value()];
-    return {{"ocean:map_resolution", std::to_string(plan.resolution)},
-            {"ocean:tile", shortest_text(band.tile)},
-            {"ocean:longest_wave", shortest_text(band.longest_wave)},
-            {"ocean:shortest_wave", shortest_text(band.shortest_wave)},
-            {"ocean:slope_variance", variance_text(band.variance.x) + "," +
-                                         variance_text(band.variance.y) + "," +
-                                         variance_text(band.variance.xy)},
-            {"ocean:slope_residual", variance_text(budget.residual)}};
+    return slope_tile_strings(band, budget.residual, plan.resolution);
 }
 
-/// Two slopes of each band, and of one again for its file.
-std::uint64_t frame_bytes(const BakePlan& plan, const Settings& settings) {
+/// Counts two slopes for each band, and those of one band again for its file.
+std::uint64_t frame_bytes(const BakePlan& plan, const TileSettings& settings) {
     return detail_bytes(sea_of(*plan.subject).parameters, settings.detail, plan.backend) +
-           maps_bytes(settings.detail.samples, 2 * kMostDetailBands + 2);
+           maps_bytes(settings.detail.samples, 2 * kMaxDetailBands + 2);
 }
 
 /// Returns a band as a surface over its tile, with its slopes.
@@ -160,7 +149,7 @@ Surface band_surface(const Detail& detail, std::size_t band) {
     return surface;
 }
 
-MadeFrame make(const FrameWork& work, const Settings& settings) {
+MadeFrame make(const FrameWork& work, const TileSettings& settings) {
     return [detail = ocean_of(work.source).detail(work.time(), settings.detail)](
                const Product& product) {
         return MadeSamples{.tile = band_surface(detail, band_of(product).value())};
@@ -169,15 +158,15 @@ MadeFrame make(const FrameWork& work, const Settings& settings) {
 
 void adopt(const BakedHeader& header, BakeOptions& options) {
     const int samples = header.layout().resolution;
-    if (samples != kUsualSamples) options.take("detail-samples", std::to_string(samples));
+    if (samples != kDefaultSamples) options.set_default("detail-samples", std::to_string(samples));
 }
 
-constexpr MadeProductOf<Settings> kOf = {
+constexpr MadeProductOf<TileSettings> kOf = {
     .products = kDetailProducts,
     .tiles = "slope tiles",
     .options = list_options,
     .read = read,
-    .settle = settle,
+    .resolve = resolve,
     .tile_samples = tile_samples,
     .strings = strings,
     .frame_bytes = frame_bytes,

@@ -15,14 +15,15 @@ namespace ocean {
 
 namespace {
 
-/// First number of a one-line file such as /sys/fs/cgroup/memory.max, which may say "max".
+/// Returns the first number of a one-line file such as /sys/fs/cgroup/memory.max, which may contain
+/// "max".
 std::uint64_t number_in(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::uint64_t value = 0;
     return file >> value ? value : kUnknown;
 }
 
-/// The number after `key` in a file of "key 123" lines.
+/// Returns the number after `key` in a file of "key 123" lines.
 std::uint64_t value_in(const std::filesystem::path& path, std::string_view key) {
     std::ifstream file(path);
     std::string word;
@@ -40,8 +41,8 @@ std::vector<std::filesystem::path> control_groups(const std::filesystem::path& l
     std::ifstream file(list);
     std::vector<std::filesystem::path> groups = {root};
     for (std::string line; std::getline(file, line);) {
-        if (!line.starts_with("0::/")) continue;  // of version 2
-        // In a container the list may name a place outside of it: what is not there says nothing.
+        if (!line.starts_with("0::/")) continue;  // version 2 only
+        // In a container the list may name a path outside of it: missing files set no limit.
         for (const auto& part : std::filesystem::path(line.substr(4))) {
             groups.push_back(groups.back() / part);
         }
@@ -66,8 +67,8 @@ std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups
     std::uint64_t least = kUnknown;
     for (const std::filesystem::path& group : groups) {
         const std::filesystem::path stat = group / "memory.stat";
-        // What files are kept for the case that they are read again is given up on demand; what
-        // lives in memory alone (shmem) is counted among them and is not.
+        // The kernel gives up the cache of files on demand. Memory without a file (shmem) is
+        // counted in it but stays.
         const std::uint64_t files = value_in(stat, "file");
         const std::uint64_t cache = files == kUnknown ? 0 : left_of(files, value_in(stat, "shmem"));
         const std::uint64_t current = number_in(group / "memory.current");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Linux's control groups (version 2) leave to a process: containers and batch systems set
-// their quotas there.
+// The share that Linux's control groups (version 2) leave to a process: containers and batch
+// systems set their quotas there.
 #pragma once
 
 #include <algorithm>
@@ -13,21 +13,21 @@
 
 namespace ocean {
 
-/// Of bytes: no limit, or one that is not known.
+/// A number of bytes that stands for "no limit" or "unknown".
 inline constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
 inline std::uint64_t left_of(std::uint64_t limit, std::uint64_t used) {
     if (limit == kUnknown) return kUnknown;
     return used == kUnknown ? limit : limit - std::min(limit, used);
 }
 
-/// The groups that a list such as /proc/self/cgroup names, below `root`, from the root down. Those
-/// that are not there set no limits.
+/// Returns the groups that a list such as /proc/self/cgroup names, below `root`, from the root
+/// down. A group without a folder sets no limit.
 std::vector<std::filesystem::path> control_groups(const std::filesystem::path& list,
                                                   const std::filesystem::path& root);
-/// By cpu.max, rounded up; the largest value without a limit.
+/// Returns the cores that cpu.max allows, rounded up; the largest value without a limit.
 int cores_of_cgroups(const std::vector<std::filesystem::path>& groups);
-/// Bytes that can still be allocated, the page cache counted as free; the largest value without a
-/// limit.
+/// Returns bytes that can still be allocated, the page cache counted as free; the largest value
+/// without a limit.
 std::uint64_t memory_of_cgroups(const std::vector<std::filesystem::path>& groups);
 
 }  // namespace ocean

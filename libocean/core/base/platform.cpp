@@ -36,7 +36,7 @@ namespace ocean {
 
 std::uint64_t process_number() {
 #if defined(_WIN32)
-    return 0;  // there is no fork
+    return 0;  // this system has no fork
 #else
     return static_cast<std::uint64_t>(getpid());
 #endif
@@ -76,7 +76,7 @@ ThreadUsage usage_of_this_thread() {
 #if defined(__linux__)
 namespace {
 
-/// The number after `key` in a file of "Key: 123 kB" lines, in bytes.
+/// Returns the number after `key` in a file of "Key: 123 kB" lines, in bytes.
 std::uint64_t kilobytes_in(const char* path, const std::string& key) {
     std::ifstream file(path);
     std::string word;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A large value that copies of its owner share, in other threads too, until one of them wants
-// another: it is filled again in its memory where nobody else ever had it.
+// A large value that copies of its owner share, in other threads too, until one of them replaces
+// it. Its memory is reused if no copy ever had it.
 #pragma once
 
 #include <atomic>
@@ -26,8 +26,8 @@ class SharedValue {
 
     const T* get() const { return value_.get(); }
     std::shared_ptr<const T> share() const { return value_; }
-    /// To be changed; null where there is nothing, or a copy had it. Counting its owners would not
-    /// do: one that has just let go of it may still be reading in another thread's eyes.
+    /// Returns the value to be modified; null if there is none or a copy has shared it. Counting
+    /// the owners would not suffice: a thread that has just released it may still be reading.
     T* own() { return lent_ ? nullptr : value_.get(); }
 
   private:

@@ -90,7 +90,7 @@ double parse_number(std::string_view text, const std::string& what, double lowes
     if (code != std::errc() || stop != end || !(value >= lowest && value <= highest)) {
         const std::string allowed = format_text("a number, %g .. %g", lowest, highest);
         throw Error(ErrorKind::invalid_value,
-                    what + " = " + std::string(text) + ": allowed is " + allowed,
+                    what + " = " + std::string(text) + "; allowed: " + allowed,
                     {.parameter = what, .value = std::string(text), .allowed = allowed});
     }
     return value;
@@ -101,7 +101,7 @@ int parse_whole_number(std::string_view text, const std::string& what, int lowes
     const int whole = static_cast<int>(value);
     if (whole == value) return whole;
     throw Error(ErrorKind::invalid_value,
-                what + " = " + std::string(text) + ": allowed is a whole number",
+                what + " = " + std::string(text) + "; allowed: a whole number",
                 {.parameter = what, .value = std::string(text), .allowed = "a whole number"});
 }
 

@@ -15,20 +15,20 @@
 #include <utility>
 #include <vector>
 
-#include "base/crew_size.hpp"
+#include "base/thread_throttle.hpp"
 #include "ocean/internal/platform.hpp"
 
 namespace ocean {
 
 namespace {
 
-/// The items first .. last - 1 that nobody has taken yet.
+/// The items first .. last - 1 that no thread has begun.
 class ItemRange {
   public:
     void set(int first, int last) { range_.store(pack(first, last), std::memory_order_relaxed); }
 
-    /// An item from the front or the back, or -1.
-    int take(bool front) {
+    /// Claims an item from the front or the back; -1 if none is left.
+    int claim(bool front) {
         std::uint64_t range = range_.load(std::memory_order_relaxed);
         for (;;) {
             const auto first = static_cast<int>(range >> 32);
@@ -49,17 +49,18 @@ class ItemRange {
     alignas(64) std::atomic<std::uint64_t> range_{};
 };
 
-/// Of a range, where a call may be stopped: each is a few hundredths of a second at most.
+/// Shares of a range between which a call can be stopped: each takes at most a few hundredths of a
+/// second.
 constexpr int kSharesToStopBetween = 128;
 
-/// Where share i of `shares` begins.
+/// Returns the beginning of share i of `shares`.
 int share_edge(int count, int i, int shares) {
     return static_cast<int>(static_cast<long long>(count) * i / shares);
 }
 
 }  // namespace
 
-struct ThreadPool::State {
+struct ThreadPool::Impl {
     using Time = std::chrono::steady_clock::time_point;
     static constexpr std::chrono::milliseconds kBetweenLooks{10};
 
@@ -67,9 +68,9 @@ struct ThreadPool::State {
     RunJobs run_jobs;
     std::uint64_t process = process_number();  // whose threads these are
     std::vector<std::thread> workers;
-    std::vector<ItemRange> ranges;  // of each thread
+    std::vector<ItemRange> ranges;  // one for each thread
     // The caller's:
-    CrewSize crew_size{1};
+    ThreadThrottle throttle{1};
     std::function<void()> interrupt;
     std::atomic_flag looking;
     Time next_look{};
@@ -77,16 +78,16 @@ struct ThreadPool::State {
     std::condition_variable start;
     std::condition_variable done;
     // Guarded by mutex:
-    const std::function<void(int, int)>* body = nullptr;  // of the call that goes on, if any
+    const std::function<void(int, int)>* body = nullptr;  // of the current call, if any
     std::uint64_t call = 0;                               // its number
     int crew = 1;                                         // threads that may take part
-    bool measured = false;                                // what they use
+    bool measured = false;                                // the threads' usage is measured
     ThreadUsage used;                                     // by all in this call
     int taking_part = 0;                                  // workers
     bool stopping = false;
     std::exception_ptr failure;
 
-    State(int threads, RunJobs jobs)
+    Impl(int threads, RunJobs jobs)
         : size(threads), run_jobs(std::move(jobs)), ranges(static_cast<std::size_t>(threads)) {
         if (run_jobs) return;
         workers.reserve(static_cast<std::size_t>(size - 1));
@@ -94,15 +95,15 @@ struct ThreadPool::State {
             try {
                 workers.emplace_back([this, thread] { work(thread); });
             } catch (const std::exception&) {
-                // The system gives no more threads: those there are do the same work to the same
-                // bits.
+                // The system refuses another thread: the present ones do the same work with the
+                // same bits.
                 size = thread;
                 break;
             }
         }
-        crew_size = CrewSize(size);
+        throttle = ThreadThrottle(size);
     }
-    ~State() {
+    ~Impl() {
         {
             const std::lock_guard lock(mutex);
             stopping = true;
@@ -110,16 +111,16 @@ struct ThreadPool::State {
         start.notify_all();
         for (std::thread& worker : workers) worker.join();
     }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
-    /// A thread walks through its own range, whose items are neighbours; after that it helps the
-    /// others from the far end of theirs. Returns what the thread used.
-    ThreadUsage take_items(const std::function<void(int, int)>& run, int thread) {
+    /// Runs the items of the thread's own range, which are neighbours, then those of the other
+    /// threads from the far end of their ranges. Returns the usage of the thread.
+    ThreadUsage run_items(const std::function<void(int, int)>& run, int thread) {
         const ThreadUsage before = measured ? usage_of_this_thread() : ThreadUsage{};
         for (int other = 0; other < crew; ++other) {
             ItemRange& range = ranges[static_cast<std::size_t>((thread + other) % crew)];
-            for (int item; (item = range.take(other == 0)) >= 0;) {
+            for (int item; (item = range.claim(other == 0)) >= 0;) {
                 run_item(run, item, thread);
                 if (thread == 0 || run_jobs) look_for_interrupt();
             }
@@ -128,7 +129,7 @@ struct ThreadPool::State {
         return {after.preemptions - before.preemptions, after.seconds - before.seconds};
     }
 
-    /// With the mutex locked. A thread for each of the first `threads` ranges.
+    /// Distributes the items to the first `threads` ranges. Requires the mutex.
     void share_out(int count, int threads) {
         crew = threads;
         for (int thread = 0; thread < crew; ++thread) {
@@ -142,11 +143,11 @@ struct ThreadPool::State {
             const std::lock_guard lock(mutex);
             share_out(count, std::min(size, count));
         }
-        run_jobs(crew, [&](int job) { take_items(run, job); });
-        take_items(run, 0);  // those of jobs that the host has left out
+        run_jobs(crew, [&](int job) { run_items(run, job); });
+        run_items(run, 0);  // those of jobs that the host has left out
     }
 
-    /// With the mutex locked.
+    /// Adds the usage of a thread. Requires the mutex.
     void add(ThreadUsage usage) {
         used.preemptions += usage.preemptions;
         used.seconds += usage.seconds;
@@ -165,7 +166,8 @@ struct ThreadPool::State {
         if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// By the caller's thread, or by one job at a time of a host that may leave out any of them.
+    /// Checks for an interrupt. Called by the calling thread, or by one job at a time of a host,
+    /// which may leave out any of them.
     void look_for_interrupt() {
         if (!interrupt || looking.test_and_set(std::memory_order_acquire)) return;
         look();
@@ -184,7 +186,7 @@ struct ThreadPool::State {
         next_look = std::chrono::steady_clock::now() + kBetweenLooks;
     }
 
-    /// Until nobody takes part any more.
+    /// Blocks until no thread takes part in the call.
     void wait_for_workers(std::unique_lock<std::mutex>& lock) {
         const auto alone = [this] { return taking_part == 0; };
         while (interrupt && !done.wait_for(lock, kBetweenLooks, alone)) {
@@ -196,7 +198,7 @@ struct ThreadPool::State {
     }
 
     void work(int thread) {
-        const PlainFloats plain;  // not what the host's thread has that made this one
+        const PlainFloats plain;  // instead of the modes inherited from the host's thread
         std::uint64_t seen = 0;
         std::unique_lock lock(mutex);
         for (;;) {
@@ -208,7 +210,7 @@ struct ThreadPool::State {
             const std::function<void(int, int)>& run = *body;
             ++taking_part;
             lock.unlock();
-            const ThreadUsage usage = take_items(run, thread);
+            const ThreadUsage usage = run_items(run, thread);
             lock.lock();
             add(usage);
             if (--taking_part == 0) done.notify_one();
@@ -217,60 +219,61 @@ struct ThreadPool::State {
 };
 
 ThreadPool::ThreadPool(int threads, RunJobs run_jobs)
-    : state_(std::make_unique<State>(threads > 0 ? threads : available_cores(),
-                                     std::move(run_jobs))) {}
+    : impl_(
+          std::make_unique<Impl>(threads > 0 ? threads : available_cores(), std::move(run_jobs))) {}
 
 ThreadPool::~ThreadPool() {
     leave_to_the_parent();
 }
 
-/// After fork() the threads that the state stands for are in another process: it cannot be ended.
+/// Abandons the state in a child after fork(): its threads exist only in the parent, so it cannot
+/// be destroyed.
 void ThreadPool::leave_to_the_parent() {
-    if (state_->process != process_number()) static_cast<void>(state_.release());
+    if (impl_->process != process_number()) static_cast<void>(impl_.release());
 }
 
 void ThreadPool::set_interrupt(std::function<void()> interrupt) {
-    state_->interrupt = std::move(interrupt);
+    impl_->interrupt = std::move(interrupt);
 }
 
 int ThreadPool::size() const {
-    return state_->size;
+    return impl_->size;
 }
 
 void ThreadPool::for_each_item(int count, const std::function<void(int item, int thread)>& body) {
     if (count <= 0) return;
-    if (state_->process != process_number()) {
-        auto anew = std::make_unique<State>(state_->size, state_->run_jobs);
-        anew->interrupt = state_->interrupt;
+    if (impl_->process != process_number()) {
+        auto anew = std::make_unique<Impl>(impl_->size, impl_->run_jobs);
+        anew->interrupt = impl_->interrupt;
         leave_to_the_parent();
-        state_ = std::move(anew);
+        impl_ = std::move(anew);
     }
-    State& state = *state_;
+    Impl& state = *impl_;
     if (state.run_jobs) {
         state.run_as_jobs(count, body);
         state.throw_failure();
         return;
     }
-    const CrewSize::Clock::time_point began = CrewSize::Clock::now();
-    const int chosen = state.crew_size.choose(began);
+    const ThreadThrottle::Clock::time_point began = ThreadThrottle::Clock::now();
+    const int chosen = state.throttle.choose(began);
     const int crew = std::min(chosen, count);
     {
         const std::lock_guard lock(state.mutex);
         state.share_out(count, crew);
         // Threads without an item would look as if they had waited for a core.
-        state.measured = crew == chosen && state.crew_size.asks_for_usage();
+        state.measured = crew == chosen && state.throttle.wants_usage();
         state.used = {};
         state.body = &body;
         ++state.call;
     }
     if (crew > 1) state.start.notify_all();
-    const ThreadUsage usage = state.take_items(body, 0);
+    const ThreadUsage usage = state.run_items(body, 0);
     std::unique_lock lock(state.mutex);
-    // Nothing is left to take: who comes now is not let in, and who takes part is waited for.
+    // No item is left: threads that wake up now find no call, and those that take part are awaited.
     state.body = nullptr;
     state.wait_for_workers(lock);
     state.add(usage);
-    state.crew_size.ended(began, CrewSize::Clock::now(), state.used);
+    state.throttle.ended(began, ThreadThrottle::Clock::now(), state.used);
     state.throw_failure();
 }
 
@@ -279,7 +282,7 @@ void ThreadPool::for_each_range(int count, const std::function<void(int first, i
         int count;
         int shares;
         const std::function<void(int, int)>& body;
-    } work{count, std::min(count, state_->interrupt ? kSharesToStopBetween : state_->size), body};
+    } work{count, std::min(count, impl_->interrupt ? kSharesToStopBetween : impl_->size), body};
     for_each_item(work.shares, [&work](int share, int) {
         work.body(share_edge(work.count, share, work.shares),
                   share_edge(work.count, share + 1, work.shares));

@@ -19,8 +19,8 @@ Detail::Detail(double time, int samples, DetailBudget budget)
 
 namespace {
 
-/// What makes the sum over a band's modes the integral over the band. Bounds as in band_gain: a
-/// band of a narrow swell may hold its few modes by chance or not.
+/// Returns the factor that scales the sum over a band's modes to the integral over the band.
+/// Limited as in band_gain: a band of a narrow swell may hold its few modes by chance or not.
 double slope_gain(double integral, double sum) {
     return sum > 0.0 ? std::clamp(integral / sum, 0.5, 2.0) : 1.0;
 }
@@ -36,9 +36,9 @@ double measure(const DetailPlan& plan, const PlannedBand& planned, const ModeLat
     return gain;
 }
 
-/// Raises each wave by what it loses to readers, who draw straight lines between samples. Along one
-/// side, of weights 1 - t and t, the mean over all places of the square of a wave of phase p a
-/// sample is (2 + cos p) / 3 of it.
+/// Amplifies each wave by the factor that bilinear reading loses. Along one side, with weights 1 -
+/// t and t, the mean square over all positions of a wave that turns by p per sample is (2 + cos p)
+/// / 3 of its own.
 void raise_for_straight_lines(CascadeModes& modes, int samples) {
     const int n = modes.lattice.resolution;
     std::vector<float> raise(static_cast<std::size_t>(n));
@@ -60,8 +60,8 @@ double residual_of(const DetailPlan& plan, const Parameters& parameters,
 
 }  // namespace
 
-void DetailMaps::stand_for(const Parameters& parameters, const DirectionalSpectrum& spectrum,
-                           const Revision& revision, ThreadPool& pool) {
+void DetailMaps::set_parameters(const Parameters& parameters, const DirectionalSpectrum& spectrum,
+                                const Revision& revision, ThreadPool& pool) {
     const DetailPlan plan = plan_detail(parameters, settings_);
     const bool same_tiles =
         std::ranges::equal(tiles_, plan.bands, [](const Tile& tile, const PlannedBand& planned) {

@@ -25,11 +25,11 @@ constexpr double kFactor = 6.0;        // from one band to the next
 constexpr double kTwoBandsUpTo = 2.0;  // m
 // Waves of a tile run in enough directions, and are many enough for a Gaussian field.
 constexpr double kWavesOfTile = 8.3;
-constexpr double kLeastTile = 1.0;  // m
+constexpr double kMinTile = 1.0;  // m
 
-/// Half the side of the square of wavenumbers that a map holds, in steps of the patch's lattice:
-/// along an axis it ends with the cells of the last modes of the cascade that its Nyquist line
-/// falls into.
+/// Returns half the side of the square of wavenumbers that a map holds, in steps of the patch's
+/// lattice: along an axis it ends with the cells of the last modes of the cascade that contains its
+/// Nyquist line.
 double map_half_side(const Grid& grid, int resolution) {
     const std::vector<CascadeBand> bands = cascade_bands(grid);
     const auto last = std::find_if(bands.rbegin(), bands.rend(), [&](const CascadeBand& band) {
@@ -39,7 +39,7 @@ double map_half_side(const Grid& grid, int resolution) {
     return std::max((half - 0.5) * last->divisor, last->inner);
 }
 
-/// Modes a side of a lattice that holds the ring.
+/// Returns the modes along a side of a lattice that holds the ring.
 int lattice_size(const CascadeBand& ring, int samples) {
     int size = kMinResolution;
     while (size < samples && size / 2 <= ring.outer) size *= 2;
@@ -48,8 +48,8 @@ int lattice_size(const CascadeBand& ring, int samples) {
 
 void require_settings(const DetailSettings& settings) {
     if (settings.resolution != 0) require_resolution(settings.resolution);
-    if (is_power_of_two(settings.samples) && settings.samples >= kLeastDetailSamples &&
-        settings.samples <= kMostDetailSamples) {
+    if (is_power_of_two(settings.samples) && settings.samples >= kMinDetailSamples &&
+        settings.samples <= kMaxDetailSamples) {
         return;
     }
     const std::string given = std::to_string(settings.samples);
@@ -73,14 +73,14 @@ DetailPlan plan_detail(const Parameters& parameters, const DetailSettings& setti
 
     DetailPlan plan{kTwoPi / map_ends, {}, longest};
     auto& [edge, bands, rest] = plan;
-    const std::size_t most = longest <= kTwoBandsUpTo ? 2 : kMostDetailBands;
+    const std::size_t most = longest <= kTwoBandsUpTo ? 2 : kMaxDetailBands;
     while (bands.size() < most && rest > end) {
         PlannedBand planned;
         planned.noise =
             noise_stream(NoiseStream::detail_bands, static_cast<std::uint32_t>(bands.size()));
         DetailBand& band = planned.band;
         band.longest_wave = rest;
-        band.tile = std::max(kLeastTile, kWavesOfTile * rest);
+        band.tile = std::max(kMinTile, kWavesOfTile * rest);
         // A band not twice as wide as the others needs no other one beside it.
         const bool last = bands.size() + 1 == most || rest <= 2.0 * kFactor * end;
         const double held = band.tile / (settings.samples / 2 - 1);
@@ -104,8 +104,8 @@ std::vector<DetailBand> detail_bands(const Parameters& parameters, const DetailS
 
 namespace {
 
-/// The integral of k^2 f over the frequencies of wavenumbers low .. high [rad/m], f(omega, k) of
-/// what is linear between the rows of the table: three points of Gauss in each gap.
+/// Returns the integral of k^2 f(omega, k) over the frequencies of the wavenumbers low .. high
+/// [rad/m], for an f that is linear between the rows of the table: three Gauss points in each gap.
 template <typename Density>
 double integral_of_slope(const DirectionalSpectrum& spectrum, const Dispersion& dispersion,
                          double low, double high, const Density& density) {
@@ -129,8 +129,9 @@ double integral_of_slope(const DirectionalSpectrum& spectrum, const Dispersion& 
     return sum;
 }
 
-/// Integral over the directions in which a wavenumber lies outside the square: within acos(edge/k)
-/// of an axis. A point for each direction of the table, which is linear between them.
+/// Returns the integral over the directions in which a wavenumber lies outside the square, within
+/// acos(edge/k) of an axis. One point for each direction of the table, which is linear between
+/// them.
 double density_outside(const DirectionalSpectrum& spectrum, double omega, double edge_over_k) {
     const double reach = std::acos(std::min(edge_over_k, 1.0));
     const int points = std::max(8, static_cast<int>(reach / kPi * spectrum.directions()));

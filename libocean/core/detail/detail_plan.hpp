@@ -29,13 +29,13 @@ struct DetailPlan {
 
 DetailPlan plan_detail(const Parameters& parameters, const DetailSettings& settings);
 
-/// The integral of k^2 E over the wavelengths shortest < L <= longest [m] outside the square
-/// |kx|, |ky| < map_edge [rad/m]; shortest 0 = no limit.
+/// Returns the integral of k^2 E over the wavelengths shortest < L <= longest [m] outside the
+/// square |kx|, |ky| < map_edge [rad/m]; shortest 0 = no limit.
 double slopes_outside(const DirectionalSpectrum& spectrum, const Water& water, double map_edge,
                       double shortest, double longest);
 
-/// The sum of k k^T over the variances of the modes of a lattice of one band; the same bits for any
-/// number of threads.
+/// Returns the sum of k k^T over the variances of the modes of a lattice of one band; the same bits
+/// for any number of threads.
 SlopeVariance slopes_of_modes(const ModeLattice& lattice, const DirectionalSpectrum& spectrum,
                               const Grid& grid, ThreadPool& pool);
 

@@ -3,9 +3,9 @@
 //
 // Counts are whole numbers, so that they depend neither on the order nor on the threads.
 //
-// Bilinear reads: let F be the share of reads below a value. Were F(T) of each texel T read instead
-// of T, the reads would be uniform but for the curvature of F within a texel; a few turns of it end
-// where F is the identity.
+// Bilinear reads: let F be the share of reads below a value. If each texel T were replaced by F(T),
+// the reads would be uniform except for the curvature of F within a texel; a few iterations
+// converge, where F is the identity.
 #include "foam/equaliser.hpp"
 
 #include <algorithm>
@@ -23,13 +23,13 @@ constexpr int kPlaces = 1024;
 
 /// Places where the distribution of reads is known: a cover of 0.003 is fifty of them.
 constexpr int kBins = 1 << 14;
-/// Reads are on a lattice of so many a side of a texel; of small textures more, because each of
-/// their texels counts more.
-constexpr int kLeastReads = 4, kMostReads = 32;
+/// Reads per side of a texel, on a lattice. Small textures need more, because each of their texels
+/// counts more.
+constexpr int kMinReads = 4, kMaxReads = 32;
 constexpr int kReadsAlong = 4096;
 /// The largest departure from F(c) = c that is left, and the most turns that this may take.
 constexpr double kSettled = 2e-4;
-constexpr int kMostTurns = 24;
+constexpr int kMaxTurns = 24;
 
 /// Where reads lie, of a panel of four: Chebyshev's quadrature of equal weights, exact to the fifth
 /// degree [Abramowitz and Stegun 1964] 25.4.28. Reads at the middles of quarters are never near a
@@ -63,10 +63,10 @@ void count_reads(const float* row, const float* next, int size, int reads, Count
     }
 }
 
-/// The share of the reads below k / kBins.
+/// Returns the share of the reads below k / kBins, for each k.
 std::vector<double> distribution_of_reads(std::span<const float> texture, int size,
                                           ThreadPool& pool) {
-    const int reads = std::clamp(kReadsAlong / size, kLeastReads, kMostReads);
+    const int reads = std::clamp(kReadsAlong / size, kMinReads, kMaxReads);
     std::vector<Counts> counts(static_cast<std::size_t>(pool.size()), Counts(kBins));
     pool.for_each_item(size, [&](int j, int thread) {
         const float* row = texture.data() + std::ptrdiff_t{j} * size;
@@ -122,7 +122,7 @@ void Equaliser::equalise(std::span<float> values) {
 }
 
 void settle_reads(std::span<float> texture, int size, ThreadPool& pool) {
-    for (int turn = 0; turn < kMostTurns; ++turn) {
+    for (int turn = 0; turn < kMaxTurns; ++turn) {
         const std::vector<double> share = distribution_of_reads(texture, size, pool);
         if (departure(share) <= kSettled) return;
         pool.for_each_item(size, [&](int j, int) {

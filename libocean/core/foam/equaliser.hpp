@@ -11,8 +11,9 @@ namespace ocean {
 
 class ThreadPool;
 
-/// The distribution function of the first values that it is given, linear between a thousand
-/// places. Good to some 0.2 %: for what a texture is made of, not for the texture.
+/// The distribution function of the first values that it receives, linear between a thousand
+/// points. Accurate to about 0.2 %: sufficient for the ingredients of a texture, not for the
+/// texture itself.
 class Equaliser {
   public:
     /// Replaces each value by the share of the first call's values that are below it. The first

@@ -24,8 +24,8 @@ double FoamClock::time_of(std::int64_t tick) const {
 }
 
 FoamClock::Moment FoamClock::moment(double time) const {
-    require_time(time);  // of no more ticks than a double tells apart
-    // What is compared is what time_of gives after its own rounding: a tick's time is that tick.
+    require_time(time);  // beyond it a double could not separate ticks
+    // Compares the rounded result of time_of, so that the time of a tick is that tick.
     const bool loops = ticks_per_loop > 0;
     const auto place = [&](double t) { return loops ? loop_fraction(t, loop_period) : t; };
     const double now = place(time);
@@ -72,7 +72,7 @@ FoamState::FoamState(FoamClock clock, std::size_t samples, FoamStart start)
 FoamLayer FoamState::layer(double time, const FoamSource& source) {
     const auto in_memory = [](const Follower::Layer& layer) {
         return FoamLayer{layer.map != nullptr ? layer.map->data() : nullptr, layer.fade,
-                         layer.least};
+                         layer.cutoff};
     };
     const Follower::Source follower_source{
         source.lifetime,

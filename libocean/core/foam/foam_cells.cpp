@@ -57,7 +57,7 @@ FoamCells::Distances FoamCells::at(float x, float y) const {
         }
     };
     look(-1, 1, -1, 1);
-    // How far a point of the second ring is at least, less its weight.
+    // The min distance of a point of the second ring, less its weight.
     const float left = x - static_cast<float>(i) + 1.0f - spread_;
     const float below = y - static_cast<float>(j) + 1.0f - spread_;
     const float right = 3.0f - 2.0f * spread_ - left, above = 3.0f - 2.0f * spread_ - below;

@@ -12,7 +12,8 @@ namespace ocean {
 /// count^2 points, one at a random place of each cell of a square lattice. Lengths in its cells.
 class FoamCells {
   public:
-    /// spread: of the cells' sizes; a point of weight w is nearer by w, 0 <= w < spread.
+    /// Draws the points. spread: of the cells' sizes; a point of weight w is nearer by w, 0 <= w <
+    /// spread.
     FoamCells(std::uint32_t seed, std::uint32_t field, int count, float spread);
     int count() const { return count_; }
 
@@ -32,7 +33,7 @@ class FoamCells {
     Point point(std::uint32_t seed, std::uint32_t field, int i, int j) const;
 
     int count_;
-    int width_;  // of the points with those of the neighbouring periods, in a row
+    int width_;  // points in a row, with those of the neighbouring periods
     float spread_;
     std::vector<Point> points_;
 };

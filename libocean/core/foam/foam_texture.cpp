@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Lace and bubbles are nets of cells: a raft of bubbles thins and opens in the middle of its cells,
-// and what stays longest are the walls between them and the junctions of walls. A net is made of
-// levels of smaller and smaller cells; the widest is there at every cover, the finer ones join as
-// the cover grows. Of each level the distances to the nearest point and to the second nearest tell
-// walls from holes: their difference alone would be straight walls as thin at a junction as
-// elsewhere, the first distance alone separate holes; together they are connected filaments round
-// rounded holes. Patches make filaments thick here and thin there. Streaks are patches alone.
+// and the walls between them, above all their junctions, last longest. A net consists of levels of
+// ever smaller cells; the widest level is visible at every cover, the finer ones join as the cover
+// grows. Within a level the distances to the nearest and the second nearest point separate walls
+// from holes: their difference alone would give straight walls, as thin at a junction as elsewhere;
+// the first distance alone separate holes; together they give connected filaments around rounded
+// holes. Patches make filaments thick in some regions and thin in others. Streaks are patches
+// alone.
 //
-// Every step replaces values by their rank, so that its weights are shares of the area. What the
-// ranks are is learned once from a coarse lattice, after which a texel is a function of its place:
-// rows are made by any thread, and a finer texture is the same foam.
+// Every step replaces values by their rank, so that its weights are shares of the area. The ranks
+// are learned once from a coarse lattice; after that a texel is a function of its position, so any
+// thread can make a row, and a finer texture is the same foam.
 #include "ocean/foam_texture.hpp"
 
 #include <algorithm>
@@ -34,19 +35,19 @@
 namespace ocean {
 namespace {
 
-/// Samples along each side of what ranks are learned from.
+/// Samples along each side of the lattice from which ranks are learned.
 constexpr int kLearned = 256;
-/// Texels that a cell spans at least, or its level is left out: it would be noise.
+/// Min texels that a cell must span; a level with smaller cells would be noise and is left out.
 constexpr int kTexelsPerCell = 3;
 /// Weights of a level's walls and of its holes' middles.
 constexpr float kWalls = 0.7f, kHoles = 0.3f;
-/// Of what bends walls: wavenumbers in those of the cells.
+/// The noise that bends walls: its wavenumbers, in units of those of the cells.
 constexpr double kLongestBend = 1.0 / 3.0, kShortestBend = 2.0;
 constexpr int kBendFalloff = 6;
 
 struct LevelRecipe {
     int count;     // cells along the tile's side
-    float bend;    // of the walls, rms in cells
+    float bend;    // of the walls, rms, in cells
     float spread;  // of the cells' sizes
     float begins;  // the level joins where the ones before it have this rank
 };
@@ -88,7 +89,7 @@ class Level {
         noise_ = std::make_unique<TiledNoise>(seed, field, band, size);
     }
 
-    /// `size` values of each of the rows of a texture from `first` on.
+    /// Writes the rows of a texture from `first` on, each of `size` values.
     void rows(int first, int size, std::span<float> values) {
         Row holes(values.size());
         NoiseRow bend(static_cast<std::size_t>(size));
@@ -140,7 +141,7 @@ class Net {
             }
             levels_[l] = std::make_unique<Level>(
                 seed, draws(kind, 1 + static_cast<std::uint32_t>(part)), recipe.levels[l], size);
-            // What its ranks are.
+            // The values whose ranks the equaliser learns.
             Row values(std::size_t{kLearned} * kLearned);
             levels_[l]->rows(0, kLearned, values);
         });
@@ -198,7 +199,8 @@ class Streaks {
     TiledNoise long_, short_;
 };
 
-/// All rows of a texture, near uniform, from a pattern whose ranks are learned on the way.
+/// Returns all rows of a texture, almost uniform, from a pattern whose ranks are learned on the
+/// way.
 template <typename Pattern>
 std::vector<float> draw(Pattern pattern, int size, ThreadPool& pool) {
     Equaliser ranks;
@@ -234,8 +236,8 @@ FoamTextureKind find_foam_texture(std::string_view name) {
     if (found != names.end()) return static_cast<FoamTextureKind>(found - names.begin());
     const std::string_view nearest = nearest_name(name, names);
     throw Error(ErrorKind::invalid_value,
-                "there is no foam texture '" + std::string(name.substr(0, 80)) +
-                    (nearest.empty() ? "'; allowed are lace, bubbles, streaks"
+                "unknown foam texture '" + std::string(name.substr(0, 80)) +
+                    (nearest.empty() ? "'; allowed: lace, bubbles, streaks"
                                      : "'; did you mean " + std::string(nearest) + "?"),
                 {.parameter = "kind",
                  .value = std::string(name.substr(0, 80)),
@@ -249,12 +251,11 @@ std::uint64_t foam_texture_bytes(int size) {
 }
 
 void require_foam_texture_size(int size) {
-    if (is_power_of_two(size) && size >= kLeastFoamTexture && size <= kMostFoamTexture) return;
+    if (is_power_of_two(size) && size >= kMinFoamTextureSize && size <= kMaxFoamTextureSize) return;
     const std::string given = std::to_string(size);
-    const std::string allowed = "a power of two, " + std::to_string(kLeastFoamTexture) + " .. " +
-                                std::to_string(kMostFoamTexture);
-    throw Error(ErrorKind::invalid_value,
-                "the size of a foam texture is " + given + "; allowed is " + allowed,
+    const std::string allowed = "a power of two, " + std::to_string(kMinFoamTextureSize) + " .. " +
+                                std::to_string(kMaxFoamTextureSize);
+    throw Error(ErrorKind::invalid_value, "foam texture: size = " + given + "; allowed: " + allowed,
                 {.parameter = "size", .value = given, .allowed = allowed});
 }
 

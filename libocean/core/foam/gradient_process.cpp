@@ -14,20 +14,20 @@
 namespace ocean {
 namespace {
 
-/// Variance of a + b, which is that of any axes.
+/// Returns the variance of a + b, which does not depend on the axes.
 double divergence(const GradientCovariance& v) {
     return v.aa + v.bb + 2.0 * v.ab;
 }
 
 /// Returns the wavenumber along x and y below which a map of that resolution holds waves [rad/m].
-double held_below(const ShownSea& sea, int resolution) {
+double held_below(const CoverPowerInput& sea, int resolution) {
     return kTwoPi / shortest_wave(sea.parameters.grid, resolution) * (1.0 - 1.0 / resolution);
 }
 
-/// Returns the variance of each whole number of turns in a stretch, 0 .. ticks/2, of the waves of
-/// the band. Waves that are faster than the clock tells apart are where the clock sees them.
-std::vector<GradientCovariance> spectrum(const ShownSea& sea, const WaveBand& band, double angle,
-                                         const Stretch& stretch) {
+/// Returns the variance at each whole number of turns in a stretch, 0 .. ticks/2, of the waves of
+/// the band. Waves too fast for the clock appear at the frequency at which the clock samples them.
+std::vector<GradientCovariance> spectrum(const CoverPowerInput& sea, const WaveBand& band,
+                                         double angle, const Stretch& stretch) {
     constexpr int kDirections = 72;
     constexpr int kFrequencies = 2048;
     const Dispersion dispersion(sea.parameters.water);
@@ -68,8 +68,8 @@ std::vector<GradientCovariance> spectrum(const ShownSea& sea, const WaveBand& ba
 }  // namespace
 
 Stretch stretch_of(const FoamClock& clock, double lifetime) {
-    constexpr double kReach = 2.5;  // lifetimes
-    constexpr double kLeast = 200;  // s: waves that differ by less are not told apart
+    constexpr double kReach = 2.5;       // lifetimes
+    constexpr double kMinSeconds = 200;  // [s]: waves that differ by less are not separated
     constexpr int kMost = 1 << 17;
     const auto ticks_for = [](double wanted) {
         int ticks = 64;
@@ -77,15 +77,15 @@ Stretch stretch_of(const FoamClock& clock, double lifetime) {
         return ticks;
     };
     const double reach = kReach * lifetime;
-    const bool loops = clock.loop_period > 0.0 && clock.loop_period < kLeast;
+    const bool loops = clock.loop_period > 0.0 && clock.loop_period < kMinSeconds;
     const int ticks =
-        ticks_for((loops ? clock.loop_period : std::max(4.0 * reach, kLeast)) / clock.step);
+        ticks_for((loops ? clock.loop_period : std::max(4.0 * reach, kMinSeconds)) / clock.step);
     const double seconds = loops ? clock.loop_period : ticks * clock.step;
     const double reached = std::ceil(reach / (seconds / ticks));
     return {ticks, seconds, static_cast<int>(std::clamp(reached, 1.0, ticks - 1.0))};
 }
 
-GradientProcess::GradientProcess(const ShownSea& sea, const WaveBand& band,
+GradientProcess::GradientProcess(const CoverPowerInput& sea, const WaveBand& band,
                                  const GradientCovariance& covariance, double angle,
                                  const Stretch& stretch)
     : fft_(stretch.ticks) {

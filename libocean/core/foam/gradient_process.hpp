@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What waves do to the water at one label over time, without a map: the gradients of the
-// displacement as a Gaussian process.
+// The water at one label over time, without a map: the gradients of the displacement as a Gaussian
+// process.
 #pragma once
 
 #include <array>
@@ -23,13 +23,13 @@ namespace ocean {
 /// counts.
 struct Stretch {
     int ticks;       // a power of two
-    double seconds;  // of them all
-    int reach;       // ticks after which what a power leaves of foam is nothing
+    double seconds;  // of all ticks together
+    int reach;       // ticks after which a power of faded foam is negligible
 
     double step() const { return seconds / ticks; }
 };
 
-/// lifetime: of foam [s].
+/// Returns the stretch for a lifetime of foam [s].
 Stretch stretch_of(const FoamClock& clock, double lifetime);
 
 /// The gradients of the displacement at a label, along two axes: a and b along them, c across.
@@ -49,18 +49,18 @@ class GradientProcess {
   public:
     /// Makes the process of the waves of `band` along axes turned by `angle` [radians] from +x.
     /// `covariance`: of those waves' modes, which may differ a little from the integral.
-    GradientProcess(const ShownSea& sea, const WaveBand& band, const GradientCovariance& covariance,
-                    double angle, const Stretch& stretch);
+    GradientProcess(const CoverPowerInput& sea, const WaveBand& band,
+                    const GradientCovariance& covariance, double angle, const Stretch& stretch);
 
     /// Returns the covariance of the gradients at one time.
     const GradientCovariance& covariance() const { return covariance_; }
 
-    /// Returns two stretches that are as good as independent, of the number's own noise. Processes
-    /// of different `part`s (0, 1) are independent of each other.
+    /// Returns two practically independent stretches, from the noise of this number. Processes of
+    /// different `part`s (0, 1) are independent of each other.
     std::array<std::vector<Gradients>, 2> draw(std::uint32_t number, int part = 0) const;
 
-    /// Writes the stretch from `reach` ticks before a tick to `reach` behind it, as it is where the
-    /// gradients there are `at`: x(t) + R(t - s) R(0)^-1 (at - x(s)).
+    /// Conditions a stretch on a value: writes its part from `reach` ticks before a tick to `reach`
+    /// after it as it is when the gradients there are `at`: x(t) + R(t - s) R(0)^-1 (at - x(s)).
     void passing(const Gradients& at, std::size_t tick, int reach,
                  std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
 
@@ -70,12 +70,12 @@ class GradientProcess {
                  std::span<const Gradients> stretch, std::vector<Gradients>& window) const;
 
   private:
-    /// The sum over the bins at each tick.
+    /// Returns the sum over the bins at each tick.
     std::vector<std::complex<double>> transformed(std::vector<std::complex<double>> bins) const;
 
     Radix2Fft<double> fft_;
     GradientCovariance covariance_;
-    GradientFactors still_{{}};             // of it
+    GradientFactors still_{{}};             // of covariance_
     std::vector<GradientFactors> factors_;  // of each bin
     std::vector<GradientCovariance> lags_;  // [tick]: of the gradients now and then
 };

@@ -11,7 +11,8 @@
 
 namespace ocean {
 
-/// The axes along which waves squeeze most and least: the angle of the first from +x, radians.
+/// Returns the angle from +x of the axis along which waves compress the surface the most [rad]; the
+/// axis of the least compression is perpendicular to it.
 double principal_angle(const GradientCovariance& covariance);
 
 /// a, b and c as sums of three standard normals: b = b1 x, c = c1 x + c2 y, a = a1 x + a2 y + a3 z.
@@ -26,16 +27,16 @@ struct GradientFactors {
 struct JacobianNode {
     double x, y;
     double mean, slope;
-    double weight;  // of x and y; they sum to 1
+    double weight;  // of (x, y); the weights sum to 1
 };
 
-/// The trapezoid rule over x and y, which converges faster than any power of its spacing, as long
-/// as the deviation of J spans a few of them. Where `a` hardly varies by itself (two swells that
-/// cross) the nodes are closer. Of a covariance in its principal axes.
+/// Returns the nodes of the trapezoid rule over x and y, which converges faster than any power of
+/// its spacing, as long as the deviation of J spans a few of them. Where `a` hardly varies by
+/// itself (two crossing swells) the nodes are closer. `covariance` must be in its principal axes.
 std::vector<JacobianNode> jacobian_nodes(const GradientCovariance& covariance, double choppiness);
 
-/// The covariance seen from axes turned to the principal direction of the waves. J is a determinant
-/// and does not change; a long-crested sea becomes a sea of `a` alone.
+/// Returns the covariance seen from axes turned to the principal direction of the waves. J is a
+/// determinant and does not change; a long-crested sea becomes a sea of `a` alone.
 GradientCovariance in_principal_axes(const GradientCovariance& covariance);
 
 }  // namespace ocean

@@ -3,7 +3,7 @@
 //
 // The cover's power where the whitecaps of all waves of a map are laid over a past that longer
 // waves made: F(t) = max(W(t), max over s <= t of e^(-(t - s) / lifetime) V(s)), with V the
-// whitecaps of the foam lattice. foam_cover.cpp is the case V = W.
+// whitecaps of the foam lattice. coverage_exponent.cpp is the case V = W.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -117,8 +117,8 @@ GradientCovariance without(const GradientCovariance& all, const GradientCovarian
 
 }  // namespace
 
-double layered_cover_power(const ShownSea& sea, const FoamWaves& waves, const Stretch& stretch,
-                           ThreadPool& pool) {
+double layered_cover_power(const CoverPowerInput& sea, const FoamWaves& waves,
+                           const Stretch& stretch, ThreadPool& pool) {
     const SurfaceSettings& shown = sea.parameters.surface;
     const double angle = principal_angle(waves.past);
     const GradientProcess long_waves(sea, {waves.lattice.held_by}, waves.past, angle, stretch);

@@ -11,7 +11,7 @@ namespace ocean {
 
 /// Returns cover_power of a sea that squeezes and keeps foam, where the map holds waves that the
 /// foam lattice does not.
-double layered_cover_power(const ShownSea& sea, const FoamWaves& waves, const Stretch& stretch,
-                           ThreadPool& pool);
+double layered_cover_power(const CoverPowerInput& sea, const FoamWaves& waves,
+                           const Stretch& stretch, ThreadPool& pool);
 
 }  // namespace ocean

@@ -17,12 +17,12 @@
 namespace ocean {
 namespace {
 
-/// Samples a cycle of the highest wavenumber, at least.
+/// Min samples per cycle of the highest wavenumber.
 constexpr double kSamplesPerCycle = 2.5;
 
 using Complex = std::complex<float>;
 
-/// k^(-falloff / 4) by roots alone, which round the same way everywhere.
+/// Returns k^(-falloff / 4) by roots alone, which round the same way everywhere.
 double amplitude(double k, int falloff) {
     const double root = std::sqrt(std::sqrt(k));
     double result = 1.0;
@@ -35,7 +35,7 @@ struct CubicPlace {
     std::array<float, 4> weight;
 };
 
-/// Of x samples from sample 0 of a periodic row. [Catmull and Rom 1974]
+/// Returns the cubic weights at x samples from sample 0 of a periodic row. [Catmull and Rom 1974]
 CubicPlace cubic_place(double x, int samples) {
     const double whole = std::floor(x);
     const auto t = static_cast<float>(x - whole);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gaussian noise of a band of wavenumbers on a periodic square: patches of foam, streaks, and what
-// bends the walls of cells.
+// Gaussian noise of a band of wavenumbers on a periodic square: patches of foam, streaks, and the
+// bending of the walls of cells.
 #pragma once
 
 #include <complex>
@@ -12,8 +12,8 @@
 
 namespace ocean {
 
-/// Wavenumbers in cycles a period. Amplitudes fall as k^(-falloff / 4), with k = |(stretch n, m)|
-/// of the mode (n, m): patches are `stretch` times as long along x as along y.
+/// The band, with wavenumbers in cycles per period. Amplitudes fall as k^(-falloff / 4), with k =
+/// |(stretch n, m)| of the mode (n, m): patches are `stretch` times as long along x as along y.
 struct NoiseBand {
     double lowest, highest;
     int falloff;
@@ -23,14 +23,15 @@ struct NoiseBand {
 /// Two independent fields of variance 1, as real and imaginary part.
 class TiledNoise {
   public:
-    /// For rows of `size` samples: modes beyond a third of it, which these could not show, are left
-    /// out. The others are those of any size: `field` and `seed` choose their draws.
+    /// Draws the noise for rows of `size` samples, without the modes beyond a third of it, which
+    /// such rows could not show. The other modes do not depend on the size; `field` and `seed`
+    /// choose their draws.
     TiledNoise(std::uint32_t seed, std::uint32_t field, const NoiseBand& band, int size);
-    /// The samples at y = v periods, x = (i + 1/2) / values.size() periods.
+    /// Writes the samples at y = v periods, x = (i + 1/2) / values.size() periods.
     void row(double v, std::span<std::complex<float>> values) const;
 
   private:
-    int side_;  // of the grid between whose samples rows are interpolated
+    int side_;  // of the grid whose samples are interpolated
     std::vector<std::complex<float>> grid_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Quantiles of the chi-squared distribution; see chi_squared.hpp. Exact, because the usual formula
+// Quantiles of the chi-squared distribution; see chi_squared.hpp. Exact, because the common formula
 // of Wilson and Hilferty is 0.2 % off at 20 degrees of freedom and 50 % at 2.
 #include "gauge/chi_squared.hpp"
 
@@ -11,20 +11,20 @@
 namespace ocean {
 namespace {
 
-/// x^a e^-x / Gamma(a).
+/// Returns x^a e^-x / Gamma(a).
 double gamma_power(double a, double x) {
     return std::exp(a * std::log(x) - x - std::lgamma(a));
 }
 
-/// P(a, x), the regularised incomplete gamma function: its series where that converges soon, else
-/// the continued fraction of 1 - P. [Abramowitz and Stegun 1964] eq. 6.5.29 and 6.5.31.
+/// Returns P(a, x), the regularised incomplete gamma function: its series where that converges
+/// soon, else the continued fraction of 1 - P. [Abramowitz and Stegun 1964] eq. 6.5.29 and 6.5.31.
 double incomplete_gamma(double a, double x) {
     constexpr double kSmall = 1e-16;
-    constexpr int kMostTerms = 100000;
+    constexpr int kMaxTerms = 100000;
     if (x < a + 1.0) {
         double term = 1.0 / a;
         double sum = term;
-        for (int i = 1; i < kMostTerms && term > kSmall * sum; ++i) {
+        for (int i = 1; i < kMaxTerms && term > kSmall * sum; ++i) {
             term *= x / (a + i);
             sum += term;
         }
@@ -35,7 +35,7 @@ double incomplete_gamma(double a, double x) {
     double c = 1e300;
     double d = 1.0 / b;
     double fraction = d;
-    for (int i = 1; i < kMostTerms; ++i) {
+    for (int i = 1; i < kMaxTerms; ++i) {
         const double numerator = i * (a - i);
         b += 2.0;
         d = 1.0 / (numerator * d + b);

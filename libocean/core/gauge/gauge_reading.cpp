@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a gauge reads: the label that is shown at its place, then all modes there; see gauge.hpp.
+// The reading of a gauge: the label that is displayed at its position, then all modes there; see
+// gauge.hpp.
 #include <cmath>
 
 #include "ocean/gauge.hpp"
@@ -12,12 +13,12 @@
 namespace ocean {
 namespace {
 
-/// The label shown at (x, y), the highest where there are several.
+/// Returns the label displayed at (x, y), the highest if there are several.
 ShownLabel label_at(const WaveSum& sea, double choppiness, double x, double y,
                     const SurfaceQuery* query) {
     // |D| is a Gaussian vector: beyond 5 rms with a probability of 1e-11.
     constexpr double kReach = 5.0;
-    constexpr double kTolerance = 1e-9;  // of the reach
+    constexpr double kTolerance = 1e-9;  // relative to the reach
     const double reach = kReach * choppiness * sea.displacement_rms();
     if (!(reach > 0.0)) return {x, y, 1.0, true};
     const InversionTarget target{x, y, choppiness, reach, kTolerance * reach};

@@ -58,7 +58,7 @@ bool stays_at_its_depth(const Gauge& gauge) {
     });
 }
 
-/// Depths at which gauges stay, whose exponentials are worth keeping.
+/// Returns the depths at which gauges stay, whose exponentials are worth keeping.
 std::set<double> lasting_depths(const std::vector<Gauge>& gauges) {
     std::set<double> depths;
     for (const Gauge& gauge : gauges) {
@@ -98,7 +98,7 @@ void read_time(const WaveSum& sea, double choppiness, const SurfaceQuery* query,
     }
 }
 
-/// On the map that holds all waves.
+/// Returns the options of a query on the map that holds all waves.
 QueryOptions label_query(const Grid& grid) {
     return {.foam = false, .resolution = default_map_resolution(grid)};
 }
@@ -120,12 +120,12 @@ std::uint64_t gauge_series_bytes(const Modes& modes, const Parameters& parameter
 
 namespace {
 
-/// What a thread reads with.
+/// The wave sums with which one thread reads gauges.
 class Reader {
   public:
     explicit Reader(WaveSum start) : sea(std::move(start)) {}
 
-    /// Where crests may fold the top sheet must be known.
+    /// Returns a query of the time: where crests may fold, a reading needs its top sheet.
     const SurfaceQuery* query_at(double time, const Modes& modes, const Parameters& now) {
         if (query_) {
             query_->move_to(modes, now.surface, now.water, time, alone_);
@@ -142,7 +142,7 @@ class Reader {
     std::optional<SurfaceQuery> query_;
 };
 
-/// All gauges at one time, side by side.
+/// Returns the numbers of all gauges at one time.
 std::size_t row_length(const GaugeSeries& series) {
     return series.gauges * GaugeSeries::kColumns.size();
 }
@@ -161,7 +161,7 @@ void read_still_sea(Ocean& ocean, const std::vector<Gauge>& gauges, const Sample
 
     const WaveStep step = start.wave_step(1.0 / times.rate);
     const bool folds = may_fold(modes, parameters.surface.choppiness);
-    // Of each thread.
+    // One for each thread.
     std::vector<std::unique_ptr<Reader>> readers(static_cast<std::size_t>(pool.size()));
     const std::size_t batch = 2 * kBlock * static_cast<std::size_t>(pool.size());
     for (std::size_t done = 0; done < series.times; done += batch) {

@@ -17,14 +17,15 @@ namespace ocean {
 namespace {
 
 constexpr std::size_t kShortestSegment = 32;
-constexpr std::size_t kLongestSegment = 1 << 20;  // of the transform
+constexpr std::size_t kLongestSegment = 1 << 20;  // limited by the transform
 
-/// That fit into the series, each half a segment after the one before.
+/// Returns the number of segments that fit into the series, each half a segment after the one
+/// before.
 std::size_t segments_of(std::size_t samples, std::size_t segment) {
     return samples < segment ? 0 : (samples - segment) / (segment / 2) + 1;
 }
 
-/// Neighbouring Hann windows share 1/36 of their information.
+/// Returns the degrees of freedom. Neighbouring Hann windows share 1/36 of their information.
 /// [Percival and Walden 1993] eq. 292b, [Welch 1967].
 double freedom_of(std::size_t segments) {
     const auto n = static_cast<double>(segments);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a series of elevations says about its waves and about the sea; see gauge.hpp.
+// Statistics of the waves in a series of elevations, and estimates of the sea; see gauge.hpp.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -41,7 +41,8 @@ std::vector<Wave> waves_between_crossings(std::span<const double> elevation, dou
     return waves;
 }
 
-/// Over the first 1/part of the waves: the highest where they are sorted by height. At least one.
+/// Returns the mean over the first 1/part of the waves, at least one: the highest if they are
+/// sorted by height.
 double mean_of_first(std::span<const Wave> waves, int part, double Wave::*member) {
     const double share = static_cast<double>(waves.size()) / part;
     const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(share)));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Mean and variance of a gauge's time series: what its waves, its spectrum and its sea state begin
-// with.
+// Mean and variance of a gauge's time series, which its waves, its spectrum and its sea state all
+// need.
 #pragma once
 
 #include <numeric>
@@ -15,7 +15,7 @@ struct SeriesMoments {
     double variance = 0.0;  // about the mean, over the number of samples
 };
 
-/// 0 and 0 for an empty series.
+/// Returns both moments; 0 and 0 for an empty series.
 inline SeriesMoments moments_of(std::span<const double> values) {
     if (values.empty()) return {};
     const auto count = static_cast<double>(values.size());

@@ -18,14 +18,14 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// Two points.
+/// Transforms two points.
 OCEAN_INLINE void butterfly(Complex& a, Complex& b) {
     const Complex difference = a - b;
     a = a + b;
     b = difference;
 }
 
-/// Four points: a multiplication by i is an exchange of parts.
+/// Transforms four points: a multiplication by i exchanges the parts.
 OCEAN_INLINE void butterfly(Complex& a, Complex& b, Complex& c, Complex& d) {
     const Complex even = a + c;
     const Complex even_difference = a - c;
@@ -37,7 +37,8 @@ OCEAN_INLINE void butterfly(Complex& a, Complex& b, Complex& c, Complex& d) {
     d = {even_difference.re + odd_difference.im, even_difference.im - odd_difference.re};
 }
 
-/// Eight points as 4 x 2; w_8 and w_8^3 are (+-1 + i) / sqrt(2): two sums and two products.
+/// Transforms eight points as 4 x 2; w_8 and w_8^3 are (+-1 + i) / sqrt(2): two sums and two
+/// products.
 OCEAN_INLINE void butterfly(Complex (&x)[8]) {
     constexpr float kHalfRoot = 0.70710678118654752f;
     butterfly(x[0], x[2], x[4], x[6]);
@@ -56,8 +57,8 @@ OCEAN_INLINE void butterfly(Complex (&x)[8]) {
     x[7] = {fma(turned_3.re, kHalfRoot, e3.re), fnma(turned_3.im, kHalfRoot, e3.im)};
 }
 
-/// codelet<R>(load, store): load(j) gives x_j, store(k, X_k) takes the results, in any order. All
-/// of x is read before the first store.
+/// codelet<R>(load, store): load(j) returns x_j, store(k, X_k) receives the results in any order.
+/// All of x is read before the first store.
 template <int R>
 struct Codelet {
     static constexpr int P = R < 32 ? 4 : 8;

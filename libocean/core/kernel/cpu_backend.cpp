@@ -15,7 +15,8 @@ namespace ocean {
 
 namespace {
 
-/// What is kept for maps of one resolution. A map half as large needs a quarter: all are kept.
+/// The packed modes and the kernel for maps of one resolution. A map half as large needs a quarter
+/// of the memory, so all resolutions are kept.
 class CpuMap {
   public:
     CpuMap() = default;
@@ -42,7 +43,7 @@ class CpuMap {
     }
 
     SharedValue<PackedModes> packed_;
-    Revision revision_;  // of the modes that are packed
+    Revision revision_;  // of the packed modes
     std::optional<MapKernel> kernel_;
 };
 

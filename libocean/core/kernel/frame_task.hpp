@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the passes of the kernel are given: plain data, so that the files compiled for one
-// instruction set need nothing of the standard library.
+// The input of the kernel's passes: plain data, so that the files compiled for one instruction set
+// need nothing of the standard library.
 //
 // A map of N x N samples is made in two passes. x and kx belong together, y and ky; fields are
 // real, so ky >= 0 is enough.
@@ -30,7 +30,7 @@ inline constexpr ChannelSet kKernelFormulas = {Channel::nx,       Channel::ny,  
                                                Channel::jacobian, Channel::whitecap, Channel::foam,
                                                Channel::cover};
 
-/// A, and B = N / A: codelets of 16, 32 and 64 points first, at most 128 second.
+/// Returns A, of N = A B: the first codelets have 16, 32 or 64 points, the second at most 128.
 constexpr int first_factor(int size) {
     return size <= 256 ? 16 : size <= 1024 ? 32 : 64;
 }
@@ -46,8 +46,8 @@ enum class SourceKind : int {
 };
 struct Source {
     SourceKind kind;
-    bool rate;    // of dh/dt instead of h
-    int own;      // slot of the field itself, or -1: not asked for
+    bool rate;    // made of dh/dt instead of h
+    int own;      // slot of the field itself, or -1: not requested
     int derived;  // slot, or -1
 };
 inline constexpr int kSourceCount = 8;
@@ -59,8 +59,8 @@ inline constexpr int kSourceCount = 8;
 inline constexpr int kPairNumbers = 11;
 inline constexpr int kSinglesNumbers = 14;
 
-/// Modes kx = j + B i and their mirrors N - kx, for i < A. Bit i of `present`: there is a packet;
-/// else the modes are zero.
+/// Modes kx = j + B i and their mirrors N - kx, for i < A. Bit i of `present`: 1 = the group has a
+/// packet for i, 0 = its modes are zero.
 struct ModeGroup {
     std::uint64_t present;
     std::uint64_t first_packet;  // in floats
@@ -78,8 +78,8 @@ struct DirectPlane {
 
 inline constexpr int kMaxOutputs = 32;
 
-/// One frame. Slots number the fields that pass two makes; the channels that are made of several
-/// of them follow.
+/// One frame. Slots number the fields that pass two computes; the channels that combine several of
+/// them follow.
 struct FrameTask {
     int size;     // N
     int columns;  // ky < columns may have modes: a multiple of B and of sixteen
@@ -119,8 +119,8 @@ struct FrameTask {
     bool needs_jacobian;  // for itself, whitecaps, foam or cover
 };
 
-/// Linear fields that are there as planes. plane[field]: null, or the first row of the map,
-/// row_stride floats from row to row.
+/// Linear fields that exist as planes. plane[field] is null or points to the first row of the map;
+/// rows lie row_stride floats apart.
 struct PlanarFields {
     std::array<const float*, kLinearCount> plane{};
     std::size_t row_stride = 0;
@@ -129,11 +129,11 @@ struct PlanarFields {
 /// The functions of one instruction set.
 struct KernelCode {
     int lanes;
-    int item_width;  // of pass two, in samples
+    int item_width;  // samples of an item of pass two
     std::size_t (*scratch_floats)(const FrameTask&);
-    /// Item: a block of `lanes` ky.
+    /// Runs an item of pass one: a block of `lanes` ky.
     void (*pass_one)(const FrameTask&, int item, float* scratch);
-    /// Item: `item_width` neighbouring x.
+    /// Runs an item of pass two: `item_width` neighbouring x.
     void (*pass_two)(const FrameTask&, int item, float* scratch);
     void (*write_row)(const FrameTask&, const PlanarFields&, int row);
     void (*codelet)(int points, const float* in, float* out);  // for its test

@@ -85,7 +85,7 @@ static void run_pass_two(const FrameTask& task, int item, float* scratch) {
     });
 }
 
-/// One row of planes.
+/// Writes one row from planes.
 static void run_write_row(const FrameTask& task, const PlanarFields& fields, int row) {
     alignas(64) float derived[kChannelCount * kItemWidth];
     RowSamples samples = row_samples(task, derived);

@@ -37,7 +37,7 @@ struct Intermediate {
     static std::size_t rows(const FrameTask& task) {
         return static_cast<std::size_t>(task.columns / B);
     }
-    /// Of one ky within a pair of x blocks.
+    /// Returns the offset of one ky within a pair of x blocks.
     static std::size_t place(const FrameTask& task, int source, int ky) {
         const int j = ky % B;
         const bool mirrored = j >= B / 2;  // lines j and B - j, or 0 and B / 2
@@ -47,7 +47,8 @@ struct Intermediate {
                    kEntry +
                (mirrored ? 2 * kBlock : 0);
     }
-    /// Of a block of x: blocks 0 .. kPairs - 1 of an item are the first ones of its pairs.
+    /// Returns the offset of a block of x: blocks 0 .. kPairs - 1 of an item are the first ones of
+    /// its pairs.
     static std::size_t x_block(const FrameTask& task, int block) {
         const int item = block / (2 * kPairs);
         const int within = block % (2 * kPairs);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/touch_pages.hpp"
+#include "base/prefault_pages.hpp"
 #include "ocean/cascades.hpp"
 #include "ocean/page_vector.hpp"
 #include "ocean/thread_pool.hpp"
@@ -43,7 +43,7 @@ struct Multiple {
     float factor;
 };
 
-/// Fills in what a frame asks for: fields, slots, sources and outputs.
+/// Fills in the fields, slots, sources and outputs that a frame requests.
 class Plan {
   public:
     Plan(FrameTask& task, const KernelFrame& frame, std::span<const MapOutput> outputs)
@@ -90,7 +90,7 @@ class Plan {
 
     bool is_flat() const { return task_.choppiness == 0.0f; }
 
-    /// The fields of a channel that is made of several.
+    /// Requests the fields of a channel that combines several.
     void use_fields(Channel channel) {
         const LinearSet fields = fields_of(channel, is_flat());
         for (const Linear field : kLinears) {
@@ -155,7 +155,8 @@ class Plan {
     FrameTask& task_;
 };
 
-/// Streaming stores pay where the intermediate leaves the cache of a core; [measured].
+/// Returns true if streaming stores pay: where the intermediate exceeds the cache of a core
+/// [measured].
 bool streams(int size) {
     return size >= 512;
 }
@@ -170,7 +171,7 @@ std::size_t intermediate_floats(FrameTask& task, int lanes) {
     return task.pair_stride * (static_cast<std::size_t>(task.size) / (2 * width));
 }
 
-/// At least so many; what was there is lost. True if they are new.
+/// Resizes to at least `count` floats, whose contents are lost. Returns true if they are new.
 bool make_room(PageVector<float>& floats, std::size_t count) {
     if (floats.size() >= count) return false;
     floats = {};
@@ -180,16 +181,16 @@ bool make_room(PageVector<float>& floats, std::size_t count) {
 
 }  // namespace
 
-struct MapKernel::State {
+struct MapKernel::Impl {
     std::shared_ptr<const PackedModes> modes;
     const KernelCode& code;
     PageVector<float> wavenumber;
     std::vector<float> twiddle;
     PageVector<float> intermediate;
-    std::vector<PageVector<float>> scratch;  // of each thread
+    std::vector<PageVector<float>> scratch;  // one for each thread
     FrameTask task{};
 
-    explicit State(std::shared_ptr<const PackedModes> packed)
+    explicit Impl(std::shared_ptr<const PackedModes> packed)
         : code(kernel_code(packed->level())), wavenumber(static_cast<std::size_t>(packed->size())) {
         const int size = packed->size();
         const int a = first_factor(size);
@@ -224,7 +225,7 @@ struct MapKernel::State {
         task.output_count = 0;
         Plan(task, frame, outputs);
         if (make_room(intermediate, intermediate_floats(task, code.lanes))) {
-            touch_pages(intermediate, pool);
+            prefault_pages(intermediate, pool);
         }
         task.intermediate = intermediate.data();
         scratch.resize(std::max(scratch.size(), static_cast<std::size_t>(pool.size())));
@@ -243,43 +244,42 @@ struct MapKernel::State {
 };
 
 MapKernel::MapKernel(std::shared_ptr<const PackedModes> modes)
-    : state_(std::make_unique<State>(std::move(modes))) {}
+    : impl_(std::make_unique<Impl>(std::move(modes))) {}
 MapKernel::~MapKernel() = default;
 MapKernel::MapKernel(MapKernel&&) noexcept = default;
 MapKernel& MapKernel::operator=(MapKernel&&) noexcept = default;
 
 void MapKernel::use(std::shared_ptr<const PackedModes> modes) {
-    const bool fits =
-        modes->size() == state_->task.size && modes->level() == state_->modes->level();
+    const bool fits = modes->size() == impl_->task.size && modes->level() == impl_->modes->level();
     if (!fits) {
         *this = MapKernel(std::move(modes));
         return;
     }
-    state_->set_modes(std::move(modes));
+    impl_->set_modes(std::move(modes));
 }
 
 void MapKernel::run(const KernelFrame& frame, ThreadPool& pool) {
     std::span<const MapOutput> left = frame.outputs;
     while (!left.empty()) {
         const std::size_t count = std::min(left.size(), std::size_t{kMaxOutputs});
-        state_->run(frame, left.first(count), pool);
+        impl_->run(frame, left.first(count), pool);
         left = left.subspan(count);
     }
 }
 
 void MapKernel::begin(const KernelFrame& frame, ThreadPool& pool) {
-    state_->begin(frame, frame.outputs, pool);
+    impl_->begin(frame, frame.outputs, pool);
 }
 
 int MapKernel::strip_width() const {
-    return state_->code.item_width;
+    return impl_->code.item_width;
 }
 std::size_t MapKernel::scratch_floats() const {
-    return state_->code.scratch_floats(state_->task);
+    return impl_->code.scratch_floats(impl_->task);
 }
 
 void MapKernel::write_strip(int strip, float* scratch) const {
-    state_->code.pass_two(state_->task, strip, scratch);
+    impl_->code.pass_two(impl_->task, strip, scratch);
 }
 
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,
@@ -310,7 +310,7 @@ std::uint64_t kernel_bytes(const Grid& grid, LinearSet fields, int resolution) {
     int half_band = 0;
     for (const int divisor : cascade_divisors(grid)) {
         const int half = half_of(grid.resolution, divisor, resolution);
-        // All lanes of a block are there where one of its rows has modes.
+        // If one row of a block has modes, all lanes of the block are present.
         const int rows = std::min(divisor, kernel_code(simd_level()).lanes);
         packed += packed_bytes(2 * half) * static_cast<std::uint64_t>(rows);
         half_band = std::max(half_band, (half - 1) * divisor + 1);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The kernel of the cpu backend: from the modes of a map to the maps of one time, in one go. The
-// mathematics is in pass_one.hpp and pass_two.hpp, compiled once per instruction set; here is what
-// the rest of core sees of it.
+// mathematics is in pass_one.hpp and pass_two.hpp, compiled once per instruction set; this is its
+// interface to the rest of core.
 #pragma once
 
 #include <cstdint>
@@ -19,24 +19,24 @@ class PackedModes;
 
 /// One frame.
 struct KernelFrame {
-    double tau = 0.0;                    // of Modes
+    double tau = 0.0;                    // Modes::tau of the time
     SurfaceSettings settings;            // choppiness; for whitecaps as from with_threshold
-    std::span<const MapOutput> outputs;  // of linear fields, their multiples and kKernelFormulas
+    std::span<const MapOutput> outputs;  // linear fields, their multiples and kKernelFormulas
     FoamLayer foam;
 };
 
-/// The modes of one map in the order in which the kernel walks them. Immutable: many kernels, in
-/// any threads, may share it.
+/// Returns the modes of one map in the order in which the kernel walks them. Immutable: kernels in
+/// any threads may share it.
 std::shared_ptr<const PackedModes> pack_modes(const MapModes& modes, ThreadPool& pool,
                                               SimdLevel level = simd_level());
 
 /// Makes frames of one map. Owns the arrays between the passes, so that a frame allocates nothing
-/// once its fields have been asked for. One frame at a time; kernels in several threads are
+/// once its fields have been requested. One frame at a time; kernels in several threads are
 /// independent.
 class MapKernel {
   public:
     explicit MapKernel(std::shared_ptr<const PackedModes> modes);
-    /// Other modes of the same resolution, in the arrays that are there.
+    /// Switches to other modes of the same resolution and keeps the arrays.
     void use(std::shared_ptr<const PackedModes> modes);
     ~MapKernel();
     MapKernel(MapKernel&&) noexcept;
@@ -44,28 +44,29 @@ class MapKernel {
 
     void run(const KernelFrame& frame, ThreadPool& pool);
 
-    /// The same in parts, for who looks at few columns of a map: pass one, for at most kMaxOutputs
-    /// outputs;
+    /// Runs pass one alone, for at most kMaxOutputs outputs: for a caller that reads few columns of
+    /// a map. write_strip() then makes these columns.
     void begin(const KernelFrame& frame, ThreadPool& pool);
-    /// then, strip after strip of strip_width() columns in any order, what the outputs have there.
-    /// Several threads at once, with a scratch of scratch_floats() of its own each.
+    /// Runs pass two for one strip of strip_width() columns: writes the outputs there. Strips in
+    /// any order; several threads at once, each with its own scratch of scratch_floats().
     int strip_width() const;
     std::size_t scratch_floats() const;
     void write_strip(int strip, float* scratch) const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
-/// The last stage alone, for linear fields that are there as planes: rows first .. last - 1 of the
-/// outputs.
+/// Runs the last stage alone, for linear fields that exist as planes: writes rows first .. last - 1
+/// of the outputs.
 void write_rows(const PlanarFields& fields, int resolution, int first, int last,
                 const KernelFrame& frame, SimdLevel level = simd_level());
 
-/// Bytes of the packed modes of a map, at most.
+/// Returns an upper bound of the bytes of a map's packed modes.
 std::uint64_t packed_bytes(int resolution);
-/// Those that a kernel takes for maps of a sea: packed modes, and what lies between the passes.
+/// Returns the bytes that a kernel needs for maps of a sea: packed modes, and the arrays between
+/// the passes.
 std::uint64_t kernel_bytes(const Grid& grid, LinearSet fields, int resolution);
 
 }  // namespace ocean

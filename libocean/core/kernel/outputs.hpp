@@ -30,7 +30,7 @@ struct RowSamples {
     OCEAN_INLINE Vec at(int s, int v) const { return load_unaligned(slot[s] + v * kLanes); }
 };
 
-/// With the derived slots behind the linear ones.
+/// Returns the samples of a row, with the derived slots after the linear ones.
 OCEAN_INLINE RowSamples row_samples(const FrameTask& task, float* derived) {
     RowSamples row;
     row.derived = derived;
@@ -40,7 +40,7 @@ OCEAN_INLINE RowSamples row_samples(const FrameTask& task, float* derived) {
     return row;
 }
 
-/// Normal, Jacobian, whitecap, foam and cover of a row, where asked for.
+/// Writes normal, Jacobian, whitecap, foam and cover of a row, if requested.
 template <bool kFlat>
 OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, std::size_t place) {
     const auto slot_of = [&](Linear field) { return task.slot_of[static_cast<int>(field)]; };
@@ -77,7 +77,7 @@ OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, 
                                ? load_unaligned(task.foam.map + place + v * kLanes)
                                : Vec(0.0f);
         const Vec value = max(w, Vec(task.foam.fade) * before);
-        set(Channel::foam, v, Vec(value.v < Vec(task.foam.least).v ? Lanes{} : value.v));
+        set(Channel::foam, v, Vec(value.v < Vec(task.foam.cutoff).v ? Lanes{} : value.v));
     }
     if (task.derived_slot[static_cast<int>(Channel::cover)] < 0) return;
     for (int v = 0; v < kRowVectors; ++v) {
@@ -86,16 +86,16 @@ OCEAN_INLINE void derive_channels(const FrameTask& task, const RowSamples& row, 
     }
 }
 
-inline constexpr int kLineFloats = 16;  // of a line of the cache
+inline constexpr int kLineFloats = 16;  // floats of a cache line
 
-/// How far behind the beginning of a line, in floats.
+/// Returns the distance from the beginning of a cache line, in floats.
 OCEAN_INLINE int place_in_line(const float* p) {
     return static_cast<int>(reinterpret_cast<std::uintptr_t>(p) / sizeof(float) % kLineFloats);
 }
 
-/// `count` floats from `lines` + place_in_line(target) to `target`: whole lines at once, and past
-/// the caches those parts of lines too that rows of two items share. A cache would read both of
-/// them first, from a page each: 1.5 times the frame [measured].
+/// Copies `count` floats from `lines` + place_in_line(target) to `target`: whole lines at once and
+/// past the caches, also the parts of lines that rows of two items share. A cache would first read
+/// both of them, from a page each: 1.5 times the frame [measured].
 template <int count>
 OCEAN_INLINE void stream_lines(float* target, const float* lines) {
     const int offset = place_in_line(target);
@@ -105,7 +105,7 @@ OCEAN_INLINE void stream_lines(float* target, const float* lines) {
     stream_part(target + count, lines + count, offset);
 }
 
-/// A row of one output of n interleaved components.
+/// Writes a row of one output of n interleaved components.
 template <int n>
 OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& row, float* target) {
     // Buffers of hosts begin anywhere: those of malloc 16 bytes behind a line.
@@ -131,7 +131,7 @@ OCEAN_INLINE void write_interleaved(const MapOutput& output, const RowSamples& r
     if (!aligned) stream_lines<n * kItemWidth>(target, lines);
 }
 
-/// A row of an output of which some components are not to be touched: value by value.
+/// Writes a row of an output some of whose components must stay unchanged: value by value.
 inline void write_some_components(const MapOutput& output, const RowSamples& row, float* target) {
     for (int c = 0; c < output.components; ++c) {
         const MapOutput::Component& from = output.component[static_cast<std::size_t>(c)];

@@ -33,8 +33,8 @@ class PackedModes::Packing {
           first_(first_factor(size_)),
           second_(size_ / first_) {}
 
-    /// Where there are packets, from the lattices of the cascades alone: a change of the spectrum
-    /// does not move any. Returns the floats of all packets.
+    /// Places the packets by the lattices of the cascades alone, so that a change of the spectrum
+    /// moves none. Returns the floats of all packets.
     std::uint64_t lay_out(int blocks, std::vector<ModeGroup>& groups) const {
         std::uint64_t floats = 0;
         std::vector<char> occupied(static_cast<std::size_t>(size_));
@@ -55,12 +55,12 @@ class PackedModes::Packing {
         return floats;
     }
 
-    /// The numbers of a block, [number][kx][lane], zero where no cascade has a mode.
+    /// Returns the numbers of a block, [number][kx][lane], zero where no cascade has a mode.
     std::vector<float> dense_block() const {
         return std::vector<float>(static_cast<std::size_t>(kNumbers * size_ * lanes_));
     }
 
-    /// `dense` as from dense_block or from another block.
+    /// Packs a block. `dense`: from dense_block or from another block.
     void pack(int block, const ModeGroup* groups, std::vector<float>& dense, float* packets) const {
         // One cascade has the same places in every block and overwrites them.
         if (modes_.cascades.size() > 1) std::fill(dense.begin(), dense.end(), 0.0f);
@@ -82,7 +82,7 @@ class PackedModes::Packing {
                 const auto kx = kx_of(j, i);
                 append(kPRe, kQIm, kx.first);
                 append(kPRe, kQIm, kx.second);
-                // Of a pair either may be missing on a lattice, but then it has no energy.
+                // Either of a pair may be missing on a lattice, but then it has no energy.
                 append(kRateHigh, kDisplacement, kx.first);
                 if (j == 0) append(kRateHigh, kDisplacement, kx.second);
             }
@@ -94,7 +94,7 @@ class PackedModes::Packing {
         return static_cast<std::size_t>((j == 0 ? kSinglesNumbers : kPairNumbers) * lanes_);
     }
 
-    /// The two kx of packet i of group j.
+    /// Returns the two kx of packet i of group j.
     std::pair<std::size_t, std::size_t> kx_of(int j, int i) const {
         const int kx = j + second_ * i;
         const int other = j == 0 ? second_ / 2 + second_ * i : size_ - kx;
@@ -143,7 +143,7 @@ class PackedModes::Packing {
         }
     }
 
-    /// kx = first .. last - 1 of one lane.
+    /// Gathers kx = first .. last - 1 of one lane.
     void gather_row(std::size_t number, const LaneRow& lane_row, int first, int last,
                     std::vector<float>& dense) const {
         const CascadeModes& cascade = modes_.cascades[number];

@@ -15,13 +15,13 @@
 
 namespace ocean {
 
-/// What a mode's amplitude and its displacement are multiplied by while it is packed.
+/// Factors of a mode's amplitude and of its displacement, applied while it is packed.
 struct ModeScale {
     float amplitude = 1.0f;
     float displacement = 1.0f;
 };
-/// That of mode (n, m), signed, of a cascade; the same for (-n, -m). Called by several threads at
-/// once.
+/// Returns the scale of mode (n, m), signed, of a cascade; it must be the same for (-n, -m).
+/// Several threads call it at once.
 using ModeFactor = std::function<ModeScale(std::size_t cascade, int n, int m)>;
 
 class PackedModes {
@@ -29,13 +29,13 @@ class PackedModes {
     PackedModes(const MapModes& modes, ThreadPool& pool, SimdLevel level,
                 const ModeFactor& factor = {});
 
-    /// The same for other modes in the memory that is there. False, with nothing changed, if their
-    /// lattices or the map are others.
+    /// Packs other modes into the same memory. Returns false and changes nothing if their lattices
+    /// or the map differ.
     bool refill(const MapModes& modes, ThreadPool& pool, const ModeFactor& factor = {});
 
     SimdLevel level() const { return level_; }
     int size() const { return size_; }
-    /// ky < columns may have modes; a multiple of B and of sixteen.
+    /// Returns a multiple of B and of sixteen; only ky below it have modes.
     int columns() const { return columns_; }
     double rate_unit() const { return rate_unit_; }
     double wavenumber_step() const { return wavenumber_step_; }

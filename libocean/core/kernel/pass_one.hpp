@@ -39,7 +39,7 @@ struct ModePhase {
     Vec displacement;
 };
 
-/// rates: rate_high, rate_low, displacement.
+/// Returns the phase of modes. rates: rate_high, rate_low, displacement.
 template <bool kRates>
 OCEAN_INLINE ModePhase phase_of(const PhaseClock& clock, Vec rate_unit, const float* rates) {
     const Vec high = load(rates);
@@ -48,7 +48,7 @@ OCEAN_INLINE ModePhase phase_of(const PhaseClock& clock, Vec rate_unit, const fl
             load(rates + 2 * kLanes)};
 }
 
-/// amplitude: P, Q. h = P cos + Q sin, dh/dt = omega (Q cos - P sin).
+/// Sets h = P cos + Q sin and dh/dt = omega (Q cos - P sin) of a mode. amplitude: P, Q.
 template <int A, bool kRates>
 OCEAN_INLINE void set_mode(ModeLines<A, kRates>& lines, int side, int i, const float* amplitude,
                            const ModePhase& phase) {
@@ -66,7 +66,7 @@ OCEAN_INLINE void set_mode(ModeLines<A, kRates>& lines, int side, int i, const f
     }
 }
 
-/// The modes of one group: the lines j and B - j along kx, or 0 and B / 2.
+/// Computes the modes of one group: the lines j and B - j along kx, or 0 and B / 2.
 template <int A, bool kRates>
 void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
                 ModeLines<A, kRates>& lines) {
@@ -99,7 +99,7 @@ void read_modes(const FrameTask& task, const ModeGroup& group, bool singles,
     }
 }
 
-/// First sweep of one source along one line j: coefficients, A points, twiddles.
+/// Runs the first sweep of one source along one line j: coefficients, A points, twiddles.
 template <int A, int B>
 OCEAN_INLINE void sweep_line(SourceKind kind, const Complex* h, const Complex* u, const float* kx,
                              Vec ky, const float* twiddle, float* out) {
@@ -144,7 +144,7 @@ OCEAN_INLINE void sweep_line(SourceKind kind, const Complex* h, const Complex* u
     }
 }
 
-/// First sweep of all sources along both lines of a group.
+/// Runs the first sweep of all sources along both lines of a group.
 template <int A, int B, bool kRates>
 void sweep_group(const FrameTask& task, int j, Vec ky, const ModeLines<A, kRates>& lines,
                  float* scratch) {
@@ -170,16 +170,16 @@ OCEAN_INLINE NextPackets next_packets(const FrameTask& task, int block, const fl
     if ((block + 1) * kLanes >= task.columns) return {nowhere, 0, nowhere};
     const std::uint64_t here = task.groups[block * (B / 2)].first_packet;
     const std::uint64_t first = task.groups[(block + 1) * (B / 2)].first_packet;
-    // As many again: neighbouring blocks differ little.
+    // The next item's size is taken to be this one's: neighbouring blocks differ little.
     return {task.packets + first, first - here, nowhere};
 }
 
-/// Second sweep of one source, kLanes of its A transforms at a time, each block transposed and
-/// stored where pass two reads it.
+/// Runs the second sweep of one source, kLanes of its A transforms at a time; transposes each block
+/// and stores it where pass two reads it.
 template <int A, int B, bool kStream>
 void sweep_and_transpose(const FrameTask& task, int block, int source, const float* lines,
                          float* tile, const NextPackets& next) {
-    std::size_t place[kLanes];  // of each ky
+    std::size_t place[kLanes];  // offset of each ky
     for (int l = 0; l < kLanes; ++l) {
         place[l] = Intermediate<A, B>::place(task, source, block * kLanes + l);
     }

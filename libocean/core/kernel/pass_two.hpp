@@ -16,13 +16,13 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// A line of ky = j + B i, i < A, stands in the intermediate as its half with ky > 0; the other
-/// half mirrors a line's. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A - 1 - i)
-/// mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B (A - 1 -
-/// i).
+/// A line of ky = j + B i, i < A, is stored in the intermediate as its half with ky > 0; the other
+/// half is the mirror of a line. Lines j and B - j mirror each other: -(j + B i) = (B - j) + B (A -
+/// 1 - i) mod N. Lines 0 and B / 2 mirror themselves: -B i = B (A - i) and -(B/2 + B i) = B/2 + B
+/// (A - 1 - i).
 enum class Line { paired, zero, half };
 
-/// Z, or i ky Z, along one line. kCut: not every row that is asked for is there.
+/// Loads Z, or i ky Z, along one line. kCut: some of the rows do not exist and count as 0.
 template <int A, int B, Line kLine, bool kDerived, bool kCut>
 struct LineReader {
     const float* entries;  // of one j and source
@@ -49,7 +49,7 @@ struct LineReader {
     }
 };
 
-/// First sweep of one field along one line: A points, twiddles.
+/// Runs the first sweep of one field along one line: A points, twiddles.
 template <int A, int B, typename Reader>
 void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* out) {
     const float* twiddle = task.twiddle + 2 * line * A;
@@ -60,7 +60,8 @@ void sweep_line_of(const FrameTask& task, const Reader& read, int line, float* o
                     });
 }
 
-/// One field, or the one derived from it, along both lines of j. to: its lines in the scratch.
+/// Runs it for one field, or the one derived from it, along both lines of j. to: its lines in the
+/// scratch.
 template <int A, int B, bool kDerived>
 void sweep_field(const FrameTask& task, int j, const float* entries, float* to) {
     const int rows = static_cast<int>(Intermediate<A, B>::rows(task));
@@ -84,7 +85,7 @@ void sweep_field(const FrameTask& task, int j, const float* entries, float* to) 
     }
 }
 
-/// First sweep of all fields of one pair. scratch: [slot][j][k].
+/// Runs the first sweep of all fields of one pair. scratch: [slot][j][k].
 template <int A, int B>
 void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     using Layout = Intermediate<A, B>;
@@ -105,8 +106,8 @@ void sweep_pair(const FrameTask& task, int pair, float* scratch) {
     }
 }
 
-/// The intermediate of the next item. A codelet of slot s goes with a share of source s, there
-/// being no fewer fields than sources.
+/// Prefetches the intermediate of the next item. A codelet of slot s prefetches a share of source
+/// s; there are at least as many fields as sources.
 template <int A, int B>
 class NextEntries {
   public:
@@ -117,7 +118,7 @@ class NextEntries {
                  (item + 1) * kItemWidth < task.size ? kPairs * task.pair_stride : 0, nowhere),
           sources_(task.source_count) {}
 
-    /// Of the sweep for the samples k of the field in `slot` of a pair.
+    /// Returns the share for the sweep over the samples k of the field in `slot` of a pair.
     OCEAN_INLINE const float* share(int k, int slot, int pair) const {
         const int none = sources_ * kPairs * A;
         return lines_.share(slot < sources_ ? (k * sources_ + slot) * kPairs + pair : none, B);
@@ -128,7 +129,7 @@ class NextEntries {
     int sources_;
 };
 
-/// Second sweep of one field for the samples y = k + A l, all l.
+/// Runs the second sweep of one field for the samples y = k + A l, all l.
 template <int A, int B, typename Store>
 OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, const Store& store) {
     const float* in = field + k * 2 * kLanes;
@@ -140,8 +141,8 @@ OCEAN_INLINE void sweep_samples(const float* field, int k, const float* next, co
         store);
 }
 
-/// Planes that are one field each: whole rows of an item at once, which are full lines of the
-/// cache.
+/// Writes the outputs that are planes of one field: whole rows of an item at once, which are full
+/// cache lines.
 template <int A, int B>
 void write_direct_planes(const FrameTask& task, int k, int x0, const float* scratch,
                          std::size_t pair_floats, const NextEntries<A, B>& next) {
@@ -178,8 +179,8 @@ void write_direct_planes(const FrameTask& task, int k, int x0, const float* scra
     }
 }
 
-/// All other outputs for y = k + A l: the samples of the fields they use, in the order of the rows
-/// of an item, then row by row what is made of them.
+/// Writes all other outputs for y = k + A l: first the samples of the fields that they use, in the
+/// order of the rows of an item, then row by row the channels computed from them.
 template <int A, int B>
 void write_combined(const FrameTask& task, int k, int x0, const float* scratch,
                     std::size_t pair_floats, float* samples, const NextEntries<A, B>& next) {

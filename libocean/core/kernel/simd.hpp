@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The vector that the kernel is written in: kLanes floats, with the arithmetic of a float. What an
-// instruction set does in its own way is in simd_avx512.hpp, simd_avx2.hpp and simd_4.hpp, one of
-// which is chosen by the flags of the file that includes this one.
+// The vector type that the kernel is written in: kLanes floats, with the arithmetic of a float. The
+// parts that depend on the instruction set are in simd_avx512.hpp, simd_avx2.hpp and simd_4.hpp;
+// the compiler flags of the including file select one of them.
 //
-// Everything stands in a namespace named after the instruction set, and everything is inlined: no
-// function compiled for one machine may be shared, by the linker, with code for another. Products
-// are fused with sums only where fma says so, so that eight and sixteen lanes give the same bits.
+// Everything is in a namespace named after the instruction set, and everything is inlined: the
+// linker must not share a function compiled for one machine with code for another. Products are
+// fused with sums only by fma, so that eight and sixteen lanes give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -91,7 +91,7 @@ OCEAN_INLINE void store_unaligned(float* p, Vec x) {
 OCEAN_INLINE bool is_aligned(const float* p) {
     return reinterpret_cast<std::uintptr_t>(p) % sizeof(Lanes) == 0;
 }
-/// A few floats past the caches, where the machine can.
+/// Stores a few floats past the caches, where the machine can.
 OCEAN_INLINE void stream_part(float* to, const float* from, int count) {
 #if defined(__SSE2__)
     const auto stream_one = [](float* target, const float* value) OCEAN_INLINE_LAMBDA {
@@ -168,7 +168,7 @@ OCEAN_INLINE Complex operator+(Complex a, Complex b) {
 OCEAN_INLINE Complex operator-(Complex a, Complex b) {
     return {a.re - b.re, a.im - b.im};
 }
-/// a (c + i s)
+/// Returns a (c + i s).
 OCEAN_INLINE Complex turned(Complex a, float c, float s) {
     return {fms(a.re, c, a.im * Vec(s)), fma(a.re, s, a.im * Vec(c))};
 }
@@ -181,9 +181,10 @@ OCEAN_INLINE void store_complex(float* p, Complex x) {
     store(p + kLanes, x.im);
 }
 
-/// 1 / sqrt(x) of a normal x > 0, to 2e-7 relative; a large number for 0. Three steps of Newton's
-/// method from a straight line through the logarithm, which a float's bits are: faster than a
-/// square root and a division, and, unlike the machines' own estimates, the same on each of them.
+/// Returns 1 / sqrt(x) of a normal x > 0, to 2e-7 relative; a large number for 0. Three steps of
+/// Newton's method from a straight line through the logarithm, which a float's bits are: faster
+/// than a square root and a division and, unlike the machines' own estimates, the same on each of
+/// them.
 OCEAN_INLINE Vec inversesqrt(Vec x) {
     const IntLanes bits = reinterpret_cast<IntLanes>(x.v);
     Vec y(reinterpret_cast<Lanes>(0x5f375a86 - (bits >> 1)));

@@ -7,7 +7,7 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// a b + c, a b - c, c - a b, rounded once.
+/// Returns a b + c; fms a b - c, fnma c - a b; rounded once.
 OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
     return Lanes(_mm256_fmadd_ps(a.v, b.v, c.v));
 }
@@ -23,11 +23,11 @@ OCEAN_INLINE Vec min(Vec a, Vec b) {
 OCEAN_INLINE Vec max(Vec a, Vec b) {
     return Lanes(_mm256_max_ps(a.v, b.v));
 }
-/// The nearest integer, ties to even.
+/// Returns the nearest integer, ties to even.
 OCEAN_INLINE Vec nearest(Vec x) {
     return Lanes(_mm256_round_ps(x.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
-/// Past the caches, to memory.
+/// Stores past the caches, to memory.
 OCEAN_INLINE void stream(float* p, Vec x) {
     _mm256_stream_ps(p, x.v);
 }
@@ -35,31 +35,31 @@ OCEAN_INLINE void finish_streams() {
     _mm_sfence();
 }
 
-/// Per quad: a0 b0 a1 b1; a2 b2 a3 b3.
+/// Interleaves per quad: a0 b0 a1 b1; a2 b2 a3 b3.
 OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
     return Lanes(_mm256_unpacklo_ps(a.v, b.v));
 }
 OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
     return Lanes(_mm256_unpackhi_ps(a.v, b.v));
 }
-/// Per quad: two chosen floats of a, then two of b.
+/// Returns, per quad, two chosen floats of a, then two of b.
 template <int k0, int k1, int k2, int k3>
 OCEAN_INLINE Vec pick(Vec a, Vec b) {
     return Lanes(_mm256_shuffle_ps(a.v, b.v, k0 | k1 << 2 | k2 << 4 | k3 << 6));
 }
-/// Quad q is p[q * 4 * stride .. + 3].
+/// Loads quad q from p[q * 4 * stride .. + 3].
 OCEAN_INLINE Vec load_quads(const float* p, std::size_t stride) {
     const __m256 v = _mm256_castps128_ps256(_mm_load_ps(p));
     return Lanes(_mm256_insertf128_ps(v, _mm_load_ps(p + 4 * stride), 1));
 }
 
-/// The low (0) or high (1) quad of a, then of b.
+/// Returns the low (0) or high (1) quad of a, then of b.
 template <int kFromA, int kFromB>
 OCEAN_INLINE Vec pick_quads(Vec a, Vec b) {
     return Lanes(_mm256_permute2f128_ps(a.v, b.v, kFromA | (kFromB + 2) << 4));
 }
 
-/// q[0] .. q[n - 1] to the order quad 0 of each, quad 1 of each.
+/// Reorders q[0] .. q[n - 1]: quad 0 of each, then quad 1 of each.
 OCEAN_INLINE void interleave_quads(Vec (&q)[2]) {
     const Vec low = pick_quads<0, 0>(q[0], q[1]);
     q[1] = pick_quads<1, 1>(q[0], q[1]);

@@ -7,7 +7,7 @@
 
 namespace ocean::OCEAN_KERNEL {
 
-/// a b + c, a b - c, c - a b, rounded once.
+/// Returns a b + c; fms a b - c, fnma c - a b; rounded once.
 OCEAN_INLINE Vec fma(Vec a, Vec b, Vec c) {
     return Lanes(_mm512_fmadd_ps(a.v, b.v, c.v));
 }
@@ -23,11 +23,11 @@ OCEAN_INLINE Vec min(Vec a, Vec b) {
 OCEAN_INLINE Vec max(Vec a, Vec b) {
     return Lanes(_mm512_max_ps(a.v, b.v));
 }
-/// The nearest integer, ties to even.
+/// Returns the nearest integer, ties to even.
 OCEAN_INLINE Vec nearest(Vec x) {
     return Lanes(_mm512_roundscale_ps(x.v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
-/// Past the caches, to memory.
+/// Stores past the caches, to memory.
 OCEAN_INLINE void stream(float* p, Vec x) {
     _mm512_stream_ps(p, x.v);
 }
@@ -35,19 +35,19 @@ OCEAN_INLINE void finish_streams() {
     _mm_sfence();
 }
 
-/// Per quad: a0 b0 a1 b1; a2 b2 a3 b3.
+/// Interleaves per quad: a0 b0 a1 b1; a2 b2 a3 b3.
 OCEAN_INLINE Vec unpack_low(Vec a, Vec b) {
     return Lanes(_mm512_unpacklo_ps(a.v, b.v));
 }
 OCEAN_INLINE Vec unpack_high(Vec a, Vec b) {
     return Lanes(_mm512_unpackhi_ps(a.v, b.v));
 }
-/// Per quad: two chosen floats of a, then two of b.
+/// Returns, per quad, two chosen floats of a, then two of b.
 template <int k0, int k1, int k2, int k3>
 OCEAN_INLINE Vec pick(Vec a, Vec b) {
     return Lanes(_mm512_shuffle_ps(a.v, b.v, k0 | k1 << 2 | k2 << 4 | k3 << 6));
 }
-/// Quad q is p[q * 4 * stride .. + 3].
+/// Loads quad q from p[q * 4 * stride .. + 3].
 OCEAN_INLINE Vec load_quads(const float* p, std::size_t stride) {
     __m512 v = _mm512_castps128_ps512(_mm_load_ps(p));
     v = _mm512_insertf32x4(v, _mm_load_ps(p + 4 * stride), 1);
@@ -63,8 +63,9 @@ OCEAN_INLINE Vec choose(Vec a, Vec b, const LaneChoice& choice) {
     return Lanes(_mm512_permutex2var_ps(a.v, _mm512_load_si512(choice.lane), b.v));
 }
 
-/// Vector `part` of n components interleaved: float f = 16 part + lane is component f mod n of
-/// sample f / n. Components 0 and 1 are chosen first (of a and b), then component 2 (of b).
+/// Returns the lanes of vector `part` of n interleaved components: float f = 16 part + lane is
+/// component f mod n of sample f / n. Components 0 and 1 are chosen first (of a and b), then
+/// component 2 (of b).
 constexpr LaneChoice interleaving(int n, int part, bool third) {
     LaneChoice choice{};
     for (int lane = 0; lane < 16; ++lane) {
@@ -76,7 +77,7 @@ constexpr LaneChoice interleaving(int n, int part, bool third) {
     }
     return choice;
 }
-/// The pairs of vector `part` from (x y) and (z w) pairs: x y z w of four samples.
+/// Returns the lanes that make vector `part` of the pairs (x y) and (z w): x y z w of four samples.
 constexpr LaneChoice pairing(int part) {
     LaneChoice choice{};
     for (int lane = 0; lane < 16; ++lane) {

@@ -29,7 +29,7 @@ extern const KernelCode kCode;
 
 namespace {
 
-/// A kernel that is compiled in, and what it asks of the processor: bits as in Processor.
+/// A compiled-in kernel with the processor features that it requires: bits as in Processor.
 struct Kernel {
     SimdLevel level;
     const KernelCode* code;
@@ -57,8 +57,8 @@ constexpr Kernel kKernels[] = {
     {SimdLevel::portable, &portable::kCode, 0, 0, 0},
 };
 
-/// What the processor can and the system saves between threads. [Intel SDM] vol. 1 sec. 14.3, 15.2;
-/// the compilers' own question for it is missing from some of their run-time libraries.
+/// The features of the processor whose registers the system saves between threads. [Intel SDM] vol.
+/// 1 sec. 14.3, 15.2. The compilers' own function is missing from some of their run-time libraries.
 struct Processor {
     unsigned leaf_1 = 0;        // ecx of cpuid 1
     unsigned leaf_7 = 0;        // ebx of cpuid 7

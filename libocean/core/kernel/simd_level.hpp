@@ -16,11 +16,11 @@ enum class SimdLevel {
     avx512,    // x86-64-v4 (AVX-512 F, BW, DQ, VL), sixteen lanes
 };
 
-/// The best of this machine, but no better than the environment variable OCEAN_SIMD = portable,
-/// sse4, avx2 or avx512 allows; a word that is none of these is not a limit. The environment is
-/// read once.
+/// Returns the best level of this machine, but no better than the environment variable OCEAN_SIMD =
+/// portable, sse4, avx2 or avx512 allows; any other word is not a limit. Reads the environment
+/// once.
 SimdLevel simd_level();
-/// Compiled in and supported by this machine.
+/// Returns true if the level is compiled in and supported by this machine.
 bool simd_available(SimdLevel level);
 std::string_view simd_name(SimdLevel level);
 

@@ -30,9 +30,9 @@ OCEAN_INLINE void transpose_quads(const Vec (&a)[4], Vec (&out)[4]) {
     out[3] = pick<2, 3, 2, 3>(high01, high23);
 }
 
-/// kLanes complex vectors, [re | im] next to each other, become one complex vector per lane: lane l
-/// goes to out + place[l]. Row 4 q + r is loaded into quad q, so that the 4 x 4 transposes in the
-/// quads are all that is left to do.
+/// Transposes kLanes complex vectors, stored as [re | im], into one complex vector per lane: lane l
+/// goes to out + place[l]. Row 4 q + r is loaded into quad q, so that only the 4 x 4 transposes
+/// within the quads remain.
 template <bool kStream>
 OCEAN_INLINE void transpose(const float* in, float* out, const std::size_t* place) {
     constexpr std::size_t kRow = 2 * kLanes;
@@ -66,13 +66,13 @@ OCEAN_INLINE void prefetch_targets(const Target& target, const std::size_t* plac
     }
 }
 
-/// Components to samples, per quad: x y to x0 y0 x1 y1, x2 y2 x3 y3.
+/// Interleaves components to samples, per quad: x y to x0 y0 x1 y1, x2 y2 x3 y3.
 OCEAN_INLINE void interleave_in_quads(Vec (&c)[2]) {
     const Vec x = c[0], y = c[1];
     c[0] = unpack_low(x, y);
     c[1] = unpack_high(x, y);
 }
-/// x y z to x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3.
+/// Interleaves x y z to x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3.
 OCEAN_INLINE void interleave_in_quads(Vec (&c)[3]) {
     const Vec x0x2y0y2 = pick<0, 2, 0, 2>(c[0], c[1]);
     const Vec y1y3z1z3 = pick<1, 3, 1, 3>(c[1], c[2]);
@@ -86,7 +86,7 @@ OCEAN_INLINE void interleave_in_quads(Vec (&c)[4]) {
     transpose_quads(in, c);
 }
 
-/// n components of kLanes samples to kLanes samples of n components.
+/// Interleaves n components of kLanes samples to kLanes samples of n components.
 template <int n>
 OCEAN_INLINE void interleave(Vec (&c)[n]) {
     if constexpr (kLanes == 16) {

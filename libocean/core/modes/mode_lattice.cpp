@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the modes of a lattice are whatever the waves: where their cells lie, their noise, their
-// rates. Frequency, weight and direction of a mode are those of its three mirror images in the
-// axes, up to signs: everything is found for a quadrant, a row of modes at a time.
+// The properties of a lattice's modes that do not depend on the waves: the position of their cells,
+// their noise, their rates. A mode and its three mirror images in the axes have the same frequency
+// and weight and, up to signs, direction: everything is computed for one quadrant, a row of modes
+// at a time.
 #include "modes/mode_lattice.hpp"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace ocean {
 
 namespace {
 
-/// The first n in from .. to - 1 for which `beyond` holds, which then holds for all after it; or
-/// to.
+/// Returns the first n in from .. to - 1 for which `beyond` holds, and then for all after it; else
+/// `to`.
 template <typename Predicate>
 int first_where(int from, int to, const Predicate& beyond) {
     while (from < to) {
@@ -43,7 +44,7 @@ void add_point(const Dispersion& dispersion, double step, double x, double y, do
     row.weight.push_back(share * wave.group_velocity / k * step * step);
 }
 
-/// What a live tool may turn: only the waves.
+/// Returns the parameters without those that a live tool may change: they affect only the waves.
 Parameters without_waves(Parameters parameters) {
     parameters.waves.clear();
     return parameters;
@@ -90,7 +91,7 @@ void ModeLattice::add(const CascadeBand& band, std::uint32_t noise_number, Threa
 
 std::uint64_t ModeLattice::kept_bytes(const Grid& grid) {
     if (grid.resolution > kLargestKept) return 0;
-    // A quarter of the modes has a point each; near the origin there are some more.
+    // One point for each mode of the quadrant, and some more near the origin.
     constexpr std::uint64_t kMorePoints = 1 << 17;
     const std::uint64_t modes = Lattice{grid.resolution, grid.patch_size}.size();
     const std::uint64_t points = modes / 4 + kMorePoints;
@@ -121,7 +122,7 @@ QuadrantRow ModeLattice::make_row(const Cascade& cascade, int m) const {
     row.several = first_where(row.begin, row.end, [&](int n) { return cell_side(n) == 1; });
     for (int n = row.begin; n < row.end; ++n) {
         const int side = n < row.several ? cell_side(n) : 1;
-        // A mode on an axis is asked for twice, by both quadrants that it lies between.
+        // A mode on an axis belongs to both quadrants beside it and is counted in each.
         const double share = (n == 0 || m == 0 ? 0.5 : 1.0) / (side * side);
         for (int b = 0; b < side; ++b) {
             for (int a = 0; a < side; ++a) {
@@ -173,7 +174,8 @@ Modes ModeLattice::still_modes(ThreadPool& pool) const {
     return modes;
 }
 
-/// New memory costs about as much as what is written there: each thread has its rows.
+/// Clears a row in the thread that will fill it: new memory costs about as much as the values
+/// written there.
 void ModeLattice::clear_row(int m, CascadeModes& modes) {
     const auto width = static_cast<std::size_t>(modes.lattice.resolution);
     const auto at = static_cast<std::size_t>(fft_index(m, modes.lattice.resolution)) * width;

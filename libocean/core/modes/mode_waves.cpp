@@ -14,8 +14,8 @@ namespace ocean {
 
 namespace {
 
-// The rows are shared out in so many parts whatever the number of threads, so that sums over the
-// parts have the same bits. Those near the origin, which take longest, are shared out by a stride.
+// The number of parts does not depend on the number of threads, so that sums over the parts have
+// the same bits. Rows near the origin, which take longest, are distributed by a stride.
 constexpr int kShares = 64;
 constexpr int kShareStride = 37;
 
@@ -32,7 +32,7 @@ void scale(CascadeModes& cascade, double gain, ThreadPool& pool) {
     for (GradientCovariance& shell : cascade.shell_covariance) shell *= gain;
 }
 
-/// Modes on an axis are their own mirror images, whose halves meet.
+/// Adds the halves of modes on an axis, which are their own mirror images.
 void join_axes(int m, QuadrantVariances& variances) {
     auto& v = variances.quarter;
     v[0][0] = v[0][0] + v[1][0];
@@ -48,7 +48,7 @@ void join_axes(int m, QuadrantVariances& variances) {
     }
 }
 
-/// modal_variance of the modes of a row.
+/// Writes modal_variance of the modes of a row.
 void row_variances(const QuadrantSampler& spectrum, const QuadrantRow& row, int m, int half,
                    QuadrantVariances& variances) {
     auto& v = variances.quarter;
@@ -69,7 +69,8 @@ void row_variances(const QuadrantSampler& spectrum, const QuadrantRow& row, int 
     join_axes(m, variances);
 }
 
-/// The modes from the first to the last that has any waves: mostly few go against the wind.
+/// Returns the range from the first to the last mode with waves: usually few waves run against the
+/// wind.
 ModeRange with_waves(std::span<const double> variances) {
     const auto any = [](double variance) { return variance > 0.0; };
     const auto first = std::find_if(variances.begin(), variances.end(), any);
@@ -77,12 +78,14 @@ ModeRange with_waves(std::span<const double> variances) {
     return {static_cast<int>(first - variances.begin()), static_cast<int>(variances.rend() - last)};
 }
 
-/// Each part of h0 has half of it: E|h0|^2 = variance / 2.
+/// Returns the amplitude of each part of h0, which has half of it: E
+/// h0
+/// ^2 = variance / 2.
 double amplitude_of(double variance) {
     return 0.5 * std::sqrt(variance);
 }
 
-/// h0 of the modes (n, m) and (-n, m), one row of the lattice in FFT order.
+/// Writes h0 of the modes (n, m) and (-n, m), one row of the lattice in FFT order.
 void write_row(std::span<const double> east, std::span<const double> west,
                std::span<const std::complex<float>> noise, std::span<double> amplitude,
                std::span<std::complex<float>> h0) {
@@ -92,7 +95,7 @@ void write_row(std::span<const double> east, std::span<const double> west,
     amplitude[half] = 0.0;
     for (std::size_t n = 1; n < half; ++n) amplitude[size - n] = amplitude_of(west[n]);
     for (std::size_t i = 0; i < size; ++i) {
-        // Zero, and not minus zero, where there are no waves.
+        // Adding 0 turns minus zero into zero where there are no waves.
         h0[i] = {static_cast<float>(amplitude[i] * static_cast<double>(noise[i].real())) + 0.0f,
                  static_cast<float>(amplitude[i] * static_cast<double>(noise[i].imag())) + 0.0f};
     }
@@ -131,13 +134,13 @@ struct ModeLattice::Work {
 /// shell max(|n|, |m|) = s, and the variance that measures a band.
 class ModeLattice::ShellSums {
   public:
-    /// Nothing is summed yet; N/2 shells.
+    /// Begins sums of N/2 shells at 0.
     void start(int shells) {
         shells_.assign(static_cast<std::size_t>(shells), {});
         measured_ = 0.0;
     }
 
-    /// The modes (+-n, m) and (+-n, -m), n < end, with their displacements [m].
+    /// Adds the modes (+-n, m) and (+-n, -m), n < end, with their displacements [m].
     void add(const Lattice& lattice, int m, int end, const QuadrantVariances& variances,
              std::span<const float> displacement) {
         const auto& v = variances.quarter;
@@ -160,7 +163,7 @@ class ModeLattice::ShellSums {
         for (std::size_t n = 0; n <= row && n < last; ++n) add_modes(n, own);
         shells_[row] += own;
         for (std::size_t n = row + 1; n < last; ++n) add_modes(n, shells_[n]);
-        // As measures_band: inside the circle of the Nyquist line.
+        // The same condition as measures_band: inside the circle of the Nyquist line.
         const std::size_t half = v[0].size();
         for (std::size_t n = 0; n < last && n * n + row * row < half * half; ++n) {
             measured_ += variances.sum(n);

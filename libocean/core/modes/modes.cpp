@@ -75,7 +75,7 @@ double turns(const CascadeModes& cascade, std::size_t i, double tau) {
     return high - std::floor(high) + static_cast<double>(cascade.rate_low[i]) * tau;
 }
 
-/// Re sum h_a conj h_b over the modes that both cascades have.
+/// Returns Re sum h_a conj h_b over the modes that both cascades have.
 double shared_energy(const CascadeModes& a, double tau_a, const CascadeModes& b, double tau_b) {
     const int half = std::min(a.lattice.resolution, b.lattice.resolution) / 2;
     double sum = 0.0;
@@ -111,7 +111,8 @@ double height_correlation(const Modes& a, double time_a, const Modes& b, double 
 
 namespace {
 
-/// S D c_g / k, the variance density over the wavenumber plane, at (n, m) lattice steps; m^4.
+/// Returns S D c_g / k, the variance density over the wavenumber plane [m^4], at (n, m) lattice
+/// steps.
 double wavenumber_density(const DirectionalSpectrum& spectrum, const Dispersion& dispersion,
                           double step, double n, double m) {
     const double k = step * std::hypot(n, m);
@@ -188,7 +189,7 @@ double band_gain(const DirectionalSpectrum& spectrum, const Parameters& paramete
 
 std::optional<double> strongest_wind(const Parameters& parameters) {
     std::optional<double> strongest;
-    // Less than any value is what is unset.
+    // An unset wind compares less than any value.
     for (const WaveSystem& system : parameters.waves) {
         strongest = std::max(strongest, system.wind_above());
     }

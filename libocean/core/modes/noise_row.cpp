@@ -24,7 +24,7 @@ constexpr std::size_t kLanes = 64;
 using Words = std::array<std::uint32_t, kLanes>;
 using Reals = std::array<double, kLanes>;
 
-/// The first two words of philox_4x32.
+/// Computes the first two words of philox_4x32.
 void philox(std::uint32_t seed, std::uint32_t cascade, int n, int m, Words& a, Words& b) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         std::uint32_t c0 = static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(i);
@@ -48,13 +48,13 @@ void philox(std::uint32_t seed, std::uint32_t cascade, int n, int m, Words& a, W
     }
 }
 
-/// Exact: the bits of 2^52 + x are those of 2^52 with x added.
+/// Returns x as a double, exactly: the bits of 2^52 + x are those of 2^52 with x added.
 double real_of(std::uint64_t x) {
     constexpr double kTwo52 = 4503599627370496.0;
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(kTwo52) | x) - kTwo52;
 }
 
-/// sqrt(2 minus_log_uniform(x)).
+/// Computes sqrt(2 minus_log_uniform(x)).
 void radius_of(const Words& words, Reals& radius) {
     constexpr std::uint64_t kMantissa = (std::uint64_t{1} << 52) - 1;
     constexpr std::uint64_t kOne = std::uint64_t{1023} << 52;
@@ -77,7 +77,7 @@ void radius_of(const Words& words, Reals& radius) {
     }
 }
 
-/// radius times the cosine and sine of sin_cos_turns(x / 2^32).
+/// Computes radius times the cosine and sine of sin_cos_turns(x / 2^32).
 void turned(const Reals& radius, const Words& words, Reals& re, Reals& im) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double turns = real_of(words[i]) * 2.3283064365386963e-10;

@@ -10,8 +10,8 @@
 
 namespace ocean {
 
-/// xi[i] = gaussian_noise(seed, cascade, n + i, m) of shaders/wave/noise.glsl in double, rounded to
-/// float: the same bits.
+/// Writes xi[i] = gaussian_noise(seed, cascade, n + i, m) of shaders/wave/noise.glsl in double,
+/// rounded to float: the same bits.
 void noise_row(std::uint32_t seed, std::uint32_t cascade, int n, int m,
                std::span<std::complex<float>> xi);
 

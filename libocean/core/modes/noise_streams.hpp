@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The register of noise streams: the third argument of gaussian_noise (shaders/wave/noise.glsl)
-// says for whom a number is drawn. No two users share a stream, so that what is added for one of
-// them changes the sea of no other. A stream's numbers are part of what a seed means: they never
-// change.
+// identifies the user of a number. No two users share a stream, so an addition for one of them does
+// not change the sea of another. A seed promises the numbers of each stream: they never change.
 #pragma once
 
 #include <array>
@@ -33,7 +32,7 @@ struct NoiseStreamRange {
 };
 inline constexpr std::array kNoiseStreams = {
     NoiseStreamRange{NoiseStream::cascades, 5},
-    NoiseStreamRange{NoiseStream::detail_bands, kMostDetailBands},
+    NoiseStreamRange{NoiseStream::detail_bands, kMaxDetailBands},
     NoiseStreamRange{NoiseStream::foam_textures,
                      kStreamsOfFoamTexture* static_cast<std::uint32_t>(kFoamTextures.size())},
     NoiseStreamRange{NoiseStream::foam_cover, 1},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spectrum table as modes ask it: at one frequency in the four directions that are mirror
-// images of each other in the axes. Between the table and the modes; made anew for each table.
+// Sampling of the spectrum table for modes: one frequency in the four directions that are mirror
+// images of each other in the axes. Stands between the table and the modes; rebuilt for each table.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,8 @@ class QuadrantSampler {
         }
     }
 
-    /// Densities towards theta, pi - theta, pi + theta and -theta; theta in turns, 0 .. 1/4.
+    /// Returns densities towards theta, pi - theta, pi + theta and -theta; theta in turns, 0 ..
+    /// 1/4.
     std::array<double, 4> density(double omega, double theta) const {
         if (omega_.empty() || !(omega >= omega_.front() && omega < omega_.back())) return {};
         std::size_t row = row_of_bucket_[bucket(omega) - first_bucket_];

@@ -43,7 +43,7 @@ constexpr double kCellLight = 0x1p36;
 /// Rows of the map that are one item of work, whatever the number of threads.
 constexpr int kRowsAtOnce = 8;
 /// Refracted rays are no flatter than this: only folds of the surface would send them so.
-constexpr double kLeastDescent = 0.2;
+constexpr double kMinDescent = 0.2;
 /// Area, in cells, below which a triangle is a line.
 constexpr double kThin = 1e-10;
 
@@ -59,7 +59,7 @@ double signed_area(const Triangle& t) {
     return 0.5 * ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x));
 }
 
-/// A triangle and what is left of it between lines: each of four cuts adds one corner at most.
+/// A triangle clipped by lines: each of four cuts adds one corner at most.
 struct Polygon {
     std::array<Point, 8> corner{};
     int count = 0;
@@ -106,7 +106,7 @@ Span cells_of(const Polygon& p, double Point::*axis) {
         low = std::min(low, p[i].*axis);
         high = std::max(high, p[i].*axis);
     }
-    // What ends on a line does not reach into the cell behind it.
+    // A part that ends on a line does not reach into the cell behind it.
     const auto first = static_cast<std::int64_t>(std::floor(low));
     return {first, std::max(first, static_cast<std::int64_t>(std::ceil(high)) - 1)};
 }
@@ -140,7 +140,7 @@ class Plane {
                     last_column ? strip
                                 : cut_off(strip, &Point::x, static_cast<double>(column + 1));
                 lit += area(part);
-                // The last cell takes what rounding has left: no light is lost.
+                // The last cell receives the remainder of the rounding: no light is lost.
                 const std::int64_t until =
                     last_row && last_column
                         ? light
@@ -151,7 +151,7 @@ class Plane {
         }
     }
 
-    /// All light over that of each cell if it were even.
+    /// Returns the light of each cell relative to an even distribution.
     std::vector<float> irradiance() const {
         const std::size_t count = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
         std::int64_t all = 0;
@@ -165,7 +165,7 @@ class Plane {
     }
 
   private:
-    /// A triangle without an area: it is halved until it is short.
+    /// Spreads light over a triangle without area, which is halved until it is short.
     void spread_line(const Triangle& t, std::int64_t light, int i, int j) {
         const auto length = [&t](int a, int b) {
             const Point p = t[static_cast<std::size_t>(a)], q = t[static_cast<std::size_t>(b)];
@@ -195,8 +195,8 @@ class Plane {
     std::unique_ptr<std::atomic<std::int64_t>[]> light_;
 };
 
-/// One ray: where it passes the mean level, and where it meets the plane, in cells from the middle
-/// of its sample's own.
+/// One ray: the points where it crosses the mean level and where it meets the plane, in cells from
+/// the centre of its sample's own cell.
 struct Ray {
     Point level, plane;
 };
@@ -220,7 +220,7 @@ class Rays {
         light_ = {-level * std::cos(bearing), -level * std::sin(bearing), -std::sin(altitude)};
     }
 
-    /// Of sample (i, j), both modulo the resolution.
+    /// Returns the ray of sample (i, j), both modulo the resolution.
     Ray of(int i, int j) const {
         const int mask = side_ - 1;
         const auto at = static_cast<std::size_t>((j & mask)) * static_cast<std::size_t>(side_) +
@@ -230,7 +230,7 @@ class Rays {
         constexpr double r = 1.0 / kWaterIor;
         const double c = std::max(0.0, -(light_[0] * n[0] + light_[1] * n[1] + light_[2] * n[2]));
         const double along = r * c - std::sqrt(1.0 - r * r * (1.0 - std::min(1.0, c * c)));
-        const double descent = std::max(kLeastDescent, -(r * light_[2] + along * n[2]));
+        const double descent = std::max(kMinDescent, -(r * light_[2] + along * n[2]));
         const double fall = std::max(0.0, depth_ + z) / descent;
         const double rise = z / light_[2];
         return {{(x - light_[0] * rise) * per_metre_, (y - light_[1] * rise) * per_metre_},
@@ -251,8 +251,8 @@ Ray shifted(const Ray& ray, double x, double y) {
     return {{ray.level.x + x, ray.level.y + y}, {ray.plane.x + x, ray.plane.y + y}};
 }
 
-/// What passes through one triangle of the surface. Parts that are seen from below lie behind
-/// others: these have their light.
+/// Adds the light that passes one triangle of the surface. Parts seen from below lie behind others,
+/// which have their light already.
 void send(Plane& plane, const Ray& a, const Ray& b, const Ray& c, int i, int j) {
     const double seen = signed_area({a.level, b.level, c.level});
     if (!(seen > 0.0)) return;
@@ -266,7 +266,7 @@ void require(double value, const char* what, double least, double most) {
     const std::string given = shortest_text(value);
     const std::string allowed = shortest_text(least) + " .. " + shortest_text(most);
     throw Error(ErrorKind::invalid_value,
-                std::string(what) + " = " + given + ": allowed is " + allowed,
+                std::string(what) + " = " + given + "; allowed: " + allowed,
                 {.parameter = what, .value = given, .allowed = allowed});
 }
 
@@ -279,12 +279,11 @@ std::uint64_t caustics_bytes(int resolution) {
 
 std::vector<float> make_caustics(const Surface& surface, const CausticsSettings& settings,
                                  ThreadPool& pool) {
-    require(settings.depth, "the depth of caustics", kLeastCausticsDepth, kMostCausticsDepth);
-    require(settings.sun_altitude, "the sun's altitude", kLeastCausticsSun, 90.0);
+    require(settings.depth, "the depth of caustics", kMinCausticsDepth, kMaxCausticsDepth);
+    require(settings.sun_altitude, "the sun's altitude", kMinCausticsSunAltitude, 90.0);
     require(settings.sun_bearing, "the sun's bearing", -3600.0, 3600.0);
     if (!surface.channels().contains(kCausticsChannels)) {
-        throw Error(ErrorKind::invalid_value,
-                    "caustics are made of positions and normals, which the surface lacks");
+        throw Error(ErrorKind::invalid_value, "caustics need a surface with positions and normals");
     }
     const int side = surface.resolution();
     const Rays rays(surface, settings);

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The table of Jerlov's water types, and what follows from its two coefficients.
+// The table of Jerlov's water types, and the properties derived from its two coefficients.
 //
 // Jerlov classified waters by the attenuation of daylight, K_d. Absorption and scattering of the
 // types are later work:
 // - IB to 5C: measured, [Williamson and Hollins 2022], their table at 1 nm, read at 610, 550, 465.
-// - I, IA, 7C and 9C, which they have not: from K_d by a bio-optical model, [Solonenko and Mobley
-//   2015] tables 4 to 8, a value each 25 nm. b between them linear; a likewise after that of pure
-//   water [Pope and Fry 1997] was taken off, which is far from linear near 600 nm, and then added.
+// - I, IA, 7C and 9C, which they lack: from K_d by a bio-optical model, [Solonenko and Mobley 2015]
+//   tables 4 to 8, a value each 25 nm. b is interpolated linearly; a likewise after subtracting
+//   that of pure water [Pope and Fry 1997], which is far from linear near 600 nm, and then added
+//   again.
 // Both tables as transcribed, their defects marked, by github.com/tishibashi-cpu/jerlov.
-// Not taken: [Solonenko and Mobley 2015] for the others. Their b of II and III is 2.5 and 4 times
-// the measured one, which would make those seas far too bright, and their rows of 5C from 600 nm on
-// repeat those from 300 nm: where a renderer has a red absorption of 4.6 1/m, it is probably that.
+// Rejected: [Solonenko and Mobley 2015] for the other types. Their b of II and III is 2.5 and 4
+// times the measured one, which would make those seas far too bright, and their rows of 5C from 600
+// nm on repeat those from 300 nm: a renderer with a red absorption of 4.6 1/m probably uses these.
 //
 // Checked by WaterTypes.AttenuateDaylightAsJerlovMeasured against K_d of [Jerlov 1976].
 #include "ocean/water_types.hpp"
@@ -94,7 +95,7 @@ std::span<const WaterType> water_types() {
 const WaterType& water_type(std::string_view name) {
     const auto found = std::ranges::find(kTypes, name, &WaterType::name);
     if (found != std::ranges::end(kTypes)) return *found;
-    throw Error(ErrorKind::invalid_value, "there is no type of water '" + std::string(name) + "'");
+    throw Error(ErrorKind::invalid_value, "unknown type of water '" + std::string(name) + "'");
 }
 
 Rgb WaterType::backscattering() const {

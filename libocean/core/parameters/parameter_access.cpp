@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea's parameters by name, and what their change makes anew.
+// A sea's parameters by name, and the first stage that a change dirties.
 #include <algorithm>
 
 #include "ocean/parameter_table.hpp"
@@ -46,7 +46,7 @@ void set_parameter(Parameters& parameters, std::string_view name, std::string_vi
     Parameters changed = parameters;
     assign(changed, ref, parse_value(*ref.info, ref.item, text));
     if (names_record(*ref.info) && value_of(changed, ref) != value_of(parameters, ref)) {
-        changed.waves[ref.item].measured = nullptr;  // the old one is no longer what is named
+        changed.waves[ref.item].measured = nullptr;  // it belongs to the previous name
     }
     parameters = std::move(changed);
 }

@@ -30,8 +30,8 @@ constexpr TableSection kSections[] = {kWater, kGrid, kSurface, kTime, kRandom, k
 constexpr OptionalColumns used_by(std::string_view words, NumberRule rule = NumberRule::any) {
     return {.used_by = words, .rule = rule};
 }
-constexpr OptionalColumns least(double value) {
-    return {.least = value};
+constexpr OptionalColumns min_nonzero(double value) {
+    return {.min_nonzero = value};
 }
 constexpr OptionalColumns rule(NumberRule rule) {
     return {.rule = rule};
@@ -40,22 +40,22 @@ constexpr OptionalColumns max_length(std::size_t numbers) {
     return {.max_length = numbers};
 }
 
-// Soft ranges of live parameters begin where a tenth of the range still moves the sea by less than
-// 2 % of its height in a frame while it glides, see
+// The soft range of a live parameter begins where a glide over a tenth of the range still moves the
+// sea by less than 2 % of its height in a frame, see
 // TakeMotion.AStepOfATenthOfTheSoftRangeMovesLittleWithinAFrame.
 // section, key, unit, label, help, member, hard range, soft range, class, dirties, further columns
 constexpr ParameterInfo kTable[] = {
-    {kWater, "depth", "m", "Depth", "Water depth; inf is deep water.",
+    {kWater, "depth", "m", "Depth", "Water depth; inf means deep water.",
      member<&Parameters::water, &Water::depth>(), 0.01, kInf, 1.0, 500.0, kRebuild,
      Stage::spectrum},
     {kWater, "gravity", "m/s^2", "Gravity", "Acceleration of gravity.",
      member<&Parameters::water, &Water::gravity>(), 0.1, 100.0, 1.0, 25.0, kRebuild,
      Stage::spectrum},
     {kWater, "surface_tension", "N/m", "Surface tension",
-     "Stiffens waves of a few centimetres and less.",
+     "Surface tension of the water; it speeds up waves shorter than a few centimetres.",
      member<&Parameters::water, &Water::surface_tension>(), 0.0, 1.0, 0.0, 0.1, kRebuild,
      Stage::spectrum},
-    {kWater, "density", "kg/m^3", "Density", "Of the water.",
+    {kWater, "density", "kg/m^3", "Density", "Density of the water.",
      member<&Parameters::water, &Water::density>(), 100.0, 20000.0, 900.0, 1100.0, kRebuild,
      Stage::spectrum},
 
@@ -63,37 +63,37 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::grid, &Grid::resolution>(), kMinResolution, kMaxResolution, 64, 2048,
      kRebuild, Stage::spectrum, rule(NumberRule::power_of_two)},
     {kGrid, "patch_size", "m", "Patch size",
-     "Side of the square that repeats; a few of the longest waves should fit.",
+     "Side of the square after which the sea repeats; it should hold a few of the longest waves.",
      member<&Parameters::grid, &Grid::patch_size>(), 1.0, 100000.0, 10.0, 5000.0, kRebuild,
      Stage::spectrum},
     {kGrid, "cascades", "", "Cascades",
-     "Bands of wavelengths with a lattice each: short waves on a large patch.",
+     "Number of wavelength bands, each with a grid of its own: adds short waves to a large patch.",
      member<&Parameters::grid, &Grid::cascades>(), 1, 5, 1, 5, kRebuild, Stage::modes},
     {kGrid, "cascade_divisors", "", "Cascade divisors",
-     "Whole numbers that divide the patch, one for each cascade, ascending from 1; empty chooses "
-     "them.",
+     "Whole numbers by which the patch size is divided, one for each cascade, ascending from 1; "
+     "empty means automatic.",
      member<&Parameters::grid, &Grid::cascade_divisors>(), 1, 100000, 1, 1000, kRebuild,
      Stage::modes, max_length(5)},
 
     {kSurface, "choppiness", "", "Choppiness",
-     "Scale of the horizontal displacement: 0 is upright waves, 1 linear theory, more sharpens "
-     "crests until they fold.",
+     "Scale of the horizontal displacement: 0 moves the water only up and down, 1 is linear "
+     "theory, higher values sharpen crests until they fold.",
      member<&Parameters::surface, &SurfaceSettings::choppiness>(), 0.0, 4.0, 0.0, 1.5, kLive,
      Stage::surface},
     {kSurface, "shortest_wavelength", "m", "Shortest wavelength",
-     "Waves shorter than this are left out; 0 is no limit.",
+     "Waves shorter than this are left out; 0 means no limit.",
      member<&Parameters::surface, &SurfaceSettings::shortest_wavelength>(), 0.0, 100000.0, 0.0,
      50.0, kRebuild, Stage::modes},
     {kSurface, "longest_wavelength", "m", "Longest wavelength",
-     "Waves longer than this are left out; 0 is no limit.",
+     "Waves longer than this are left out; 0 means no limit.",
      member<&Parameters::surface, &SurfaceSettings::longest_wavelength>(), 0.0, 100000.0, 0.0,
      1000.0, kRebuild, Stage::modes},
     {kSurface, "foam_lifetime", "s", "Foam lifetime",
-     "Time in which foam fades to 1/e; 0 leaves the whitecaps alone.",
+     "Time in which foam fades to 1/e; 0 means no foam, only whitecaps.",
      member<&Parameters::surface, &SurfaceSettings::foam_lifetime>(), 0.0, 600.0, 0.5, 30.0, kLive,
      Stage::foam},
     {kSurface, "foam_step", "s", "Foam step",
-     "Tick of the foam's own clock, whatever the frame rate.",
+     "Time step of the foam, independent of the frame rate.",
      member<&Parameters::surface, &SurfaceSettings::foam_step>(), 0.01, 1.0, 0.02, 0.2, kRebuild,
      Stage::foam},
     {kSurface,
@@ -109,55 +109,55 @@ constexpr ParameterInfo kTable[] = {
      2048,
      kRebuild,
      Stage::foam,
-     {.least = kMinResolution, .rule = NumberRule::power_of_two, .neutral = "0"}},
+     {.min_nonzero = kMinResolution, .rule = NumberRule::power_of_two, .neutral = "0"}},
     {kSurface, "foam_coverage", "", "Foam coverage",
-     "monahan: as much whitecap as the strongest wind makes; threshold: where the Jacobian falls "
-     "below foam_threshold.",
+     "monahan: the strongest wind determines the area of whitecaps; threshold: whitecaps form "
+     "where the Jacobian is below foam_threshold.",
      member<&Parameters::surface, &SurfaceSettings::foam_coverage>(), 0, 0, 0, 0, kLive,
      Stage::foam},
     {kSurface, "foam_threshold", "", "Foam threshold",
-     "Jacobian where whitecaps begin, with foam_coverage = \"threshold\".",
+     "Jacobian below which whitecaps form, with foam_coverage = \"threshold\".",
      member<&Parameters::surface, &SurfaceSettings::foam_threshold>(), -2.0, 2.0, 0.0, 1.0, kLive,
      Stage::foam, used_by("threshold")},
     {kSurface, "foam_width", "", "Foam width",
-     "Fall of the Jacobian over which a whitecap becomes full.",
+     "How far the Jacobian falls below the threshold where a whitecap is fully white.",
      member<&Parameters::surface, &SurfaceSettings::foam_width>(), 0.001, 2.0, 0.05, 0.5, kLive,
      Stage::foam},
 
     {kTime, "start", "s", "Start", "Time of the first frame.",
      member<&Parameters::time, &Timing::start>(), -kLatestTime, kLatestTime, 0.0, 3600.0, kRebuild,
      Stage::clock},
-    {kTime, "first_frame", "", "First frame", "Frame number that shows the start time.",
+    {kTime, "first_frame", "", "First frame", "Number of the frame that shows the start time.",
      member<&Parameters::time, &Timing::first_frame>(), -1000000, 1000000, 0, 1000, kRebuild,
      Stage::clock},
     {kTime, "fps", "1/s", "Frame rate", "Frames per second.",
      member<&Parameters::time, &Timing::fps>(), 0.001, 100000.0, 12.0, 120.0, kRebuild,
      Stage::clock},
     {kTime, "loop_period", "s", "Loop period",
-     "The sea repeats after this time: every wave's frequency is rounded to it; 0 is never.",
+     "Time after which the sea repeats; wave frequencies are rounded to fit it. 0 means no loop.",
      member<&Parameters::time, &Timing::loop_period>(), 0.0, 1e6, 0.0, 120.0, kRebuild,
-     Stage::modes, least(0.01)},
+     Stage::modes, min_nonzero(0.01)},
     {kTime, "glide", "s", "Glide",
-     "Time in which a live parameter goes 63 % of the way to the value that a take gives it; 0 "
-     "jumps.",
+     "Time in which a live parameter covers 63 % of the way to a new value from a take; 0 means at "
+     "once.",
      member<&Parameters::time, &Timing::glide>(), 0.0, 60.0, 0.0, 5.0, kRebuild, Stage::clock},
     {kTime, "take", "", "Take",
-     "A recorded performance, a file of lines SECONDS NAME VALUE, relative to the sea file.",
+     "File of a recorded performance, with lines SECONDS NAME VALUE; relative to the sea file.",
      member<&Parameters::time, &Timing::take>(), 0, 0, 0, 0, kRebuild, Stage::spectrum},
 
-    {kRandom, "seed", "", "Seed", "Another sea of the same statistics.",
+    {kRandom, "seed", "", "Seed",
+     "Selects the random sea: each seed gives another one with the same statistics.",
      member<&Parameters::seed>(), 0, 4294967295.0, 0, 1000, kRebuild, Stage::modes},
 
-    {kWaves, "spectrum", "", "Spectrum", "How the energy is spread over the frequencies.",
+    {kWaves, "spectrum", "", "Spectrum", "Distribution of the energy over the frequencies.",
      member<&Parameters::waves, &WaveSystem::spectrum>(), 0, 0, 0, 0, kRebuild, Stage::spectrum},
     {kWaves, "wind_speed", "m/s", "Wind speed",
-     "Mean wind 10 m above the water; 0 is flat. Unset is 10 where the wind makes height or "
-     "period; "
-     "measured waves and those with both given then have no whitecaps of their own.",
+     "Mean wind speed 10 m above the water; 0 means flat water. Unset means 10 if height or period "
+     "follow from the wind; measured waves, and those with both given, then make no whitecaps.",
      member<&Parameters::waves, &WaveSystem::wind_speed>(), 0.0, 75.0, 2.0, 35.0, kLive,
      Stage::spectrum},
     {kWaves, "wind_direction", "deg", "Wind direction",
-     "Where the waves travel to, counter-clockwise from +x. Given for a measured spectrum, it "
+     "Direction that the waves travel to, counter-clockwise from +x. For a measured spectrum it "
      "replaces the measured mean.",
      member<&Parameters::waves, &WaveSystem::wind_direction>(), -360.0, 360.0, -180.0, 180.0, kLive,
      Stage::spectrum},
@@ -165,55 +165,62 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::waves, &WaveSystem::fetch>(), 1000.0, 1e7, 5e4, 1e6, kLive,
      Stage::spectrum, used_by("jonswap, tma")},
     {kWaves, "peak_enhancement", "", "Peak enhancement",
-     "Height of the spectral peak over a fully developed sea's (jonswap, tma).",
+     "Height of the spectral peak relative to that of a fully developed sea (jonswap, tma).",
      member<&Parameters::waves, &WaveSystem::peak_enhancement>(), 1.0, 10.0, 1.0, 7.0, kLive,
      Stage::spectrum, used_by("jonswap, tma")},
     {kWaves, "spreading", "", "Spreading",
-     "How the energy is spread over the directions (not phillips, nor measured directions).",
+     "Distribution of the energy over the directions (not for phillips or measured directions).",
      member<&Parameters::waves, &WaveSystem::spreading>(), 0, 0, 0, 0, kLive, Stage::spectrum,
      used_by("pierson_moskowitz, jonswap, tma, measured")},
     {kWaves, "swell", "", "Swell",
-     "Above 0 aligns long waves, below 0 blends towards waves from everywhere.",
+     "Above 0, long waves become more parallel; below 0, waves come increasingly from all "
+     "directions.",
      member<&Parameters::waves, &WaveSystem::swell>(), -1.0, 1.0, 0.0, 1.0, kLive, Stage::spectrum},
-    {kWaves, "opposing", "", "Opposing waves", "Energy kept in waves against the wind.",
+    {kWaves, "opposing", "", "Opposing waves",
+     "Share of the energy that waves against the wind keep.",
      member<&Parameters::waves, &WaveSystem::opposing>(), 0.0, 1.0, 0.0, 1.0, kRebuild,
      Stage::spectrum},
     {kWaves, "significant_wave_height", "m", "Significant wave height",
-     "Scales this system's heights to it; unset keeps the spectrum's own.",
+     "Height to which this system is scaled; unset keeps the spectrum's own.",
      member<&Parameters::waves, &WaveSystem::significant_wave_height>(), 0.0, 100.0, 0.1, 20.0,
      kLive, Stage::spectrum},
     {kWaves, "peak_period", "s", "Peak period",
-     "Stretches this system's periods to it at constant energy; unset keeps the spectrum's own.",
+     "Period to which this system is stretched at constant energy; unset keeps the spectrum's own.",
      member<&Parameters::waves, &WaveSystem::peak_period>(), 0.05, 1000.0, 4.0, 18.0, kLive,
      Stage::spectrum},
     {kWaves, "amplitude", "", "Amplitude", "Energy in units of Phillips' constant (phillips).",
      member<&Parameters::waves, &WaveSystem::amplitude>(), 0.0, 1000.0, 0.0, 4.0, kRebuild,
      Stage::spectrum, used_by("phillips")},
-    {kWaves, "alignment", "", "Alignment", "Even power of the cosine to the wind (phillips).",
+    {kWaves, "alignment", "", "Alignment",
+     "Even power of the cosine of the angle to the wind; higher values make waves more parallel "
+     "(phillips).",
      member<&Parameters::waves, &WaveSystem::alignment>(), 2, 16, 2, 16, kRebuild, Stage::spectrum,
      used_by("phillips", NumberRule::even)},
     {kWaves, "cutoff_wavelength", "m", "Cut-off wavelength",
-     "Where small waves have faded to 1/e of their energy (phillips); 0 is no cut-off.",
+     "Wavelength at which short waves keep 1/e of their energy (phillips); 0 means no cut-off.",
      member<&Parameters::waves, &WaveSystem::cutoff_wavelength>(), 0.0, 1000.0, 0.0, 5.0, kRebuild,
      Stage::spectrum, used_by("phillips")},
-    {kWaves, "file", "", "Spectrum file", "Measured spectra, relative to the sea file (measured).",
+    {kWaves, "file", "", "Spectrum file",
+     "File of measured spectra, relative to the sea file (measured).",
      member<&Parameters::waves, &WaveSystem::file>(), 0, 0, 0, 0, kRebuild, Stage::spectrum,
      used_by("measured")},
     {kWaves, "record", "", "Record",
-     "Time of the record to take, UTC; the nearest within 30 minutes, empty the first (measured).",
+     "Time of the record, UTC: selects the nearest within 30 minutes. Empty selects the first "
+     "(measured).",
      member<&Parameters::waves, &WaveSystem::record>(), 0, 0, 0, 0, kRebuild, Stage::spectrum,
      used_by("measured")},
     {kWaves, "place", "", "Place",
-     "Station, or LATITUDE,LONGITUDE with the nearest within 50 km; empty the first (measured).",
+     "Station, or LATITUDE,LONGITUDE: selects the nearest within 50 km. Empty selects the first "
+     "(measured).",
      member<&Parameters::waves, &WaveSystem::place>(), 0, 0, 0, 0, kRebuild, Stage::spectrum,
      used_by("measured")},
     {kWaves, "estimator", "", "Estimator",
-     "How directional moments become a distribution (measured).",
+     "Method that turns directional moments into a distribution (measured).",
      member<&Parameters::waves, &WaveSystem::estimator>(), 0, 0, 0, 0, kRebuild, Stage::spectrum,
      used_by("measured")},
 };
 
-/// Stands for a value of any type.
+/// Converts to a value of any type.
 struct Anything {
     template <typename Value>
     constexpr operator Value() const {
@@ -221,7 +228,7 @@ struct Anything {
     }
 };
 
-/// Members of a plain struct: as many as there are values that it can be made from.
+/// Counts the members of a plain struct: the max of values that can initialise it.
 template <typename Struct, typename... Values>
 constexpr std::size_t member_count() {
     if constexpr (requires { Struct{Values{}..., Anything{}}; }) {
@@ -236,7 +243,7 @@ constexpr std::size_t rows_of(std::string_view section) {
         std::ranges::count(kTable, section, [](const ParameterInfo& row) { return row.section; }));
 }
 
-// A member without a row is one that nobody can set.
+// A member without a row could not be set.
 static_assert(rows_of("water") == member_count<Water>());
 static_assert(rows_of("grid") == member_count<Grid>());
 static_assert(rows_of("surface") == member_count<SurfaceSettings>());

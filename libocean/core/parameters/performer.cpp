@@ -20,19 +20,19 @@ Error refused(const std::string& message) {
     return Error(ErrorKind::invalid_value, message);
 }
 
-/// The value that text sets the parameter to, in its range.
+/// Returns the event for a value, checked against its range.
 TakeEvent checked_event(const Sea& sea, double time, std::string_view name,
                         std::string_view value) {
     TakeEvent event{time, find_parameter(name), {}};
     const ParameterInfo& info = *event.parameter.info;
     const std::string path = info.path(event.parameter.item);
     if (info.change != ParameterClass::live) {
-        throw refused(path + " is not live, it makes another sea: set it; allowed: " +
+        throw refused(path + " is not live: it can be set, but not performed; allowed: " +
                       live_parameter_names());
     }
     if (sea.parameters.time.loop_period > 0.0) {
         throw refused("time.loop_period = " + to_text(sea.parameters.time.loop_period) +
-                      " s: a loop repeats and a performance does not; allowed: 0 to perform");
+                      " s: a sea with a loop cannot be performed; allowed: 0");
     }
     Parameters set = sea.parameters;
     set_parameter(set, name, value);
@@ -56,8 +56,8 @@ double Performer::perform(Sea& sea, double time, std::string_view name, std::str
     require_time(time);
     TakeEvent event = checked_event(sea, time, name, value);
     if (time < last_) {
-        throw refused("time = " + to_text(time) + " s: is before " + to_text(last_) +
-                      " s, the last that was performed; allowed: that or later");
+        throw refused("time = " + to_text(time) + " s: is before the last performed event, at " +
+                      to_text(last_) + " s; allowed: that time or later");
     }
     std::vector<TakeEvent>& events = sea.take.events;
     const auto before = std::find_if(events.rbegin(), events.rend(), [&](const TakeEvent& other) {
@@ -78,7 +78,7 @@ double Performer::perform(Sea& sea, double time, std::string_view name, std::str
         return performed(before->seconds);
     }
     if (before != events.rend()) {
-        event.seconds = std::max(time, before->seconds + kLeastEventDistance);
+        event.seconds = std::max(time, before->seconds + kMinEventSpacing);
     }
     const std::size_t bytes = bytes_ + take_line(event).size() + 1;
     if (events.size() >= kMaxTakeEvents || bytes > kMaxTakeBytes) {

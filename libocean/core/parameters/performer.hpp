@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Live changes become events of the sea's own take, so that what was shown can be made again.
+// Live changes become events of the sea's own take, so that the displayed sea can be made again.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@ namespace ocean {
 
 class Performer {
   public:
-    /// Of a valid sea, which others do not change meanwhile.
+    /// Takes a valid sea. Only the performer may change its take afterwards.
     explicit Performer(const Sea& sea);
 
-    /// See Ocean::perform. Returns the time from which on the sea is another, infinity if it is
-    /// not.
+    /// Performs a change, see Ocean::perform. Returns the time from which on the sea differs;
+    /// infinity if it does not.
     double perform(Sea& sea, double time, std::string_view name, std::string_view value);
 
   private:

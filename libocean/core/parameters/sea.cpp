@@ -19,21 +19,21 @@ namespace ocean {
 
 namespace {
 
-/// Share of a step below which it has been made: what then still glides would rebuild the sea for
-/// nothing that a float could show.
+/// Share of a step below which the step counts as complete: a further glide would rebuild the sea
+/// for changes smaller than a float can show.
 constexpr double kSettled = 1e-9;
 
-/// What is left of a step after some time.
+/// Returns the share of a step that remains after some time.
 double left_of_step(double seconds, double glide) {
     return glide > 0.0 ? std::exp(-seconds / glide) : 0.0;
 }
 
-/// What of a number glides.
+/// The scale on which a number glides.
 enum class Path { value, root, logarithm, direction };
 
-/// What a sea does in a frame should be alike up and down the range. Fetch glides in its root,
-/// which is the height that it makes [Hasselmann 1973], so that the height glides along a line. The
-/// period stretches the sea at one height: it glides by factors.
+/// Returns the scale on which equal steps change the sea about equally along the whole range. Fetch
+/// glides in its root, to which the height is proportional [Hasselmann 1973], so that the height
+/// glides along a line. The period stretches the sea at constant height: it glides by factors.
 Path path_of(const ParameterInfo& info) {
     if (info.holds<&WaveSystem::wind_direction>()) return Path::direction;
     if (info.holds<&WaveSystem::fetch>()) return Path::root;
@@ -41,7 +41,7 @@ Path path_of(const ParameterInfo& info) {
     return Path::value;
 }
 
-/// Part way from `from` to `to`; all the way once what is left does not show.
+/// Returns the value part way from `from` to `to`; `to` itself once the remainder is negligible.
 double glided_value(double from, double to, double left) {
     const double rest = (from - to) * left;
     const bool settled = std::abs(rest) < kSettled * std::max(std::abs(to), std::abs(from - to));
@@ -77,15 +77,15 @@ struct Track {
     double until;
     double glide;
 
-    /// What is left of an event's step when the next one comes, or at the end.
+    /// Returns the share of an event's step that remains when the next event comes, or at the end.
     double left(std::size_t event) const {
         const double end = event + 1 < events.size() ? events[event + 1]->seconds : until;
         return left_of_step(end - events[event]->seconds, glide);
     }
 };
 
-/// Those of each parameter that `wanted` takes. From the last event back, so that the past of a
-/// knob that never rests costs a look an event.
+/// Returns the tracks of the parameters for which `wanted` returns true. Walks back from the last
+/// event, so that the past of a knob that never rests costs one comparison an event.
 template <typename Wanted>
 std::vector<Track> tracks_of(const Sea& sea, double time, const Wanted& wanted) {
     struct Found {
@@ -133,7 +133,7 @@ double number_of(const ParameterValue& value) {
     return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
-/// A number of the table after its events. `initial` is asked only if it still counts.
+/// Returns a number of the table after its events. Calls `initial` only if it still matters.
 double number_at(const Track& track, const std::function<double()>& initial) {
     const Path path = path_of(*track.parameter.info);
     std::size_t event = track.events.size();
@@ -154,12 +154,13 @@ bool is_number(const ParameterInfo& info) {
 
 double number_at(const Sea& sea, const Track& track);
 
-/// What an unset height, period, direction or wind stands for when its first event comes.
+/// Returns the value that an unset height, period, direction or wind has when its first event
+/// comes.
 double natural_value(const Sea& sea, const Track& track) {
     if (is_wind_speed(*track.parameter.info)) {
         return sea.parameters.waves[track.parameter.item].wind();
     }
-    // Of the other parameters at that moment only those count that ask for no other's value.
+    // Only those other parameters count at that moment that need no other's value themselves.
     Parameters then = sea.parameters;
     for (const Track& other : tracks_of(sea, track.events.front()->seconds)) {
         const ParameterInfo& info = *other.parameter.info;
@@ -191,9 +192,9 @@ std::size_t word_index(const ParameterInfo& info, const ParameterValue& word) {
     return static_cast<std::size_t>(found - words.begin());
 }
 
-/// Spreadings mix: each has an amplitude that glides between 0 and 1, and a share of the energy
-/// that is its square. (Shares that glide themselves would begin with a jump of every wave that
-/// only the new spreading has, by the square root of the time.)
+/// Mixes spreadings: each has an amplitude that glides between 0 and 1, and a share of the energy
+/// that is its square. (If the shares glided themselves, every wave of the new spreading alone
+/// would begin with a jump, by the square root of the time.)
 void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const Track& track) {
     const ParameterInfo& info = *track.parameter.info;
     std::vector<double> amplitude(info.choices().size(), 0.0);
@@ -222,8 +223,9 @@ void mix_spreadings(Parameters& parameters, const ParameterValue& initial, const
     parameters.waves[wave].energy_share = amplitude[target] * amplitude[target] / energy;
 }
 
-/// The parameters with the winds that are unset but known of: a wind sea's, which a take that gives
-/// it height and period does not still, and one that a take brings, before its onset.
+/// Returns the parameters with the winds that are unset but known: that of a wind sea, which must
+/// not become calm when a take gives it height and period, and one that a take introduces, before
+/// its onset.
 Parameters with_winds(const Sea& sea) {
     Parameters parameters = sea.parameters;
     for (std::size_t wave = 0; wave < parameters.waves.size(); ++wave) {
@@ -300,10 +302,10 @@ void validate(const Sea& sea) {
                         "take at " + to_text(event.seconds) + " s: " + what);
         };
         if (!(std::abs(event.seconds) <= kLatestTime)) {
-            refuse("is no time; allowed: -1e9 .. 1e9 s");
+            refuse("is not a time; allowed: -1e9 .. 1e9 s");
         }
         if (event.seconds < last)
-            refuse("stands behind " + to_text(last) + " s; allowed: in order");
+            refuse("follows an event at " + to_text(last) + " s; allowed: events in order of time");
         last = event.seconds;
         if (event.parameter.info->change != ParameterClass::live) {
             refuse(event.parameter.info->path(event.parameter.item) + ": is not live");

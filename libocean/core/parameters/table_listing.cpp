@@ -16,7 +16,7 @@ namespace ocean {
 
 namespace {
 
-/// The number of an item, which is all of `digits`.
+/// Returns the number of an item, which must be all of `digits`.
 std::optional<std::size_t> item_number(std::string_view digits) {
     std::size_t number = 0;
     const char* end = digits.data() + digits.size();
@@ -25,7 +25,7 @@ std::optional<std::size_t> item_number(std::string_view digits) {
     return number;
 }
 
-/// A float that is not set is null; an infinite one a word, as the sea file writes it.
+/// Returns null for an unset float, and a word for an infinite one, as in a sea file.
 Json json_value(const ParameterSpec& spec, const ParameterValue& value) {
     if (spec.is_unset(value)) return nullptr;
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
@@ -104,7 +104,8 @@ std::string parameters_json(std::span<const ListedParameter> parameters) {
             // JSON has no infinity: such a bound is null.
             row.add("min", json_number_or_null(spec->min, plain_text));
             row.add("max", json_number_or_null(spec->max, plain_text));
-            if (spec->least > 0.0) row.add("least", json_number_or_null(spec->least, plain_text));
+            if (spec->min_nonzero > 0.0)
+                row.add("least", json_number_or_null(spec->min_nonzero, plain_text));
             row.add("soft_min", json_number_or_null(spec->soft_min, plain_text));
             row.add("soft_max", json_number_or_null(spec->soft_max, plain_text));
         }

@@ -39,7 +39,7 @@ double checked_number(const Place& place, const ParameterValue& value) {
         refuse(place, quoted_text(value), "is not a number");
     }
     if (std::isnan(number)) refuse(place, "nan", "is not a number");
-    const bool below = number > 0.0 && number < place.spec.least;
+    const bool below = number > 0.0 && number < place.spec.min_nonzero;
     if (number < place.spec.min || number > place.spec.max || below) {
         refuse(place, to_text(value), "is out of range");
     }
@@ -50,7 +50,7 @@ std::int64_t checked_integer(const Place& place, const ParameterValue& value) {
     const double number = checked_number(place, value);
     if (number != std::floor(number)) refuse(place, to_text(value), "is not a whole number");
     const auto whole = static_cast<std::int64_t>(number);
-    const bool unset = whole == 0 && place.spec.least > 0.0;
+    const bool unset = whole == 0 && place.spec.min_nonzero > 0.0;
     const bool power =
         unset || (whole > 0 && std::has_single_bit(static_cast<std::uint64_t>(whole)));
     if (place.spec.rule == NumberRule::power_of_two && !power) {
@@ -191,7 +191,7 @@ std::string allowed_values(const ParameterSpec& spec) {
         return words;
     }
     std::string range = plain_text(spec.min);
-    if (spec.least > 0.0) range += " or " + plain_text(spec.least);
+    if (spec.min_nonzero > 0.0) range += " or " + plain_text(spec.min_nonzero);
     range += " .. " + plain_text(spec.max);
     if (!spec.unit.empty() && spec.unit != "samples") range += " " + std::string(spec.unit);
     if (spec.rule == NumberRule::power_of_two) return "a power of two, " + range;
@@ -204,9 +204,10 @@ std::string allowed_values(const ParameterSpec& spec) {
 }
 
 void refuse_item(const ParameterSpec& spec, std::size_t item, std::size_t items) {
-    throw Error(ErrorKind::invalid_value, {.what = "there are " + std::to_string(items) + " " +
-                                                   std::string(spec.item) + "s, numbered from 0",
-                                           .parameter = spec.path(item)});
+    throw Error(ErrorKind::invalid_value,
+                {.what = "only " + std::to_string(items) + " " + std::string(spec.item) +
+                         "s exist, numbered from 0",
+                 .parameter = spec.path(item)});
 }
 
 }  // namespace ocean

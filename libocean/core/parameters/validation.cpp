@@ -32,7 +32,7 @@ bool good_directions(const SpectrumRecord& record) {
                        [](double s) { return s >= 0.0 && std::isfinite(s); });
 }
 
-/// What the stages rely on; readers of files give finer messages.
+/// Checks the rules on which the stages rely; readers of files give finer messages.
 void validate_record(const SpectrumRecord& record, const std::string& name) {
     const std::size_t n = record.frequency.size();
     const auto fits = [&](const std::vector<double>& moment) {
@@ -73,8 +73,8 @@ void validate_cascades(const Grid& grid) {
             {.what = reason, .parameter = "grid.cascade_divisors", .value = to_text(given)});
     };
     if (static_cast<int>(grid.cascade_divisors.size()) != grid.cascades) {
-        refuse("must be " + std::to_string(grid.cascades) +
-               " numbers, as many as grid.cascades says, or none to have them chosen");
+        refuse("must have " + std::to_string(grid.cascades) +
+               " numbers, one for each of grid.cascades, or none to have them chosen");
     }
     if (grid.cascade_divisors.front() != 1) refuse("must begin with 1, the patch itself");
     // A band must begin a few modes from its lattice's origin, or it has hardly any directions.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "waves.";
 
-/// Of "waves.1". Throws Error invalid_value.
+/// Returns the number of "waves.1". Throws Error invalid_value.
 std::size_t system_number(std::string_view name, std::size_t last) {
     if (!name.starts_with(kPrefix)) {
         throw Error(ErrorKind::invalid_value, "unknown wave system '" + std::string(name) +
@@ -31,7 +31,7 @@ bool is_of(const TakeEvent& event, std::size_t system) {
     return event.parameter.info->in_list() && event.parameter.item == system;
 }
 
-/// Systems from `first` on have other numbers now.
+/// Renumbers the systems from `first` on in the take.
 void renumber(Take& take, std::size_t first, std::ptrdiff_t by) {
     for (TakeEvent& event : take.events) {
         std::size_t& wave = event.parameter.item;
@@ -46,8 +46,9 @@ void add_wave_system(Sea& sea, std::string_view name) {
     std::vector<WaveSystem>& waves = sea.parameters.waves;
     const std::size_t number = system_number(name, waves.size());
     if (waves.size() >= kMaxWaveSystems) {
-        throw Error(ErrorKind::invalid_value, "there are " + std::to_string(waves.size()) +
-                                                  " wave systems, no more are allowed");
+        throw Error(
+            ErrorKind::invalid_value,
+            "the sea already has " + std::to_string(waves.size()) + " wave systems, the max");
     }
     waves.insert(waves.begin() + static_cast<std::ptrdiff_t>(number), WaveSystem{});
     renumber(sea.take, number, 1);
@@ -57,8 +58,9 @@ void remove_wave_system(Sea& sea, std::string_view name) {
     std::vector<WaveSystem>& waves = sea.parameters.waves;
     const std::size_t number = system_number(name, waves.size() - 1);
     if (waves.size() == 1) {
-        throw Error(ErrorKind::invalid_value, "the last wave system stays; allowed: 1 .. " +
-                                                  std::to_string(kMaxWaveSystems) + " systems");
+        throw Error(ErrorKind::invalid_value,
+                    "the last wave system cannot be removed; allowed: 1 .. " +
+                        std::to_string(kMaxWaveSystems) + " systems");
     }
     waves.erase(waves.begin() + static_cast<std::ptrdiff_t>(number));
     std::erase_if(sea.take.events, [=](const TakeEvent& event) { return is_of(event, number); });

@@ -50,13 +50,13 @@ struct PlaneSums {
         height_t += sample.height * t;
         ss += s * s;
         tt += t * t;
-        // A surface that stands upright counts as one of 89.9 degrees.
+        // A vertical surface counts as one of 89.9 degrees.
         const double up = std::max(sample.normal[2], 1e-3);
         slope_x -= sample.normal[0] / up;
         slope_y -= sample.normal[1] / up;
         ++count;
     }
-    /// Of the plane along a side; of the surface where the side is too short to tell.
+    /// Returns the slope of the plane along a side; that of the surface if the side is too short.
     double slope(const Side& side, double height_moment, double moment) const {
         if (side.count > 1) return height_moment / moment;
         return (slope_x * side.along.x + slope_y * side.along.y) / count;
@@ -75,7 +75,7 @@ FloatPose pose_of(const FloatBody& body, double height, const Side& length, doub
     pose.forward[1] = length.along.y / forward_length;
     pose.forward[2] = slope_s / forward_length;
     pose.pitch = std::atan(slope_s) * kDegrees;
-    // Its port vector is up x forward, whose z is the sine of the roll.
+    // The port vector is up x forward; its z is the sine of the roll.
     const double port_z = pose.up[0] * pose.forward[1] - pose.up[1] * pose.forward[0];
     pose.roll = std::asin(std::clamp(port_z, -1.0, 1.0)) * kDegrees;
     return pose;

@@ -21,23 +21,23 @@ struct InversionTarget {
     double reach;      // m, no label is shown much farther than this from where it is
     double tolerance;  // m, residual of a solution
 
-    /// `reach` must not be 0 in a sea that moves.
+    /// Returns the target at a point. `reach` must not be 0 in a sea that moves.
     static InversionTarget at(double x, double y, double choppiness, double reach) {
         return {x, y, choppiness, reach, kTolerance * reach};
     }
-    /// Of the reach: what single precision holds of a displacement, with some room.
+    /// Relative to the reach: the accuracy of a displacement in single precision, with a margin.
     static constexpr double kTolerance = 2e-6;
 };
 
 struct ShownLabel {
     double x, y;      // m
-    double jacobian;  // of the shown surface
+    double jacobian;  // of the displayed surface
     bool converged;
 };
 
-/// From one start to a solution near it. Newton's method; where that wanders or meets a fold, the
-/// damped fixed point a <- a - (a - C D(a) - x) / 2, then Newton again. At most 40 looks at the
-/// source; the last label, finite, where none was good enough.
+/// Returns a solution near one start. Newton's method; where that wanders or meets a fold, the
+/// damped fixed point a <- a - (a - C D(a) - x) / 2, then Newton again. Evaluates the source at
+/// most 40 times; then the last label, finite, if none was good enough.
 template <typename Source>
 ShownLabel find_label(const Source& source, const InversionTarget& target, double start_x,
                       double start_y) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the motion of a wave fades with depth: what queries and gauges have in common.
+// The decay of a wave's motion with depth, shared by queries and gauges.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct OrbitalDecay {
     double upright;
 };
 
-/// With only exponents <= 0, so that nothing overflows: cosh k(z+d) / sinh kd =
+/// Returns the decay with only exponents <= 0, so that nothing overflows: cosh k(z+d) / sinh kd =
 /// e^(kz) (1 + e^(-2k(z+d))) / (1 - e^(-2kd)), and sinh with a minus sign.
 inline OrbitalDecay orbital_decay(double k, double z, double depth) {
     const double part = std::exp(k * z) / -std::expm1(-2.0 * k * depth);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What moves in the water at a depth: maps of the surface, each mode faded to that depth.
+// The motion of the water at a depth: maps as of the surface, each mode decayed to that depth.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,7 +19,7 @@
 namespace ocean {
 namespace {
 
-/// scale(mode, k) of each mode that the spline shows, k > 0.
+/// Returns the factor scale(mode, k) for each mode that the spline shows, k > 0.
 template <typename Scale>
 ModeFactor faded(const Modes& modes, int shown, int fine, const Scale& scale) {
     return
@@ -52,7 +52,8 @@ auto along(const Modes& modes, const Water& water, double z) {
     };
 }
 
-/// Of modes multiplied by sinh k(z+d) / sinh kd the velocity of the height is that of the water up.
+/// Returns the factor sinh k(z+d) / sinh kd of each mode, which turns the height's rate into the
+/// water's upward velocity.
 auto upright(const Water& water, double z) {
     return [&water, z](const CascadeModes&, std::size_t, double k) {
         return ModeScale{static_cast<float>(orbital_decay(k, z, water.depth).upright), 1.0f};
@@ -68,7 +69,7 @@ class MotionStrips {
           along_(modes, fine, faded(modes, shown, fine, along(modes, water, z)), pool),
           up_(modes, fine, faded(modes, shown, fine, upright(water, z)), pool) {}
 
-    /// False if the modes' lattice is another, and then this is of no use.
+    /// Packs other modes. Returns false if their lattice differs; the object is then useless.
     bool repack(const Modes& modes, const Water& water, double z, int shown, ThreadPool& pool) {
         const int fine = map_.lattice().resolution;
         return map_.lattice().period == modes.lattice.period &&
@@ -84,7 +85,7 @@ class MotionStrips {
     }
 
     void prepare(std::span<const WorldPoint> points, ThreadPool* pool) const {
-        PartSet strips(along_.count());
+        TileSet strips(along_.count());
         for (const WorldPoint& point : points) {
             for (const int column : map_.columns(wrapped(point.x, map_.lattice().period))) {
                 const int strip = along_.strip_of(column);
@@ -95,24 +96,25 @@ class MotionStrips {
         along_.make(strips.list(), pool);
         up_.make(strips.list(), pool);
     }
-    /// vx, vy, vz, and pressure / (rho g).
+    /// Returns vx, vy, vz, and pressure / (rho g).
     SplineValue at(double x, double y) const { return map_.value(x, y); }
 
   private:
     SplineMap map_;
     SplineStrips along_;
-    SplineStrips up_;  // after along_, which writes over it: where it is there, both are
+    SplineStrips
+        up_;  // made after along_, which overwrites its field: where up_ is ready, both are
 };
 
 }  // namespace
 
-struct OrbitalMotion::State {
+struct OrbitalMotion::Impl {
     QueryOptions options;
     double period = 0.0;
     Water water;
     bool below_bottom = false;
     Revision revision;  // of the modes
-    double z = 0.0;     // of the map
+    double z = 0.0;     // of the map [m]
     std::unique_ptr<MotionStrips> map;
     std::optional<WaveSum> exact;
     WaterLevel level;
@@ -163,9 +165,9 @@ struct OrbitalMotion::State {
 
 OrbitalMotion::OrbitalMotion(const Modes& modes, const Water& water, double time, double z,
                              const QueryOptions& options, ThreadPool& pool)
-    : state_(std::make_unique<State>()) {
-    state_->options = options;
-    state_->move_to(modes, water, time, z, pool);
+    : impl_(std::make_unique<Impl>()) {
+    impl_->options = options;
+    impl_->move_to(modes, water, time, z, pool);
 }
 
 OrbitalMotion::~OrbitalMotion() = default;
@@ -174,17 +176,17 @@ OrbitalMotion& OrbitalMotion::operator=(OrbitalMotion&&) noexcept = default;
 
 void OrbitalMotion::move_to(const Modes& modes, const Water& water, double time, double z,
                             ThreadPool& pool) {
-    state_->move_to(modes, water, time, z, pool);
+    impl_->move_to(modes, water, time, z, pool);
 }
 
 void OrbitalMotion::sample(std::span<const WorldPoint> points, std::span<WaterMotion> motions,
                            ThreadPool& pool) const {
     require_finite(points);
-    state_->prepare(points, &pool);
-    for_each_point(pool, points.size(), state_->exact.has_value(),
+    impl_->prepare(points, &pool);
+    for_each_point(pool, points.size(), impl_->exact.has_value(),
                    [&](std::size_t first, std::size_t last) {
                        for (std::size_t i = first; i < last; ++i)
-                           motions[i] = state_->sample(points[i]);
+                           motions[i] = impl_->sample(points[i]);
                    });
 }
 
@@ -196,8 +198,8 @@ std::uint64_t OrbitalMotion::bytes(const Modes& modes, const QueryOptions& optio
 
 WaterMotion OrbitalMotion::sample(WorldPoint point) const {
     require_finite({&point, 1});
-    state_->prepare({&point, 1}, nullptr);
-    return state_->sample(point);
+    impl_->prepare({&point, 1}, nullptr);
+    return impl_->sample(point);
 }
 
 }  // namespace ocean

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Samples of the shown surface; see query.hpp. A place that shows one label is solved by Newton's
-// method on the spline map; one near a fold starts from every label that the index of folds lists.
-// Of both, only the strips near the places that are asked for are made.
+// Samples of the displayed surface; see query.hpp. A point that displays one label is solved by
+// Newton's method on the spline map; one near a fold starts from every label that the index of
+// folds lists. Both make only the strips near the requested points.
 #include "ocean/query.hpp"
 
 #include <algorithm>
@@ -31,7 +31,8 @@ constexpr std::array<Quantity, 4> kPosition = {Channel::dx, Channel::dy, Channel
                                                Channel::height};
 constexpr std::array<Quantity, 4> kVelocity = {Channel::vx, Channel::vy, Channel::vz, Channel::vz};
 
-/// The normal of the side seen from above: on a fold's upper sheet the label's own points down.
+/// Sets the normal on the side seen from above: on a fold's upper sheet the label's own points
+/// down.
 void set_normal(QuerySample& sample, double choppiness, const DisplacementSample& displacement,
                 double slope_x, double slope_y) {
     const auto n = wave::double_precision::surface_normal(
@@ -45,8 +46,8 @@ void set_normal(QuerySample& sample, double choppiness, const DisplacementSample
 
 }  // namespace
 
-struct SurfaceQuery::State {
-    State(const Modes& modes, const QueryOptions& asked, ThreadPool& pool)
+struct SurfaceQuery::Impl {
+    Impl(const Modes& modes, const QueryOptions& asked, ThreadPool& pool)
         : options(asked),
           shown(shown_resolution(modes.lattice.resolution, asked)),
           fine(spline_resolution(modes.lattice.resolution, asked)),
@@ -57,7 +58,8 @@ struct SurfaceQuery::State {
           bounds(query_bounds(modes, shown, fine, asked.exact, pool)),
           revision(modes.revision) {}
 
-    /// Other modes of the same lattice. False if it is another, and then this is of no use.
+    /// Switches to other modes of the same lattice. Returns false if their lattice differs; the
+    /// object is then useless.
     bool use(const Modes& modes, ThreadPool& pool);
     void begin(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                double new_time, ThreadPool& pool, FoamMap new_foam);
@@ -71,7 +73,7 @@ struct SurfaceQuery::State {
     InversionTarget target(WorldPoint place) const {
         return InversionTarget::at(place.x, place.y, choppiness, reach());
     }
-    /// Makes what samples of these points read.
+    /// Makes the strips that samples of these points read.
     void prepare(std::span<const WorldPoint> points, ThreadPool* pool) const;
     struct Numbered {
         WorldPoint point;
@@ -85,14 +87,14 @@ struct SurfaceQuery::State {
     WorldPoint wrapped_place(WorldPoint point) const {
         return {wrapped(point.x, period()), wrapped(point.y, period())};
     }
-    /// As well for what a search that has gone astray reads.
+    /// Makes the strip of one position, for a search that leaves the prepared strips.
     void need(double x) const {
         for (const int column : position.columns(x)) strips.need(strips.strip_of(column));
     }
     Solution solve(const InversionTarget& target, WorldPoint start) const;
     Solution top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
                           QuerySample& sample) const;
-    /// `guess`: of the place of the point, wrapped.
+    /// Returns the sample of a point. `guess`: near the label of `place`, the point wrapped.
     QuerySample sample(WorldPoint point, WorldPoint place, WorldPoint guess, Starts& starts) const;
     void sample_in_order(std::span<const Numbered> points, std::span<QuerySample> samples) const;
     void fill(QuerySample& sample, const Solution& solution) const;
@@ -100,8 +102,8 @@ struct SurfaceQuery::State {
     double foam_at(double x, double y) const;
 
     QueryOptions options;
-    int shown;  // samples of the map whose waves are there
-    int fine;   // of the splines
+    int shown;  // samples of the map whose waves count
+    int fine;   // samples of the splines
     SplineStrips strips;
     SplineMap position;  // dx, dy, height at choppiness 1
     SplineMap velocity;
@@ -115,7 +117,7 @@ struct SurfaceQuery::State {
     FoamMap foam;
 };
 
-bool SurfaceQuery::State::use(const Modes& modes, ThreadPool& pool) {
+bool SurfaceQuery::Impl::use(const Modes& modes, ThreadPool& pool) {
     if (revision == modes.revision) return true;
     if (position.lattice().period != modes.lattice.period ||
         shown != shown_resolution(modes.lattice.resolution, options)) {
@@ -129,9 +131,9 @@ bool SurfaceQuery::State::use(const Modes& modes, ThreadPool& pool) {
     return true;
 }
 
-void SurfaceQuery::State::begin(const Modes& modes, const SurfaceSettings& settings,
-                                const Water& water, double new_time, ThreadPool& pool,
-                                FoamMap new_foam) {
+void SurfaceQuery::Impl::begin(const Modes& modes, const SurfaceSettings& settings,
+                               const Water& water, double new_time, ThreadPool& pool,
+                               FoamMap new_foam) {
     choppiness = settings.choppiness;
     time = new_time;
     foam = options.foam ? std::move(new_foam) : FoamMap{};
@@ -143,15 +145,15 @@ void SurfaceQuery::State::begin(const Modes& modes, const SurfaceSettings& setti
     exact->set_time(time);
 }
 
-void SurfaceQuery::State::prepare(std::span<const WorldPoint> points, ThreadPool* pool) const {
-    PartSet places(folds.blocks());
+void SurfaceQuery::Impl::prepare(std::span<const WorldPoint> points, ThreadPool* pool) const {
+    TileSet places(folds.blocks());
     for (const WorldPoint& point : points) {
         const int block = block_of(point);
         if (!folds.has(block)) places.add(block);
     }
     if (places.list().empty()) return;
     const std::lock_guard lock(preparing);
-    PartSet needed(strips.count());
+    TileSet needed(strips.count());
     for (const int place : places.list()) {
         folds.each_column(position, place, strips.width(),
                           [&](int column) { needed.add(strips.strip_of(column)); });
@@ -160,9 +162,9 @@ void SurfaceQuery::State::prepare(std::span<const WorldPoint> points, ThreadPool
     folds.make(position, places.list(), pool);
 }
 
-/// The points in an order in which neighbours follow each other: of points at random, most of the
-/// time goes into waiting for the maps.
-std::vector<SurfaceQuery::State::Numbered> SurfaceQuery::State::in_order(
+/// Returns the points ordered so that neighbours follow each other: random points would spend their
+/// time waiting for the memory of the maps.
+std::vector<SurfaceQuery::Impl::Numbered> SurfaceQuery::Impl::in_order(
     std::span<const WorldPoint> points) const {
     std::vector<int> blocks(points.size());
     std::ranges::transform(points, blocks.begin(), [this](WorldPoint p) { return block_of(p); });
@@ -176,7 +178,7 @@ std::vector<SurfaceQuery::State::Numbered> SurfaceQuery::State::in_order(
     return numbered;
 }
 
-Solution SurfaceQuery::State::solve(const InversionTarget& target, WorldPoint start) const {
+Solution SurfaceQuery::Impl::solve(const InversionTarget& target, WorldPoint start) const {
     SplineJet jet;
     const auto look = [&](double x, double y) {
         need(x);
@@ -187,9 +189,9 @@ Solution SurfaceQuery::State::solve(const InversionTarget& target, WorldPoint st
     return {label, jet};  // find_label returns the label that it looked at last
 }
 
-/// Sets what the sample says of the search.
-Solution SurfaceQuery::State::top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
-                                           QuerySample& sample) const {
+/// Returns the top solution and sets the flags of the sample.
+Solution SurfaceQuery::Impl::top_solution(WorldPoint place, WorldPoint guess, Starts& starts,
+                                          QuerySample& sample) const {
     TopSheet sheet;
     const bool listed = folds.labels_near(place.x, place.y, starts);
     const double search = std::max(10.0 * spacing(), 2.0 * reach());
@@ -210,8 +212,8 @@ Solution SurfaceQuery::State::top_solution(WorldPoint place, WorldPoint guess, S
     return sheet.top();
 }
 
-QuerySample SurfaceQuery::State::sample(WorldPoint point, WorldPoint place, WorldPoint guess,
-                                        Starts& starts) const {
+QuerySample SurfaceQuery::Impl::sample(WorldPoint point, WorldPoint place, WorldPoint guess,
+                                       Starts& starts) const {
     QuerySample sample{};
     const Solution solution = top_solution(place, guess, starts, sample);
     if (exact) {
@@ -225,10 +227,10 @@ QuerySample SurfaceQuery::State::sample(WorldPoint point, WorldPoint place, Worl
     return sample;
 }
 
-/// In stages, some points apart: the maps are larger than the caches, and what a stage reads is on
-/// its way since the one before.
-void SurfaceQuery::State::sample_in_order(std::span<const Numbered> points,
-                                          std::span<QuerySample> samples) const {
+/// Samples in stages, some points apart: the maps exceed the caches, and each stage reads what the
+/// stage before it has prefetched.
+void SurfaceQuery::Impl::sample_in_order(std::span<const Numbered> points,
+                                         std::span<QuerySample> samples) const {
     static_assert(FoldIndex::kLooks == 2);
     constexpr std::size_t kApart = 4;
     struct Search {
@@ -261,7 +263,7 @@ void SurfaceQuery::State::sample_in_order(std::span<const Numbered> points,
     }
 }
 
-void SurfaceQuery::State::fill(QuerySample& sample, const Solution& solution) const {
+void SurfaceQuery::Impl::fill(QuerySample& sample, const Solution& solution) const {
     const ShownLabel& label = solution.label;
     sample.height = solution.height();
     set_normal(sample, choppiness, displacement_of(solution.jet),
@@ -275,10 +277,11 @@ void SurfaceQuery::State::fill(QuerySample& sample, const Solution& solution) co
     sample.label[1] = label.y;
 }
 
-/// From the label that the map shows: the sum over all modes is too dear to search with.
-void SurfaceQuery::State::fill_exactly(QuerySample& sample, WorldPoint place,
-                                       ShownLabel label) const {
-    constexpr double kDoubleTolerance = 1e-12;  // of the reach
+/// Fills a sample with the sum over all modes, beginning at the label that the map displays: this
+/// sum is too expensive to search with.
+void SurfaceQuery::Impl::fill_exactly(QuerySample& sample, WorldPoint place,
+                                      ShownLabel label) const {
+    constexpr double kDoubleTolerance = 1e-12;  // relative to the reach
     InversionTarget exactly = target(place);
     exactly.tolerance = kDoubleTolerance * exactly.reach;
     const auto look = [this](double x, double y) { return exact->displacement_at(x, y); };
@@ -297,7 +300,7 @@ void SurfaceQuery::State::fill_exactly(QuerySample& sample, WorldPoint place,
     sample.label[1] = label.y;
 }
 
-double SurfaceQuery::State::foam_at(double x, double y) const {
+double SurfaceQuery::Impl::foam_at(double x, double y) const {
     if (foam.resolution == 0) return 0.0;
     const int mask = foam.resolution - 1;
     const double u = wrapped(x, period()) / period() * foam.resolution;
@@ -316,7 +319,7 @@ double SurfaceQuery::State::foam_at(double x, double y) const {
 }
 
 bool may_fold(const Modes& modes, double choppiness) {
-    // Of all modes: the finest map there is.
+    // All modes count: they fit on the finest map.
     const GradientCovariance c = modes.gradient_covariance(kMaxResolution);
     return 6.0 * choppiness * std::sqrt(c.aa + c.bb + 2.0 * c.cc) >= 1.0;
 }
@@ -325,17 +328,17 @@ SurfaceQuery::SurfaceQuery(const Modes& modes, const SurfaceSettings& settings, 
                            double time, const QueryOptions& options, ThreadPool& pool,
                            FoamMap foam) {
     require_time(time);
-    state_ = std::make_unique<State>(modes, options, pool);
-    state_->begin(modes, settings, water, time, pool, std::move(foam));
+    impl_ = std::make_unique<Impl>(modes, options, pool);
+    impl_->begin(modes, settings, water, time, pool, std::move(foam));
 }
 
 void SurfaceQuery::move_to(const Modes& modes, const SurfaceSettings& settings, const Water& water,
                            double time, ThreadPool& pool, FoamMap foam) {
     require_time(time);
-    if (!state_->use(modes, pool)) {
-        state_ = std::make_unique<State>(modes, QueryOptions(state_->options), pool);
+    if (!impl_->use(modes, pool)) {
+        impl_ = std::make_unique<Impl>(modes, QueryOptions(impl_->options), pool);
     }
-    state_->begin(modes, settings, water, time, pool, std::move(foam));
+    impl_->begin(modes, settings, water, time, pool, std::move(foam));
 }
 
 SurfaceQuery::~SurfaceQuery() = default;
@@ -345,42 +348,42 @@ SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
 void SurfaceQuery::sample(std::span<const WorldPoint> points, std::span<QuerySample> samples,
                           ThreadPool& pool) const {
     require_finite(points);
-    state_->prepare(points, &pool);
-    const auto numbered = state_->in_order(points);
+    impl_->prepare(points, &pool);
+    const auto numbered = impl_->in_order(points);
     for_each_point(
-        pool, points.size(), state_->options.exact, [&](std::size_t first, std::size_t last) {
-            state_->sample_in_order(std::span(numbered).subspan(first, last - first), samples);
+        pool, points.size(), impl_->options.exact, [&](std::size_t first, std::size_t last) {
+            impl_->sample_in_order(std::span(numbered).subspan(first, last - first), samples);
         });
 }
 
 QuerySample SurfaceQuery::sample(WorldPoint point) const {
     require_finite({&point, 1});
-    state_->prepare({&point, 1}, nullptr);
-    const WorldPoint place = state_->wrapped_place(point);
-    State::Starts starts;
-    return state_->sample(point, place, state_->folds.guess(place), starts);
+    impl_->prepare({&point, 1}, nullptr);
+    const WorldPoint place = impl_->wrapped_place(point);
+    Impl::Starts starts;
+    return impl_->sample(point, place, impl_->folds.guess(place), starts);
 }
 
 double SurfaceQuery::time() const {
-    return state_->time;
+    return impl_->time;
 }
 double SurfaceQuery::spacing() const {
-    return state_->spacing();
+    return impl_->spacing();
 }
 double SurfaceQuery::reach() const {
-    return state_->reach();
+    return impl_->reach();
 }
 double SurfaceQuery::height_error() const {
-    return state_->bounds.error;
+    return impl_->bounds.error;
 }
 
 WorldPoint SurfaceQuery::shown(WorldPoint label) const {
     require_finite({&label, 1});
-    const double x = wrapped(label.x, state_->period());
-    state_->need(x);
-    const SplineValue offset = state_->position.value(x, wrapped(label.y, state_->period()));
-    return {label.x + state_->choppiness * static_cast<double>(offset.value[0]),
-            label.y + state_->choppiness * static_cast<double>(offset.value[1])};
+    const double x = wrapped(label.x, impl_->period());
+    impl_->need(x);
+    const SplineValue offset = impl_->position.value(x, wrapped(label.y, impl_->period()));
+    return {label.x + impl_->choppiness * static_cast<double>(offset.value[0]),
+            label.y + impl_->choppiness * static_cast<double>(offset.value[1])};
 }
 
 std::uint64_t SurfaceQuery::bytes(const Modes& modes, const QueryOptions& options) {

@@ -13,7 +13,7 @@ namespace {
 /// Sums over a row of modes; rows are added in order.
 struct BoundSums {
     double displacement = 0.0;          // sum of |h0| k coth(kd)/k
-    double displacement_squares = 0.0;  // of their squares
+    double displacement_squares = 0.0;  // sum of their squares
     double lacking = 0.0;               // |h0|^2 of the modes, or aliases, that are not shown
 
     void add(const BoundSums& other) {
@@ -23,7 +23,8 @@ struct BoundSums {
     }
 };
 
-/// (n / (R - n))^8: of a mode's energy, that of its alias along one axis of a spline of R samples.
+/// Returns (n / (R - n))^8, the energy of a mode's alias relative to the mode, along one axis of a
+/// spline of R samples.
 double alias_energy(int n, int spline) {
     const double ratio = static_cast<double>(n) / (spline - n);
     return std::pow(ratio * ratio, 4);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a query knows of a sea before it looks at any place: how far labels are displaced, and what
-// its answers lack.
+// Bounds that a query knows of a sea before it evaluates any point: the displacement of labels, and
+// the error of its answers.
 #pragma once
 
 #include "ocean/modes.hpp"
@@ -10,7 +10,7 @@
 
 namespace ocean {
 
-/// What sums over the modes say of all places and times.
+/// Bounds from sums over the modes, valid at all points and times.
 struct QueryBounds {
     /// No label is displaced farther than this at choppiness 1, m: eight times the rms of the
     /// displacement, which of Gaussian waves one place in 10^13 is, or the sum of all amplitudes,

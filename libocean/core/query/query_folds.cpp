@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/touch_pages.hpp"
+#include "base/prefault_pages.hpp"
 #include "ocean/thread_pool.hpp"
 #include "wave/wave.hpp"
 
@@ -17,8 +17,8 @@ namespace {
 
 /// A cell is squeezed if a corner's Jacobian is below this: it may be less within the cell.
 constexpr float kSqueezed = 0.25f;
-/// Cells are shown in one to four tiles; where they are in sixteen on average, neighbouring labels
-/// lie tens of cells apart and there is no surface left to search.
+/// A cell is displayed in one to four tiles; where the average is sixteen, neighbouring labels lie
+/// tens of cells apart and no surface is left to search.
 constexpr std::size_t kMaxTilesPerCell = 16;
 
 }  // namespace
@@ -34,8 +34,8 @@ FoldIndex::FoldIndex(double period, int resolution, ThreadPool& pool)
       jacobian_(lattice_.size()),
       cells_of_(static_cast<std::size_t>(labels_.count())),
       cells_(static_cast<std::size_t>(places_.count())) {
-    touch_pages(offset_, pool);
-    touch_pages(jacobian_, pool);
+    prefault_pages(offset_, pool);
+    prefault_pages(jacobian_, pool);
 }
 
 void FoldIndex::begin(double choppiness, double reach) {
@@ -72,12 +72,12 @@ void FoldIndex::make(const SplineMap& map, std::span<const int> blocks, ThreadPo
                      [this](int block, int) { cells_[static_cast<std::size_t>(block)] = {}; });
         return;
     }
-    PartSet labels(labels_.count());
+    TileSet labels(labels_.count());
     for (const int place : blocks) {
         each_label_block(place, &LabelBlocks::count, [&](int block) { labels.add(block); });
     }
     labels_.make(labels.list(), pool, [&](int block, int) { place_samples(map, block); });
-    PartSet cells(labels_.count());
+    TileSet cells(labels_.count());
     for (const int place : blocks) {
         each_label_block(place, &LabelBlocks::cells, [&](int block) { cells.add(block); });
     }
@@ -94,7 +94,7 @@ void FoldIndex::each_sample(int block, const Visit& visit) const {
     }
 }
 
-/// Offsets and Jacobians of the samples of one block of labels.
+/// Computes the offsets and Jacobians of the samples of one block of labels.
 void FoldIndex::place_samples(const SplineMap& map, int block) {
     const int step = map.lattice().resolution / lattice_.resolution;
     const auto c = static_cast<float>(choppiness_);
@@ -107,8 +107,8 @@ void FoldIndex::place_samples(const SplineMap& map, int block) {
     });
 }
 
-/// How much a cell of the block spans at most, along an axis, and where the squeezed ones are
-/// shown.
+/// Measures a block: the max span of its cells along an axis, and where the compressed ones are
+/// displayed.
 void FoldIndex::measure_cells(int block) {
     Measured& measured = cells_of_[static_cast<std::size_t>(block)];
     measured.widest = 0.0f;
@@ -128,10 +128,11 @@ void FoldIndex::measure_cells(int block) {
     });
 }
 
-/// Where the first corner of a cell of a block of labels is if any of it is shown in those tiles.
+/// Returns the box of the first corner of a cell of a block of labels, if any part of the cell is
+/// displayed in those tiles.
 FoldIndex::Box FoldIndex::corners_for(int place, const TileBounds& tiles, int labels) const {
     const double spacing = lattice_.period / lattice_.resolution;
-    // A box is what the corners span, each at most so far from the first, and a margin.
+    // A box is the span of the corners, each at most that far from the first, plus a margin.
     const double span =
         spacing + static_cast<double>(cells_of_[static_cast<std::size_t>(labels)].widest);
     const double around = (1.0 + 2.0 * kMargin) * span + kMargin * spacing;
@@ -229,7 +230,7 @@ FoldIndex::TileRange FoldIndex::tiles_of(int i, int j) const {
     return {first_x, first_y, count(first_x, tile(box.x.high)), count(first_y, tile(box.y.high))};
 }
 
-/// Those in a block of places, numbered within it row by row.
+/// Visits the tiles of a box in a block of points, numbered within it row by row.
 template <typename Visit>
 void FoldIndex::each_tile(const TileRange& range, int block, const Visit& visit) const {
     const long long mask = tiles_ - 1;

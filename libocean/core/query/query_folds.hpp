@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the shown surface is folded, and which labels are shown there. The signs of the Jacobians
-// of all labels shown at one place add up to 1, so that a place shows several labels only if one of
-// them has J < 0: places that are not near such a label need no search. For the others all cells of
-// the label lattice that are shown near them are listed, block by block of places, when asked for.
+// An index of the folds of the displayed surface and of the labels displayed there. The signs of
+// the Jacobians of all labels displayed at one point add up to 1, so a point displays several
+// labels only if one of them has J < 0: points that are not near such a label need no search. For
+// the others, all cells of the label lattice that are displayed near them are listed, block by
+// block of points, when needed.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 
 #include "ocean/page_vector.hpp"
 #include "ocean/query.hpp"
-#include "query/parts.hpp"
+#include "query/lazy_tiles.hpp"
 #include "query/spline_map.hpp"
 
 namespace ocean {
@@ -25,42 +26,45 @@ class FoldIndex {
   public:
     static constexpr int kBlock = 32;  // cells, along each axis
 
-    /// Cells lie between the samples of a lattice of `resolution`, at most that of the map.
+    /// Makes an index whose cells lie between the samples of a lattice of `resolution`, at most
+    /// that of the map.
     FoldIndex(double period, int resolution, ThreadPool& pool);
 
-    /// From now on of that surface: no block is there. No label is shown farther than `reach` from
-    /// where it is.
+    /// Begins a new surface without any block. `reach` is the max distance of a label from its
+    /// displayed point [m].
     void begin(double choppiness, double reach);
 
-    /// Of a surface that is not folded everywhere, at most.
+    /// Returns an upper bound of the bytes for a surface that is not folded everywhere.
     static std::uint64_t bytes(int resolution);
 
     int blocks() const { return places_.count(); }
-    /// Which one a place within the period is in.
+    /// Returns the block that a point within the period lies in.
     int block_of(double x, double y) const {
         return static_cast<int>(tile_along(y)) / kBlockTiles * across_ +
                static_cast<int>(tile_along(x)) / kBlockTiles;
     }
     bool has(int block) const { return places_.has(block); }
     /// Calls visit(column) for one column of the map in each `width` of them that make(block)
-    /// reads, and for those that labels shown there are read from.
+    /// reads, and for the columns from which labels displayed there are read.
     template <typename Visit>
     void each_column(const SplineMap& map, int block, int width, const Visit& visit) const;
-    /// Makes those that are not there, of columns of the map that are. `map` holds dx, dy at
-    /// choppiness 1 as its first two fields. One thread at a time.
+    /// Makes the missing ones of these blocks; the map must be ready in the columns that visit()
+    /// named. Its first two fields are dx, dy at choppiness 1. One thread at a time.
     void make(const SplineMap& map, std::span<const int> blocks, ThreadPool* pool);
 
-    /// The middles of all cells that may show a place within one period, as far from it as they are
-    /// displaced: labels to start a search from. None where no fold is near: one label is shown
-    /// there. Empties `labels` first. The block of the place must be there. False: so folded that
-    /// the lists would not end, and nothing is known.
+    /// Writes the centres of all cells that may be displayed at a point within one period, as far
+    /// from it as they are displaced: labels to start a search from. Empties `labels` first; none
+    /// where no fold is near and one label is displayed. The block of the point must be ready.
+    /// Returns false where the surface is so folded that the lists would not end, and nothing is
+    /// known.
     bool labels_near(double x, double y, std::vector<WorldPoint>& labels) const;
-    /// Near the label that is shown at a place where no fold is near: the place itself, and after
-    /// kLooks looks near enough to search from. As above.
+    /// Approximations of the label displayed at a point where no fold is near: look() improves one,
+    /// and guess() returns the result of kLooks looks that begin at the point, near enough to start
+    /// a search. The block of the point must be ready.
     static constexpr int kLooks = 2;
     WorldPoint look(WorldPoint place, WorldPoint label) const;
     WorldPoint guess(WorldPoint place) const;
-    /// Asks for what a look at a label reads to be brought near.
+    /// Prefetches the memory that reading a label needs.
     void prefetch(WorldPoint label) const { __builtin_prefetch(&offset_[sample_near(label)]); }
 
   private:
@@ -100,7 +104,7 @@ class FoldIndex {
             return {{-kInfinity, kInfinity}, {-kInfinity, kInfinity}};
         }
     };
-    /// Of tiles of a block of places.
+    /// A range of tiles in a block of points.
     struct TileBounds {
         int first_x = kBlockTiles, first_y = kBlockTiles;
         int last_x = -1, last_y = -1;
@@ -113,9 +117,8 @@ class FoldIndex {
         }
         bool empty() const { return last_x < 0; }
     };
-    /// Corners bound what is shown between them but for the bend of the surface, which moves the
-    /// edge of a fold: boxes are larger than their corners by this part of themselves and of the
-    /// spacing.
+    /// The margin of boxes, relative to themselves and to the spacing. Corners bound the surface
+    /// between them except for its curvature, which moves the edge of a fold.
     static constexpr double kMargin = 0.25;
 
     /// The blocks of labels that may be shown in a block of places, and those after them, whose
@@ -159,13 +162,13 @@ class FoldIndex {
     int across_;  // blocks a side
     double choppiness_ = 0.0;
     double reach_ = 0.0;
-    Parts labels_;                    // blocks whose samples are placed
-    Parts measured_;                  // blocks whose cells are measured
-    Parts places_;                    // blocks whose cells are listed
-    PageVector<Offset> offset_;       // of each sample of the lattice, m
+    LazyTiles labels_;                // blocks whose samples are placed
+    LazyTiles measured_;              // blocks whose cells are measured
+    LazyTiles places_;                // blocks whose cells are listed
+    PageVector<Offset> offset_;       // of each sample of the lattice [m]
     PageVector<float> jacobian_;      // of each sample
-    std::vector<Measured> cells_of_;  // of a block of labels
-    std::vector<Cells> cells_;        // of a block of places
+    std::vector<Measured> cells_of_;  // one for each block of labels
+    std::vector<Cells> cells_;        // one for each block of points
 };
 
 inline std::size_t FoldIndex::tile_along(double x) const {

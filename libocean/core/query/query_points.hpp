@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What queries of all kinds do with their points and their options before they look at a map.
+// Checks and conversions of points and options that all kinds of queries share.
 #pragma once
 
 #include <algorithm>
@@ -42,13 +42,14 @@ inline int spline_resolution(int grid_resolution, const QueryOptions& options) {
     return std::min(2 * shown * options.refine, kMaxResolution);
 }
 
-/// Of the lattice of labels on which folds are looked for: two samples to each of the shown map.
+/// Returns the resolution of the lattice of labels on which folds are searched: two samples for
+/// each of the displayed map.
 inline int fold_resolution(int grid_resolution, const QueryOptions& options) {
     return std::min(2 * shown_resolution(grid_resolution, options),
                     spline_resolution(grid_resolution, options));
 }
 
-/// Of so many splines, and of the kernels that write so many fields of them.
+/// Returns the bytes of `splines` splines and of the kernels that write `fields` fields of them.
 inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& options, int splines,
                                   int fields) {
     const auto shown = static_cast<std::uint64_t>(shown_resolution(grid_resolution, options));
@@ -60,7 +61,7 @@ inline std::uint64_t spline_bytes(int grid_resolution, const QueryOptions& optio
            kBetween * static_cast<std::uint64_t>(fields) * fine * shown;
 }
 
-/// x modulo the period, in [0, period).
+/// Returns x modulo the period, in [0, period).
 inline double wrapped(double x, double period) {
     if (x >= 0.0 && x < period) return x;
     const double rest = std::fmod(x, period);
@@ -71,10 +72,9 @@ inline double wrapped(double x, double period) {
 inline void require_finite(std::span<const WorldPoint> points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (std::isfinite(points[i].x) && std::isfinite(points[i].y)) continue;
-        throw Error(ErrorKind::invalid_value, "point " + std::to_string(i) + " = (" +
-                                                  std::to_string(points[i].x) + ", " +
-                                                  std::to_string(points[i].y) +
-                                                  "); allowed are finite coordinates in metres");
+        throw Error(ErrorKind::invalid_value,
+                    "point " + std::to_string(i) + " = (" + std::to_string(points[i].x) + ", " +
+                        std::to_string(points[i].y) + "); allowed: finite coordinates in metres");
     }
 }
 
@@ -83,9 +83,9 @@ inline void require_finite(std::span<const WorldPoint> points) {
 template <typename Body>
 void for_each_point(ThreadPool& pool, std::size_t count, bool exact, const Body& body) {
     const std::size_t piece = exact ? 1 : 256;
-    constexpr std::size_t kMost = std::numeric_limits<int>::max();
-    for (std::size_t start = 0; start < count; start += kMost * piece) {
-        const std::size_t end = std::min(count, start + kMost * piece);
+    constexpr std::size_t kMaxItems = std::numeric_limits<int>::max();
+    for (std::size_t start = 0; start < count; start += kMaxItems * piece) {
+        const std::size_t end = std::min(count, start + kMaxItems * piece);
         const std::size_t pieces = (end - start + piece - 1) / piece;
         pool.for_each_item(static_cast<int>(pieces), [&](int item, int) {
             const std::size_t first = start + static_cast<std::size_t>(item) * piece;

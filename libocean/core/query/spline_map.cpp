@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/touch_pages.hpp"
+#include "base/prefault_pages.hpp"
 
 namespace ocean {
 namespace {
 
-/// B^ of a wave that fits n times into `resolution` samples.
+/// Returns B^ of a wave that fits n times into `resolution` samples.
 double kernel_transform(int n, int resolution) {
     if (n == 0) return 1.0;
     const double half = kPi * n / resolution;
@@ -22,7 +22,8 @@ double kernel_transform(int n, int resolution) {
     return sinc * sinc * sinc * sinc;
 }
 
-/// 1 / B^ for each FFT index of a cascade's axis; 0 beyond the Nyquist line of a map of `band`.
+/// Returns 1 / B^ for each FFT index of a cascade's axis; 0 beyond the Nyquist line of a map of
+/// `band`.
 std::vector<double> axis_filter(const CascadeModes& cascade, int band, int resolution) {
     const int size = cascade.lattice.resolution;
     std::vector<double> filter(static_cast<std::size_t>(size));
@@ -53,7 +54,7 @@ ModeFactor spline_factor(const Modes& modes, int band, int resolution) {
 
 SplineMap::SplineMap(Lattice lattice, ThreadPool& pool)
     : lattice_(lattice), per_metre_(lattice.resolution / lattice.period), texels_(lattice.size()) {
-    touch_pages(texels_, pool);
+    prefault_pages(texels_, pool);
 }
 
 MapOutput SplineMap::output(const std::array<Quantity, kFields>& quantities) {

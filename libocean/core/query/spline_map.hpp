@@ -30,7 +30,7 @@ namespace ocean {
 
 class ThreadPool;
 
-/// What the fields are at one point, in their order, and the first three with their slopes.
+/// The values of the fields at one point, in their order, and the slopes of the first three.
 struct SplineValue {
     std::array<float, 4> value;
 };
@@ -40,18 +40,18 @@ struct SplineJet {
     std::array<float, 3> by_y;
 };
 
-/// std::floor is a function call on machines as old as x86-64 allows.
+/// Returns floor(x). std::floor is a function call on machines as old as x86-64 allows.
 inline long long floor_index(double x) {
     const auto whole = static_cast<long long>(x);
     return x < static_cast<double>(whole) ? whole - 1 : whole;
 }
 
-/// What a mode is multiplied by to become a coefficient of a spline of `resolution` samples:
-/// 1 / (B^(kx) B^(ky)), and 0 where a map of `band` samples does not hold the mode.
+/// Returns the factor that turns a mode into a coefficient of a spline of `resolution` samples: 1 /
+/// (B^(kx) B^(ky)), and 0 for a mode that a map of `band` samples does not hold.
 ModeFactor spline_factor(const Modes& modes, int band, int resolution);
 
-/// Four fields of one time; periodic. Their coefficients are written by others, and only where
-/// they are there may it be read.
+/// Four fields of one time; periodic. Others write the coefficients, and reading is allowed only
+/// where they have been written.
 class SplineMap {
   public:
     static constexpr int kFields = 4;
@@ -59,17 +59,17 @@ class SplineMap {
     SplineMap(Lattice lattice, ThreadPool& pool);
 
     const Lattice& lattice() const { return lattice_; }
-    /// Where the coefficients of these go; those of a field without a quantity stay as they are.
-    /// Whole vectors are written faster than parts.
+    /// Returns the output that writes the coefficients of these fields; those of a field without a
+    /// quantity stay unchanged. Whole vectors are written faster than parts.
     MapOutput output(const std::array<Quantity, kFields>& quantities);
-    /// The first and the last column that a point at x is made of.
+    /// Returns the first and the last column that a value at x is computed from.
     std::array<int, 2> columns(double x) const {
         const long long i = floor_index(x * per_metre_);
         const long long mask = lattice_.resolution - 1;
         return {static_cast<int>((i - 1) & mask), static_cast<int>((i + 2) & mask)};
     }
     static constexpr std::size_t bytes_per_sample() { return sizeof(Fields); }
-    /// Finite coordinates in metres, not many periods from 0.
+    /// Returns the value at finite coordinates [m], not many periods from 0.
     SplineValue value(double x, double y) const;
     SplineJet jet(double x, double y) const;
     /// Asks for the coefficients around a point to be brought near.
@@ -80,7 +80,8 @@ class SplineMap {
             __builtin_prefetch(row + at.column[3]);
         }
     }
-    /// That of a sample, of nine coefficients instead of sixteen. Indices of the lattice.
+    /// Returns the jet at a sample of the lattice (i, j), from nine coefficients instead of
+    /// sixteen.
     SplineJet jet_of_sample(int i, int j) const;
 
   private:
@@ -92,7 +93,7 @@ class SplineMap {
         float x, y;  // within the cell, 0 .. 1
     };
     Place place(double x, double y) const;
-    /// From slopes by sample.
+    /// Returns the jet of a value and its slopes per sample.
     SplineJet jet_from(Fields value, Fields by_x, Fields by_y) const;
 
     Lattice lattice_;
@@ -181,7 +182,7 @@ inline SplineJet SplineMap::jet_of_sample(int i, int j) const {
                            static_cast<std::size_t>(lattice_.resolution) +
                        static_cast<std::size_t>(column & mask)];
     };
-    // Of the kernel at -1, 0, 1: 1/6, 4/6, 1/6, and of its derivative -1/2, 0, 1/2.
+    // The kernel at -1, 0, 1 is 1/6, 4/6, 1/6; its derivative -1/2, 0, 1/2.
     constexpr float kSide = 1.0f / 6.0f;
     constexpr float kMiddle = 4.0f / 6.0f;
     Fields along[3];

@@ -15,7 +15,7 @@ SplineStrips::SplineStrips(const Modes& modes, int resolution, const ModeFactor&
                                             factor)),
       kernel_(packed_),
       width_(kernel_.strip_width()),
-      there_(resolution / width_) {}
+      ready_(resolution / width_) {}
 
 bool SplineStrips::repack(const Modes& modes, const ModeFactor& factor, ThreadPool& pool) {
     if (!packed_->refill(map_modes(modes, 0.0, packed_->size()), pool, factor)) return false;
@@ -25,7 +25,7 @@ bool SplineStrips::repack(const Modes& modes, const ModeFactor& factor, ThreadPo
 
 void SplineStrips::begin(const Modes& modes, double time, std::span<const MapOutput> outputs,
                          ThreadPool& pool) {
-    there_.clear();
+    ready_.clear();
     SurfaceSettings plain;
     plain.choppiness = 1.0;
     kernel_.begin({modes.tau(time), plain, outputs, {}}, pool);
@@ -35,7 +35,7 @@ void SplineStrips::make(std::span<const int> strips, ThreadPool* pool) const {
     const std::lock_guard lock(making_);
     const auto threads = pool != nullptr ? static_cast<std::size_t>(pool->size()) : 1;
     if (scratch_.size() < threads) scratch_.resize(threads);
-    there_.make(strips, pool, [this](int strip, int thread) {
+    ready_.make(strips, pool, [this](int strip, int thread) {
         PageVector<float>& scratch = scratch_[static_cast<std::size_t>(thread)];
         if (scratch.size() < kernel_.scratch_floats()) {
             scratch = PageVector<float>(kernel_.scratch_floats());

@@ -26,7 +26,7 @@ inline DisplacementSample displacement_of(const SplineJet& jet) {
             -0.5 * (static_cast<double>(jet.by_y[0]) + static_cast<double>(jet.by_x[1]))};
 }
 
-/// Of the solutions that the starts lead to, the highest.
+/// Finds the highest of the solutions that the starts lead to.
 class TopSheet {
   public:
     void add(const Solution& solution) {

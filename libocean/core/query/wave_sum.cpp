@@ -21,7 +21,7 @@ namespace formula = wave::double_precision;
 
 namespace {
 
-/// e^(i 2 pi n x / period) for n = first .. first + count - 1.
+/// Writes e^(i 2 pi n x / period) for n = first .. first + count - 1.
 void add_phases(double x, double period, int first, int count, double* re, double* im) {
     const double turns = x / period - std::floor(x / period);
     for (int i = 0; i < count; ++i) {
@@ -278,7 +278,7 @@ std::uint64_t WaveSum::bytes(const Modes& modes, std::size_t copies, std::size_t
     constexpr std::uint64_t kFixed = 5 * sizeof(float) + sizeof(double);
     std::uint64_t pairs = 0;
     for (const CascadeModes& cascade : modes.cascades) pairs += cascade.lattice.size() / 2;
-    // Twice what is fixed: vectors grow.
+    // The constant part counts twice, because vectors grow.
     return pairs * (2 * kFixed + (4 * copies + 2 * levels + 3 * steps) * sizeof(double));
 }
 

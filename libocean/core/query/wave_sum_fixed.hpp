@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a WaveSum knows of its modes that does not change with time, shared by its copies: k and -k
-// are one term, so half the plane, and of it the blocks of neighbours that have any waves.
+// The part of a WaveSum that does not change with time, shared by its copies. k and -k are one
+// term, so half the plane suffices, and of it only the blocks of neighbouring modes that have
+// waves.
 #pragma once
 
 #include <cstddef>
@@ -29,19 +30,19 @@ struct WaveSum::Fixed {
     struct Run {
         std::size_t begin;  // in the arrays of modes
         std::size_t end;
-        std::size_t column;  // of the first, in the table along x
+        std::size_t column;  // of the first mode, in the table along x
         std::size_t row;
     };
 
     Water water;
-    Modes clock;  // without modes: what the loop makes of time
+    Modes clock;  // without arrays: converts time to tau
     std::vector<Wavenumbers> cascades;
-    std::vector<double> kx, ky;  // of the columns and rows of the tables, rad/m
+    std::vector<double> kx, ky;  // of the columns and rows of the tables [rad/m]
     std::vector<Run> runs;
-    // Of all runs, one after another:
-    std::vector<float> h0_re, h0_im, mirror_re, mirror_im;  // m
+    // The modes of all runs, one run after another:
+    std::vector<float> h0_re, h0_im, mirror_re, mirror_im;  // [m]
     std::vector<double> rate;                               // turns per unit of tau
-    std::vector<float> displacement;                        // coth(kd) / k, m
+    std::vector<float> displacement;                        // coth(kd) / k [m]
 
     double displacement_rms = 0.0;  // m
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Heights by place; see world_heights.hpp. A row of places at a time goes through the query.
+// Heights by world position; see world_heights.hpp. A row of points at a time goes through the
+// query.
 #include "ocean/world_heights.hpp"
 
 #include <vector>

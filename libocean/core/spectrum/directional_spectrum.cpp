@@ -22,10 +22,10 @@ namespace ocean {
 namespace {
 
 constexpr double kShortestTabulated = 0.01;  // m: capillary waves; grids may go below and extend it
-constexpr double kJustOutside = 1e-9;        // of a frequency
+constexpr double kJustOutside = 1e-9;        // relative to a frequency
 
-/// All rows of all systems, ascending, with a zero row just outside the support of each so that a
-/// system that ends with energy ends there and does not fade into a neighbour's next row.
+/// Returns all rows of all systems, ascending, with a zero row just outside the support of each, so
+/// that a system that ends with energy does not fade into a neighbour's next row.
 std::vector<double> merge_rows(const std::vector<WaveSystemTable>& systems) {
     std::vector<double> rows;
     for (const WaveSystemTable& system : systems) {
@@ -40,7 +40,8 @@ std::vector<double> merge_rows(const std::vector<WaveSystemTable>& systems) {
     return rows;
 }
 
-/// Factor that makes the trapezoid over the rows give the exact variance: within 1e-4 of 1.
+/// Returns the factor that makes the trapezoid over the rows give the exact variance: within 1e-4
+/// of 1.
 double calibration(const WaveSystemTable& system) {
     const std::vector<double>& rows = system.rows;
     const std::vector<double>& density = system.density;
@@ -90,7 +91,7 @@ class SystemRows {
         std::size_t row = static_cast<std::size_t>(-1);
     };
 
-    /// Own row `row`, which from now on is `kept`.
+    /// Returns the system's own row `row`, which is then kept in `kept`.
     const double* part(Part& kept, std::size_t row) {
         Part& other = &kept == &low_ ? high_ : low_;
         if (other.row == row) std::swap(low_, high_);
@@ -99,7 +100,7 @@ class SystemRows {
         return kept.values.data();
     }
 
-    /// The density over the directions of the table, linear between those of the system.
+    /// Writes the density over the directions of the table, linear between those of the system.
     void fill(std::size_t row, std::span<double> values) {
         const double density = factor_ * system_.density[row];
         if (density <= 0.0) {
@@ -134,7 +135,7 @@ struct Frequencies {
     double high;
 };
 
-/// Of wavelengths shortest .. longest metres; 0 = no limit.
+/// Returns the frequencies of wavelengths shortest .. longest [m]; 0 = no limit.
 Frequencies frequencies_of(const Dispersion& dispersion, double shortest, double longest) {
     return {longest > 0.0 ? dispersion.angular_frequency(kTwoPi / longest) : 0.0,
             shortest > 0.0 ? dispersion.angular_frequency(kTwoPi / shortest)

@@ -30,7 +30,8 @@ double Dispersion::horizontal_displacement(double k) const {
 }
 
 DispersionPoint Dispersion::at(double k) const {
-    // As in dispersion.glsl, with sech^2 = 1 - tanh^2. Beyond kd = 20 tanh is 1 to the last bit.
+    // The formula of dispersion.glsl, with sech^2 = 1 - tanh^2. Beyond kd = 20 tanh is 1 to the
+    // last bit.
     const double kd = std::min(k * depth_, 20.0);
     const double tangent = kd < 20.0 ? std::tanh(kd) : 1.0;
     const double tension = tension_ * k * k;

@@ -28,7 +28,7 @@ struct Moments {
     std::vector<Complex> second;
 };
 
-/// Nothing if no bin has moments.
+/// Fills gaps between bins with moments. Returns nothing if no bin has moments.
 Moments fill_gaps(const SpectrumRecord& record) {
     Moments moments;
     const std::size_t n = record.frequency.size();
@@ -68,8 +68,9 @@ ListedDistribution estimated_distribution(Moments moments, Estimator estimator, 
     };
 }
 
-/// The record's own distribution, linear between its directions and periodic. Normalised on the
-/// columns of the table, so that each row keeps its energy whatever columns fall between.
+/// Returns the record's own distribution, linear between its directions and periodic. It is
+/// normalised on the columns of the table, so that each row keeps its energy whatever columns fall
+/// between.
 ListedDistribution listed_distribution(std::shared_ptr<const SpectrumRecord> record, double turn) {
     return [record = std::move(record), turn](std::size_t frequency, std::span<double> row) {
         const std::vector<double>& listed = record->direction;
@@ -95,7 +96,7 @@ ListedDistribution listed_distribution(std::shared_ptr<const SpectrumRecord> rec
     };
 }
 
-/// First moment of each listed frequency.
+/// Returns the first moment of each listed frequency.
 std::vector<Complex> first_moments(const SpectrumRecord& record) {
     constexpr std::size_t kColumns = 1024;
     const ListedDistribution distribution =
@@ -120,7 +121,7 @@ struct MeasuredDensity {
     std::vector<double> density;  // m^2 s/rad
     double m0 = 0.0;
     double peak = 0.0;     // as measured
-    double stretch = 1.0;  // of all frequencies
+    double stretch = 1.0;  // factor of all frequencies
 };
 
 MeasuredDensity rescaled_density(const WaveSystem& system) {
@@ -145,7 +146,7 @@ MeasuredDensity rescaled_density(const WaveSystem& system) {
     return result;
 }
 
-/// Direction of the whole record, weighted by energy.
+/// Returns the direction of the whole record, weighted by energy.
 double mean_direction(const std::vector<Complex>& first_moments, const MeasuredDensity& sea) {
     Complex mean = 0.0;
     for (std::size_t i = 0; i < sea.omega.size(); ++i) {
@@ -156,7 +157,7 @@ double mean_direction(const std::vector<Complex>& first_moments, const MeasuredD
     return std::arg(mean);
 }
 
-/// The first moments of a record, however it says its directions; empty if it does not.
+/// Returns the first moments of a record in any form of its directions; empty if it has none.
 std::vector<Complex> directions_of(const SpectrumRecord& record) {
     if (record.is_directional()) return first_moments(record);
     return fill_gaps(record).first;
@@ -185,7 +186,7 @@ WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water
 
     Moments moments = fill_gaps(*system.measured);
     if (moments.first.empty() && !system.measured->is_directional()) {
-        // Calm air has no wave age; a metre per second stands for it.
+        // Calm air has no wave age: 1 m/s is the min here.
         const double wave_age_inverse = std::max(system.wind(), 1.0) * sea.peak / water.gravity;
         const double mean = system.direction_degrees() * kPi / 180.0;
         table.directions = directions_needed(system, wave_age_inverse);

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kPhillipsConstant = 8.1e-3;
 
-/// Gauss's rule of eight points in panels of ln(omega) that are narrower than any peak, on both
-/// sides of the kink at `split`.
+/// Integrates by Gauss's rule of eight points in panels of ln(omega) that are narrower than any
+/// peak, on both sides of the kink at `split`.
 double integrate(const std::function<double(double)>& density, double low, double split,
                  double high) {
     constexpr double kNode[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
@@ -43,8 +43,8 @@ double integrate(const std::function<double(double)>& density, double low, doubl
     return part(low, split) + part(split, high);
 }
 
-/// Largest density on a grid in ln(omega) a few times finer than any peak is wide, then
-/// golden-section steps inside its neighbours.
+/// Returns the largest density on a grid in ln(omega) a few times finer than any peak, then refined
+/// by golden-section steps between its neighbours.
 double find_peak(const std::function<double(double)>& density, double low, double high) {
     const auto at = [&](double x) { return density(low * std::exp(x)); };
     const int steps = static_cast<int>(std::ceil(std::log(high / low) / 0.015));
@@ -151,8 +151,8 @@ double phillips_wavenumber_density(double k, double wind_speed, double amplitude
 
 namespace {
 
-/// m/s: what is less makes waves of less than two micrometres. The scales of a spectrum go with
-/// powers of the wind, beyond all numbers where a take glides it from 0.
+/// Wind below which a sea is flat [m/s]: its waves would be lower than two micrometres. The scales
+/// of a spectrum are powers of the wind and exceed all numbers when a take lets it glide from 0.
 constexpr double kCalm = 1e-6;
 
 }  // namespace

@@ -47,8 +47,9 @@ double cosine_2s_normalisation(double s) {
 
 namespace {
 
-/// The exponent of |cos(theta/2)|^2 that the system's base distribution has at x; 0 if it is not of
-/// that family.
+/// Returns the exponent of
+/// cos(theta/2)
+/// ^2 of the system's base distribution at x; 0 if it is not of that family.
 double base_exponent(const WaveSystem& system, double x, double wave_age_inverse) {
     if (system.spectrum == SpectrumKind::phillips) return 0.0;
     switch (system.spreading) {
@@ -63,7 +64,7 @@ double base_exponent(const WaveSystem& system, double x, double wave_age_inverse
     return 0.0;
 }
 
-/// The base distribution without what depends on the frequency.
+/// Returns the part of the distribution that does not depend on the frequency.
 double base_shape(const WaveSystem& system, double theta) {
     const double cosine = std::cos(theta);
     if (system.spectrum == SpectrumKind::phillips) {
@@ -80,9 +81,10 @@ bool is_donelan_banner(const WaveSystem& system) {
            system.spreading == SpreadingKind::donelan_banner;
 }
 
-/// e^x for x <= 0 to 1e-11, 0 below -600: the series of e^r, |r| <= ln(2)/2, even and odd terms
-/// side by side, times a power of two that is put into the exponent's bits. For loops that the
-/// compiler turns into vectors.
+/// Returns e^x for x <= 0 to 1e-11, 0 below -600: the series of e^r,
+/// r
+///  <= ln(2)/2, even and odd terms side by side, times a power of two that is put into the
+/// exponent's bits. For loops that the compiler vectorises.
 inline double exponential(double x) {
     constexpr double kRounding = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to whole
     const double shifted = x * 1.4426950408889634 + kRounding;
@@ -130,7 +132,7 @@ SpreadingRows::SpreadingRows(const WaveSystem& system, double wave_age_inverse,
         const double theta = std::remainder(step * static_cast<double>(j) - mean_direction, kTwoPi);
         const double cosine = std::cos(0.5 * theta);
         const double kept = std::abs(theta) > 0.5 * kPi ? system.opposing : 1.0;
-        // With a uniform part that is held back too, once it is there.
+        // A uniform part is reduced too, once it is added.
         shape_.push_back(base_shape(system, theta) * (mixes_with_uniform() ? 1.0 : kept));
         kept_.push_back(kept);
         log_cosine_.push_back(std::log(std::max(cosine * cosine, 1e-300)));

@@ -19,8 +19,8 @@ namespace {
 
 /// Bounds of the error of linear interpolation between two rows.
 struct Tolerance {
-    double peak;  // of the largest density
-    double tail;  // of the density itself, beyond the peak, where the slopes of the sea come from
+    double peak;  // relative to the largest density
+    double tail;  // relative to the density itself, beyond the peak, where slopes come from
 };
 /// The error of a bent density is largest in the middle between two rows.
 constexpr Tolerance kInTheMiddle = {5e-5, 1e-3};

@@ -22,16 +22,17 @@ struct WaveSystemTable {
     int directions = 0;
     /// Exact integral of the density, m^2.
     double m0 = 0.0;
-    /// The distribution over `directions` directions of a row: sums to 1 times directions / 2 pi.
-    /// Several threads may call it.
+    /// Writes the distribution over `directions` directions of a row: its sum times 2 pi /
+    /// directions is 1. Several threads may call it.
     std::function<void(std::size_t row, std::span<double> distribution)> spreading;
 };
 
-/// `highest` bounds the frequencies of parametric systems. A flat system has no rows.
+/// Returns the table of a wave system. `highest` bounds the frequencies of parametric systems. A
+/// flat system has no rows.
 WaveSystemTable make_wave_system_table(const WaveSystem& system, const Water& water,
                                        double highest);
 
-/// What a wave system's optional parameters stand for while they are unset.
+/// The values of a wave system's optional parameters while they are unset.
 struct NaturalScale {
     double height = 0.0;     // m, significant
     double period = 0.0;     // s, of the peak; NaN for a flat system
@@ -40,7 +41,7 @@ struct NaturalScale {
 NaturalScale natural_scale(const WaveSystem& system, const Water& water, double highest);
 NaturalScale natural_measured_scale(const WaveSystem& system);
 
-/// The bound of parametric systems on a grid.
+/// Returns the bound of the frequencies of parametric systems on a grid [rad/s].
 double highest_frequency(const Parameters& parameters);
 
 /// Rescaling of [[waves]]: the period stretches the spectrum at constant energy,
@@ -51,7 +52,7 @@ struct Rescaling {
 };
 Rescaling make_rescaling(const WaveSystem& system, double peak, double m0);
 
-/// The measured kind: linear between the record's frequencies, nothing beyond them.
+/// Returns the table of a measured system: linear between the record's frequencies, 0 beyond them.
 WaveSystemTable make_measured_table(const WaveSystem& system, const Water& water);
 
 }  // namespace ocean

@@ -19,7 +19,7 @@ class Draws {
   public:
     explicit Draws(std::uint64_t id) : state_(id) {}
 
-    /// Of [0, 1).
+    /// Returns a number of [0, 1).
     double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
     /// Two standard normal numbers, of [Box and Muller 1958] eq. 1.
     struct Normals {
@@ -44,7 +44,7 @@ class Draws {
 /// Maps between their samples, by the four around a place.
 class Place {
   public:
-    /// Of a cell and an offset from its middle of -1/2 .. 1/2 cells.
+    /// Interpolates in a cell, at an offset from its centre of -1/2 .. 1/2 cells.
     Place(const Surface& map, std::size_t cell, double x, double y) : map_(map) {
         const auto n = static_cast<std::size_t>(map.resolution());
         const std::size_t i = cell % n;
@@ -77,11 +77,11 @@ class Place {
 
 constexpr double kVerticalGust = 1.25;
 
-/// The gust that tears drops off blows forwards and upwards and then carries them: of each
-/// component the deviation in neutral air near the ground, 2.39, 1.92 and 1.25 u* along, across
-/// and up [Panofsky and Dutton 1984], Gaussian and, along and up, of its positive half. (Nobody has
-/// measured the speed at which spume leaves a crest; it is thought to go with the wind [Veron
-/// 2015]. In a tank of 10 m/s drops had -3 to 6 m/s upwards [Erinin 2022].)
+/// Draws the gust that tears drops off forwards and upwards and then carries them. The deviation of
+/// each component is that of neutral air near the ground, 2.39, 1.92 and 1.25 u* along, across and
+/// up [Panofsky and Dutton 1984]; Gaussian and, along and up, its positive half. (The speed at
+/// which spume leaves a crest has not been measured; it is thought to follow the wind [Veron 2015].
+/// In a tank of 10 m/s drops had -3 to 6 m/s upwards [Erinin 2022].)
 Vector3 gust(const SprayAir& air, Draws& draws) {
     const double friction = friction_velocity(air.wind_speed);
     const Draws::Normals level = draws.normals();
@@ -103,7 +103,7 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
     birth.radius = spume_radius(draws.uniform());
     birth.response = response_time(birth.radius, tick.air.gravity);
 
-    // The surface goes on as at the tick for the part of a step.
+    // The surface continues as at the tick for a part of a step.
     const Place place(map, cell, x, y);
     const auto n = static_cast<std::size_t>(map.resolution());
     const double size = map.period() / static_cast<double>(n);
@@ -126,7 +126,8 @@ SprayBirth birth_of(const SprayTick& tick, const Surface& map, std::size_t cell,
     return birth;
 }
 
-/// Particles of an event, on average: no more in all than the tick may make, but for chance.
+/// Returns the mean number of particles of an event, so that on average a tick does not exceed its
+/// share.
 double wanted_of(const SprayTick& tick, double cell_area, std::size_t events) {
     const double each = tick.density * cell_area * spume_onset(tick.air.wind_speed);
     const double all = each * static_cast<double>(events);

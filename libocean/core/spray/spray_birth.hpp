@@ -16,14 +16,14 @@ namespace ocean {
 /// Above it a cell is white: the share of the sea that is, is then about the mean of W.
 inline constexpr float kWhite = 0.5f;
 
-/// SplitMix64's finaliser [Steele 2014]: every bit of the result depends on every bit, and no two
-/// numbers have the same.
+/// Returns SplitMix64's finaliser [Steele 2014]: every bit of the result depends on every bit, and
+/// no two numbers have the same result.
 std::uint64_t scramble(std::uint64_t value);
-/// Of particle `number` of an event. For one seed and tick no two are equal.
+/// Returns the id of particle `number` of an event. For one seed and tick no two are equal.
 std::uint64_t spray_id(std::uint32_t seed, std::int64_t tick, std::uint32_t cell,
                        std::uint32_t number);
 
-/// What the births of a tick follow from.
+/// The input of the births of one tick.
 struct SprayTick {
     std::uint32_t seed;
     std::int64_t number;  // in a loop that within it
@@ -34,10 +34,11 @@ struct SprayTick {
     SprayAir air;
 };
 
-/// One value a cell: 1 where it is white.
+/// Returns one value for each cell: 1 where it is white.
 std::vector<std::uint8_t> white_cells(const Surface& map);
-/// In the order of the cells. `map`: kSprayChannels on the spray's lattice at the tick;
-/// `white_before`: white_cells of the tick before. Those that do not rise are left out.
+/// Returns the births of a tick in the order of the cells. `map`: kSprayChannels on the spray's
+/// lattice at the tick; `white_before`: white_cells of the tick before. Drops that do not rise are
+/// left out.
 std::vector<SprayBirth> births_of(const SprayTick& tick, const Surface& map,
                                   std::span<const std::uint8_t> white_before);
 

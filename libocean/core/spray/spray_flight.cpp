@@ -26,8 +26,9 @@ SprayAir spray_air(const Parameters& parameters) {
     return air;
 }
 
-// [Large and Pond 1981] eq. 19: 10^3 C_d = 1.2 for 4 <= U10 < 11 m/s, 0.49 + 0.065 U10 up to
-// 25 m/s. Kept beyond both ends: below there is no spume, above the drag is known to saturate.
+// Returns the friction velocity [m/s] by [Large and Pond 1981] eq. 19: 10^3 C_d = 1.2 for 4 <= U10
+// < 11 m/s, 0.49 + 0.065 U10 up to 25 m/s. Constant beyond both ends: below there is no spume,
+// above the drag is known to saturate.
 double friction_velocity(double wind_speed) {
     const double drag = 1e-3 * std::max(1.2, 0.49 + 0.065 * std::min(wind_speed, 25.0));
     return wind_speed * std::sqrt(drag);
@@ -44,11 +45,12 @@ double spume_onset(double wind_speed) {
     return std::clamp((wind_speed - 7.0) / (11.0 - 7.0), 0.0, 1.0);
 }
 
-// [Andreas 1998] eq. 3.5, with r = r80 in um: the flux of spume drops goes as r^-1 for
+// Returns the radius at birth [m] of a drop, for a uniform number.
+// [Andreas 1998] eq. 3.5, with r = r80 in um: the flux of spume drops is proportional to r^-1 for
 // 10 <= r < 37.5, r^-2.8 up to 100 and r^-8 up to 250. By volume, times r^3: r^2, r^0.2 and r^-5,
 // whose integral is inverted here. r80 = 0.518 r0^0.976 is the radius in air of 80 % humidity, r0
 // the one at birth: 21 to 560 um, half of the water below 108 um.
-// Proved by Spray.TheSizesOfDropsAreThoseOfAndreas.
+// Test: Spray.TheSizesOfDropsAreThoseOfAndreas.
 double spume_radius(double uniform) {
     struct Piece {
         double from, to, factor, power;  // factor r^power, continuous
@@ -88,7 +90,7 @@ double response_time(double radius, double gravity) {
     constexpr double kAir = 1.204;          // kg/m^3
     const double stokes = 2.0 * kWater * radius * radius / (9.0 * kViscosity);
     double response = stokes;
-    for (int i = 0; i < 24; ++i) {  // the steps halve the error at least
+    for (int i = 0; i < 24; ++i) {  // each step at least halves the error
         const double reynolds = 2.0 * radius * gravity * response * kAir / kViscosity;
         const double next = stokes / (1.0 + 0.15 * std::pow(reynolds, 0.687));
         response = 0.5 * (response + next);
@@ -96,8 +98,8 @@ double response_time(double radius, double gravity) {
     return response;
 }
 
-// v' = -(v - w)/tau has v = w + (v0 - w) e, x = x0 + w a + (v0 - w) tau (1 - e), e = exp(-a/tau),
-// with w the drift. tau -> infinity is a throw, tau -> 0 goes with the air.
+// The solution of v' = -(v - w)/tau: v = w + (v0 - w) e, x = x0 + w a + (v0 - w) tau (1 - e), e =
+// exp(-a/tau), with the drift w. tau -> infinity is a throw, tau -> 0 follows the air.
 SprayParticle particle_at(const SprayBirth& birth, double age) {
     const double left = std::exp(-age / birth.response);
     const double reach = -birth.response * std::expm1(-age / birth.response);
@@ -111,12 +113,12 @@ SprayParticle particle_at(const SprayBirth& birth, double age) {
             velocity[1], velocity[2], age,      birth.life, birth.radius};
 }
 
-// Diffusion by continuous movements [Taylor 1922] whose velocity, of deviation s, forgets itself as
-// exp(-t/T): the deviation of what began in one point is s t at first and s sqrt(2 T t) in the end.
-// T is that of large eddies at the height where mist hangs, kappa z/s with z = 2.5 m.
+// Diffusion by continuous movements [Taylor 1922] whose velocity, of deviation s, decorrelates as
+// exp(-t/T): the deviation of a puff from one point is s t at first and s sqrt(2 T t) in the end. T
+// is that of large eddies at the height where mist hangs, kappa z/s with z = 2.5 m.
 MistPuff puff_at(const SprayBirth& birth, double age, double lifetime) {
     constexpr double kEddy = 0.4 * 2.5;  // m
-    constexpr double kBornWide = 0.5;    // m: a puff is what is torn off in one go
+    constexpr double kBornWide = 0.5;    // [m]: the water that a gust tears off at once
     double deviation = kBornWide;
     if (birth.mixing > 0.0) {
         const double memory = kEddy / birth.mixing;

@@ -13,24 +13,25 @@ namespace ocean {
 
 using Vector3 = std::array<double, 3>;  // x, y, z
 
-/// The air over the crests, and what falls in it.
+/// The air over the crests, and how drops fall in it.
 struct SprayAir {
     double wind_speed = 0.0;  // m/s, U10
     double direction = 0.0;   // radians from +x, counter-clockwise
     double gravity = 9.81;    // m/s^2
 };
 
-/// Of the strongest wind that is known of; calm where none is.
+/// Returns the air in the strongest known wind; calm air without any.
 SprayAir spray_air(const Parameters& parameters);
-/// u* = U10 sqrt(C_d), m/s.
+/// Returns u* = U10 sqrt(C_d) [m/s].
 double friction_velocity(double wind_speed);
-/// The mean wind one metre over the crests, m/s.
+/// Returns the mean wind one metre above the crests [m/s].
 double crest_wind(double wind_speed);
-/// Share of the whitecaps that the wind tears drops from, 0 .. 1.
+/// Returns the share of the whitecaps that the wind tears drops from, 0 .. 1.
 double spume_onset(double wind_speed);
-/// Radius of drops, m, for a uniform number of [0, 1): each has its share of the water.
+/// Returns the radius of drops [m] for a uniform number of [0, 1): each radius has its share of the
+/// water.
 double spume_radius(double uniform);
-/// tau of dv/dt = -(v - u)/tau - g, s: of a drop that falls as fast as it falls.
+/// Returns tau of dv/dt = -(v - u)/tau - g [s], for a drop that falls at its terminal velocity.
 double response_time(double radius, double gravity);
 
 /// All that a particle's flight follows from.
@@ -41,18 +42,18 @@ struct SprayBirth {
     Vector3 velocity;  // m/s
     Vector3 gust;      // m/s, the air's velocity
     double mixing;     // m/s, the deviation of its vertical velocity
-    Vector3 drift;     // m/s, what its own velocity tends to: that of the air, less the fall
+    Vector3 drift;     // velocity that its own tends to: that of the air minus the fall [m/s]
     double response;   // s
     double radius;     // m
     double life;       // s
 };
 
-/// Its state at an age, s.
+/// Returns the particle at an age [s].
 SprayParticle particle_at(const SprayBirth& birth, double age);
-/// What hangs in the air at an age below `lifetime`, s.
+/// Returns the mist of a birth at an age below `lifetime` [s].
 MistPuff puff_at(const SprayBirth& birth, double age, double lifetime);
-/// The age, at most `lifetime`, at which it falls through the still water's level or, born below
-/// it, through the height that it was born at. Of a birth whose life is not set yet.
+/// Returns the age, at most `lifetime`, at which the drop falls through the level of still water
+/// or, if born below it, through the height of its birth. The life of `birth` need not be set yet.
 double life_of(const SprayBirth& birth, double lifetime);
 
 }  // namespace ocean

@@ -15,12 +15,14 @@
 namespace ocean {
 namespace {
 
-/// In a loop a birth comes again: what is there a second time has been away for as long.
+/// Returns the longest life [s]. In a loop a birth repeats, and a particle must be gone before its
+/// copy appears, for at least as long as it lived.
 double longest_life(const SpraySettings& settings, double loop_period) {
     return loop_period > 0.0 ? std::min(settings.lifetime, 0.5 * loop_period) : settings.lifetime;
 }
 
-/// A particle is born within a step after its tick: one more tick than lives last, and the newest.
+/// Returns the ticks whose particles may live: one more than a life spans, because a particle is
+/// born within a step after its tick, and the newest.
 std::int64_t living_ticks(const FoamClock& clock, double lifetime) {
     const auto ticks = static_cast<std::int64_t>(std::floor(lifetime / clock.step)) + 2;
     return clock.ticks_per_loop > 0 ? std::min(ticks, clock.ticks_per_loop) : ticks;
@@ -31,11 +33,11 @@ void require_range(const char* name, double value, double least, double most) {
     const std::string given = to_text(value);
     const std::string allowed = to_text(least) + " .. " + to_text(most);
     throw Error(ErrorKind::invalid_value,
-                std::string("spray: ") + name + " = " + given + ": allowed is " + allowed,
+                std::string("spray: ") + name + " = " + given + "; allowed: " + allowed,
                 {.parameter = name, .value = given, .allowed = allowed});
 }
 
-/// The strongest wind that a sea has at any time, m/s.
+/// Returns the strongest wind that a sea has at any time [m/s].
 double strongest_wind_ever(const Sea& sea) {
     double strongest = 0.0;
     for (const WaveSystem& system : sea.parameters.waves) {
@@ -65,7 +67,7 @@ Lattice spray_lattice(const Grid& grid) {
     return {std::min(n, default_map_resolution(grid)), grid.patch_size};
 }
 
-std::uint64_t most_spray(const Sea& sea, const SpraySettings& settings) {
+std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings) {
     const Parameters& parameters = sea.parameters;
     const double wind = strongest_wind_ever(sea);
     const double density = settings.density * spume_onset(wind);
@@ -111,13 +113,13 @@ void SprayFollower::go_to(double time, const SpraySource& source) {
     forget_far_from(now_.tick);
 }
 
-template <typename Take>
-void SprayFollower::for_each_birth(const Take& take) const {
+template <typename Visit>
+void SprayFollower::for_each_birth(const Visit& visit) const {
     for (std::int64_t back = ticks_ - 1; back >= 0; --back) {
         const double since = now_.since + static_cast<double>(back) * clock_.step;
         for (const SprayBirth& birth : born_.at(clock_.before(now_.tick, back))) {
             const double age = since - birth.since;
-            if (age >= 0.0 && age < lifetime_) take(birth, age);
+            if (age >= 0.0 && age < lifetime_) visit(birth, age);
         }
     }
 }

@@ -16,7 +16,7 @@
 
 namespace ocean {
 
-/// What spray is made of.
+/// Callbacks that make the maps of spray.
 struct SpraySource {
     /// Fills the map, kSprayChannels on the spray's lattice, at the time of a tick.
     std::function<SprayAir(double time, Surface& map)> tick;
@@ -28,19 +28,20 @@ class SprayFollower {
                   std::uint32_t seed);
 
     const SpraySettings& settings() const { return settings_; }
-    /// To a time, of which the rest tells. What the source throws leaves a state that can go on.
+    /// Follows births up to a time [s], which the other functions then use. An exception of the
+    /// source passes through and leaves a state that can be used further.
     void go_to(double time, const SpraySource& source);
-    /// All that are alive, the oldest ticks first.
+    /// Returns all living particles, those of the oldest ticks first.
     std::vector<SprayParticle> particles() const;
     std::vector<MistPuff> mist() const;
-    /// Of ticks from that time on nothing is known any more: the sea has changed there.
+    /// Drops the ticks from that time [s] on, because the sea has changed there.
     void forget_from(double time);
 
   private:
     void make(std::int64_t tick, const SpraySource& source);
     /// Calls take(birth, age) for all that were born within the lifetime.
-    template <typename Take>
-    void for_each_birth(const Take& take) const;
+    template <typename Visit>
+    void for_each_birth(const Visit& visit) const;
     void forget_far_from(std::int64_t tick);
 
     SpraySettings settings_;
@@ -51,7 +52,7 @@ class SprayFollower {
     std::map<std::int64_t, std::vector<SprayBirth>> born_;
     FoamClock::Moment now_{};
     Surface map_;
-    std::vector<std::uint8_t> white_;         // of the tick that was looked at last
+    std::vector<std::uint8_t> white_;         // cells white at the last tick
     std::optional<std::int64_t> white_tick_;  // its number
 };
 

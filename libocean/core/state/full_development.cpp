@@ -21,16 +21,16 @@ namespace {
 
 // The scatter of fully developed seas, m0 g^2/U^4 = (3.6 +- 0.9)e-3 and f_p U/g = 0.13 +- 0.02
 // [Young 1999] section 5.3: waves within it draw no warning.
-constexpr double kMostHeight = 1.118;  // sqrt(1 + 0.9/3.6), of the fully developed height
-constexpr double kMostPeriod = 1.18;   // 0.13 / (0.13 - 0.02), of the fully developed period
+constexpr double kMaxHeight = 1.118;  // sqrt(1 + 0.9/3.6), of the fully developed height
+constexpr double kMaxPeriod = 1.18;   // 0.13 / (0.13 - 0.02), of the fully developed period
 
 bool grows_with_fetch(const WaveSystem& system) {
     return system.spectrum == SpectrumKind::jonswap || system.spectrum == SpectrumKind::tma;
 }
 
 /// Returns the fetch [m] at which JONSWAP of this wind and peak enhancement has the variance of
-/// Pierson and Moskowitz in deep water. m0 goes with alpha omega_p^-4, which is chi^(4 0.33 - 0.22)
-/// at one wind. A peak enhancement of 3.3 gives chi = 1.20e4, 1 gives 1.76e4.
+/// Pierson and Moskowitz in deep water. m0 is proportional to alpha omega_p^-4, which is chi^(4
+/// 0.33 - 0.22) at one wind. A peak enhancement of 3.3 gives chi = 1.20e4, 1 gives 1.76e4.
 double fetch_of_developed_height(const WaveSystem& system, double gravity) {
     WaveSystem deep = system;
     deep.spectrum = SpectrumKind::jonswap;
@@ -56,7 +56,7 @@ NaturalScale scale_at_fetch(WaveSystem system, double fetch, const Parameters& p
     return natural_scale(system, parameters.water, highest_frequency(parameters));
 }
 
-/// Three significant figures, without an exponent from 0.0001 on.
+/// Returns three significant figures, without an exponent from 0.0001 on.
 std::string figures(double value) {
     if (value < 1000.0) return format_text("%.3g", value);
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
@@ -75,8 +75,8 @@ std::optional<std::string> beyond_full_development(const Parameters& parameters,
     const double fetch = height_is_given ? fetch_of_developed_period(system, gravity)
                                          : fetch_of_developed_height(system, gravity);
     const NaturalScale developed = scale_at_fetch(system, fetch, parameters);
-    const bool is_beyond = height_is_given ? now.period > kMostPeriod * developed.period
-                                           : now.height > kMostHeight * developed.height;
+    const bool is_beyond = height_is_given ? now.period > kMaxPeriod * developed.period
+                                           : now.height > kMaxHeight * developed.height;
     if (!is_beyond) return std::nullopt;
     const std::string name = "waves." + std::to_string(number) + ".";
     const auto number_of = [&](const NaturalScale& scale) {
@@ -90,7 +90,8 @@ std::optional<std::string> beyond_full_development(const Parameters& parameters,
            (height_is_given ? "" : name + "significant_wave_height and ") + name + "peak_period";
 }
 
-/// While spreadings glide, a sea has copies of a wave system behind its own ones.
+/// Returns true for a copy of a wave system, which a sea has after its own systems while spreadings
+/// glide.
 bool is_copy(const std::vector<WaveSystem>& waves, std::size_t number) {
     const WaveSystem& system = waves[number];
     const auto is_original = [&](const WaveSystem& other) {

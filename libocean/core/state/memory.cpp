@@ -22,24 +22,23 @@ std::uint64_t maps_bytes(int resolution, int maps) {
 }
 
 std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet channels,
-                         int resolution, std::span<const ChannelInfo> further) {
+                         int resolution, std::span<const ChannelInfo> host_channels) {
     const std::uint64_t own =
         backend.work_bytes == nullptr
             ? 0
-            : backend.work_bytes(grid, fields_of(channels, false, further), resolution);
+            : backend.work_bytes(grid, fields_of(channels, false, host_channels), resolution);
     // Channels that the backend has no code for are made of planes of their fields.
-    const LinearSet planes = fields_of(channels.without(backend.makes), false, further);
+    const LinearSet planes = fields_of(channels.without(backend.makes), false, host_channels);
     return own + maps_bytes(resolution, planes.size());
 }
 
 void require_memory(std::uint64_t bytes, const std::string& what, const std::string& advice) {
-    if (bytes == 0) return;  // what is left is asked of the system
+    if (bytes == 0) return;  // available_memory() is a system call
     const std::uint64_t there = available_memory();
     if (bytes <= there) return;
     const auto mebibytes = [](std::uint64_t value) { return std::to_string(value >> 20) + " MiB"; };
-    throw Error(ErrorKind::out_of_memory, what + " needs " + mebibytes(bytes) +
-                                              " of memory, there are " + mebibytes(there) + "; " +
-                                              advice);
+    throw Error(ErrorKind::out_of_memory, what + " needs " + mebibytes(bytes) + " of memory, " +
+                                              mebibytes(there) + " are available; " + advice);
 }
 
 }  // namespace ocean

@@ -15,12 +15,13 @@ namespace ocean {
 
 namespace {
 
-/// Of the mode with that larger wavenumber, in steps of the map's own lattice: the smallest p.
+/// Returns the exponent p of the smallest map that holds a mode whose larger wavenumber, in steps
+/// of the map's own lattice, is `wavenumber`.
 std::size_t smallest_map(int wavenumber) {
     return static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(wavenumber))) + 1;
 }
 
-/// The modes (+-n, m) and (+-n, -m) of a cascade.
+/// Sums the modes (+-n, m) and (+-n, -m) of a cascade.
 ModeSums sum_row(const StateSource& source, std::size_t cascade, const CascadeBand& band, int m) {
     const Parameters& parameters = source.parameters;
     const int half = parameters.grid.resolution / 2;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a grid resolves of a spectrum: sums over the variances of its modes, no random draw.
+// The part of a spectrum that a grid resolves: sums over the variances of its modes, no random
+// draw.
 #pragma once
 
 #include <array>
@@ -25,9 +26,9 @@ using SlopeByMap = std::array<double, 32>;
 /// Sums over one row of modes, over a cascade, or over the whole sea.
 struct ModeSums {
     double m0 = 0.0;
-    double measured = 0.0;  // of m0, what measures the band
-    double m1 = 0.0;        // of omega
-    double m_minus1 = 0.0;  // of 1 / omega
+    double measured = 0.0;  // of m0, over the modes of measures_band
+    double m1 = 0.0;        // sum of omega times the variance
+    double m_minus1 = 0.0;  // sum of the variance over omega
     double mean_square_slope = 0.0;
     SlopeByMap slope_by_map{};
     std::complex<double> direction = 0.0;
@@ -40,18 +41,19 @@ struct ModeSums {
     void add(const ModeSums& other);
 };
 
-/// What the modes of a sea are asked for.
+/// The input of the sums over a sea's modes.
 struct StateSource {
     const Parameters& parameters;
     const ModeLattice& lattice;
     const QuadrantSampler& spectrum;
 };
 
-/// Of a cascade, its gain included; the same bits for any number of threads.
+/// Returns the sums of one cascade, its gain included; the bits are the same for any number of
+/// threads.
 ModeSums sum_modes(const StateSource& source, const DirectionalSpectrum& spectrum,
                    std::size_t cascade, const CascadeBand& band, ThreadPool& pool);
 
-/// (speed in the loop - speed) / speed of the waves of that frequency; 0 without a loop.
+/// Returns (speed in the loop - speed) / speed of the waves of that frequency; 0 without a loop.
 double speed_error(double omega, double loop_period);
 
 }  // namespace ocean

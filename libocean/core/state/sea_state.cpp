@@ -23,7 +23,7 @@ namespace ocean {
 
 namespace {
 
-/// Frequency of the ring with the largest density over omega; 0 for a flat sea.
+/// Returns the frequency of the ring with the largest density over omega; 0 for a flat sea.
 double peak_of_rings(std::span<const ModeSums> cascades, std::span<const CascadeBand> bands,
                      const Parameters& parameters) {
     const Dispersion dispersion(parameters.water);
@@ -43,7 +43,7 @@ double peak_of_rings(std::span<const ModeSums> cascades, std::span<const Cascade
     return peak;
 }
 
-/// Displacement, normals and foam, with what makes them.
+/// Returns the bytes of displacement, normals and foam, and of the arrays that make them.
 std::uint64_t frame_bytes(const Parameters& parameters, int resolution) {
     using enum Channel;
     const int lattice = foam_lattice(parameters, resolution).resolution;
@@ -54,8 +54,8 @@ std::uint64_t frame_bytes(const Parameters& parameters, int resolution) {
            maps_bytes(resolution, kChannels.size()) + past;
 }
 
-/// The waves of a cascade repeat at its own period, and at that of another whose divisor divides
-/// its own.
+/// Returns the share of each cascade. Its waves repeat at its own period, and at that of another
+/// cascade whose divisor divides its own.
 std::vector<CascadeShare> cascade_shares(std::span<const ModeSums> cascades,
                                          std::span<const CascadeBand> bands, const ModeSums& total,
                                          double patch_size) {

@@ -57,16 +57,17 @@ Json loop_errors_json(const std::vector<LoopError>& errors) {
 /// Hs over depth of a surf zone that breaks all the way: Hrms = 0.42 d [Thornton and Guza 1982],
 /// Hs = sqrt(2) Hrms.
 constexpr double kSaturated = 0.6;
-/// As much as whitecaps cover in a wind of 10 m/s. Presets up to Beaufort 12 fold 3e-11 of their
-/// surface with a choppiness of 1.5, the end of its soft range, 2e-5 with 2 and three cascades, and
-/// 1.4 % with 4, the end of the hard one.
+/// Folded share above which a warning is due: as much as whitecaps cover in a wind of 10 m/s.
+/// Presets up to Beaufort 12 fold 3e-11 of their surface with a choppiness of 1.5, the end of its
+/// soft range, 2e-5 with 2 and three cascades, and 1.4 % with 4, the end of the hard range.
 constexpr double kMuchFolded = 0.01;
 
 /// Degrees of spread that are worth a warning.
 constexpr double kNarrowed = 0.5;
 
-/// The circular spread of a record's moments, degrees, weighted by energy: as they are, and as its
-/// sea has them, whose distributions are not narrower than kLargestExponent and kLargestMoment.
+/// Returns the circular spread of a record's moments [degrees], weighted by energy: as measured,
+/// and as its sea has them, whose distributions are not narrower than kLargestExponent and
+/// kLargestMoment.
 AskedResolved spread_of_moments(const SpectrumRecord& record) {
     std::complex<double> asked = 0.0;
     std::complex<double> held = 0.0;
@@ -90,7 +91,7 @@ AskedResolved spread_of_moments(const SpectrumRecord& record) {
             circular_spread(std::abs(held) / energy) * kDegrees};
 }
 
-/// What the readers of its measured records had to assume, and what no record says.
+/// Adds the assumptions of the readers of its measured records, and the data that no record has.
 void add_record_warnings(const Parameters& parameters, SeaState& state) {
     for (std::size_t i = 0; i < parameters.waves.size(); ++i) {
         const WaveSystem& system = parameters.waves[i];
@@ -103,11 +104,10 @@ void add_record_warnings(const Parameters& parameters, SeaState& state) {
         if (spread.resolved - spread.asked > kNarrowed) {
             state.warnings.push_back(
                 name + ".file has a directional spread of " + fixed_text(spread.asked, 1) +
-                " degrees: the least that a sea holds is taken, " + fixed_text(spread.resolved, 1));
+                " degrees, narrower than any sea: " + fixed_text(spread.resolved, 1) + " is used");
         }
         if (system.measured->has_directions() || system.wind_direction) continue;
-        state.warnings.push_back(name + ".file says nothing of directions: the waves travel to " +
-                                 name +
+        state.warnings.push_back(name + ".file has no directions: the waves travel to " + name +
                                  ".wind_direction = " + fixed_text(system.direction_degrees(), 0) +
                                  ", to the east, spread as " + name + ".spreading says");
     }
@@ -159,8 +159,8 @@ void add_warnings(const Parameters& parameters, bool flat, SeaState& state) {
     }
     if (parameters.surface.foam_coverage == FoamCoverage::monahan && !strongest_wind(parameters)) {
         warn(
-            "no wind is known of: heights and periods are measured or given, and wind_speed is "
-            "not. There are no whitecaps; give a wave system its wind_speed to have them");
+            "the wind is unknown: heights and periods are measured or given, but no wind_speed. "
+            "The sea has no whitecaps; set wind_speed of a wave system to have them");
     }
     if (parameters.grid.patch_size < 3.0 * state.peak_wavelength.asked) {
         warn("fewer than three of the dominant waves (" +

@@ -8,9 +8,9 @@
 
 namespace ocean {
 
-/// What of a state people should know before they bake. `flat`: no energy is asked for.
+/// Adds the warnings that people should read before they bake. `flat`: the spectrum has no energy.
 void add_warnings(const Parameters& parameters, bool flat, SeaState& state);
-/// If its folded_share is more than that of any natural sea.
+/// Adds a warning if the folded_share exceeds that of any natural sea.
 void add_folding_warning(const SurfaceSettings& surface, SeaState& state);
 
 }  // namespace ocean

@@ -66,14 +66,14 @@ Real whitecap_of(const SurfacePoint<Real>& p) {
     }
 }
 
-/// Over what is left of a map, which is in floats.
+/// Lays a whitecap over the faded earlier foam, which is in floats.
 template <typename Real>
 Real foam_of(const SurfacePoint<Real>& p) {
-    const float foam = std::max(static_cast<float>(whitecap_of(p)), p.foam_left);
-    return foam < p.foam_least ? 0.0f : foam;
+    const float foam = std::max(static_cast<float>(whitecap_of(p)), p.previous_foam);
+    return foam < p.foam_cutoff ? 0.0f : foam;
 }
 
-/// A power in double: at 0 and at 1 it is exact.
+/// Computes the power in double: at 0 and at 1 it is exact.
 template <typename Real>
 Real cover_of(const SurfacePoint<Real>& p) {
     const auto foam = static_cast<double>(foam_of(p));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is asked of the tables of channels and products.
+// Look-ups in the tables of channels and products.
 #include <string>
 
 #include "ocean/channel.hpp"
@@ -9,11 +9,11 @@
 
 namespace ocean {
 
-const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> further) {
+const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels) {
     const auto index = static_cast<std::size_t>(channel);
     if (index < kChannels.size()) return kChannels[index];
-    const std::size_t count = kChannels.size() + further.size();
-    if (index < count) return further[index - kChannels.size()];
+    const std::size_t count = kChannels.size() + host_channels.size();
+    if (index < count) return host_channels[index - kChannels.size()];
     throw Error(ErrorKind::invalid_value, "channel " + std::to_string(static_cast<int>(channel)) +
                                               " is not known; allowed: 0 .. " +
                                               std::to_string(count - 1));
@@ -23,33 +23,33 @@ namespace {
 
 /// Calls visit(row) for each channel of the set.
 template <typename Visit>
-void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> further,
+void for_each_channel(ChannelSet channels, std::span<const ChannelInfo> host_channels,
                       const Visit& visit) {
-    for (int c = 0; c < kMostChannels; ++c) {
+    for (int c = 0; c < kMaxChannels; ++c) {
         const auto channel = static_cast<Channel>(c);
-        if (channels.contains(channel)) visit(channel_info(channel, further));
+        if (channels.contains(channel)) visit(channel_info(channel, host_channels));
     }
-    const auto none = static_cast<Channel>(kMostChannels);
-    if (channels.contains(none)) channel_info(none, further.first(0));  // throws
+    const auto none = static_cast<Channel>(kMaxChannels);
+    if (channels.contains(none)) channel_info(none, host_channels.first(0));  // throws
 }
 
 }  // namespace
 
-void require_channels(ChannelSet channels, std::span<const ChannelInfo> further) {
-    for_each_channel(channels, further, [](const ChannelInfo&) {});
+void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_channels) {
+    for_each_channel(channels, host_channels, [](const ChannelInfo&) {});
 }
 
-LinearSet fields_of(ChannelSet channels, bool flat, std::span<const ChannelInfo> further) {
+LinearSet fields_of(ChannelSet channels, bool flat, std::span<const ChannelInfo> host_channels) {
     LinearSet fields;
-    for_each_channel(channels, further, [&](const ChannelInfo& info) {
+    for_each_channel(channels, host_channels, [&](const ChannelInfo& info) {
         fields = fields | (flat ? info.flat : info.choppy);
     });
     return fields;
 }
 
-FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further) {
+FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> host_channels) {
     FoamUse most = FoamUse::none;
-    for_each_channel(channels, further,
+    for_each_channel(channels, host_channels,
                      [&](const ChannelInfo& info) { most = std::max(most, info.foam); });
     return most;
 }

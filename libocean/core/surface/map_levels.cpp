@@ -12,7 +12,7 @@ namespace ocean {
 
 std::vector<Surface> map_levels(Ocean& ocean, double time, ChannelSet channels,
                                 std::span<const int> resolutions) {
-    // They have a past on each map; what they look like from far away is their mean.
+    // These have a past on each map; seen from far away they are their mean.
     constexpr Channel kAveraged[] = {Channel::foam, Channel::cover};
     const auto is_averaged = [&](const MapOutput& output) {
         return std::ranges::any_of(kAveraged, [&](Channel channel) {

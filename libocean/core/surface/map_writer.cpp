@@ -9,11 +9,11 @@
 
 namespace ocean {
 
-MapWriter::MapWriter(const Backend& backend, std::span<const ChannelInfo> further)
-    : backend_(backend), further_(further), maps_(backend.start()) {}
+MapWriter::MapWriter(const Backend& backend, std::span<const ChannelInfo> host_channels)
+    : backend_(backend), host_channels_(host_channels), maps_(backend.start()) {}
 
-MapWriter::MapWriter(const MapWriter& other, std::span<const ChannelInfo> further)
-    : backend_(other.backend_), further_(further), maps_(other.maps_) {}
+MapWriter::MapWriter(const MapWriter& other, std::span<const ChannelInfo> host_channels)
+    : backend_(other.backend_), host_channels_(host_channels), maps_(other.maps_) {}
 
 namespace {
 
@@ -32,7 +32,7 @@ void append_with(ChannelSet channels, bool fields, std::span<const MapOutput> ou
     }
 }
 
-/// The samples a period on are the first ones.
+/// Copies the first samples to the seam, one period on.
 void close_seam(const MapOutput& output, int resolution) {
     const auto rows = static_cast<std::size_t>(resolution);
     const auto components = static_cast<std::size_t>(output.components);
@@ -60,13 +60,13 @@ bool MapWriter::write(const MapRequest& request, ThreadPool& pool) {
 
 bool MapWriter::write_samples(const MapRequest& request, ThreadPool& pool) {
     const ChannelSet asked = channels_of(request.outputs);
-    require_channels(asked, further_);
+    require_channels(asked, host_channels_);
     const ChannelSet others = asked.without(backend_.makes);
     if (others.empty()) return maps_(request, pool);
 
     outputs_.clear();
     append_with(backend_.makes, true, request.outputs, outputs_);
-    const LinearSet fields = fields_of(others, request.settings.choppiness == 0.0, further_);
+    const LinearSet fields = fields_of(others, request.settings.choppiness == 0.0, host_channels_);
     const std::size_t samples = Lattice{request.modes.resolution, 1.0}.size();
     for (const Linear field : kLinears) {
         if (!fields.contains(field)) continue;
@@ -80,7 +80,7 @@ bool MapWriter::write_samples(const MapRequest& request, ThreadPool& pool) {
     outputs_.clear();
     append_with(others, false, request.outputs, outputs_);
     part.outputs = outputs_;
-    write_channels(planes_, part, further_, pool);
+    write_channels(planes_, part, host_channels_, pool);
     return packed;
 }
 

@@ -15,22 +15,23 @@ namespace ocean {
 
 class MapWriter {
   public:
-    /// `further`: the rows of the host's channels, which must outlive it.
-    explicit MapWriter(const Backend& backend, std::span<const ChannelInfo> further = {});
-    /// With other channels: a copy shares what the backend made of the modes.
-    MapWriter(const MapWriter& other, std::span<const ChannelInfo> further);
+    /// Makes a writer. `host_channels`: the rows of the host's channels, which must outlive it.
+    explicit MapWriter(const Backend& backend, std::span<const ChannelInfo> host_channels = {});
+    /// Copies a writer for other host channels; the copy shares what the backend made of the modes.
+    MapWriter(const MapWriter& other, std::span<const ChannelInfo> host_channels);
 
     const Backend& backend() const { return backend_; }
-    /// As MapFunction. Throws Error for a channel that is not known.
+    /// Writes the outputs as a MapFunction does. Throws Error for an unknown channel.
     bool write(const MapRequest& request, ThreadPool& pool);
 
   private:
     bool write_samples(const MapRequest& request, ThreadPool& pool);
 
     Backend backend_;
-    std::span<const ChannelInfo> further_;
+    std::span<const ChannelInfo> host_channels_;
     MapFunction maps_;
-    // Of the channels without code; kept, so that frames allocate nothing.
+    // The fields of channels that the backend does not compute; kept, so that frames allocate
+    // nothing.
     LinearPlanes<float> planes_;
     std::vector<MapOutput> outputs_;
 };

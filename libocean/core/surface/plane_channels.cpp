@@ -43,13 +43,13 @@ class ComponentWriter {
                 if (!fields.contains(field)) continue;
                 point.field[static_cast<std::size_t>(field)] = planes_[field][i];
             }
-            if (has_past) point.foam_left = foam.fade * foam.map[i];
+            if (has_past) point.previous_foam = foam.fade * foam.map[i];
             return info.formula(point);
         });
     }
 
   private:
-    /// What all samples have in common.
+    /// Returns the members that all samples share.
     SurfacePoint<Real> still_point(const ChannelInfo& info) const {
         const SurfaceSettings& settings = request_.settings;
         constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
@@ -63,8 +63,8 @@ class ComponentWriter {
         point.choppiness = static_cast<Real>(settings.choppiness);
         point.foam_threshold = has_threshold ? static_cast<Real>(settings.foam_threshold) : kNone;
         point.foam_width = has_threshold ? static_cast<Real>(settings.foam_width) : kNone;
-        point.foam_left = has_past ? 0.0f : kNone;
-        point.foam_least = has_past ? request_.foam.least : kNone;
+        point.previous_foam = has_past ? 0.0f : kNone;
+        point.foam_cutoff = has_past ? request_.foam.cutoff : kNone;
         point.cover_power = info.foam == FoamUse::cover ? request_.foam.cover_power : kNone;
         return point;
     }
@@ -95,7 +95,7 @@ class ComponentWriter {
 
 template <typename Real>
 void write_channels(const LinearPlanes<Real>& planes, const MapRequest& request,
-                    std::span<const ChannelInfo> further, ThreadPool& pool) {
+                    std::span<const ChannelInfo> host_channels, ThreadPool& pool) {
     const Real choppiness = static_cast<Real>(request.settings.choppiness);
     for (const MapOutput& output : request.outputs) {
         for (std::size_t c = 0; c < output.used().size(); ++c) {
@@ -104,7 +104,7 @@ void write_channels(const LinearPlanes<Real>& planes, const MapRequest& request,
             if (quantity.is_linear()) {
                 write.multiple(quantity.linear(), Real(1));
             } else if (quantity.is_channel()) {
-                const ChannelInfo& info = channel_info(quantity.channel(), further);
+                const ChannelInfo& info = channel_info(quantity.channel(), host_channels);
                 if (info.is_multiple()) {
                     write.multiple(info.field, info.times(choppiness));
                 } else {

@@ -15,10 +15,10 @@ namespace ocean {
 class ThreadPool;
 
 /// Writes every output of the request but its seam, in the precision of the planes, rounded once at
-/// the end. `further`: the rows of the host's channels.
+/// the end. `host_channels`: the rows of the host's channels.
 template <typename Real>
 void write_channels(const LinearPlanes<Real>& planes, const MapRequest& request,
-                    std::span<const ChannelInfo> further, ThreadPool& pool);
+                    std::span<const ChannelInfo> host_channels, ThreadPool& pool);
 
 extern template void write_channels(const LinearPlanes<float>&, const MapRequest&,
                                     std::span<const ChannelInfo>, ThreadPool&);

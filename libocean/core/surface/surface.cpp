@@ -32,7 +32,7 @@ std::span<float> Surface::channel(Channel channel) {
 
 std::vector<MapOutput> outputs_of(Surface& surface) {
     std::vector<MapOutput> outputs;
-    for (int c = 0; c < kMostChannels; ++c) {
+    for (int c = 0; c < kMaxChannels; ++c) {
         const auto channel = static_cast<Channel>(c);
         if (!surface.has(channel)) continue;
         outputs.push_back({surface.channel(channel).data(), 1, {{{channel, 1.0f}}}});
@@ -59,7 +59,7 @@ Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double
     const FoamUse foam = foam_use(channels);
     if (has_past(foam)) {
         throw Error(ErrorKind::invalid_value,
-                    "foam has a past: it is made by Ocean or a FoamState, not from one moment");
+                    "foam depends on earlier times: make it by Ocean or FoamState");
     }
     Surface surface(Lattice{resolution, modes.lattice.period}, time, channels);
     const std::vector<MapOutput> outputs = outputs_of(surface);

@@ -28,7 +28,8 @@ MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int
 
 namespace {
 
-/// A reference makes planes of all that the channels may be made of, and keeps nothing.
+/// Returns a reference backend: it makes planes of all fields that the channels may need, and keeps
+/// nothing.
 template <auto kSynthesize>
 MapFunction start_reference() {
     return [](const MapRequest& request, ThreadPool& pool) {
@@ -39,7 +40,7 @@ MapFunction start_reference() {
     };
 }
 
-/// Of each field a complex grid in `Real` and a plane in float.
+/// Counts, for each field, a complex grid in `Real` and a plane in float.
 template <typename Real>
 std::uint64_t reference_bytes(const Grid&, LinearSet fields, int resolution) {
     return Lattice{resolution, 1.0}.size() * static_cast<std::uint64_t>(fields.size()) *

@@ -13,8 +13,8 @@
 
 namespace ocean {
 
-/// h(k, t) and its rate for mode (n, m), in double from the stored floats: the definition that the
-/// fast backend is tested against.
+/// Returns h(k, t) and its rate for mode (n, m), in double from the stored floats: the definition
+/// that the fast backend is tested against.
 inline wave::double_precision::ModeState state_of_mode(const CascadeModes& cascade, double tau,
                                                        double rate_unit, int n, int m) {
     const int size = cascade.lattice.resolution;
@@ -27,7 +27,7 @@ inline wave::double_precision::ModeState state_of_mode(const CascadeModes& casca
                                               turns, rate * kTwoPi * rate_unit);
 }
 
-/// Coefficient of exp(i k x) of a field; kx, ky in rad/m, displacement in m.
+/// Returns the coefficient of exp(i k x) of a field; kx, ky in [rad/m], displacement in [m].
 inline std::complex<double> linear_coefficient(Linear field,
                                                const wave::double_precision::ModeState& state,
                                                double kx, double ky, double displacement) {
@@ -42,7 +42,8 @@ inline std::complex<double> linear_coefficient(Linear field,
                      : std::complex<double>(factor * re, factor * im);
 }
 
-/// Row-major [ky][kx] in FFT order of a map of `resolution`, zero where there are no modes.
+/// Returns a grid, row-major [ky][kx] in FFT order, of a map of `resolution`; zero where there are
+/// no modes.
 template <typename Real>
 std::vector<std::complex<Real>> coefficient_grid(const MapModes& modes, Linear field) {
     const int size = modes.resolution;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every backend does: from the modes at one time to planes of real, linear fields, here as the
-// references do it. Channels are made of these planes in surface/plane_channels.cpp.
+// The common task of all backends, done as the references do it: from the modes at one time to
+// planes of real, linear fields. surface/plane_channels.cpp computes channels from these planes.
 #pragma once
 
 #include "ocean/backend.hpp"
@@ -13,9 +13,9 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Direct sums along each axis in double.
+/// Returns the fields by direct sums along each axis in double.
 LinearPlanes<double> synthesize_dft(const MapModes& modes, LinearSet fields, ThreadPool& pool);
-/// Full complex radix-2 transforms in float, one field at a time.
+/// Returns the fields by full complex radix-2 transforms in float, one field at a time.
 LinearPlanes<float> synthesize_radix2(const MapModes& modes, LinearSet fields, ThreadPool& pool);
 
 }  // namespace ocean

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Backends: what makes the maps of one time out of the modes. A backend is a value, its name and
-// one function; core has three, and a library above core adds its own without core knowing it.
+// Backends: they make the maps of one time out of the modes. A backend is a value: its name and one
+// function. core has three; a library above core adds its own, and core does not know it.
 #pragma once
 
 #include <algorithm>
@@ -20,35 +20,36 @@ namespace ocean {
 
 class ThreadPool;
 
-/// The modes -half + 1 .. half - 1 along each axis of `modes` of them fit a map on which they stand
-/// `stride` apart.
+/// Returns h so that a map of `map_resolution` samples holds the modes -h + 1 .. h - 1 along each
+/// axis, out of a lattice of `modes` of them. `stride` is the distance of neighbouring modes of the
+/// lattice, in modes of the map.
 inline int half_of(int modes, int stride, int map_resolution) {
     const int below_nyquist = (map_resolution / 2 - 1) / stride + 1;
     return std::min(modes / 2, below_nyquist);
 }
 
-/// The modes of a map at one time: those of a whole sea, or of one of its cascades over its own
-/// period.
+/// The modes of a map at one time: those of a whole sea, or those of one of its cascades over the
+/// cascade's own period.
 struct MapModes {
     std::span<const CascadeModes> cascades;
-    double period = 0.0;     // of the map, m
+    double period = 0.0;     // of the map [m]
     int divisor = 1;         // patch_size / period
-    double tau = 0.0;        // of Modes
-    double rate_unit = 1.0;  // of Modes
-    int resolution = 0;      // of the map; may be more or less than that of the modes
-    Revision revision;       // of Modes
+    double tau = 0.0;        // Modes::tau of the time
+    double rate_unit = 1.0;  // Modes::rate_unit
+    int resolution = 0;      // of the map; may be above or below that of the modes
+    Revision revision;       // Modes::revision
     Revision lattice_revision;
     int held_by = 0;  // only modes that a map of this resolution holds; 0: of `resolution`
 
     double wavenumber_step() const { return kTwoPi / period; }
-    /// Mode (n, m) of a cascade is mode (n, m) * stride(cascade) of the map.
+    /// Returns the factor by which mode (n, m) of a cascade is mode (n, m) * stride of the map.
     int stride(const CascadeModes& cascade) const { return cascade.divisor / divisor; }
-    /// The map holds the modes -half + 1 .. half - 1 of a cascade along each axis.
+    /// Returns h so that the map holds the modes -h + 1 .. h - 1 of a cascade along each axis.
     int half(const CascadeModes& cascade) const {
         return half_of(cascade.lattice.resolution, stride(cascade),
                        held_by > 0 ? std::min(held_by, resolution) : resolution);
     }
-    /// Of the map itself: its modes beyond -half_band + 1 .. half_band - 1 are zero.
+    /// Returns h so that all modes of the map beyond -h + 1 .. h - 1 are zero.
     int half_band() const {
         int half_band = 0;
         for (const CascadeModes& cascade : cascades) {
@@ -58,12 +59,12 @@ struct MapModes {
     }
 };
 
-/// All modes of a sea.
+/// Returns all modes of a sea at a time [s], for a map of `resolution` samples.
 MapModes map_modes(const Modes& modes, double time, int resolution);
-/// Those of one of its cascades.
+/// Returns the modes of one cascade at a time [s], for a map over the cascade's own period.
 MapModes cascade_modes(const Modes& modes, std::size_t cascade, double time, int resolution);
 
-/// What a backend is asked for: maps of one time.
+/// The input of a backend: which maps of one time to write.
 struct MapRequest {
     MapModes modes;
     SurfaceSettings settings;  // the choppiness; for whitecaps as from with_threshold
@@ -71,42 +72,44 @@ struct MapRequest {
     FoamLayer foam;
 };
 
-/// Writes the outputs, without their seams. It may keep what it makes of the modes for requests
-/// with the same revision of them, and its arrays. Returns whether it had to
-/// make anything of the modes. One call at a time; copies of it run in parallel, share what they
-/// keep and change it for themselves alone.
+/// Writes the outputs, without their seams. A MapFunction may keep its arrays, and what it derives
+/// from the modes for later requests with the same revision. Returns true if it had to derive
+/// anything from the modes. One call at a time; copies of a MapFunction run in parallel and share
+/// what they keep until one of them changes it.
 using MapFunction = std::function<bool(const MapRequest&, ThreadPool&)>;
 
-/// What a backend has to say of this machine.
+/// How well a backend suits this machine.
 struct BackendFitness {
     bool runs = true;
-    bool fast = false;   // more than cpu: what `auto` takes
-    std::string reason;  // what it runs on; or why it does not run, or is not fast
+    bool fast = false;   // faster than cpu: `auto` chooses it
+    std::string reason;  // the device it runs on; or why it does not run or is not fast
 };
 
 struct Backend {
     std::string_view name;
-    /// The channels that it makes itself. Others are made, by their formulas, of the linear fields,
-    /// which every backend writes.
+    /// The channels that the backend computes itself. The others are computed, by their formulas,
+    /// from the linear fields, which every backend writes.
     ChannelSet makes;
+    /// Returns an independent function with nothing kept yet.
     MapFunction (*start)() = nullptr;
-    /// Memory of its own for maps of such fields of a sea, beside modes and outputs; null: little.
+    /// Returns the bytes it needs for maps of such fields, beside modes and outputs; null: few.
     std::uint64_t (*work_bytes)(const Grid& grid, LinearSet fields, int resolution) = nullptr;
-    /// For maps of that resolution; null: it runs everywhere.
+    /// Returns how well it suits this machine for maps of that resolution; null: it runs on all.
     BackendFitness (*fitness)(int resolution) = nullptr;
-    /// Somewhere it is faster than cpu: `auto` asks for its fitness.
+    /// True if it is faster than cpu on some machines: `auto` then calls `fitness`.
     bool may_be_fast = false;
 
     bool operator==(const Backend& other) const { return name == other.name; }
 
     static const Backend cpu;     // the default: half spectrum, vectorised, on all threads
     static const Backend radix2;  // full complex transforms in float, one field at a time: to read
-    static const Backend dft;     // direct sums along each axis in double: the judge. N^3 work
+    static const Backend dft;     // direct sums along each axis in double, N^3 work: the reference
 };
 
-/// cpu, radix2, dft.
+/// Returns cpu, radix2 and dft.
 std::span<const Backend> core_backends();
-/// One of those by name. Throws Error; "gl" is for those who link ocean::gl.
+/// Returns the core backend of that name. Throws Error invalid_value for another name; "gl" belongs
+/// to programs that link ocean::gl.
 const Backend& find_backend(std::string_view name);
 
 }  // namespace ocean

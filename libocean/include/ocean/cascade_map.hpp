@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The small map of one cascade over its own period (modes.cascades[cascade].lattice), for real-time
-// hosts that add up cascades while they draw: at any point the sum over the cascades, each wrapped
-// round its own period, is the sea's.
+// hosts that add up cascades while they draw: at any point the sum over all cascades, each wrapped
+// at its own period, is the sea's.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,18 @@
 
 namespace ocean {
 
-/// Kept from frame to frame: it packs modes again where their revision is another, and allocates
-/// nothing once its fields have been asked for. One thread at a time; several run in parallel.
+/// Makes the maps of one cascade, to be kept from frame to frame: it packs the modes again only
+/// when their revision changes, and allocates nothing once all its fields have been requested. One
+/// thread at a time; several objects run in parallel.
 class CascadeMap {
   public:
-    /// resolution: 0 = that of the cascade's lattice; else a power of two, 32 .. 8192.
+    /// Makes the maps of `cascade`. resolution: a power of two, 32 .. 8192; 0 = that of the
+    /// cascade's lattice.
     explicit CascadeMap(std::size_t cascade, int resolution = 0,
                         const Backend& backend = Backend::cpu);
 
-    /// Those fields at a time, valid until the next call. `modes`: of one sea, as from
-    /// Ocean::modes.
+    /// Returns the fields at a time [s], valid until the next call. `modes` must always be those of
+    /// one sea, as Ocean::modes returns them.
     const LinearPlanes<float>& planes(const Modes& modes, double time, LinearSet fields,
                                       ThreadPool& pool);
 

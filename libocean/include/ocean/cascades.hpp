@@ -14,40 +14,43 @@
 namespace ocean {
 
 /// A ring of wavenumbers, half-open: inner <= |k| < outer in steps of the patch's lattice. A
-/// cascade reaches from where the one before it ends to its own Nyquist line; the last one also
+/// cascade reaches from the end of the one before it to its own Nyquist line; the last one also
 /// keeps the corners of its square, beyond that line.
 struct CascadeBand {
     int divisor = 1;  // m_c
     double inner = 0.0;
     double outer = std::numeric_limits<double>::infinity();
-    /// Of the ring only what lies outside the square |kx|, |ky| < inner_side: what a map lacks.
+    /// Side of the square |kx|, |ky| < inner_side that is cut out of the ring, because a map holds
+    /// these waves already; 0 = none.
     double inner_side = 0.0;
 
-    /// Mode (n, m) of the cascade's own lattice, exact.
+    /// Returns true if the band has the mode (n, m) of its cascade's own lattice. Exact.
     bool contains(int n, int m) const;
-    /// Whether the mode lies on the band's inner side.
+    /// Returns true if the mode lies on the inner side of the band: its wave is too long.
     bool is_inside(int n, int m) const;
     bool operator==(const CascadeBand&) const = default;
 };
 
-/// grid.cascade_divisors, or when that is empty primes 7 times apart, such as 1, 7, 53: waves of
-/// two cascades then never repeat together. Closer on small grids, where a band would otherwise
-/// begin with too few modes.
+/// Returns grid.cascade_divisors, or if that is empty, primes about 7 times apart, such as 1, 7,
+/// 53: waves of two cascades then never repeat together. On small grids they lie closer, where a
+/// band would otherwise begin with too few modes.
 std::vector<int> cascade_divisors(const Grid& grid);
-/// One band for each cascade. Needs validated parameters.
+/// Returns one band for each cascade. Needs validated parameters.
 std::vector<CascadeBand> cascade_bands(const Grid& grid);
 
-/// The shortest wave of the modes that runs in any direction, two samples of the finest cascade;
-/// in the corners of its square there are shorter ones, along no axis.
+/// Returns the shortest wavelength [m] that the modes hold in every direction, two samples of the
+/// finest cascade. The corners of its square hold shorter waves, but none along an axis.
 double shortest_wave(const Grid& grid);
-/// That of a map of so many samples.
+/// Returns the shortest wavelength [m] that a map of `map_resolution` samples holds in every
+/// direction.
 double shortest_wave(const Grid& grid, int map_resolution);
 
-/// Smallest number of samples, a power of two, whose map holds every mode; may be more than
-/// kMaxResolution.
+/// Returns the smallest number of samples along a side, a power of two, whose map holds every mode.
+/// It may exceed kMaxResolution.
 long long complete_map_resolution(const Grid& grid);
-/// What a map has when nobody says: grid.resolution, or for several cascades four times that, at
-/// most 4096 and at most what holds every mode.
+/// Returns the samples along a side of a map for which a caller requests no resolution:
+/// grid.resolution for one cascade; for several, four times that, at most 4096 and at most the
+/// number that holds every mode.
 int default_map_resolution(const Grid& grid);
 
 }  // namespace ocean

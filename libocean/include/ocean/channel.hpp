@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Channels: the scalar maps of a surface. One table says of each its name, its unit, and what it is
-// made of; another which of them a user asks for under one name. Whoever needs to know what a
-// channel is made of (planner, kernel, references, estimates, hosts) asks the table.
+// Channels: the scalar maps of a surface. One table states for each its name, its unit and the
+// fields that it is computed from; a second lists the products, the names by which users request
+// one or several channels. Planner, kernel, reference backends, estimates and hosts all read these
+// tables.
 //
 // A new channel is an enumerator and a row here, an enumerator of libocean.h with its line in
-// capi/evaluate.cpp, and a name in python/libocean/_sea.py: what is left out does not compile, or
-// fails tests/python/test_wrapper.py. It needs nothing in the kernel, which may have faster code.
+// capi/evaluate.cpp, and a name in python/libocean/_surface.py. A part that is left out does not
+// compile or fails tests/python/test_wrapper.py. The kernel needs no change, though it may have
+// faster code for a channel.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +25,8 @@
 
 namespace ocean {
 
-/// Fields that are sums over the modes. D is the horizontal displacement at choppiness 1 (towards
-/// -D), rates are per second.
+/// Linear fields: sums over the modes. D is the horizontal displacement at choppiness 1, so that a
+/// point moves by -D. Rates are time derivatives [1/s].
 enum class Linear : int {
     height,
     displacement_x,
@@ -47,7 +49,7 @@ inline constexpr auto kLinears = [] {
     return all;
 }();
 
-/// One scalar map. The order is that of the C API's enum.
+/// One scalar map. The order is that of the channels in libocean.h.
 enum class Channel : int {
     dx,
     dy,
@@ -68,13 +70,14 @@ enum class Channel : int {
     dx_y,
     cover,
 };
-/// The table below has a row for each enumerator, or it does not compile.
+/// The number of channels. The table below has a row for each, or it does not compile.
 inline constexpr int kChannelCount = static_cast<int>(enum_count<Channel>());
 
-/// With those that a host adds (OceanOptions::channels): Channel(kChannelCount + i) is its row i.
-inline constexpr int kMostChannels = 32;
+/// The max of channels with those of a host (OceanOptions::channels): Channel(kChannelCount + i) is
+/// row i of these.
+inline constexpr int kMaxChannels = 32;
 
-/// A set of channels or of linear fields.
+/// A set of channels or of linear fields, as bits.
 template <typename Value>
 class SetOf {
   public:
@@ -98,51 +101,53 @@ class SetOf {
 
   private:
     constexpr explicit SetOf(std::uint64_t bits) : bits_(bits) {}
-    /// The last bit stands for every value that no set has room for, so that none goes unnoticed.
+    /// The last bit stands for every value beyond kMaxChannels, so that such a value is noticed.
     static constexpr std::uint64_t bit(Value value) {
         const int index = static_cast<int>(value);
-        return std::uint64_t{1} << (index >= 0 && index < kMostChannels ? index : 63);
+        return std::uint64_t{1} << (index >= 0 && index < kMaxChannels ? index : 63);
     }
     std::uint64_t bits_ = 0;
 };
 using ChannelSet = SetOf<Channel>;
 using LinearSet = SetOf<Linear>;
 
-/// Those of the table.
+/// All channels of the table; not those of a host.
 inline constexpr ChannelSet kEveryChannel = [] {
     ChannelSet all;
     for (int c = 0; c < kChannelCount; ++c) all = all | static_cast<Channel>(c);
     return all;
 }();
 
-/// One sample, as a channel's formula sees it: what the row leaves out is not a number.
+/// One sample, the input of a channel's formula. Fields that the channel's row does not list are
+/// not numbers.
 template <typename Real>
 struct SurfacePoint {
-    std::array<Real, kLinearCount> field{};  // of a flat surface those that fall out are 0
+    std::array<Real, kLinearCount> field{};  // 0 for those that a flat surface does not need
     Real choppiness{};
-    Real foam_threshold{};    // the Jacobian where whitecaps begin
-    Real foam_width{};        // and how much lower they are whole
-    float foam_left = 0.0f;   // of earlier foam
-    float foam_least = 0.0f;  // below it there is none
-    float cover_power = 1.0f;
+    Real foam_threshold{};       // Jacobian below which whitecaps begin
+    Real foam_width{};           // how far below that they are complete
+    float previous_foam = 0.0f;  // faded value of earlier foam
+    float foam_cutoff = 0.0f;    // foam below it becomes 0
+    float cover_power = 1.0f;    // cover = foam^cover_power
 
     constexpr Real operator[](Linear linear) const {
         return field[static_cast<std::size_t>(linear)];
     }
 };
 
-/// A formula in both precisions: that of the fast backend, and that of the judge.
+/// A formula in both precisions: float for the fast backends, double for the reference.
 struct ChannelFormula {
     using InFloat = float (*)(const SurfacePoint<float>&);
     using InDouble = double (*)(const SurfacePoint<double>&);
 
     InFloat in_float = nullptr;
     InDouble in_double = nullptr;
-    bool given = false;  // with a sanitizer, whether a function is null is no constant expression
+    /// Stored, since with a sanitizer the comparison of a function to null is not constexpr.
+    bool given = false;
 
     constexpr ChannelFormula() = default;
     constexpr ChannelFormula(InFloat f, InDouble d) : in_float(f), in_double(d), given(true) {}
-    /// [](const auto& point) { return point[Linear::slope_x] * point[Linear::slope_x]; }
+    /// Takes a generic lambda: [](const auto& point) { return point[Linear::slope_x]; }
     template <typename Function>
     constexpr ChannelFormula(Function function)
         : in_float(function), in_double(function), given(true) {}
@@ -153,24 +158,25 @@ struct ChannelFormula {
     }
 };
 
-/// What a formula reads of the foam: nothing, the threshold and width of the whitecaps, what is
-/// left of the past as well, or that and the power that makes cover of it.
+/// The inputs that a formula reads of the foam: none; threshold and width of the whitecaps; these
+/// and the faded earlier foam; these and the power that turns foam into cover.
 enum class FoamUse { none, threshold, past, cover };
+/// Returns true if the formula reads earlier foam, so that its map needs the maps before it.
 constexpr bool has_past(FoamUse use) {
     return use >= FoamUse::past;
 }
 
-/// A row of the table: a multiple of one linear field, or a formula of several.
+/// A row of the table. The channel is a multiple of one linear field, or a formula of several.
 struct ChannelInfo {
     enum class Factor { one, minus_choppiness };
 
     std::string_view name;
     std::string_view unit;
-    LinearSet choppy;  // the fields it is made of
-    LinearSet flat;    // and those that are left of them where the choppiness is 0
-    Linear field{};    // of a multiple
-    Factor factor{};
-    ChannelFormula formula;  // empty: a multiple
+    LinearSet choppy;        // the fields that it is computed from
+    LinearSet flat;          // the same at choppiness 0, where some fields do not matter
+    Linear field{};          // the field of a multiple
+    Factor factor{};         // and its factor
+    ChannelFormula formula;  // empty for a multiple
     FoamUse foam{};
 
     constexpr ChannelInfo() = default;
@@ -188,13 +194,14 @@ struct ChannelInfo {
           foam(of_foam) {}
 
     constexpr bool is_multiple() const { return !formula.given; }
+    /// Returns the factor of a multiple.
     template <typename Real>
     constexpr Real times(Real choppiness) const {
         return factor == Factor::one ? Real(1) : -choppiness;
     }
 };
 
-/// The formulas of shaders/wave/surface.glsl, and cover that of foam_cover.glsl.
+/// The formulas of shaders/wave/surface.glsl, and for cover that of shaders/wave/foam_cover.glsl.
 namespace channel_formula {
 template <typename Real>
 Real normal_x(const SurfacePoint<Real>& point);
@@ -221,43 +228,44 @@ inline constexpr LinearSet kGradients = {Linear::gradient_xx, Linear::gradient_y
 constexpr ChannelInfo normal(std::string_view name, ChannelFormula formula) {
     return {name, "", kSlopes | kGradients, kSlopes, formula};
 }
-constexpr ChannelInfo squeezed(std::string_view name, ChannelFormula formula,
-                               FoamUse foam = FoamUse::none) {
+constexpr ChannelInfo from_gradients(std::string_view name, ChannelFormula formula,
+                                     FoamUse foam = FoamUse::none) {
     return {name, "", kGradients, {}, formula, foam};
 }
 
 }  // namespace detail
 
-/// The table, in the order of the enumerators.
+/// The table of channels, in the order of the enumerators.
 inline constexpr auto kChannels = [] {
     using enum Channel;
     using enum ChannelInfo::Factor;
     using namespace channel_formula;
     constexpr std::pair<Channel, ChannelInfo> kRows[] = {
-        // The offset of the displaced point.
+        // Offset of the displaced point.
         {dx, {"dx", "m", Linear::displacement_x, minus_choppiness}},
         {dy, {"dy", "m", Linear::displacement_y, minus_choppiness}},
         {height, {"height", "m", Linear::height}},
-        // The unit normal of the displaced surface.
+        // Unit normal of the displaced surface.
         {nx, detail::normal("nx", {normal_x, normal_x})},
         {ny, detail::normal("ny", {normal_y, normal_y})},
         {nz, detail::normal("nz", {normal_z, normal_z})},
-        // dh/dx by label, before displacement.
+        // Slope dh/dx by label, before displacement.
         {slope_x, {"slope_x", "", Linear::slope_x}},
         {slope_y, {"slope_y", "", Linear::slope_y}},
-        {jacobian, detail::squeezed("jacobian", {jacobian_of, jacobian_of})},
-        {whitecap, detail::squeezed("whitecap", {whitecap_of, whitecap_of}, FoamUse::threshold)},
-        {foam, detail::squeezed("foam", {foam_of, foam_of}, FoamUse::past)},
-        // d/dt of the displaced point at a fixed label.
+        {jacobian, detail::from_gradients("jacobian", {jacobian_of, jacobian_of})},
+        {whitecap,
+         detail::from_gradients("whitecap", {whitecap_of, whitecap_of}, FoamUse::threshold)},
+        {foam, detail::from_gradients("foam", {foam_of, foam_of}, FoamUse::past)},
+        // Velocity d/dt of the displaced point at a fixed label.
         {vx, {"vx", "m/s", Linear::displacement_x_rate, minus_choppiness}},
         {vy, {"vy", "m/s", Linear::displacement_y_rate, minus_choppiness}},
         {vz, {"vz", "m/s", Linear::height_rate}},
-        // Of the offset by label: d dx/dx, d dy/dy, and d dx/dy, which is d dy/dx.
+        // Derivatives of the offset by label: d dx/dx, d dy/dy, and d dx/dy = d dy/dx.
         {dx_x, {"dx_x", "", Linear::gradient_xx, minus_choppiness}},
         {dy_y, {"dy_y", "", Linear::gradient_yy, minus_choppiness}},
         {dx_y, {"dx_y", "", Linear::gradient_xy, minus_choppiness}},
-        // The share of the water that foam hides. Coarser maps and far water are its mean.
-        {cover, detail::squeezed("cover", {cover_of, cover_of}, FoamUse::cover)},
+        // Share of the water that foam hides. Coarser maps and distant water show its mean.
+        {cover, detail::from_gradients("cover", {cover_of, cover_of}, FoamUse::cover)},
     };
     std::array<ChannelInfo, kChannelCount> table{};
     for (const auto& [channel, info] : kRows) table[static_cast<std::size_t>(channel)] = info;
@@ -265,39 +273,40 @@ inline constexpr auto kChannels = [] {
 }();
 static_assert(std::ranges::none_of(kChannels, &std::string_view::empty, &ChannelInfo::name),
               "a channel without a row");
-static_assert(kChannelCount <= kMostChannels);
+static_assert(kChannelCount <= kMaxChannels);
 
-/// The channel's row. `further`: those of the host. Throws Error for a channel that has none.
-const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> further = {});
-/// Throws the same if one of them has none.
-void require_channels(ChannelSet channels, std::span<const ChannelInfo> further = {});
-/// The linear fields that the channels are made of.
+/// Returns the channel's row; `host_channels` are the rows that a host adds. Throws Error
+/// invalid_value for a channel without a row.
+const ChannelInfo& channel_info(Channel channel, std::span<const ChannelInfo> host_channels = {});
+/// Throws Error invalid_value if one of the channels has no row.
+void require_channels(ChannelSet channels, std::span<const ChannelInfo> host_channels = {});
+/// Returns the linear fields that the channels are computed from; `flat`: at choppiness 0.
 LinearSet fields_of(ChannelSet channels, bool flat = false,
-                    std::span<const ChannelInfo> further = {});
+                    std::span<const ChannelInfo> host_channels = {});
 
-/// The most that any of them reads.
-FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> further = {});
+/// Returns the largest FoamUse of the channels.
+FoamUse foam_use(ChannelSet channels, std::span<const ChannelInfo> host_channels = {});
 
-/// Type of a product's samples in an image file whose options leave it open.
+/// Type of a product's samples in an image file whose options do not state one.
 enum class Precision {
     half,
-    full,  // of what moves geometry: half is 2 mm at 4 m, too coarse
+    full,  // for products that move geometry: a half is too coarse, 2 mm at 4 m
 };
 
-/// Whether run lengths pay in a product's image file: where they leave less than 0.9 of the bytes,
-/// for at most 1.4 times the CPU of a frame that is computed and written as it is. They leave 0.14
+/// When a product's image file is written with run lengths (RLE): where they leave less than 0.9 of
+/// the bytes and the frame, computed and written, needs at most 1.4 times the CPU. They leave 0.14
 /// of whitecaps, 0.68 of slopes, whose B is empty, 0.86 of halves of normals. ZIP leaves 0.97 of
-/// float displacement for 5.5 times, 0.72 of normals for 4.4 [measured, N = 1024].
+/// float displacement for 5.5 times the CPU, 0.72 of normals for 4.4 [measured, N = 1024].
 enum class RunLengths { never, of_halves, always };
 
-/// What users ask for by name: a channel, or the components of a vector.
+/// A map that users request by name: a channel, or the components of a vector.
 struct Product {
     std::string_view name;
-    std::array<Channel, 3> channels;  // the first `count` hold
-    int count;                        // 0: a map without channels, made of a whole frame
+    std::array<Channel, 3> channels;  // the first `count` are valid
+    int count;                        // 0: not made of channels but of a whole surface
     std::string_view unit;
-    bool vector = false;            // x, y and z, which a host may want in other axes
-    std::string_view subject = {};  // the one kind of subject that has it; empty: any may
+    bool vector = false;            // x, y, z: a host may store it in other axes
+    std::string_view subject = {};  // the one kind of subject that has it; empty = all kinds
     Precision precision = Precision::half;
     RunLengths run_lengths = RunLengths::never;
 
@@ -312,7 +321,7 @@ struct Product {
 
 namespace detail {
 
-/// A row of the table states precision and run lengths: without them it does not compile.
+/// Requires precision and run lengths, so that a row of the table cannot leave them out.
 constexpr Product product(std::string_view name, std::initializer_list<Channel> channels,
                           Precision precision, RunLengths run_lengths) {
     Product result{.name = name,
@@ -354,8 +363,8 @@ inline constexpr auto kProducts = [] {
 
 namespace detail {
 
-/// Every channel is in a product, a product of one channel has its name, and units are those of all
-/// components.
+/// Returns true if every channel is in a product, a product of one channel has the channel's name,
+/// and its unit is that of all its components.
 constexpr bool products_fit_channels() {
     ChannelSet all;
     for (const Product& product : kProducts) {
@@ -372,10 +381,14 @@ static_assert(products_fit_channels());
 
 }  // namespace detail
 
-/// height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives, cover.
+/// Returns height, displacement, slope, normal, jacobian, whitecap, foam, velocity, derivatives and
+/// cover.
 std::span<const Product> product_table();
-/// Throws Error invalid_value for an unknown name, which lists those that there are.
+/// Returns the product of that name. Throws Error invalid_value for an unknown name, with a list of
+/// the known ones.
 const Product& find_product(std::string_view name);
+/// Returns the one of `products` with that name. Throws Error invalid_value for an unknown name,
+/// with a list of the known ones.
 const Product& find_product(std::string_view name, std::span<const Product> products);
 
 }  // namespace ocean

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where maps lie in the world: a square that repeats, as every sea has it, or a place that is there
-// once, as a coast is.
+// Domains: where maps lie in the world. A domain is a square that repeats, as for every sea, or a
+// rectangle that exists once, as for a coast.
 #pragma once
 
 #include <array>
@@ -10,33 +10,34 @@
 
 namespace ocean {
 
-/// A rectangle of samples, x east and y north, metres.
+/// A rectangle of samples, x east and y north [m].
 struct Domain {
     std::array<double, 2> origin{};  // of sample (0, 0) [m]
     std::array<double, 2> size{};    // [m]
     std::array<int, 2> samples{};
-    /// True: its right edge continues at its left one, its top at its bottom, and the samples lie
-    /// size / samples apart. False: the last samples lie on the edges, size / (samples - 1) apart.
+    /// True: the right edge continues at the left one and the top edge at the bottom one; samples
+    /// lie size / samples apart. False: the last samples lie on the edges; samples lie size /
+    /// (samples - 1) apart.
     bool wraps = true;
 
-    /// Returns the square of side `period` [m] that repeats from the world's origin on.
+    /// Returns the square of side `period` [m] that repeats from the world's origin.
     static constexpr Domain tile(double period, int samples = 0) {
         return {{0.0, 0.0}, {period, period}, {samples, samples}, true};
     }
-    /// True for what `tile` returns.
+    /// Returns true for a domain that `tile` can return.
     constexpr bool is_tile() const {
         return wraps && origin == std::array{0.0, 0.0} && size[0] == size[1] &&
                samples[0] == samples[1];
     }
-    /// Returns the distance from sample to sample along an axis [m].
+    /// Returns the distance of neighbouring samples along an axis [m].
     constexpr double step(std::size_t axis) const {
         return size[axis] / (wraps ? samples[axis] : samples[axis] - 1);
     }
-    /// Returns how many samples there are.
+    /// Returns the number of samples.
     constexpr std::size_t count() const {
         return static_cast<std::size_t>(samples[0]) * static_cast<std::size_t>(samples[1]);
     }
-    /// Returns where sample (i, j) lies [m].
+    /// Returns the position of sample (i, j) [m].
     constexpr std::array<double, 2> place(int i, int j) const {
         return {origin[0] + i * step(0), origin[1] + j * step(1)};
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Enumerators as words: what a sea file, a command line and a host spell is typed once, where the
-// enum is. An enum with one enumerator more has one word more.
+// Enumerators as words: the spelling in sea files, command lines and hosts is that of the C++
+// enumerator, so it is typed once, and a new enumerator has its word without further code.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace ocean {
 
-/// "tma" of SpectrumKind::tma; nothing for a number that no enumerator has.
+/// Returns "tma" for SpectrumKind::tma; "" for a number that no enumerator has.
 template <auto Value>
 constexpr std::string_view enumerator_word() {
     // gcc:   "... enumerator_word() [with auto Value = ocean::SpectrumKind::tma; std::..."
@@ -25,7 +25,7 @@ constexpr std::string_view enumerator_word() {
     return text.starts_with('(') ? std::string_view() : text.substr(text.rfind(':') + 1);
 }
 
-/// How many enumerators an enum has whose values count from 0.
+/// Returns the number of enumerators of an enum whose values count from 0.
 template <typename Enum, std::size_t First = 0>
 constexpr std::size_t enum_count() {
     if constexpr (enumerator_word<static_cast<Enum>(First)>().empty()) {
@@ -35,13 +35,14 @@ constexpr std::size_t enum_count() {
     }
 }
 
-/// Their words, in their order.
+/// The words of all enumerators of an enum, in their order.
 template <typename Enum>
 inline constexpr auto kEnumWords = []<std::size_t... Values>(std::index_sequence<Values...>) {
     return std::array{enumerator_word<static_cast<Enum>(Values)>()...};
 }
 (std::make_index_sequence<enum_count<Enum>()>());
 
+/// Returns the word of an enumerator.
 template <typename Enum>
 constexpr std::string_view word_of(Enum value) {
     return kEnumWords<Enum>[static_cast<std::size_t>(value)];

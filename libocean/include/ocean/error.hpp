@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The one exception type. It is thrown where values enter (validation, files) and where the
-// machine refuses (memory, disk), never from the middle of the mathematics.
+// The one exception type. It is thrown where values enter (validation, files) and where the machine
+// refuses (memory, disk), never from the middle of a computation.
 #pragma once
 
 #include <stdexcept>
@@ -17,28 +17,28 @@ enum class ErrorKind {
     not_found,      // a record or preset that does not exist
     unsupported,    // a key or product whose feature this version does not have
     output,         // the run's own writing failed: path, permission, full disk
-    out_of_memory,  // more memory than there is, said before it is allocated
+    out_of_memory,  // too little memory, reported before anything is allocated
     interrupted,    // stopped by the user
-    no_gpu,         // none there, one that cannot do it, or one that was lost
+    no_gpu,         // no GPU, an unsuitable one, or one that was lost
 };
 
-/// The parts of a message that a program reads, as texts; empty where an error has no such part.
+/// The parts of a message, for programs; empty where an error has no such part.
 struct ErrorFields {
-    std::string what = "";       // "is out of range"
-    std::string parameter = "";  // the path, "waves.0.fetch", or what else has the value
-    std::string value = "";      // as it was given
+    std::string what = "";       // the fault: "is out of range"
+    std::string parameter = "";  // its path, "waves.0.fetch"; or an argument or member
+    std::string value = "";      // as the caller wrote it
     std::string allowed = "";    // "1000 .. 1e+07 m"
 };
 
-/// Says what was wrong, the value, and what is allowed, in one sentence a user can act on.
+/// States the fault, the value and the allowed values in one sentence that a user can act on.
 class Error : public std::runtime_error {
   public:
     Error(ErrorKind kind, const std::string& message)
         : std::runtime_error(message), kind_(kind), fields_{.what = message} {}
-    /// The message is "PARAMETER = VALUE: WHAT; allowed: ALLOWED", without the parts that are
+    /// Makes the message "PARAMETER = VALUE: WHAT; allowed: ALLOWED" from the parts that are not
     /// empty.
     Error(ErrorKind kind, ErrorFields fields);
-    /// The same parts in another sentence, such as one that begins with a file and a line.
+    /// Takes another sentence for the same parts, such as one that begins with a file and a line.
     Error(ErrorKind kind, const std::string& message, ErrorFields fields)
         : std::runtime_error(message), kind_(kind), fields_(std::move(fields)) {}
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contract of our Fourier transforms, and the reference one. For complex x of length N, a power
-// of two: forward X_k = sum_j x_j exp(-2 pi i j k / N), inverse x_j = sum_k X_k exp(+2 pi i j k /
-// N), both unnormalised: inverse(forward(x)) = N x. In place, natural order in and out.
+// The contract of libocean's Fourier transforms, and the reference implementation. For complex x of
+// length N, a power of two: forward X_k = sum_j x_j exp(-2 pi i j k / N), inverse x_j = sum_k X_k
+// exp(+2 pi i j k / N). Both are unnormalised, so that inverse(forward(x)) = N x; both work in
+// place, in natural order.
 #pragma once
 
 #include <complex>
@@ -14,17 +15,18 @@ namespace ocean {
 
 enum class FftDirection { forward, inverse };
 
-/// Cooley and Tukey's radix-2 decimation in time with bit reversal and precomputed twiddles.
-/// Written to be read: the fast transform is in the cpu backend. Immutable, any thread may use it.
+/// Cooley and Tukey's radix-2 decimation in time with bit reversal and precomputed roots of unity.
+/// Written to be read; the fast transform is part of the backend `cpu`. Immutable: any thread may
+/// use it.
 template <typename Real>
 class Radix2Fft {
   public:
-    /// N = 2 .. 2^20, a power of two.
+    /// Computes the tables for N = n, a power of two, 2 .. 2^20.
     explicit Radix2Fft(int n);
     int size() const { return n_; }
-    /// In place on N values that lie `stride` apart.
+    /// Transforms N values that lie `stride` apart, in place.
     void transform(std::complex<Real>* data, std::ptrdiff_t stride, FftDirection direction) const;
-    /// In place on an N x N row-major array: along every row, then along every column.
+    /// Transforms an N x N row-major array in place: along every row, then along every column.
     void transform_2d(std::span<std::complex<Real>> data, FftDirection direction) const;
 
   private:
@@ -36,7 +38,8 @@ class Radix2Fft {
 extern template class Radix2Fft<float>;
 extern template class Radix2Fft<double>;
 
-/// The same sum term by term, in double: N^2 operations, any N. The judge of all others.
+/// Returns the transform by its defining sum in double: N^2 operations, any N. The reference for
+/// all others.
 std::vector<std::complex<double>> direct_dft(std::span<const std::complex<double>> data,
                                              FftDirection direction);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Foam. Whitecaps are made where the shown surface is squeezed together: W = clamp((threshold - J)
-// / foam_width, 0, 1) with its Jacobian J. Foam is what they leave: their running maximum on a
-// clock of its own, fading with foam_lifetime. A pure function of the sea and the time.
+// Foam. Whitecaps form where the displayed surface is compressed: W = clamp((threshold - J) /
+// foam_width, 0, 1) with its Jacobian J. Foam is their trace: their running maximum on a clock of
+// its own, fading with foam_lifetime. A pure function of the sea and the time.
 #pragma once
 
 #include <cstdint>
@@ -20,26 +20,29 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Share of the sea that is white, 3.84e-6 U10^3.41, at most 1. [Monahan and O'Muircheartaigh
-/// 1980].
+/// Returns the share of the sea that is white at a wind speed U10 [m/s]: 3.84e-6 U10^3.41, at most
+/// 1 [Monahan and O'Muircheartaigh 1980].
 double monahan_coverage(double wind_speed);
 
-/// Ensemble mean of W, exact for the Gaussian gradients of linear waves.
+/// Returns the ensemble mean of W, exact for the Gaussian gradients of linear waves.
 double mean_whitecap(const GradientCovariance& covariance, double choppiness, double threshold,
                      double width);
 
-/// Share of the surface, by label, that has folded over: P(J < 0), the mean of a W that jumps.
+/// Returns the share of the surface, by label, that has folded over: P(J < 0), the mean of W in the
+/// limit of width 0 at threshold 0.
 double folded_share(const GradientCovariance& covariance, double choppiness);
 
-/// The Jacobian below which whitecaps begin. With FoamCoverage::monahan the one at which
-/// mean_whitecap is monahan_coverage(wind_speed), but never above 1: water that is not squeezed
-/// makes no whitecaps. Without wind, waves or choppiness: the lowest float, below every Jacobian,
-/// so that W is exactly 0.
+/// Returns the Jacobian below which whitecaps begin. With FoamCoverage::threshold it is
+/// settings.foam_threshold. With FoamCoverage::monahan it is the one at which mean_whitecap equals
+/// monahan_coverage(wind_speed), but never above 1: water that is not compressed makes no
+/// whitecaps. Without wind, waves or choppiness it is the lowest float, below every Jacobian, so
+/// that W is exactly 0.
 double whitecap_threshold(const GradientCovariance& covariance, const SurfaceSettings& settings,
                           double wind_speed);
 
-/// What a map shows: `parameters` with the surface's settings as from with_threshold.
-struct ShownSea {
+/// The input of cover_power: a sea as a map displays it. `parameters` has the surface settings of
+/// with_threshold.
+struct CoverPowerInput {
     const DirectionalSpectrum& spectrum;
     const Parameters& parameters;
     int resolution;  // of the map
@@ -76,30 +79,31 @@ struct FoamWaves {
 /// Returns the waves of a map's foam. `parameters`: as the sea has them, without a threshold found.
 FoamWaves foam_waves(const Modes& modes, const Parameters& parameters, int map_resolution);
 
-/// Returns the power of foam that says how much of the water is covered: the ensemble mean of
-/// foam^power is that of the whitecaps. 1 where foam leaves nothing behind. From labels that are
-/// followed through some hundred times the foam's life, within about 1 %; the same for any number
-/// of threads, and without a jump where the sea changes.
-double cover_power(const ShownSea& sea, const FoamWaves& waves, ThreadPool& pool);
+/// Returns the exponent p of cover = foam^p: the ensemble mean of foam^p equals that of the
+/// whitecaps. 1 where foam leaves no trace. Computed from labels that are followed through some
+/// hundred foam lifetimes; accurate to about 1 %, the same for any number of threads, and without a
+/// jump where the sea changes.
+double cover_power(const CoverPowerInput& sea, const FoamWaves& waves, ThreadPool& pool);
 
-/// What foam in memory is made of.
+/// Callbacks that make the foam maps of a FoamState.
 struct FoamSource {
-    std::function<double(double time)> lifetime;  // s
-    /// Writes the foam of a tick: W at that time with the layer of the tick before.
+    std::function<double(double time)> lifetime;  // [s]
+    /// Writes the foam of the tick at `time`: W over the layer of the tick before.
     std::function<void(double time, const FoamLayer& before, std::span<float> foam)> tick;
-    /// Of FoamFollower::Source.
+    /// Reports a pre-roll, see FoamFollower::Source::progress.
     std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
 
-/// Maps that following foam keeps: three ticks, and one in the making.
+/// The number of maps that a FoamState keeps: three ticks, and one in the making.
 inline constexpr int kFoamMaps = 4;
 
-/// FoamFollower of maps in memory.
+/// A FoamFollower whose maps lie in memory.
 class FoamState {
   public:
-    /// For maps of so many samples.
+    /// Begins without any map. `samples`: the size of each map.
     FoamState(FoamClock clock, std::size_t samples, FoamStart start = FoamStart::settled);
 
+    /// Returns the earlier foam at a time [s], see FoamFollower::layer.
     FoamLayer layer(double time, const FoamSource& source);
     void forget_from(double time) { follower_.forget_from(time); }
     std::int64_t settling_ticks() const { return follower_.settling_ticks(); }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The foam of a caller that steps, whatever its maps are made of: memory, or textures of a GPU.
+// Foam that is followed tick by tick, whatever holds its maps: memory, or textures of a GPU.
 #pragma once
 
 #include <algorithm>
@@ -16,50 +16,52 @@
 
 namespace ocean {
 
-/// F_n = max(W_n, d F_(n-1)), d = exp(-step / lifetime), values below 1/512 are 0. Pays only for
-/// ticks that it has not seen. The last three ticks are kept, so that sub-frames may step back.
+/// Computes F_n = max(W_n, d F_(n-1)), d = exp(-step / lifetime), where values below 1/512 become
+/// 0. Computes only ticks that it does not have. Keeps the last three ticks, so that sub-frames may
+/// step back. `Map` is default-constructible and movable. One thread at a time.
 template <typename Map>
 class FoamFollower {
   public:
-    /// What is left of a tick: foam = max(W, fade * map), and 0 where that is below `least`.
+    /// The earlier foam of a moment: foam = max(W, fade * map), and 0 where that is below `cutoff`.
     struct Layer {
-        const Map* map = nullptr;  // null: nothing
+        const Map* map = nullptr;  // null: no earlier foam
         float fade = 0.0f;
-        float least = 0.0f;
+        float cutoff = 0.0f;
     };
-    /// What foam is made of.
+    /// The callbacks that make the maps.
     struct Source {
-        std::function<double(double time)> lifetime;  // s
-        /// Makes the foam of a tick: W at that time with the layer of the tick before. `foam` is a
-        /// map that is not needed any more, or a new one, Map().
+        std::function<double(double time)> lifetime;  // [s]
+        /// Makes the foam of the tick at `time`: W over the layer of the tick before. `foam` is a
+        /// map that is no longer needed, or a new one, Map().
         std::function<void(double time, const Layer& before, Map& foam)> tick;
-        /// May be empty. Called before each tick of a pre-roll; may throw to stop it, which leaves
-        /// the state as it was.
+        /// Called before each tick of a pre-roll. It may throw to stop it, which leaves the state
+        /// as it was. May be empty.
         std::function<void(std::int64_t done, std::int64_t total)> progress;
     };
 
     explicit FoamFollower(FoamClock clock, FoamStart start = FoamStart::settled)
         : clock_(clock), start_(start) {}
 
-    /// What there is of foam at a time, F_n exp(-(t - t_n) / lifetime) with n the last tick at or
-    /// before it, for W(t) to be put over. Valid until the next call. What the source throws leaves
-    /// a state that can go on.
+    /// Returns the earlier foam at a time t [s], F_n exp(-(t - t_n) / lifetime) with n the last
+    /// tick at or before t; the caller lays W(t) over it. Valid until the next call. An exception
+    /// of the source passes through and leaves a state that can be used further.
     Layer layer(double time, const Source& source) {
         const FoamClock::Moment moment = clock_.moment(time);
         const Tick& last = reach(moment.tick, source);
         return {&last.foam, fade(moment.since, source.lifetime(time)), 0.0f};
     }
-    /// Of ticks from that time on nothing is known any more: the sea has changed there.
+    /// Drops the ticks from that time [s] on, because the sea has changed there.
     void forget_from(double time) {
         std::erase_if(kept_, [&](const Tick& kept) { return clock_.time_of(kept.number) >= time; });
     }
-    /// How many ticks must still pass until a state that began empty shows all foam there is.
+    /// Returns how many ticks must pass until a state that began empty shows all the foam of a
+    /// settled one.
     std::int64_t settling_ticks() const { return settling_; }
     const FoamClock& clock() const { return clock_; }
 
   private:
     static constexpr std::size_t kKept = 3;  // the newest, and two that sub-frames step back to
-    static constexpr float kLeastFoam = 1.0f / 512.0f;
+    static constexpr float kMinFoam = 1.0f / 512.0f;
 
     struct Tick {
         std::int64_t number;
@@ -109,7 +111,7 @@ class FoamFollower {
     void step(std::vector<Tick>& kept, std::int64_t tick, const Source& source,
               std::size_t keep = kKept) {
         const double time = clock_.time_of(tick);
-        Layer before{nullptr, 0.0f, kLeastFoam};
+        Layer before{nullptr, 0.0f, kMinFoam};
         if (!kept.empty()) {
             before.map = &kept.back().foam;
             before.fade = fade(clock_.step, source.lifetime(time));
@@ -127,7 +129,7 @@ class FoamFollower {
     FoamClock clock_;
     FoamStart start_;
     std::vector<Tick> kept_;  // the last ticks, the newest at the back
-    Map spare_{};             // of a tick that is no longer kept, for the next
+    Map spare_{};             // of a dropped tick, reused for the next
     std::int64_t settling_ = 0;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Maps of one time at halving resolutions, for what lies far away: a coarser map is a sum of fewer
-// waves, and its foam and cover are the finer map's mean.
+// Maps of one time at halving resolutions, for distant water: a coarser map is the sum of fewer
+// waves, and its foam and cover are means of the finer map.
 #pragma once
 
 #include <span>
@@ -12,13 +12,13 @@
 
 namespace ocean {
 
-/// A map of each resolution, the finest first. With foam or cover each must be half the one before.
-/// Throws what Ocean::evaluate throws.
+/// Returns a map of each resolution, ordered from the finest. With foam or cover, each resolution
+/// must be half the one before. Throws as Ocean::evaluate.
 std::vector<Surface> map_levels(Ocean& ocean, double time, ChannelSet channels,
                                 std::span<const int> resolutions);
 
-/// Fills foam or cover of a map with that of one of twice the resolution: means of each sample and,
-/// at half its weight, of those beside it, so that nothing moves. What they become from far away.
+/// Fills foam or cover of `coarse` with means of `fine`, which has twice the resolution: of each
+/// sample and, at half its weight, of its neighbours, so that nothing shifts.
 void average_channel(Channel channel, const Surface& fine, Surface& coarse);
 
 }  // namespace ocean

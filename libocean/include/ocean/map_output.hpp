@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Buffers of a host that maps are written into: planes, images of interleaved channels, vectors
-// turned to other axes.
+// Buffers of a host that maps are written into: planes, images of interleaved channels, vectors in
+// other axes.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace ocean {
 
-/// What one component of an output holds: a channel, or one of the linear fields.
+/// The content of one component of an output: a channel, one of the linear fields, or nothing.
 struct Quantity {
     int id = kNone;
 
@@ -29,9 +29,9 @@ struct Quantity {
     constexpr bool operator==(const Quantity&) const = default;
 };
 
-/// resolution^2 samples of 1 to 4 components, interleaved, row-major [j][i]. A component without a
-/// quantity is left as it is; the others are factor * quantity. With a seam there is one sample
-/// more in each row and one row more: the first ones, a period on.
+/// resolution^2 samples of 1 to 4 interleaved components, row-major [j][i]. Each component receives
+/// factor * quantity; one without a quantity stays unchanged. With a seam each row has one more
+/// sample and the map one more row: copies of the first ones, one period on.
 struct MapOutput {
     struct Component {
         Quantity quantity;
@@ -40,13 +40,14 @@ struct MapOutput {
     float* data = nullptr;
     int components = 1;
     std::array<Component, 4> component;
-    std::size_t row_pitch = 0;  // floats from row to row; 0: no gaps
+    std::size_t row_pitch = 0;  // floats from row to row; 0 = width(resolution)
     bool seam = false;
 
     std::span<Component> used() { return std::span(component).first(count()); }
     std::span<const Component> used() const { return std::span(component).first(count()); }
 
-    std::size_t width(int resolution) const {  // of a row, in floats
+    /// Returns the floats in a row.
+    std::size_t width(int resolution) const {
         return (static_cast<std::size_t>(resolution) + (seam ? 1 : 0)) * count();
     }
     std::size_t pitch(int resolution) const {
@@ -57,7 +58,7 @@ struct MapOutput {
     std::size_t count() const { return static_cast<std::size_t>(components); }
 };
 
-/// The channels among their quantities.
+/// Returns all channels among the quantities of the outputs.
 inline ChannelSet channels_of(std::span<const MapOutput> outputs) {
     ChannelSet channels;
     for (const MapOutput& output : outputs) {
@@ -68,7 +69,7 @@ inline ChannelSet channels_of(std::span<const MapOutput> outputs) {
     return channels;
 }
 
-/// The linear fields among their quantities.
+/// Returns all linear fields among the quantities of the outputs.
 inline LinearSet fields_of(std::span<const MapOutput> outputs) {
     LinearSet fields;
     for (const MapOutput& output : outputs) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Modes: the sea as a sum of waves, before any time. From the directional spectrum and the seed to
-// h0, the phase rate and the displacement of each mode.
+// Modes: the sea as a sum of waves, without time. They hold the amplitude h0, the phase rate and
+// the displacement of each mode, made from the directional spectrum and the seed.
 #pragma once
 
 #include <complex>
@@ -35,72 +35,76 @@ struct GradientCovariance {
     bool operator==(const GradientCovariance&) const = default;
 };
 
-/// All modes of one wavenumber band. Arrays are row-major [index of ky][index of kx], FFT order,
-/// lattice.size() long. The Nyquist row and column and k = 0 are zero.
+/// All modes of one band of wavenumbers. Arrays are row-major [index of ky][index of kx], FFT
+/// order, lattice.size() long. The Nyquist row and column and k = 0 are zero.
 struct CascadeModes {
     int divisor = 1;  // period of this cascade = patch_size / divisor
     Lattice lattice;
-    PageVector<std::complex<float>> h0;  // m
-    PageVector<float> rate_high;         // omega / 2 pi, Hz; with a loop: whole turns per loop
-    PageVector<float> rate_low;          // the rest of it, which rate_high cannot hold
-    PageVector<float> displacement;      // coth(k d) / k, m: that of h is -i kvec * this * h
-    /// [s]: of the modes with max(|n|, |m|) = s.
+    PageVector<std::complex<float>> h0;  // [m]
+    PageVector<float> rate_high;         // omega / 2 pi [Hz]; with a loop: whole turns per loop
+    PageVector<float> rate_low;          // the part of it that rate_high cannot hold
+    PageVector<float> displacement;      // coth(k d) / k [m]: D = -i kvec * this * h
+    /// [s]: the covariance of the modes with max(|n|, |m|) = s.
     std::vector<GradientCovariance> shell_covariance;
 };
 
 struct Modes {
     Lattice lattice;
-    double loop_period = 0.0;  // s, 0 = never
-    double wind_speed = 0.0;   // m/s, U10: how much whitecap there is
+    double loop_period = 0.0;  // [s], 0 = never
+    double wind_speed = 0.0;   // U10 [m/s]: determines how many whitecaps there are
     std::vector<CascadeModes> cascades;
-    /// Another one for every change that their owner makes, so that what was made of them can be
-    /// kept; of nothing where nobody counts.
+    /// Changes whenever the owner modifies the modes; caches compare it. Default-constructed, and
+    /// then equal to no other, if nobody tracks revisions.
     Revision revision;
-    /// Another one when more than h0 has changed: what was made of rates and displacements alone
-    /// can be kept. Of nothing where nobody counts.
+    /// Changes only when more than h0 is modified: caches of phase rates and displacements compare
+    /// it. Default-constructed like `revision`.
     Revision lattice_revision;
 
-    /// Of the modes that a map of `resolution` samples holds.
+    /// Returns the covariance of the modes that a map of `resolution` samples holds.
     GradientCovariance gradient_covariance(int resolution) const;
 
-    /// Turns of a mode at time t are rate * tau: t itself, or the fraction of the loop.
+    /// Returns tau, so that a mode has made rate * tau turns at a time [s]: the time itself, or the
+    /// fraction of the loop.
     double tau(double time) const;
-    /// omega = 2 pi rate * rate_unit: 1, or 1/loop_period.
+    /// Returns the factor in omega = 2 pi rate * rate_unit: 1, or 1 / loop_period.
     double rate_unit() const { return loop_period > 0.0 ? 1.0 / loop_period : 1.0; }
 };
 
-/// The variance of the mode (n, m), signed, on the lattice of the band: S D c_g / k dkx dky [m^2],
-/// no random draw. S D c_g / k is a mean over the mode's cell of the lattice, so that no energy
-/// falls between the modes, however narrow the swell. Zero outside the band, outside the limits of
-/// `parameters.surface` (a wave of exactly that length is kept) and at k = 0.
+/// Returns the variance S D c_g / k dkx dky [m^2] of the mode (n, m), signed, on the lattice of the
+/// band, without a random draw. S D c_g / k is the mean over the mode's cell of the lattice, so
+/// that no energy is lost between the modes, however narrow the swell. 0 outside the band, outside
+/// the wavelength limits of `parameters.surface` (a wave of exactly that length is kept) and at k =
+/// 0.
 double modal_variance(const DirectionalSpectrum& spectrum, const Parameters& parameters, int n,
                       int m, const CascadeBand& band = {});
 
-/// The time as a fraction of the loop, 0 <= f < 1, rounded to 2^-44 of it: so much that t and
+/// Returns the time as a fraction f of the loop, 0 <= f < 1, rounded to 2^-44 of it, so that t and
 /// t + T give the same bits although each is rounded to a double.
 double loop_fraction(double time, double loop_period);
 
-/// The modes of a band cover its ring of wavenumbers unevenly. This factor makes `variance`, the
-/// sum over the modes that measures_band picks, the integral over the ring. 1 for a sea of one
-/// cascade, whose band is all its lattice.
+/// Returns the factor that corrects the energy of a band. Its modes cover its ring of wavenumbers
+/// unevenly: the factor scales `variance`, the sum over the modes that measures_band picks, to the
+/// integral over the ring. 1 for a sea of one cascade, whose band is its whole lattice.
 double band_gain(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                  const CascadeBand& band, double variance);
-/// Whether a mode of the band lies inside the circle of the lattice's Nyquist line: the last band
-/// has corners beyond it.
+/// Returns true for a mode of the band inside the circle of the lattice's Nyquist line; the last
+/// band also has modes beyond it, in its corners.
 bool measures_band(const CascadeBand& band, int resolution, int n, int m);
 
-/// h0(k) = 1/2 (xi_r + i xi_i) sqrt(S D c_g/k dkx dky). [Horvath 2015] eq. 62, [Tessendorf 2001]
-/// eq. 42. Needs validated parameters.
+/// Returns the modes of a sea: h0(k) = 1/2 (xi_r + i xi_i) sqrt(S D c_g/k dkx dky), [Horvath 2015]
+/// eq. 62, [Tessendorf 2001] eq. 42. Needs validated parameters. The bits are the same for any
+/// number of threads.
 Modes make_modes(const DirectionalSpectrum& spectrum, const Parameters& parameters,
                  ThreadPool& pool);
 
-/// Of the heights of two seas, each at its own time: their covariance over all places by the root
-/// of the product of their variances, -1 .. 1. Of two seeds about 0, of two winds over the same
-/// noise about 1. Waves are the same where they stand on cascades of the same period; an opposite
-/// wave's share, which comes and goes twice a period, is left out.
+/// Returns the correlation of the heights of two seas, each at its own time [s]: their covariance
+/// over all places, divided by the root of the product of their variances; -1 .. 1. About 0 for two
+/// seeds, about 1 for two winds over the same noise. Waves of both seas are identified where their
+/// cascades have the same period; the share of opposite waves, which oscillates twice a period, is
+/// neglected.
 double height_correlation(const Modes& a, double time_a, const Modes& b, double time_b);
 
-/// Whole turns that a mode makes per loop: omega T / 2 pi to the nearest, at least 1.
+/// Returns the whole turns that a mode makes per loop: omega T / 2 pi to the nearest, at least 1.
 double turns_per_loop(double omega, double loop_period);
 
 }  // namespace ocean

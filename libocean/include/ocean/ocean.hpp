@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The facade: keeps the chain parameters -> spectrum -> modes -> surface -> foam and redoes only
-// what a changed parameter, or the take at another time, dirties. One thread at a time per object;
-// several objects run in parallel.
+// The facade: keeps the chain parameters -> spectrum -> modes -> surface -> foam and recomputes
+// only what a changed parameter, or the take at another time, dirties. One thread at a time per
+// object; several objects run in parallel.
 #pragma once
 
 #include <cstdint>
@@ -39,128 +39,139 @@ class SprayFollower;
 
 struct OceanOptions {
     int threads = 0;                    // 0 = the cores this process may use
-    ThreadPool::RunJobs run_jobs = {};  // on a host's own threads
+    ThreadPool::RunJobs run_jobs = {};  // runs jobs on a host's own threads
     Backend backend = Backend::cpu;
-    /// settled: foam is what it always is at that time, whatever was asked before. empty: for live
-    /// tools, which do not wait: foam begins with the first frame and is right after a while.
+    /// settled: foam at a time does not depend on earlier calls. empty: for live tools, which must
+    /// not wait; foam begins with the first frame and is correct after foam_settling_ticks().
     FoamStart foam_start = FoamStart::settled;
-    /// Called while foam is followed from its beginning; may throw to stop that.
+    /// Called while foam is followed from its beginning; may throw to stop the call.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
-    /// Called by the caller's thread about a hundred times a second while anything is computed; may
-    /// throw to stop it. What a stopped call was to write is then unfinished, and the sea goes on.
+    /// Called by the calling thread about 100 times a second during a computation; may throw to
+    /// stop it. The outputs of a stopped call are incomplete; the Ocean can still be used.
     std::function<void()> interrupt = {};
-    /// Channels beside those of the table, made by their formulas with any backend:
+    /// Channels beside those of the table, computed by their formulas with any backend:
     /// Channel(kChannelCount + i) is row i. Rows and names must outlive the Ocean.
     std::span<const ChannelInfo> channels = {};
 };
 
-/// Seconds that one frame of displacement, normal and foam takes on this machine, about.
+/// Approximate seconds that a frame of displacement, normal and foam takes on this machine.
 struct FrameCost {
-    double alone = 0.0;        // with all the past that its foam has
-    double in_sequence = 0.0;  // after the frame before it
+    double alone = 0.0;        // with the whole past of its foam
+    double in_sequence = 0.0;  // after the previous frame
 };
 
+/// Computes everything of one sea.
 class Ocean {
   public:
-    /// Validates. Nothing is computed yet.
+    /// Validates the sea. Computes nothing yet. Throws Error.
     explicit Ocean(Sea sea, OceanOptions options = {});
     explicit Ocean(Parameters parameters, OceanOptions options = {});
-    /// The same sea for another thread: what `built` has is shared, not built again.
+    /// Makes the same sea for another thread. Shares what `built` has computed.
     Ocean(const Ocean& built, OceanOptions options);
     ~Ocean();
 
     const Sea& sea() const { return sea_; }
     const Parameters& parameters() const { return sea_.parameters; }
-    /// Another number whenever the sea is changed.
+    /// Returns a number that changes whenever the sea changes.
     std::uint64_t revision() const { return revision_; }
-    /// Throws and changes nothing if the value is refused. Rules between parameters are checked
-    /// when the sea is next asked for anything. Files that are named are for seafile's
-    /// resolve_files to read: give it the changed sea, and this the result.
+    /// Sets a parameter by name. Throws Error and changes nothing if the value is refused. Rules
+    /// between parameters are checked by the next call that computes. This does not read files:
+    /// after a change of `file`, `record`, `place` or `take`, pass the sea to seafile's
+    /// resolve_files and the result to change().
     void set(std::string_view name, std::string_view value);
-    /// A live parameter glides to the value from that time on, as in a take: in the sea's own,
-    /// which grows, so that its text makes every frame again. What was before that time stays, foam
-    /// included, and costs nothing again. Values of one parameter that come within
-    /// kLeastEventDistance wait for the rest of it, and the last of them counts. Throws Error, and
-    /// changes nothing, for parameters that are not live, a loop, a time before the last that was
-    /// performed, and a take that is full.
+    /// Lets a live parameter glide to the value from `time` [s] on. The change becomes an event of
+    /// the sea's own take, so its text reproduces every frame. Maps and foam before `time` stay
+    /// valid and are not computed again. Events of one parameter are at least kMinEventSpacing
+    /// apart: a value that comes sooner is delayed until then, and the last one replaces the
+    /// others. Throws Error, and changes nothing, for parameters that are not live, a loop, a time
+    /// before the last performed event, and a full take.
     void perform(double time, std::string_view name, std::string_view value);
-    /// All of the sea at once: what differs from the one before says what is done again.
+    /// Replaces the whole sea. Recomputes only what its differences from the previous one dirty.
     void change(Sea sea);
 
-    /// At a time, which matters for a sea with a take; the start where none is given.
+    /// Returns the spectrum at a time [s], which matters for a sea with a take. Valid until the
+    /// next call that computes.
     const DirectionalSpectrum& spectrum(double time);
+    /// Returns the spectrum at the start.
     const DirectionalSpectrum& spectrum() { return spectrum(sea_.parameters.time.start); }
+    /// Returns the modes at a time [s]. Valid until the next call that computes.
     const Modes& modes(double time);
+    /// Returns the modes at the start.
     const Modes& modes() { return modes(sea_.parameters.time.start); }
+    /// Returns the statistics of the sea at the start.
     SeaState state();
 
-    /// A map of `resolution` samples; 0 = default_map_resolution of the grid. Foam is followed from
-    /// where it begins or, faster, from the last time that it was asked for: the same bits.
-    /// Throws Error for a channel that is not known, and out_of_memory before it allocates more
-    /// than there is.
+    /// Returns a map of `resolution` samples; 0 = default_map_resolution of the grid. Foam is
+    /// followed from where it begins or, faster, from the last requested time: the bits are the
+    /// same. Throws Error for an unknown channel, and out_of_memory before anything is allocated.
     Surface evaluate(double time, ChannelSet channels, int resolution = 0);
-    /// The same into the buffers of a host, which need no alignment (64 bytes are fastest) and must
-    /// hold resolution^2 samples. With the cpu backend each value is written once, from the last
-    /// stage of the transform.
+    /// Writes a map of `resolution` samples (0 = default_map_resolution of the grid) into a host's
+    /// buffers, which must hold resolution^2 samples and need no alignment; 64 bytes are fastest.
+    /// The backend cpu writes each value once, from the last stage of the transform. Throws as
+    /// evaluate().
     void evaluate_into(double time, std::span<const MapOutput> outputs, int resolution = 0);
-    /// Of such a map: its cover is foam to this power, see foam_layer.hpp. For hosts that make the
-    /// one of the other. Some tenths of a second after a change of waves or wind.
+    /// Returns the exponent p of cover = foam^p on a map of `resolution` samples (see
+    /// foam_layer.hpp), for hosts that compute cover from foam themselves. Takes some tenths of a
+    /// second after a change of waves or wind.
     double cover_power(double time, int resolution = 0);
-    /// The small map of one cascade over its own period, modes(time).cascades[cascade].lattice: at
-    /// any point the sum over the cascades, each wrapped round its own period, is the sea's. Of
-    /// channels that add up, the multiples of the table, and of linear fields. resolution: 0 = that
-    /// of the lattice.
+    /// Writes the small map of one cascade over its own period,
+    /// modes(time).cascades[cascade].lattice: at any point the sum over all cascades, each wrapped
+    /// at its own period, is the sea's. The outputs may hold linear fields and channels that add
+    /// up, the multiples of the table. resolution: 0 = that of the lattice. Throws as evaluate().
     void evaluate_cascade_into(std::size_t cascade, double time, std::span<const MapOutput> outputs,
                                int resolution = 0);
-    /// The slopes that a map of settings.resolution samples lacks, by band: with the first call for
-    /// those settings the tiles' lattices are made. Throws Error invalid_value and out_of_memory.
+    /// Returns the slopes that a map of settings.resolution samples lacks, by band. The first call
+    /// for such settings builds the tiles' lattices. Throws Error invalid_value and out_of_memory.
     DetailBudget detail_budget(double time, const DetailSettings& settings = {});
-    /// The waves too short for that map, as slope maps of one time. A pure function of sea, time
-    /// and settings, as maps are: performed, looping, the same bits for any number of threads.
+    /// Returns the waves too short for that map, as slope maps of one time. Like maps, a pure
+    /// function of sea, time and settings, also for a sea with a take or a loop; the bits are the
+    /// same for any number of threads. Throws as detail_budget().
     Detail detail(double time, const DetailSettings& settings = {});
-    /// The same into the buffers of a host: outputs[i] of detail_bands()[i], as many or fewer, of
-    /// settings.samples^2 samples, with the channels slope_x and slope_y.
+    /// Writes these slope maps into a host's buffers: outputs[i] receives slope_x and slope_y of
+    /// detail_bands()[i], settings.samples^2 samples. `outputs` may be shorter than the bands.
+    /// Throws as detail_budget().
     void detail_into(double time, std::span<const MapOutput> outputs,
                      const DetailSettings& settings = {});
-    /// All spray that is alive at a time, in no place's order but always the same one. The first
-    /// call makes a map of spray_lattice for every tick of the foam's clock within the lifetime,
-    /// later ones for new ticks alone: the same bits. Throws Error invalid_value for settings out
-    /// of range, and out_of_memory.
+    /// Returns all particles of spray alive at a time [s], in an unspecified but reproducible
+    /// order. The first call computes a map of spray_lattice for every tick of the foam's clock
+    /// within the lifetime, a later one only for new ticks: the bits are the same. Throws Error
+    /// invalid_value for settings out of range, and out_of_memory.
     std::vector<SprayParticle> spray(double time, const SpraySettings& settings = {});
-    /// The mist of that spray: a puff for each particle that was born within the lifetime, those
-    /// that have ended since among them. At the cost of the spray.
+    /// Returns the mist of that spray: a puff for each particle born within the lifetime, including
+    /// those that have ended since. Costs as much as spray().
     std::vector<MistPuff> mist(double time, const SpraySettings& settings = {});
-    /// Ticks of the foam's clock until maps' foam that began empty is what it always is, of the
-    /// map that has longest to go.
+    /// Returns the ticks of the foam's clock until foam that began empty equals settled foam, for
+    /// the map that needs the longest.
     std::int64_t foam_settling_ticks() const;
 
-    /// Measured on a map of at most 512 samples a side and scaled to the default map: takes a
-    /// moment.
+    /// Measures on a map of at most 512 samples along a side and scales to the default map. Blocks
+    /// for a moment.
     FrameCost measure_frame_cost();
 
     const StageRuns& stage_runs() const { return runs_; }
-    /// For work beside the ocean's own; not during a call of it.
+    /// Returns the pool, for other work of the caller; not during a call of this object.
     ThreadPool& pool() { return pool_; }
 
-    /// Queries of one time and options keep what they make for the next of the same, and most of
-    /// it for the next time. Samples are as many as points; nothing is written if a point is
-    /// refused. Errors as in query.hpp, and out_of_memory.
+    /// Writes one sample of the displayed surface for each point. Queries of the same time and
+    /// options share their maps; the next time reuses most of their memory. Writes nothing if a
+    /// point is refused. Throws as SurfaceQuery, and out_of_memory.
     void query(double time, std::span<const WorldPoint> points, std::span<QuerySample> samples,
                const QueryOptions& options = {});
-    /// SurfaceQuery::height_error of such a query.
+    /// Returns SurfaceQuery::height_error [m] for such a query.
     double query_height_error(double time, const QueryOptions& options = {});
-    /// OrbitalMotion at points of any depths, as many motions as points. Each other depth costs two
-    /// transforms.
+    /// Writes the motion of the water at points of any depths, one for each point. Each different
+    /// depth costs two transforms. Throws as OrbitalMotion, and out_of_memory.
     void water_motion(double time, std::span<const WaterPoint> points,
                       std::span<WaterMotion> motions, const QueryOptions& options = {});
+    /// Writes the pose of each body, see float_pose().
     void float_poses(double time, std::span<const FloatBody> bodies, std::span<FloatPose> poses);
 
   private:
-    /// Makes the chain stand for that time. Throws if the sea is not valid.
+    /// Sets the chain to the parameters at that time. Throws Error if the sea is not valid.
     void go_to(double time);
     const Parameters& now() const;
     const Modes& current_modes();
-    /// Writes the current sea's maps, foam over what the layer says.
+    /// Writes maps of the sea at the chain's time, with whitecaps laid over `foam`.
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
     FoamLayer foam_layer(double time, const FoamLattice& lattice);
@@ -170,50 +181,50 @@ class Ocean {
     /// call.
     FoamLayer spread_layer(const FoamLayer& layer, int lattice, int resolution);
     bool has_foam(ChannelSet channels) const;
-    int map_resolution(int asked) const;
-    /// For so many maps beside what the channels need.
+    int map_resolution(int requested) const;
+    /// Throws Error out_of_memory if `maps` more maps, beside what the channels need, do not fit.
     void require_map_memory(int resolution, int maps, ChannelSet channels) const;
     DetailMaps& detail_at(double time, const DetailSettings& settings);
     SprayFollower& spray_at(double time, const SpraySettings& settings);
-    /// On the map that is shown when nobody says.
+    /// Returns the options with the resolution of the displayed map filled in.
     QueryOptions shown(QueryOptions options) const;
     const SurfaceQuery& surface_query(double time, const QueryOptions& options);
     const OrbitalMotion& orbital_motion(double time, double z, const QueryOptions& options);
 
     Sea sea_;
-    std::uint64_t revision_ = 1;  // of the sea: another number when it is changed
-    std::uint64_t checked_ = 0;   // the revision that was last found valid
+    std::uint64_t revision_ = 1;  // changes with the sea
+    std::uint64_t checked_ = 0;   // the last revision found valid
     OceanOptions options_;
     ThreadPool pool_;
     StageRuns runs_;
     std::unique_ptr<Chain> chain_;
     std::unique_ptr<MapWriter> maps_;
     std::vector<std::unique_ptr<MapWriter>> cascade_maps_;
-    std::unique_ptr<MapWriter> foam_maps_;  // of lattices that hold fewer waves than they could
-    std::map<int, ChannelSet> made_;  // of each resolution so far: what the backend keeps is there
-    std::map<FoamLattice, FoamState> foam_;  // of each foam lattice that maps have needed
-    PageVector<float> spread_foam_;          // of the last map that is finer than its foam lattice
+    std::unique_ptr<MapWriter> foam_maps_;  // for lattices of fewer waves than their samples hold
+    std::map<int, ChannelSet> made_;  // by resolution: channels that the backend has arrays for
+    std::map<FoamLattice, FoamState> foam_;  // each lattice that a map has needed
+    PageVector<float> spread_foam_;          // the last map that is finer than its foam lattice
     std::map<DetailSettings, std::unique_ptr<DetailMaps>> detail_;
-    std::unique_ptr<SprayFollower> spray_;  // of the settings that were asked for last
+    std::unique_ptr<SprayFollower> spray_;  // for the settings of the last call
     std::unique_ptr<Performer> performer_;
 
-    /// What a query was asked for.
-    struct Asked {
-        std::uint64_t revision = 0;  // of the sea; 0: what is kept is neither of one nor of another
+    /// Identifies the maps of a query.
+    struct QueryKey {
+        std::uint64_t revision = 0;  // of the sea; 0 = the maps are incomplete
         double time = 0.0;
         double z = 0.0;
         QueryOptions options = {};
 
-        bool operator==(const Asked&) const = default;
+        bool operator==(const QueryKey&) const = default;
     };
-    /// What was asked last, and its answer's maps.
+    /// The query of the last call, with its maps.
     template <typename Query>
-    struct Kept {
-        Asked asked;
+    struct CachedQuery {
+        QueryKey key;
         Query query;
     };
-    std::optional<Kept<SurfaceQuery>> surface_query_;
-    std::optional<Kept<OrbitalMotion>> orbital_motion_;
+    std::optional<CachedQuery<SurfaceQuery>> surface_query_;
+    std::optional<CachedQuery<OrbitalMotion>> orbital_motion_;
 };
 
 }  // namespace ocean

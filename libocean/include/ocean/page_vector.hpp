@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Vectors for large maps that are walked through with large steps: aligned to huge pages, which the
-// system is asked to use, and not filled with zeros before they are filled with values.
+// Vectors for large maps that are walked through with large steps: aligned for huge pages, which
+// are requested from the system, and not filled with zeros before they are filled with values.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@
 
 namespace ocean {
 
-/// Returns uninitialised memory for large arrays, aligned to 2 MiB from that size on and to 64
-/// bytes below; the system is asked for huge pages. Throws std::bad_alloc. nullptr for no bytes.
+/// Returns uninitialised memory for large arrays: aligned to 2 MiB, with huge pages requested, from
+/// that size on; to 64 bytes below. Returns nullptr for no bytes. Throws std::bad_alloc.
 void* allocate_pages(std::size_t bytes);
+/// Frees memory of allocate_pages.
 void free_pages(void* pages, std::size_t bytes);
 
 /// Memory from allocate_pages; elements without an initial value are left uninitialised.

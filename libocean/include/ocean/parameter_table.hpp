@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The parameter table of a sea: for each parameter its path, unit, label, help, range, class and
-// what it dirties. Sea file, command line, C API, Blender, preview, bridge and README are loops
-// over it. table.hpp has what is true of the table of any model.
+// the stage that it dirties. Sea file, command line, C API, Blender, preview, bridge and README are
+// loops over it. table.hpp holds the part that the tables of all models share.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@
 
 namespace ocean {
 
-/// The first stage of the chain that must be redone when a parameter changes.
+/// The stages of the chain, in its order. A row names the first one that a change of its parameter
+/// dirties.
 enum class Stage { spectrum, modes, surface, foam, clock };
 template <>
 struct StagesOf<Parameters> {
@@ -24,9 +25,10 @@ struct StagesOf<Parameters> {
 };
 
 using ParameterInfo = TableRow<Parameters>;
-/// A parameter found by name: `item`, the wave system, counts only for those of [[waves]].
+/// A parameter found by name; `item` is the wave system and counts only for rows of [[waves]].
 using ParameterRef = RefOf<Parameters>;
 
+/// Returns the table of a sea.
 const Table<Parameters>& sea_table();
 /// Returns the rows of sea_table().
 std::span<const ParameterInfo> parameter_table();
@@ -35,25 +37,28 @@ std::span<const ParameterInfo> parameter_table();
 /// waves.0. Throws Error invalid_value naming the nearest known name.
 ParameterRef find_parameter(std::string_view name);
 
-/// As text, for command lines, wires and the C API. Numbers are read and written without regard
-/// to the locale, shortest form that reads back to the same bits. A refused value changes nothing.
-/// Rules between parameters are not checked here, so that several can be set in any order; call
-/// validate when all are. Another `file` or `record` drops the record of the old one.
+/// Sets a parameter from text, for command lines, wires and the C API. Numbers are read without
+/// regard to the locale. Rules between parameters are not checked, so that several can be set in
+/// any order; call validate afterwards. A new `file`, `record` or `place` drops the record read for
+/// the old one. Throws Error invalid_value and changes nothing if the name or the value is refused.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
+/// Returns a parameter as text: numbers in the shortest form that reads back to the same bits, ""
+/// for an unset one. Throws Error invalid_value for an unknown name.
 std::string get_parameter(const Parameters& parameters, std::string_view name);
 
-/// "wind_speed, fetch, ...": what a take may change.
+/// Returns the names of all parameters that a take may change: "wind_speed, fetch, ...".
 std::string live_parameter_names();
 
-/// The first stage to be redone when parameters change from `before` to `after`; nothing if none.
+/// Returns the first stage that a change from `before` to `after` dirties; none if they are equal.
 std::optional<Stage> first_dirty_stage(const Parameters& before, const Parameters& after);
 
-/// Rules between parameters (band limits in order, a measured system has its record ...).
-/// Throws Error. Every stage may rely on a validated value.
+/// Checks the rules between parameters (band limits in order, a measured system has its record
+/// ...). Throws Error invalid_value. Every stage may rely on validated parameters.
 void validate(const Parameters& parameters);
 
-/// The table as a Markdown table (the README's) and as JSON (an array of objects).
+/// Returns the table as Markdown (the README's).
 std::string parameters_markdown();
+/// Returns the table as a JSON array of objects.
 std::string parameters_json();
 
 }  // namespace ocean

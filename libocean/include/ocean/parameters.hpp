@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Everything that defines a sea, as one plain value. Where a sea file, a panel, a knob or a take
-// ends, and where the mathematics begins. Units, ranges, labels and help of each member stand once,
-// in the table of parameter_table.hpp; the initialisers here are the defaults.
+// The parameters that define a sea, as one plain value: the end of sea file, panel, knob and take,
+// and the beginning of the mathematics. The table of parameter_table.hpp states the unit, range,
+// label and help of each member; the initialisers here are the defaults.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace ocean {
 
-// The words that sea files choose from (enum_words.hpp).
+// The words of sea files are the enumerators (enum_words.hpp).
 enum class SpectrumKind { phillips, pierson_moskowitz, jonswap, tma, measured };
 enum class SpreadingKind { cosine_squared, mitsuyasu, hasselmann, donelan_banner };
 enum class Estimator { maximum_entropy, fourier };
@@ -29,7 +29,7 @@ struct Water {
     double surface_tension = 0.074;
     double density = 1000.0;
 
-    /// s in omega^2 = (g k + s k^3) tanh(k d), m^3/s^2.
+    /// Returns s in omega^2 = (g k + s k^3) tanh(k d) [m^3/s^2].
     double kinematic_tension() const { return surface_tension / density; }
     bool operator==(const Water&) const = default;
 };
@@ -65,14 +65,15 @@ struct Timing {
     bool operator==(const Timing&) const = default;
 };
 
-inline constexpr double kDefaultWind = 10.0;  // m/s
+inline constexpr double kDefaultWind = 10.0;  // [m/s]
 
-/// One source of waves. Their energies add.
+/// One wave system: a spectrum with its spreading. The energies of several systems add.
 struct WaveSystem {
     SpectrumKind spectrum = SpectrumKind::phillips;
-    /// Unset means 10 m/s for waves that a wind makes, and no wind that is known of over others.
+    /// Unset means kDefaultWind for a system that its wind makes (is_wind_sea), and an unknown
+    /// wind, which makes no whitecaps, for any other.
     std::optional<double> wind_speed;
-    /// Unset means 0 for a parametric spectrum and "as measured" for one with directions.
+    /// Unset means 0 for a parametric spectrum, and "as measured" for a record with directions.
     std::optional<double> wind_direction;
     double fetch = 300000.0;
     double peak_enhancement = 3.3;
@@ -89,36 +90,37 @@ struct WaveSystem {
     std::string place;
     Estimator estimator = Estimator::maximum_entropy;
 
-    /// Of the energy that all of the above give this system. 1 but in the copies that Sea::at makes
-    /// while a take glides between spreadings; not in the table.
+    /// Share of this system's energy that counts: 1, except in the copies that Sea::at makes while
+    /// a take glides between spreadings. Not in the table.
     double energy_share = 1.0;
 
-    /// Of wind_speed, what makes whitecaps. 1 but while a take brings a wind over waves that none
-    /// was given for; not in the table.
+    /// Share of wind_speed that makes whitecaps: 1, except while a take introduces a wind over
+    /// waves that had none. Not in the table.
     double wind_onset = 1.0;
 
-    /// The chosen record of `file`, resolved by ocean::seafile. Shared, never changed.
+    /// The chosen record of `file`, read by ocean::seafile. Shared and never modified.
     std::shared_ptr<const SpectrumRecord> measured;
 
     double direction_degrees() const { return wind_direction.value_or(0.0); }
 
-    /// Height, period or both come from the wind: not measured, not given both.
+    /// Returns true if height, period or both follow from the wind: the system is parametric and
+    /// does not have both given.
     bool is_wind_sea() const {
         return spectrum != SpectrumKind::measured && !(significant_wave_height && peak_period);
     }
-    /// What spectrum and spreading are made with, m/s.
+    /// Returns the wind of spectrum and spreading [m/s].
     double wind() const { return wind_speed.value_or(kDefaultWind); }
-    /// The wind over these waves, m/s; unset where nothing says how it blows.
+    /// Returns the wind over these waves, which makes whitecaps [m/s]; unset if it is unknown.
     std::optional<double> wind_above() const {
         if (wind_speed) return wind_onset * *wind_speed;
         return is_wind_sea() ? std::optional(kDefaultWind) : std::nullopt;
     }
 };
 
-/// Of all times, s from 0, before and after: 31 years. A double still tells a tenth of a
+/// Times lie within -kLatestTime .. kLatestTime [s]: 31 years. A double resolves a tenth of a
 /// microsecond there.
 inline constexpr double kLatestTime = 1e9;
-/// Throws Error invalid_value for a later one, and for what is no number.
+/// Throws Error invalid_value for a time outside these limits, and for NaN.
 void require_time(double time);
 
 struct Parameters {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether what was made of something still holds.
+// Revisions: a cache compares them to find out whether its content is still valid.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace ocean {
 
-/// Which content something has. Copies of the content have copies of its revision; two that were
-/// begun apart are never equal, of whichever objects and threads, as long as anyone has either:
-/// a revision is the address of a byte that all its copies own. May be compared and copied in
-/// several threads at once.
+/// Identifies a content. Copies of the content carry copies of its revision; two revisions that
+/// were begun separately are never equal, whichever objects and threads they belong to, while
+/// either exists: a revision is the address of a byte that all its copies own. Several threads may
+/// compare and copy a revision at once.
 class Revision {
   public:
-    /// Of nothing that is known: equal to none, not to itself either.
+    /// Makes the revision of an unknown content: it equals no revision, not even itself.
     Revision() = default;
-    /// Of new content.
+    /// Returns the revision of a new content.
     static Revision begin() { return Revision(std::make_shared<const char>('\0')); }
 
     explicit operator bool() const { return byte_ != nullptr; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea as a subject, and the way back to it for what only a sea has.
+// A sea as a Subject, and the way back from a Subject to its sea for code that only a sea has.
 #pragma once
 
 #include <memory>
@@ -13,17 +13,17 @@
 
 namespace ocean {
 
-/// Takes a valid, resolved sea.
+/// Returns a valid, resolved sea as a subject.
 std::unique_ptr<Subject> make_subject(Sea sea);
-/// Reads the text of such a subject. `name` stands for a path in messages. Throws Error as
-/// parse_sea.
+/// Returns the subject that text() of such a subject describes. `name` stands for a path in
+/// messages. Throws Error as parse_sea.
 std::unique_ptr<Subject> parse_sea_subject(std::string_view text, const std::string& name);
 
-/// Returns the sea that a subject is, or null.
+/// Returns the sea of a subject, or null for a subject of another kind.
 const Sea* find_sea(const Subject& subject);
-/// Returns it, or throws Error unsupported.
+/// Returns the sea of a subject. Throws Error unsupported for a subject of another kind.
 const Sea& sea_of(const Subject& subject);
-/// Returns the ocean that makes a sea's maps. Throws Error unsupported for another subject's.
+/// Returns the Ocean that makes a sea's maps. Throws Error unsupported for maps of another kind.
 Ocean& ocean_of(SubjectMaps& maps);
 
 }  // namespace ocean

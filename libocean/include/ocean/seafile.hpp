@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sea files: strict reading, writing that round-trips, presets, and spectra of buoys and models.
+// Sea files: strict reading, writing that round-trips, presets, and the spectra of buoys and wave
+// models.
 #pragma once
 
 #include <functional>
@@ -19,39 +20,56 @@ namespace ocean {
 inline constexpr int kSeaFileVersion = 1;
 inline constexpr std::size_t kMaxSeaFileBytes = std::size_t{4} << 20;
 
-/// All records of a spectrum file, in file order, whatever its format: it is recognised by content.
-/// Text formats, and .gz of them where zlib is there. A record that cannot be read has its `fault`
-/// and costs no other. Throws Error bad_file "PATH:LINE: ..." if none can be read.
+/// Returns all records of a spectrum file, in file order. The format is recognised by its content:
+/// all text formats, and with zlib their .gz. A record that cannot be read has its `fault` set and
+/// does not affect the others. Throws Error bad_file "PATH:LINE: ..." if no record can be read.
 std::vector<SpectrumRecord> read_spectra(const std::string& path);
-/// read_spectra or a program's own, which knows formats that need more libraries.
+/// read_spectra, or a program's own reader of formats that need further libraries.
 using SpectrumReader = std::function<std::vector<SpectrumRecord>(const std::string& path)>;
 
-/// Reads a sea file. A relative `file` or `take` is relative to it. Throws Error with
-/// "PATH:LINE: section.key = VALUE: what is wrong; allowed: RANGE".
+/// Reads a sea file. A relative `file` or `take` in it is relative to the sea file. Throws Error
+/// with "PATH:LINE: section.key = VALUE: FAULT; allowed: RANGE".
 Sea read_sea(const std::string& path, const SpectrumReader& reader = read_spectra);
-/// The same from text; `name` stands for the path in messages, `base_dir` is where a relative
-/// `file` or `take` starts (empty: the current directory).
+/// Reads the text of a sea file. `name` stands for the path in messages; a relative `file` or
+/// `take` is relative to base_dir (empty: the current directory). Throws as read_sea.
 Sea parse_sea(std::string_view toml, const std::string& name, const std::string& base_dir,
               const SpectrumReader& reader = read_spectra);
-/// Reads what the parameters name and the sea does not have yet, after set_parameter: the record of
-/// each measured system without one, and a take other than the one it has. Throws as read_spectra,
-/// choose_record and parse_take, as errors of the parameter that names the file.
+/// Reads the files that the parameters name and the sea has not read yet, after set_parameter: the
+/// record of each measured system without one, and a take other than the present one. Throws as
+/// read_spectra, choose_record and parse_take, as errors of the parameter that names the file.
 void resolve_files(Sea& sea, const std::string& base_dir,
                    const SpectrumReader& reader = read_spectra);
 /// Returns the files that a sea names, as its own file spells them: its take and its spectra.
 std::vector<std::string> named_files(const Sea& sea);
-/// The resolved sea as text: every key of the table that is set and not neutral (OptionalColumns in
-/// table.hpp), the chosen records inlined as [waves.measured_record] and the take as [take]. A
-/// reader prefers these to `file` and `take`.
-/// parse_sea(write_sea(s)) gives the same sea in every bit. Throws Error invalid_value for
-/// a text that is not UTF-8, and for a sea that breaks a rule between parameters, which no reader
-/// would take.
+/// Returns the resolved sea as text: every key of the table that is set and not neutral
+/// (OptionalColumns in table.hpp), the chosen records inlined as [waves.measured_record] and the
+/// take as [take], which a reader prefers to `file` and `take`. parse_sea(write_sea(s)) gives the
+/// same sea bit by bit. Throws Error invalid_value for a text that is not UTF-8 and for a sea that
+/// breaks a rule between parameters, which parse_sea would refuse.
 std::string write_sea(const Sea& sea);
 
-/// A take as text: lines "SECONDS NAME VALUE" in order of time, names as in the parameter table,
-/// '#' begins a comment. Throws Error "NAME:LINE: name = value: what is wrong; allowed: RANGE".
+/// A parameter's name and value, as set_parameter takes them, or a table that a resolved file
+/// carries beside its parameters: "[take]" or "[waves.0.measured_record]" with its lines.
+struct NamedText {
+    std::string name;
+    std::string value;
+};
+struct NamedValue {
+    std::string_view name;
+    std::string_view value;
+};
+/// Returns every parameter of a sea in the order of the table, "" for one that is not set, then the
+/// tables that its file carries. Throws as write_sea.
+std::vector<NamedText> sea_values(const Sea& sea);
+/// Returns the sea file that says these values, each spelled as it is given: a host keeps the text
+/// as long as its values stay. Leaves out empty and neutral ones. Checks no value; throws Error
+/// invalid_value for an unknown name, a text that is not UTF-8 and a number of several lines.
+std::string text_of_values(std::span<const NamedValue> values);
+
+/// Parses a take: lines "SECONDS NAME VALUE" ordered by time, names as in the parameter table; '#'
+/// begins a comment. Throws Error "NAME:LINE: name = value: FAULT; allowed: RANGE".
 Take parse_take(std::string_view text, const std::string& name, const Parameters& parameters);
-/// One line for each event, which parse_take reads back to the same bits.
+/// Returns the take as text, a line for each event, which parse_take reads back to the same bits.
 std::string write_take(const Take& take);
 
 struct Preset {
@@ -59,43 +77,47 @@ struct Preset {
     std::string description;  // one line
     std::string toml;         // a whole sea file with comments
 };
+/// Returns all presets, in the order in which they are listed.
 std::span<const Preset> presets();
-/// Throws Error not_found naming the nearest.
+/// Returns the preset of that name. Throws Error not_found naming the nearest.
 const Preset& find_preset(std::string_view name);
 
-/// Which of the records to take; "" = the first.
+/// Selects one of several records; empty members select the first.
 struct RecordChoice {
     std::string time;   // ISO 8601: the nearest within 30 minutes
     std::string place;  // a station's name, or "LATITUDE,LONGITUDE": the nearest within 50 km
 };
-/// The place is chosen first. Throws Error invalid_value for a choice that says nothing, not_found
-/// that names the nearest there is, bad_file with the fault of the record that is chosen.
+/// Returns the chosen record; the place is applied first. `file` is named in messages. Throws Error
+/// invalid_value for a time or place that cannot be parsed, not_found naming the nearest record,
+/// bad_file with the fault of the chosen record.
 const SpectrumRecord& choose_record(std::span<const SpectrumRecord> records,
                                     const RecordChoice& choice, const std::string& file);
-/// JSON, one object a record: time, station, latitude, longitude, depth, significant_wave_height
-/// [m], peak_period, energy_period, mean_period [s], mean_direction [degrees counter-clockwise from
-/// +x, travelling to], coming_from [the same, degrees clockwise from north], directional_spread
-/// [degrees], directions
-/// ("none", "moments" or "full"), frequencies [how many], warnings; null where it is not known.
-/// Records with a fault are left out: records_warnings names them.
+/// Returns JSON, one object for each record: time, station, latitude, longitude, depth,
+/// significant_wave_height [m], peak_period, energy_period, mean_period [s], mean_direction
+/// [degrees counter-clockwise from +x, travelling to], coming_from [degrees clockwise from north],
+/// directional_spread [degrees], directions ("none", "moments" or "full"), frequencies [a count],
+/// warnings; unknown values are null. Records with a fault are left out: records_warnings names
+/// them.
 std::string records_json(std::span<const SpectrumRecord> records);
-/// What the readers warn of, a sentence for each warning and each record that cannot be read; what
-/// several records have in common is said once, with their number.
+/// Returns the warnings of the readers, a sentence for each warning and each record that cannot be
+/// read; a sentence that several records share appears once, with their number.
 std::vector<std::string> records_warnings(std::span<const SpectrumRecord> records);
 
-/// Where waves come from, as sailors name it: degrees clockwise from north, 0 <= d < 360, of the
-/// direction they travel to, degrees counter-clockwise from +x. NaN stays NaN.
+/// Returns the direction that waves come from, as sailors name it [degrees clockwise from north], 0
+/// <= d < 360, for the direction that they travel to [degrees counter-clockwise from +x]. NaN for
+/// NaN.
 double coming_from(double travelling_to);
 
-/// Integrals of a record as it was measured, over its listed frequencies by the trapezoid.
+/// Integrals of a record as measured, over its listed frequencies by the trapezoid rule.
 struct RecordSummary {
-    double m0 = 0.0;                  // m^2
-    double peak_period = 0.0;         // s, of the listed frequency with the most energy
-    double energy_period = 0.0;       // s, Te = m-1 / m0; 0 without energy
-    double mean_period = 0.0;         // s, Tm01 = m0 / m1; 0 without energy
-    double mean_direction = 0.0;      // rad, travelling to, energy-weighted; NaN without directions
-    double directional_spread = 0.0;  // rad, sqrt(2 (1 - |c1|)); NaN without directions
+    double m0 = 0.0;                  // [m^2]
+    double peak_period = 0.0;         // of the listed frequency with the highest density [s]
+    double energy_period = 0.0;       // Te = m-1 / m0 [s]; 0 without energy
+    double mean_period = 0.0;         // Tm01 = m0 / m1 [s]; 0 without energy
+    double mean_direction = 0.0;      // travelling to, energy-weighted [rad]; NaN if unknown
+    double directional_spread = 0.0;  // sqrt(2 (1 - |c1|)) [rad]; NaN if unknown
 };
+/// Returns the integrals of a record.
 RecordSummary summarize(const SpectrumRecord& record);
 
 }  // namespace ocean

@@ -19,10 +19,12 @@
 
 namespace ocean {
 
-/// U(19.5 m) = 1.026 U, by the logarithmic wind profile over the sea.
+/// The wind at 19.5 m over U, the wind at 10 m, by the logarithmic wind profile over the sea.
 inline constexpr double kWind195 = 1.026;
 
-/// Fully developed: the wind has blown so far and so long that the waves grow no more.
+/// Returns the spectrum of Pierson and Moskowitz, for a fully developed sea: the wind has blown so
+/// far and
+/// so long that the waves grow no more.
 ///     S = alpha g^2 omega^-5 exp(-0.74 (g / (U' omega))^4),   alpha = 8.1e-3,   U' = U(19.5 m)
 /// [Pierson and Moskowitz 1964] eq. 15; the wind of their weather ships was measured at 19.5 m.
 /// Range: winds of 10 to 20 m/s, what they had; the form has no scale but U'^2 / g.
@@ -31,12 +33,12 @@ inline constexpr double kWind195 = 1.026;
 /// Tests: Spectrum.PiersonMoskowitzAt17MetresPerSecondIs6_1643Metres,
 /// PiersonMoskowitzVarianceIsItsClosedForm.
 double pierson_moskowitz_density(double omega, double wind_speed_10, double gravity);
-/// omega_p = (4 * 0.74 / 5)^(1/4) g / U', where dS/domega = 0.
+/// Returns omega_p = (4 * 0.74 / 5)^(1/4) g / U', where dS/domega = 0.
 /// Test: Spectrum.PiersonMoskowitzPeakIsThatOfTheWindAt19_5Metres.
 double pierson_moskowitz_peak(double wind_speed_10, double gravity);
 
-/// Growing under the wind along the fetch, with a peak narrower and higher than that of a fully
-/// developed sea:
+/// The JONSWAP spectrum, for a sea that grows under the wind along the fetch. Its peak is narrower
+/// and higher than that of a fully developed sea:
 ///     S = alpha g^2 omega^-5 exp(-5/4 (omega_p / omega)^4) gamma^r
 ///     r = exp(-(omega - omega_p)^2 / (2 sigma^2 omega_p^2))
 ///     alpha = 0.076 chi^-0.22,   omega_p = 2 pi 3.5 (g / U) chi^-0.33,   chi = g F / U^2
@@ -54,10 +56,10 @@ double pierson_moskowitz_peak(double wind_speed_10, double gravity);
 /// JonswapPeakIsNarrowerBelowThanAbove.
 double jonswap_density(double omega, double wind_speed, double fetch, double peak_enhancement,
                        double gravity);
-/// Its omega_p.
+/// Returns the omega_p of jonswap_density.
 double jonswap_peak(double wind_speed, double fetch, double gravity);
 
-/// What shallow water leaves of the energy of each frequency, a factor 0 .. 1:
+/// Returns the factor 0 .. 1 by which shallow water reduces the energy of each frequency:
 ///     Phi = tanh^2(k d) / (1 + 2 k d / sinh(2 k d)),   omega^2 = g k tanh(k d)
 /// k      wavenumber of a gravity wave of that frequency at that depth, rad/m
 /// [Kitaigorodskii 1975] eq. 10, exact and not its usual two pieces. JONSWAP times Phi is TMA, for
@@ -67,7 +69,9 @@ double jonswap_peak(double wind_speed, double fetch, double gravity);
 /// TmaIsJonswapTimesTheDepthFactorAndEqualInDeepWater.
 double finite_depth_factor(double omega, double depth, double gravity);
 
-/// Variance density over the wavenumber's magnitude k, all directions together, m^3:
+/// Returns phillips' spectrum, as the variance density over the wavenumber's magnitude k, all
+/// directions
+/// together [m^3]:
 ///     P = (alpha/2) A k^-3 exp(-1 / (k L)^2) exp(-(k l)^2),   alpha = 8.1e-3
 /// A      amplitude, a pure number: 1 is Phillips' constant
 /// L      U^2 / g, m: about the longest wave of this wind
@@ -82,19 +86,20 @@ double finite_depth_factor(double omega, double depth, double gravity);
 double phillips_wavenumber_density(double k, double wind_speed, double amplitude,
                                    double cutoff_wavelength, double gravity);
 
-/// A frequency spectrum with what the other stages ask of it.
+/// A frequency spectrum with the properties that the other stages read.
 struct FrequencySpectrum {
-    std::function<double(double omega)> density;  // m^2 s/rad; 0 outside [lowest, highest]
-    double parameter_peak = 0.0;  // omega_p of the formula, rad/s: what spreading refers to
-    double peak = 0.0;            // where the density is largest, rad/s; 0 for a flat sea
-    double lowest = 0.0;          // support; the tail beyond `highest` is not represented
+    std::function<double(double omega)> density;  // [m^2 s/rad]; 0 outside [lowest, highest]
+    double parameter_peak = 0.0;  // omega_p of the formula [rad/s], which spreading refers to
+    double peak = 0.0;            // where the density is largest [rad/s]; 0 for a flat sea
+    double lowest = 0.0;          // support [rad/s]; the tail above `highest` is not represented
     double highest = 0.0;
-    double m0 = 0.0;  // integral over the support, m^2
+    double m0 = 0.0;  // integral over the support [m^2]
 
     bool flat() const { return m0 <= 0.0; }
 };
 
-/// Before any rescaling. `highest` bounds the table. Not for measured systems.
+/// Returns the spectrum of a parametric system, before it is scaled to a given height. `highest`
+/// bounds the table [rad/s]. Not for measured systems.
 FrequencySpectrum make_frequency_spectrum(const WaveSystem& system, const Water& water,
                                           double highest);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// One measured sea: what a buoy or a wave model says of one time at one place. Readers in
+// One measured sea: the record of a buoy or a wave model for one time at one place. Readers in
 // ocean::seafile make it, in libocean's conventions; the directional estimate consumes it.
 #pragma once
 
@@ -11,34 +11,35 @@
 
 namespace ocean {
 
-/// Plain value. Angles are already converted: counter-clockwise from east, the direction waves
-/// travel to. A record says of directions nothing, or their first two moments (buoys), or all (wave
-/// models), never both. Vectors are parallel to `frequency` where nothing else is said.
+/// Plain value. Angles are converted already: counter-clockwise from east, the direction that waves
+/// travel to. A record has no directions, or their first two moments (buoys), or the full
+/// distribution (wave models), never both. Vectors are parallel to `frequency` unless stated
+/// otherwise.
 struct SpectrumRecord {
     std::string station;
-    std::string time;  // ISO 8601 in UTC, to the minute: 2020-06-08T03:50; empty = not known
-    double latitude = std::numeric_limits<double>::quiet_NaN();   // degrees north
-    double longitude = std::numeric_limits<double>::quiet_NaN();  // degrees east
-    double depth = std::numeric_limits<double>::quiet_NaN();      // m; NaN = not known
+    std::string time;  // ISO 8601 in UTC, to the minute: 2020-06-08T03:50; empty = unknown
+    double latitude = std::numeric_limits<double>::quiet_NaN();   // north [degrees]
+    double longitude = std::numeric_limits<double>::quiet_NaN();  // east [degrees]
+    double depth = std::numeric_limits<double>::quiet_NaN();      // [m]; NaN = unknown
 
-    std::vector<double> frequency;  // Hz, ascending, > 0
-    std::vector<double> density;    // S(f), m^2/Hz, >= 0
+    std::vector<double> frequency;  // [Hz], ascending, > 0
+    std::vector<double> density;    // S(f) [m^2/Hz], >= 0
 
-    // First and second normalised Fourier moments of the directional distribution,
-    // a_n = mean of cos(n theta), b_n = mean of sin(n theta). Empty: not measured.
-    // NaN in a bin: missing there. a2 and b2 alone missing: a mean direction and a spread are all
-    // that is known, and the distribution is taken as cos^2s of half the angle.
+    // First and second normalised Fourier moments of the directional distribution, a_n = mean of
+    // cos(n theta), b_n = mean of sin(n theta). Empty: not measured. NaN in a bin: missing there.
+    // If only a2 and b2 are missing, a mean direction and a spread are known, and the distribution
+    // is taken to be cos^2s of half the angle.
     std::vector<double> a1, b1, a2, b2;
 
     // The spectrum over frequency and direction: piecewise linear and periodic in direction.
     // Its integral over the circle at a frequency is `density` there.
-    std::vector<double> direction;            // degrees, 0 <= d < 360, ascending, 3 or more
-    std::vector<double> directional_density;  // m^2/Hz/degree, >= 0, [frequency][direction]
+    std::vector<double> direction;            // [degrees], 0 <= d < 360, ascending, 3 or more
+    std::vector<double> directional_density;  // [m^2/Hz/degree], >= 0, [frequency][direction]
 
-    // What its reader had to assume, to leave out or to set right: sentences for people.
+    // Assumptions, omissions and corrections of the reader: sentences for people.
     std::vector<std::string> warnings;
-    // Why it cannot be used, "PATH:LINE: what is wrong"; empty for a good one. Of a record with a
-    // fault only time and place are told.
+    // Why the record cannot be used, "PATH:LINE: FAULT"; empty for a good one. Of a record with a
+    // fault only time and place are set.
     std::string fault;
 
     bool has_moments() const { return !a1.empty(); }

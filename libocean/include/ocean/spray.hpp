@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spray: the drops that a strong wind tears off where the sea turns white. Crests merge and split
-// and have no names that last; events have: a cell of one fixed lattice of the sea whose whitecap
-// crosses 1/2 upwards at a tick of the foam's clock. Particles are born there, and each is a pure
-// function of its birth: where it is, how fast, and when it ends. Between the whitecap maps of the
+// Spray: the drops that a strong wind tears off whitecaps. Crests merge and split, so a crest
+// cannot be followed; an event can: the whitecap of one cell of a fixed lattice of the sea crosses
+// 1/2 upwards at a tick of the foam's clock. Particles are born there, and each is a pure function
+// of its birth: its position, its velocity and its end. Stands between the whitecap maps of the
 // surface and the files of points; Ocean::spray follows it over time.
 //
-// A particle stands for a parcel of drops of one size: how many drops there are is known to a
-// factor of a million [Andreas 1998], so that the density is for who makes the picture to choose.
+// A particle stands for a parcel of drops of one size. The number of drops is known only to a
+// factor of a million [Andreas 1998], so the density is an artistic choice.
 #pragma once
 
 #include <cstdint>
@@ -21,55 +21,57 @@ namespace ocean {
 
 struct Sea;
 
-/// What is asked for; all else is the sea's.
+/// The settings of spray; all else follows from the sea.
 struct SpraySettings {
-    /// s, the greatest age of a particle: 0.05 .. 10. In a loop at most half the loop.
+    /// Max age of a particle [s], 0.05 .. 10; in a loop at most half the loop.
     double lifetime = 2.0;
-    /// Particles for each square metre that turns white, by label as whitecaps are counted:
-    /// 0 .. 1000. In winds below 11 m/s fewer, below 7 m/s none.
+    /// Particles for each square metre that turns white, by label as whitecaps are counted, 0 ..
+    /// 1000. Winds below 11 m/s make fewer, below 7 m/s none.
     double density = 0.25;
-    /// Alive at once, about: where a tick would make more than its share of these it makes so
-    /// many, all over the sea alike. 1 .. 100 million.
+    /// Approximate max of particles alive at once, 1 .. 100 million: a tick that would exceed its
+    /// share of them makes that share, thinned evenly over the sea.
     int most = 1'000'000;
 
     bool operator==(const SpraySettings&) const = default;
 };
-/// Throws Error invalid_value for what is out of range.
+/// Throws Error invalid_value for settings out of range.
 void validate(const SpraySettings& settings);
 
-/// At one time. Right-handed, z up.
+/// A particle at one time. Right-handed, z up.
 struct SprayParticle {
-    /// A hash of seed, cell, tick and number in its event: the same from birth to end in every
-    /// frame, in a loop every time round. Of a million particles two share one with a probability
-    /// of 3e-8, of the same tick never.
+    /// A hash of seed, cell, tick and number within the event: the same in every frame of its life,
+    /// in a loop at every repetition. Two of a million particles share an id with a probability of
+    /// 3e-8; particles of one tick never do.
     std::uint64_t id;
-    double x, y, z;     // m; born within one period, then it may leave it: copies tile
-    double vx, vy, vz;  // m/s, d/dt of the place
-    double age;         // s since its birth
-    double life;        // s, the age at which it ends: known from its birth
-    double radius;      // m, of each of its drops
+    double x, y, z;     // [m]; born within one period, then it may leave it: copies tile
+    double vx, vy, vz;  // d/dt of the position [m/s]
+    double age;         // since its birth [s]
+    double life;        // age at which it ends, fixed at its birth [s]
+    double radius;      // of each of its drops [m]
 };
 
-/// Mist that the birth of a particle leaves in the air: of drops too small to fall, which go with
-/// the gust that tore them off, and spread. A Gaussian.
+/// A puff of mist that the birth of a particle leaves in the air: drops too small to fall, which
+/// move with the gust that tore them off, and spread. A Gaussian.
 struct MistPuff {
-    double x, y, z;    // m, its middle
-    double deviation;  // m
-    double share;      // 1 .. 0 of what it began with
+    double x, y, z;    // its centre [m]
+    double deviation;  // [m]
+    double share;      // of its initial mass, 1 .. 0
 };
 
-/// The lattice that spray is emitted on: a power of two by the size of the patch, with cells of at
-/// most 2.5 m as long as 512 a side are enough. Of the sea alone, never of what is asked for.
+/// Returns the lattice that spray is emitted on: a power of two that depends only on the size of
+/// the patch, with cells of at most 2.5 m as long as 512 along a side suffice. Independent of all
+/// settings.
 Lattice spray_lattice(const Grid& grid);
-/// What a map of it must hold.
+/// The channels that a map of the spray's lattice must have.
 inline constexpr ChannelSet kSprayChannels = {Channel::dx,      Channel::dy, Channel::height,
                                               Channel::vx,      Channel::vy, Channel::vz,
                                               Channel::whitecap};
 
-/// Particles that are alive at once at any time of the sea, at most; a whitecap coverage of the
-/// wind that `foam_coverage` knows of bounds them closer than SpraySettings::most.
-std::uint64_t most_spray(const Sea& sea, const SpraySettings& settings);
-/// Bytes that following so many takes beside the maps of the lattice, their particles included.
+/// Returns an upper bound of the particles alive at once at any time of the sea. If foam_coverage
+/// knows the wind, its whitecap coverage bounds them more closely than SpraySettings::most.
+std::uint64_t max_spray_particles(const Sea& sea, const SpraySettings& settings);
+/// Returns the bytes that following so many particles needs, the particles included, beside the
+/// maps of the lattice.
 std::uint64_t spray_bytes(std::uint64_t particles);
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How often each stage of the chain ran, for those who want to know what a change costs.
+// Counters of how often each stage of the chain ran: the cost of a change, for tests and tools.
 #pragma once
 
 namespace ocean {
@@ -9,10 +9,10 @@ namespace ocean {
 struct StageRuns {
     int spectrum = 0;
     int modes = 0;
-    int packing = 0;    // of the modes for one resolution of maps
+    int packing = 0;    // of the modes for a resolution of maps
     int threshold = 0;  // of the whitecaps
     int cover_power = 0;
-    int surface = 0;      // maps that were asked for
+    int surface = 0;      // requested maps
     int foam_ticks = 0;   // whitecap maps of the foam's clock
     int spray_ticks = 0;  // maps of the spray's lattice
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The kinds of subjects by name: what Subject::kind returns and what headers of files say.
+// The names of the kinds of subjects, as Subject::kind returns them and file headers store them.
 #pragma once
 
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The surface of one time: planar maps over a domain, which for a sea is one period of N x N
-// samples, made from the modes by a backend.
+// The surface of one time: planar maps over a domain, which a backend makes from the modes. The
+// domain of a sea is one period of N x N samples.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace ocean {
 
 class ThreadPool;
 
-/// Planes of resolution^2 values, row-major [j][i]; empty where not asked for.
+/// Planes of resolution^2 values, row-major [j][i]; those that were not requested are empty.
 template <typename Real>
 struct LinearPlanes {
     std::array<PageVector<Real>, kLinearCount> plane;
@@ -33,21 +33,21 @@ struct LinearPlanes {
 class Surface {
   public:
     Surface() = default;
-    /// The maps are not filled: not with zeros either.
+    /// Allocates the maps and leaves them uninitialised.
     Surface(const Domain& domain, double time, ChannelSet channels);
-    /// Over one period of a lattice.
+    /// Allocates maps over one period of a lattice.
     Surface(const Lattice& lattice, double time, ChannelSet channels)
         : Surface(Domain::tile(lattice.period, lattice.resolution), time, channels) {}
 
     const Domain& domain() const { return domain_; }
     /// Returns the samples along x; a tile has as many along y.
     int resolution() const { return domain_.samples[0]; }
-    /// Returns the size along x [m]: of a tile its period.
+    /// Returns the size along x [m]: the period of a tile.
     double period() const { return domain_.size[0]; }
     double time() const { return time_; }
     bool has(Channel channel) const { return channels_.contains(channel); }
     ChannelSet channels() const { return channels_; }
-    /// A value for each sample of the domain; empty for a channel that was not asked for.
+    /// Returns a value for each sample of the domain; empty for a channel that was not requested.
     std::span<const float> channel(Channel channel) const;
     std::span<float> channel(Channel channel);
 
@@ -55,30 +55,31 @@ class Surface {
     Domain domain_;
     double time_ = 0.0;
     ChannelSet channels_;
-    std::array<PageVector<float>, kMostChannels> maps_;
+    std::array<PageVector<float>, kMaxChannels> maps_;
 };
 
-/// The planes of a surface as outputs: all of its channels.
+/// Returns an output for each channel of a surface, which writes into its planes.
 std::vector<MapOutput> outputs_of(Surface& surface);
 
-/// settings with foam_threshold put to the Jacobian where whitecaps begin on a map of `resolution`
-/// samples, and foam_coverage to FoamCoverage::threshold: found once for many surfaces.
+/// Returns the settings with foam_threshold set to the Jacobian below which whitecaps begin on a
+/// map of `resolution` samples, and foam_coverage set to FoamCoverage::threshold, so that the
+/// threshold is computed once for many surfaces.
 SurfaceSettings with_threshold(const SurfaceSettings& settings, const Modes& modes, int resolution);
 
-/// One map of `resolution` samples (0 = the modes' own; else a power of two, 32 .. 8192): all modes
-/// below its Nyquist line, zero padded where the modes end. Any time, any order, any thread count:
-/// the same bits. No foam: that has a past, see foam.hpp and Ocean.
+/// Returns one map of `resolution` samples (0 = the modes' own; else a power of two, 32 .. 8192):
+/// all modes below its Nyquist line, zero padded where the modes end. The bits do not depend on the
+/// order of calls or the number of threads. Without foam, which has a past: see foam.hpp and Ocean.
 Surface make_surface(const Modes& modes, const SurfaceSettings& settings, double time,
                      ChannelSet channels, const Backend& backend, ThreadPool& pool,
                      int resolution = 0);
 
-/// The channels from planes of their linear fields (fields_of), such as sums over the small maps of
-/// cascades. `settings` as from with_threshold.
+/// Returns the channels computed from planes of their linear fields (fields_of), such as sums over
+/// the small maps of cascades. `settings` as from with_threshold.
 Surface combine_planes(const LinearPlanes<float>& planes, const Lattice& lattice, double time,
                        const SurfaceSettings& settings, ChannelSet channels, ThreadPool& pool);
 
-/// Largest |imaginary part| of the height field over its rms, by a full complex transform: 0 to
-/// rounding when the modes are Hermitian. For tests and verification.
+/// Returns the largest |imaginary part| of the height field over its rms, by a full complex
+/// transform: 0 to rounding if the modes are Hermitian. For tests and verification.
 double imaginary_residue(const Modes& modes, double time);
 
 }  // namespace ocean

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Table<Model>: what can be set in a model, one row for each parameter, with its unit, range, help
-// and the way to its member. Files, command lines, JSON and panels are loops over a table; the code
-// of these loops stands once, here and in ocean::seafile, for every model. parameter_table.hpp is
-// the table of a sea.
+// Table<Model>: the parameters of a model, a row for each, with its unit, range, help and access to
+// its member. Files, command lines, JSON and panels are loops over a table; their code exists once,
+// here and in ocean::seafile, for every model. parameter_table.hpp is the table of a sea.
 #pragma once
 
 #include <cstddef>
@@ -19,43 +18,43 @@
 namespace ocean {
 
 enum class ParameterClass {
-    live,     // changes amplitudes or the mapping: may glide, may stand in a take
+    live,     // changes amplitudes or the mapping: may glide, may be part of a take
     rebuild,  // changes the set of modes: cross-faded by live tools, refused in a take
 };
 
-/// A rule for whole numbers beside their range.
+/// A rule for whole numbers, in addition to their range.
 enum class NumberRule { any, power_of_two, even };
 
-/// A section of a model's files: [name], or a list [[name]] of items that all have the same keys.
-/// A name with a dot stands inside another section, as TOML has it: "terrain.layer".
+/// A section of a model's files: [name], or a list [[name]] of items that all have the same keys. A
+/// name with a dot lies within another section, as in TOML: "terrain.layer".
 struct TableSection {
     std::string_view name;
-    std::string_view item = "";  // one item of a list in words, "wave system"; "": not a list
+    std::string_view item = "";  // the word for an item of a list, "wave system"; "": not a list
     std::size_t max_items = 1;
 
     constexpr bool is_list() const { return !item.empty(); }
 };
 
-/// Columns that few rows need.
+/// Columns that only some rows need.
 struct OptionalColumns {
-    /// Words of another parameter of the section, "jonswap, tma": while that has another word,
-    /// this one does nothing. Empty: it always counts.
+    /// Words of another parameter of the section, "jonswap, tma": this parameter has an effect only
+    /// while that one has one of these words. Empty: always.
     std::string_view used_by = "";
-    /// The smallest value that is not 0, where 0 is a word for "none".
-    double least = 0.0;
+    /// The min of values other than 0, where 0 means "none".
+    double min_nonzero = 0.0;
     NumberRule rule = NumberRule::any;
-    /// Numbers that a list may have.
+    /// The max of numbers in a list.
     std::size_t max_length = 64;
-    /// The default, as to_text spells it, of a key that came later than others of its table:
-    /// writers leave the key out while it has this value, so that a model that does not use it
-    /// keeps its text, and with it its id and its files.
+    /// The neutral value, as to_text spells it, of a key that was added after the first release of
+    /// its table; it is also its default. Writers leave the key out at this value, so that a model
+    /// that does not use it keeps its text, and with it its id and its files.
     std::optional<std::string_view> neutral = std::nullopt;
 };
 
-/// All that a row says of a parameter, whatever model holds it.
+/// All columns of a row that do not depend on the model's type.
 struct ParameterSpec : OptionalColumns {
     std::string_view section;
-    std::string_view item;  // of a list, see TableSection
+    std::string_view item;  // the section's, see TableSection
     std::string_view key;
     std::string_view unit;  // "" for a pure number or a word
     std::string_view label;
@@ -63,25 +62,25 @@ struct ParameterSpec : OptionalColumns {
     MemberType member_type;
     double min;  // hard range, inclusive; unused for words, texts and booleans
     double max;
-    double soft_min;  // what a slider offers
+    double soft_min;  // the range of a slider
     double soft_max;
     ParameterClass change;
 
     constexpr bool in_list() const { return !item.empty(); }
     /// Returns "water.depth", or "waves.N.wind_speed" with the item's number.
     std::string path(std::size_t item = 0) const;
-    /// Returns the words allowed, in enum order; none for other types.
+    /// Returns the allowed words, in enum order; none for other types.
     std::span<const std::string_view> choices() const { return member_type.choices; }
     /// Returns "float", "int", "bool", "enum", "text" or "list".
     std::string_view type() const { return member_type.word; }
-    /// Whether `value` says that an optional number has no value.
+    /// Returns true if `value` means that an optional number is unset.
     bool is_unset(const ParameterValue& value) const;
-    /// Whether writers leave the key out at `value`: it is unset, or neutral.
+    /// Returns true if writers leave the key out at `value`: it is unset or neutral.
     bool is_left_out(const ParameterValue& value) const;
 };
 
-/// The chain of stages that begins with a model: a row names the first that its change makes
-/// anew. Models with a chain specialise this.
+/// The stages that are computed from a model: a row names the first one that a change of its
+/// parameter dirties. Models with such a chain specialise this.
 template <typename Model>
 struct StagesOf {
     enum class type { all };
@@ -104,14 +103,14 @@ struct TableRow : ParameterSpec {
           member(way),
           dirties(first_stage) {}
 
-    /// Whether this is the row of a member: row.holds<&WaveSystem::fetch>().
+    /// Returns true if this is the row of a member: row.holds<&WaveSystem::fetch>().
     template <auto Pointer>
     constexpr bool holds() const {
         return member.id == &kMemberId<Pointer>;
     }
 };
 
-/// A parameter of a model; `item` counts only for those of a list.
+/// A parameter of a model; `item` counts only for rows of a list.
 template <typename Model>
 struct RefOf {
     const TableRow<Model>* info = nullptr;
@@ -129,8 +128,8 @@ struct Table {
     std::span<const TableRow<Model>> rows;   // section after section
 };
 
-/// Whether the rows follow the sections, a list's members lie in a list and no key stands twice
-/// in a section: for a static_assert beside each table.
+/// Returns true if the rows follow the sections, members of list items belong to lists and no key
+/// appears twice in a section: for a static_assert beside each table.
 template <typename Model>
 constexpr bool is_consistent(const Table<Model>& table) {
     std::size_t at = 0;
@@ -149,16 +148,16 @@ constexpr bool is_consistent(const Table<Model>& table) {
 
 // ---- Values
 
-/// Returns the value as the type of the row. Throws Error invalid_value, with its fields, for
-/// another type, a number out of its range or against its rule, an unknown word.
+/// Returns the value converted to the type of the row. Throws Error invalid_value, with its fields,
+/// for another type, a number out of its range or against its rule, or an unknown word.
 ParameterValue checked_value(const ParameterSpec& spec, std::size_t item,
                              const ParameterValue& value);
-/// Returns text as the type of the row, not yet checked against its range. Throws Error
-/// invalid_value for text that spells no value of the type.
+/// Returns text converted to the type of the row, not yet checked against its range. Throws Error
+/// invalid_value for text that is not a value of the type.
 ParameterValue parse_value(const ParameterSpec& spec, std::size_t item, std::string_view text);
 /// Returns text that parse_value reads back to the same bits; "" for an unset number.
 std::string to_text(const ParameterValue& value);
-/// Returns the same text, with texts in quotes and shortened: for messages.
+/// Returns the text of a value for messages, with texts in quotes and shortened.
 std::string quoted_text(const ParameterValue& value);
 /// Returns "0.01 .. inf m", "one of monahan, threshold", "a power of two, 32 .. 8192".
 std::string allowed_values(const ParameterSpec& spec);
@@ -166,21 +165,24 @@ std::string allowed_values(const ParameterSpec& spec);
 /// Throws Error invalid_value: the list has only `items` items.
 [[noreturn]] void refuse_item(const ParameterSpec& spec, std::size_t item, std::size_t items);
 
+/// Throws Error invalid_value if the model does not have the item of `ref`.
 template <typename Model>
 void require_item(const Model& model, const RefOf<Model>& ref) {
     const std::size_t items = ref.info->member.items(model);
     if (ref.info->in_list() && ref.item >= items) refuse_item(*ref.info, ref.item, items);
 }
 
-/// Checks type, hard range and rule, and stores. Throws Error invalid_value with name, value and
-/// allowed range; also for an item that the list does not have: none is made on the fly.
+/// Checks type, hard range and rule of the value, and stores it. Throws Error invalid_value with
+/// name, value and allowed range, also for an item that the list does not have: items are never
+/// added.
 template <typename Model>
 void assign(Model& model, const RefOf<Model>& ref, const ParameterValue& value) {
     require_item(model, ref);
     ref.info->member.set(model, ref.item, checked_value(*ref.info, ref.item, value));
 }
 
-/// Returns the value as the type of the row; an unset optional gives an empty text.
+/// Returns a parameter's value as the type of the row; an unset optional number is an empty text.
+/// Throws as require_item.
 template <typename Model>
 ParameterValue value_of(const Model& model, const RefOf<Model>& ref) {
     require_item(model, ref);
@@ -214,13 +216,13 @@ RefOf<Model> find_parameter(const Table<Model>& table, std::string_view name) {
 
 // ---- Listings
 
-/// A row for a reader's eye, with the value that a new model has.
+/// A row for printing, with the value that a new model has.
 struct ListedParameter {
     const ParameterSpec* spec;
     ParameterValue default_value;
 };
 
-/// Returns all rows; a list's defaults are those of a new item.
+/// Returns all rows with their defaults; those of a list are the defaults of a new item.
 template <typename Model>
 std::vector<ListedParameter> listed(const Table<Model>& table) {
     Model defaults;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a row of a table reaches its member in a model: member<&Parameters::waves,
+// Access from a row of a table to its member in a model: member<&Parameters::waves,
 // &WaveSystem::fetch>() gives the type of the member and the functions that get and set it.
 #pragma once
 
@@ -21,34 +21,34 @@
 
 namespace ocean {
 
-/// A typed value on its way between text or TOML and a member. Words are texts; the empty text is
-/// also an optional number that is not set.
+/// A typed value between text or TOML and a member. Words are texts; an unset optional number is
+/// the empty text.
 using ParameterValue =
     std::variant<double, std::int64_t, std::string, std::vector<std::int64_t>, bool>;
 
-/// The type of a member, apart from the model that it is in.
+/// The type of a member, independent of its model.
 struct MemberType {
     std::string_view word;                      // "float", "int", "bool", "enum", "text" or "list"
-    std::span<const std::string_view> choices;  // of an enum, in its order
+    std::span<const std::string_view> choices;  // the words of an enum, in its order
     bool optional = false;                      // may be unset
-    bool in_list = false;                       // one for each item of a list
+    bool in_list = false;                       // exists once for each item of a list
 };
 
-/// How a row reaches its member.
+/// Access to one member of a model.
 template <typename Model>
 struct Member {
     MemberType type;
-    const void* id;  // of the pointer to member, see TableRow::holds
+    const void* id;  // identifies the pointer to member, see TableRow::holds
     ParameterValue (*get)(const Model&, std::size_t item);
     /// Stores a value that checked_value has passed.
     void (*set)(Model&, std::size_t item, const ParameterValue& checked);
-    /// Returns how many items the model has: 1 where the section is not a list.
+    /// Returns the number of items that the model has: 1 unless the section is a list.
     std::size_t (*items)(const Model&);
-    /// Replaces the items of the list by new ones, with defaults. No effect where there is no list.
+    /// Replaces the items of the list by `items` new ones with defaults. No effect without a list.
     void (*renew)(Model&, std::size_t items);
 };
 
-/// The address stands for a pointer to member of any type.
+/// The address of this identifies a pointer to member of any type.
 template <auto Pointer>
 inline constexpr char kMemberId = 0;
 
@@ -59,7 +59,7 @@ inline constexpr bool is_vector = false;
 template <typename Item>
 inline constexpr bool is_vector<std::vector<Item>> = true;
 
-/// Follows pointers to members; a vector on the way is a list, of which `item` is one.
+/// Follows pointers to members; a vector on the way is a list, of which `item` is chosen.
 template <auto Pointer, auto... Rest, typename Owner>
 auto& reach(Owner& owner, std::size_t item) {
     auto& found = owner.*Pointer;
@@ -72,7 +72,7 @@ auto& reach(Owner& owner, std::size_t item) {
     }
 }
 
-/// The list on the way; nullptr where there is none.
+/// Returns the list on the way, or nullptr without one.
 template <auto Pointer, auto... Rest, typename Owner>
 auto list_in(Owner& owner) {
     auto& found = owner.*Pointer;
@@ -144,7 +144,7 @@ inline constexpr auto kLast = (Path, ...);
 
 }  // namespace table_detail
 
-/// Returns the way to a member, as pointers from the model on:
+/// Returns access to the member that the pointers lead to, beginning at the model:
 /// member<&Parameters::waves, &WaveSystem::fetch>().
 template <auto First, auto... Rest>
 constexpr auto member() {

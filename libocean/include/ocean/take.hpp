@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A take: a recorded performance, the changes of live parameters over time. Part of the sea.
+// Takes: a take is a recorded performance, the changes of live parameters over time. It is part of
+// the sea.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +13,17 @@
 
 namespace ocean {
 
-/// From `seconds` on the parameter glides to `value`: a number, or one of the parameter's words.
+/// The parameter glides to `value`, a number or one of its words, from `seconds` [s] on.
 struct TakeEvent {
     double seconds = 0.0;
     ParameterRef parameter;
     ParameterValue value;
 };
 
-/// In order of time; events at one time in the order of the file.
+/// Events ordered by time; those of one time in the order of the file.
 struct Take {
     std::vector<TakeEvent> events;
-    /// The `time.take` that the events were read for.
+    /// The value of `time.take` for which the events were read.
     std::string file;
 
     bool empty() const { return events.empty(); }
@@ -31,11 +32,12 @@ struct Take {
 /// Nine minutes of a knob that never rests, at 60 changes a second; inlined they fit a sea file.
 inline constexpr std::size_t kMaxTakeEvents = 32768;
 inline constexpr std::size_t kMaxTakeBytes = std::size_t{2} << 20;  // as text
-/// Of one parameter's live events, s: what comes sooner waits, and the last value counts.
-inline constexpr double kLeastEventDistance = 1.0 / 60.0;
+/// Min time between performed events of one parameter [s]: a value that comes sooner is delayed,
+/// and the last one replaces the others.
+inline constexpr double kMinEventSpacing = 1.0 / 60.0;
 
-/// An event as a line, without its end: full path, shortest numbers that read back to the same
-/// bits.
+/// Returns an event as a line without its end: the full path, and the shortest numbers that read
+/// back to the same bits.
 std::string take_line(const TakeEvent& event);
 
 }  // namespace ocean

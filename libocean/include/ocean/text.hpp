@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Small pieces of text that every layer needs: formatted, cut apart, numbers both ways without
-// regard to the locale.
+// Small text functions that every layer needs: formatting, splitting, numbers to and from text
+// without regard to the locale.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,32 @@
 
 namespace ocean {
 
-/// printf into a string: a host may have set a locale whose decimal point is a comma.
+/// Returns the text of printf. A host may have set a locale with a decimal comma, so write
+/// fractions by the functions below.
 [[gnu::format(printf, 1, 2)]] std::string format_text(const char* format, ...);
-/// The shortest decimal form that reads back to the same bits: "0.1", "1e+22", "inf".
+/// Returns the shortest decimal form that reads back to the same bits: "0.1", "1e+22", "inf".
 std::string shortest_text(double value);
 std::string shortest_text(float value);
-/// As many digits, but an exponent only below 1e-5 and from 1e15 on: "300000", not "3e+05".
+/// Returns the shortest digits that read back to the same bits, with an exponent only below 1e-5
+/// and from 1e15 on: "300000", not "3e+05".
 std::string plain_text(double value);
-/// "%.*f".
+/// Returns the text of "%.*f", in any locale.
 std::string fixed_text(double value, int digits);
 
-/// The parts between the separators, empty ones too: one more than there are separators.
+/// Returns the parts between the separators, empty ones included: one more than separators.
 std::vector<std::string> split(std::string_view text, std::string_view separator);
 inline std::vector<std::string> split(std::string_view text, char separator) {
     return split(text, std::string_view(&separator, 1));
 }
-/// Bytes of the well-formed UTF-8 character that `text` begins with; 0 if there is none.
+/// Returns the length in bytes of the well-formed UTF-8 character at the start of `text`; 0 if
+/// there is none.
 std::size_t utf8_character(std::string_view text);
 
-/// A finite number within [lowest, highest], the whole of `text`. Throws Error invalid_value with
-/// `what`, the text and the range.
+/// Returns the finite number within [lowest, highest] that all of `text` spells. Throws Error
+/// invalid_value with `what`, the text and the range.
 double parse_number(std::string_view text, const std::string& what, double lowest, double highest);
-/// The same for whole numbers.
+/// Returns the whole number within [lowest, highest] that all of `text` spells. Throws Error
+/// invalid_value with `what`, the text and the range.
 int parse_whole_number(std::string_view text, const std::string& what, int lowest, int highest);
 
 }  // namespace ocean

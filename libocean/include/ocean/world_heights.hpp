@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Heights by place instead of by label, for formats without overhangs: the displacement inverted,
-// of folds the top sheet.
+// Heights by world position instead of by label, for formats without overhangs: the displacement is
+// inverted, and where the surface folds the top sheet counts.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@
 
 namespace ocean {
 
-/// On resolution^2 places of the period. Throws what Ocean::query throws.
+/// Returns the heights on resolution^2 positions of the period. Throws as Ocean::query.
 WorldHeights world_heights(Ocean& ocean, double time, int resolution);
-/// Bytes that it needs beside the surface, at most; 0 for a sea that is never displaced.
+/// Returns an upper bound of the bytes that world_heights needs beside the surface; 0 for a sea
+/// whose choppiness is always 0.
 std::uint64_t world_heights_bytes(const Sea& sea, int resolution);
 
 }  // namespace ocean

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads our own strings back out of an EXR header, and how the pixels are stored, without OpenEXR:
-// its reader believes the sizes that a file claims and would allocate gigabytes for a hostile one.
-// Layout: magic, version, then attributes (name\0 type\0 size value), then an empty name.
-// Multi-part files: the first part.
+// Reads our own strings and the pixel layout from an EXR header without OpenEXR, whose reader
+// trusts the sizes in a file and would allocate gigabytes for a hostile one. Layout: magic,
+// version, then attributes (name\0 type\0 size value), then an empty name. Multi-part files: the
+// first part only.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -21,9 +21,9 @@ namespace ocean::io {
 namespace {
 
 constexpr std::uint32_t kMagic = 20000630;
-constexpr std::size_t kLongestName = 255;                      // the format's own limit
-constexpr std::size_t kLargestHeader = std::size_t{16} << 20;  // a buoy record is some 10 kB
-constexpr std::size_t kMostAttributes = 4096;
+constexpr std::size_t kMaxName = 255;                      // the format's own limit
+constexpr std::size_t kMaxHeader = std::size_t{16} << 20;  // a buoy record has about 10 kB
+constexpr std::size_t kMaxAttributes = 4096;
 
 class HeaderReader {
   public:
@@ -31,7 +31,7 @@ class HeaderReader {
         : path_(path), bytes_(std::move(bytes)) {}
 
     std::uint32_t integer() {
-        const std::string_view four = take(4);
+        const std::string_view four = read(4);
         std::uint32_t value = 0;
         for (std::size_t i = 4; i-- > 0;) {
             value = (value << 8) | static_cast<unsigned char>(four[i]);
@@ -40,17 +40,17 @@ class HeaderReader {
     }
 
     std::string_view name() {
-        const std::size_t length = rest().substr(0, kLongestName + 1).find('\0');
+        const std::size_t length = rest().substr(0, kMaxName + 1).find('\0');
         if (length == std::string_view::npos) fail("a name in its header does not end");
-        const std::string_view text = take(length);
-        take(1);
+        const std::string_view text = read(length);
+        read(1);
         return text;
     }
 
-    std::string_view take(std::size_t count) {
+    std::string_view read(std::size_t count) {
         if (count > rest().size()) {
-            fail(bytes_.size() >= kLargestHeader ? "its header is larger than 16 MiB"
-                                                 : "it ends inside its header");
+            fail(bytes_.size() >= kMaxHeader ? "its header is larger than 16 MiB"
+                                             : "it ends inside its header");
         }
         const std::string_view taken = rest().substr(0, count);
         position_ += count;
@@ -79,7 +79,7 @@ std::string read_beginning(const std::string& path) {
     if (!file) throw Error(ErrorKind::bad_file, "cannot open '" + path + "' for reading");
     std::string bytes;
     char block[65536];
-    while (bytes.size() < kLargestHeader && file) {
+    while (bytes.size() < kMaxHeader && file) {
         file.read(block, sizeof block);
         bytes.append(block, static_cast<std::size_t>(file.gcount()));
     }
@@ -90,7 +90,7 @@ struct Attribute {
     std::string name, type, value;
 };
 
-/// excluded: bits of the version field that the file must not have.
+/// `excluded` are the bits of the version field that the file must not have.
 std::vector<Attribute> read_attributes(const std::string& path, std::uint32_t excluded = 0) {
     HeaderReader reader(path, read_beginning(path));
     if (reader.integer() != kMagic) reader.fail("it is not an OpenEXR file");
@@ -99,17 +99,17 @@ std::vector<Attribute> read_attributes(const std::string& path, std::uint32_t ex
     if ((version & excluded) != 0) reader.fail("it has several parts or deep pixels");
     std::vector<Attribute> attributes;
     for (;;) {
-        if (attributes.size() > kMostAttributes) reader.fail("it has more than 4096 attributes");
+        if (attributes.size() > kMaxAttributes) reader.fail("it has more than 4096 attributes");
         Attribute attribute;
         attribute.name = reader.name();
         if (attribute.name.empty()) return attributes;
         attribute.type = reader.name();
-        attribute.value = reader.take(reader.integer());
+        attribute.value = reader.read(reader.integer());
         attributes.push_back(std::move(attribute));
     }
 }
 
-/// A reader of the value of one attribute.
+/// Returns a reader of the value of one attribute.
 HeaderReader value_reader(const std::string& path, const std::vector<Attribute>& attributes,
                           std::string_view name, std::string_view type) {
     for (const Attribute& attribute : attributes) {
@@ -118,7 +118,7 @@ HeaderReader value_reader(const std::string& path, const std::vector<Attribute>&
     HeaderReader(path, "").fail("it has no " + std::string(name));
 }
 
-/// Width and height.
+/// Returns the width and the height.
 std::array<std::int64_t, 2> read_size(HeaderReader& window) {
     std::int64_t corner[4];
     for (std::int64_t& value : corner) value = static_cast<std::int32_t>(window.integer());
@@ -128,17 +128,17 @@ std::array<std::int64_t, 2> read_size(HeaderReader& window) {
 int read_resolution(HeaderReader window) {
     const auto [width, height] = read_size(window);
     if (width != height || width < 1 || width > kMaxResolution) {
-        window.fail("its image is not a square of at most 8192 samples a side");
+        window.fail("its image is not a square of at most 8192 samples along a side");
     }
     return static_cast<int>(width);
 }
 
 std::optional<ExrCompression> read_compression(HeaderReader code) {
-    // In the order of the format's codes, 0 .. 5.
+    // Indexed by the format's codes, 0 .. 5.
     constexpr ExrCompression kCodes[] = {ExrCompression::none, ExrCompression::rle,
                                          ExrCompression::zips, ExrCompression::zip,
                                          ExrCompression::piz,  ExrCompression::pxr24};
-    const auto index = static_cast<unsigned char>(code.take(1).front());
+    const auto index = static_cast<unsigned char>(code.read(1).front());
     if (index >= std::size(kCodes)) return std::nullopt;
     return kCodes[index];
 }
@@ -152,7 +152,7 @@ std::vector<ExrChannel> read_channels(HeaderReader list) {
         if (name.empty()) break;
         const std::uint32_t type = list.integer();
         if (type != kHalf && type != kFloat) list.fail("its channels are neither half nor float");
-        list.take(kSampling);
+        list.read(kSampling);
         channels.push_back({name, type == kHalf ? PixelType::half_float : PixelType::full_float});
     }
     return channels;

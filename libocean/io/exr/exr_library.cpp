@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Headers and threads; see exr_library.hpp. A header is a function of the image and the compression
-// alone. Nothing in it depends on the run: no dates, no host, no thread count.
+// See exr_library.hpp. A header is a function of the image and the compression alone; it holds no
+// date, no host name and no thread count.
 #include "exr_library.hpp"
 
 #include <ImfChannelList.h>
@@ -54,7 +54,7 @@ int threads_in_use = 0;
 
 }  // namespace
 
-// No chromaticities: readers would convert colours that are metres.
+// The header has no chromaticities: readers would convert metres as if they were colours.
 Imf::Header make_exr_header(const Image& image, ExrCompression compression) {
     Imf::Header header(image.width, image.height);
     header.compression() = imf_compression(compression);
@@ -76,9 +76,9 @@ std::string exr_header_bytes(const Image& image, ExrCompression compression) {
     return stream.text;
 }
 
-std::uint64_t most_exr_bytes(const Image& image, ExrCompression compression) {
-    // No codec makes a file larger: a block that it would blow up is stored as it is.
-    constexpr std::uint64_t kPerBlock = 16;  // its place in the table, its row and its size
+std::uint64_t max_exr_bytes(const Image& image, ExrCompression compression) {
+    // No codec makes a file larger: a block that would grow is stored uncompressed.
+    constexpr std::uint64_t kPerBlock = 16;  // its offset in the table, its row and its size
     const auto width = static_cast<std::uint64_t>(image.width);
     const auto height = static_cast<std::uint64_t>(image.height);
     std::uint64_t sample = 0;
@@ -94,8 +94,8 @@ std::vector<ExrChannel> exr_channels(const Image& image) {
     return channels;
 }
 
-ImageThreads::ImageThreads(int asked) {
-    const int threads = asked > 0 ? asked : available_cores();
+ImageThreads::ImageThreads(int requested) {
+    const int threads = requested > 0 ? requested : available_cores();
     count_ = threads > 1 ? threads : 0;
     const std::lock_guard lock(pool_mutex);
     threads_in_use += count_;

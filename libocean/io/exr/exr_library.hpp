@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the writer and the reader of images share of OpenEXR: the header, pixel types, threads.
+// The use of OpenEXR that writers and readers of images share: header, pixel types, threads.
 #pragma once
 
 #include <ImfHeader.h>
@@ -14,7 +14,7 @@
 
 namespace ocean::io {
 
-/// Rows converted at a time: enough for every thread to have a ZIP block of 16, little memory.
+/// The rows that are converted at a time: a ZIP block of 16 for every thread, in little memory.
 inline constexpr int kRowsAtATime = 256;
 
 inline Imf::PixelType imf_type(PixelType type) {
@@ -24,28 +24,28 @@ inline std::size_t pixel_bytes(Imf::PixelType type) {
     return type == Imf::HALF ? 2 : 4;
 }
 
-/// What a file of one flat part claims, read without OpenEXR, which would believe it.
+/// The sizes that a file of one flat part claims, read without OpenEXR, which would trust them.
 struct ExrClaims {
-    std::int64_t width, height;  // samples
-    std::uint32_t tile;          // the larger side of its tiles; 0: scanlines
+    std::int64_t width, height;  // [samples]
+    std::uint32_t tile;          // the larger side of its tiles [samples]; 0: scanlines
     std::vector<ExrChannel> channels;
 };
-/// Throws Error bad_file.
+/// Returns the claimed sizes of a file. Throws Error bad_file.
 ExrClaims read_exr_claims(const std::string& path);
 
 Imf::Header make_exr_header(const Image& image, ExrCompression compression);
 
-/// A share of OpenEXR's pool, which is one for the process: it grows to what all files in hand ask
-/// for together. One thread is the caller's own and needs no pool.
+/// A share of OpenEXR's thread pool, of which a process has one: the pool has as many threads as
+/// all open files request together. A file with one thread uses the caller's and needs no pool.
 class ImageThreads {
   public:
-    /// 0 = the cores this process may use.
-    explicit ImageThreads(int asked);
+    /// `threads`: 0 = the cores this process may use.
+    explicit ImageThreads(int requested);
     ~ImageThreads();
     ImageThreads(const ImageThreads&) = delete;
     ImageThreads& operator=(const ImageThreads&) = delete;
 
-    /// For OpenEXR: 0 is the caller's own.
+    /// Returns the number of threads for OpenEXR, where 0 is the caller's thread.
     int count() const { return count_; }
 
   private:

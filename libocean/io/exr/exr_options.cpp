@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The words by which people choose a compression.
+// The names of compressions.
 #include <array>
 #include <utility>
 
@@ -26,11 +26,11 @@ ExrCompression find_exr_compression(std::string_view name) {
     for (const auto& [text, compression] : kCompressions) {
         if (text == name) return compression;
     }
-    // Both families are made for colour: B44 quantises blocks of half pixels, DWA throws away what
-    // an eye does not see in channels named R, G, B, Y and leaves others alone.
+    // Both families are made for colours: B44 quantises blocks of half pixels; DWA discards details
+    // that the eye does not see in channels named R, G, B, Y and keeps other channels.
     if (name == "b44" || name == "b44a" || name == "dwaa" || name == "dwab") {
         throw Error(ErrorKind::invalid_value, "compression '" + std::string(name) +
-                                                  "' is lossy and spoils vectors by centimetres" +
+                                                  "' is lossy and changes vectors by centimetres" +
                                                   kAllowed);
     }
     throw Error(ErrorKind::invalid_value,

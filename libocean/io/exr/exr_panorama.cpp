@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Panoramas out of EXR files. What a file claims is judged before OpenEXR, which believes it,
-// allocates anything.
+// Reads panoramas from EXR files. The sizes in a file are checked before OpenEXR, which trusts
+// them, allocates anything.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfInputFile.h>
@@ -17,11 +17,11 @@
 namespace ocean::io {
 namespace {
 
-constexpr int kMostWidth = 8192;
-// What OpenEXR holds of a file at once is a block of lines or a tile, of all channels.
-constexpr std::size_t kMostChannels = 16;
-constexpr std::uint32_t kMostTile = 1024;
-constexpr float kMostLight = 65504.0f;  // of half floats
+constexpr int kMaxWidth = 8192;
+// OpenEXR buffers one block of lines, or one tile, of all channels.
+constexpr std::size_t kMaxChannels = 16;
+constexpr std::uint32_t kMaxTile = 1024;
+constexpr float kMaxRadiance = 65504.0f;  // of half floats
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
     throw Error(ErrorKind::bad_file, "cannot read '" + path + "' as a panorama: " + reason);
@@ -29,9 +29,10 @@ constexpr float kMostLight = 65504.0f;  // of half floats
 
 void judge(const std::string& path, const ExrClaims& claims) {
     const auto [width, height, tile, channels] = claims;
-    if (width != 2 * height || height % 2 != 0 || width < 8 || width > kMostWidth) {
-        refuse(path, "it is " + std::to_string(width) + " x " + std::to_string(height) +
-                         "; one is twice as wide as high, 8 x 4 to 8192 x 4096, of even height");
+    if (width != 2 * height || height % 2 != 0 || width < 8 || width > kMaxWidth) {
+        refuse(path,
+               "it is " + std::to_string(width) + " x " + std::to_string(height) +
+                   "; a panorama is twice as wide as high, 8 x 4 to 8192 x 4096, of even height");
     }
     for (const char* name : {"R", "G", "B"}) {
         if (std::ranges::none_of(channels,
@@ -39,17 +40,17 @@ void judge(const std::string& path, const ExrClaims& claims) {
             refuse(path, "it has no channel " + std::string(name));
         }
     }
-    if (channels.size() > kMostChannels) refuse(path, "it has more than 16 channels");
-    if (tile > kMostTile) refuse(path, "its tiles are larger than 1024 x 1024");
+    if (channels.size() > kMaxChannels) refuse(path, "it has more than 16 channels");
+    if (tile > kMaxTile) refuse(path, "its tiles are larger than 1024 x 1024");
 }
 
-/// From the top row down.
+/// Reads the rows from the top one down.
 void read_rows(const std::string& path, int threads, Panorama& panorama) {
     Imf::InputFile file(path.c_str(), threads);
     const Imath::Box2i window = file.header().dataWindow();
     const std::size_t pixel = 3 * sizeof(float);
     const std::size_t row = pixel * static_cast<std::size_t>(panorama.width);
-    // OpenEXR wants the address that the pixel (0, 0) would have.
+    // OpenEXR expects the address that pixel (0, 0) would have.
     char* origin = reinterpret_cast<char*>(panorama.rgb.data()) -
                    static_cast<std::ptrdiff_t>(row) * window.min.y -
                    static_cast<std::ptrdiff_t>(pixel) * window.min.x;
@@ -83,7 +84,7 @@ Panorama read_exr_panorama(const std::string& path, int threads) {
         std::swap_ranges(top + j * row, top + (j + 1) * row, top + (panorama.height - 1 - j) * row);
     }
     for (float& light : panorama.rgb) {
-        light = std::isnan(light) ? 0.0f : std::clamp(light, 0.0f, kMostLight);
+        light = std::isnan(light) ? 0.0f : std::clamp(light, 0.0f, kMaxRadiance);
     }
     return panorama;
 }

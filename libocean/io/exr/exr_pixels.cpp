@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The pixels of an image that we wrote, decoded again: whether a file is whole, and what it holds
-// whatever its compression. OpenEXR believes the sizes in a header, so it sees only files whose
-// header is known byte for byte.
+// Decodes the pixels of an image that we wrote, which shows whether the file is complete, and gives
+// its content for any compression. OpenEXR trusts the sizes in a header, so it gets only files
+// whose header is known byte for byte.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfInputFile.h>
@@ -43,7 +43,7 @@ std::vector<Plane> make_planes(const Imf::Header& header, int width) {
 void read_rows(Imf::InputFile& image, std::vector<Plane>& planes, int y, int rows) {
     Imf::FrameBuffer buffer;
     for (Plane& plane : planes) {
-        // OpenEXR wants the address that the pixel (0, 0) would have.
+        // OpenEXR expects the address that pixel (0, 0) would have.
         char* origin = plane.rows.data() - static_cast<std::size_t>(y) * plane.row_bytes;
         buffer.insert(plane.name,
                       Imf::Slice(plane.type, origin, pixel_bytes(plane.type), plane.row_bytes));
@@ -78,7 +78,7 @@ void read_exr_pixels(const std::string& path, std::string_view header, int threa
     if (!file) refuse(path, "it cannot be opened");
     if (!file.read(beginning.data(), static_cast<std::streamsize>(beginning.size())) ||
         beginning != header) {
-        refuse(path, "its header is another one");
+        refuse(path, "its header differs from the expected one");
     }
     const ImageThreads share(threads);
     try {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Images as EXR files. The pixels go through OpenEXR into our own stream, because OpenEXR swallows
-// what a full disk says at the close.
+// Writes images as EXR files. OpenEXR writes into our own stream, because its own one ignores the
+// error of a full disk when it is closed.
 #include <ImfFrameBuffer.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
@@ -30,7 +30,7 @@ class ExrStream : public Imf::OStream {
     OutputFile& file_;
 };
 
-/// `bytes` receives `rows` scanlines from y on: y = 0 is the top, the image's last row.
+/// Converts `rows` scanlines from y on into `bytes`; y = 0 is the top, the image's last row.
 void convert_rows(const Image& image, const ImagePlane& plane, int y, int rows,
                   std::vector<char>& bytes) {
     const auto width = static_cast<std::size_t>(image.width);
@@ -60,7 +60,7 @@ void write_pixels(Imf::OutputFile& file, const Image& image) {
             convert_rows(image, plane, y, rows, pixels[c]);
             const std::size_t size = pixel_bytes(imf_type(plane.type));
             const std::size_t stride = size * static_cast<std::size_t>(image.width);
-            // OpenEXR wants the address that the pixel (0, 0) would have.
+            // OpenEXR expects the address that pixel (0, 0) would have.
             char* origin = pixels[c].data() - static_cast<std::size_t>(y) * stride;
             buffer.insert(plane.name, Imf::Slice(imf_type(plane.type), origin, size, stride));
         }
@@ -82,7 +82,7 @@ void write_exr(const Image& image, const std::string& path, ExrCompression compr
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {
-        // OpenEXR wraps what our stream threw in a sentence of its own.
+        // OpenEXR wraps the message of our stream's exception in a sentence of its own.
         throw Error(ErrorKind::output, "cannot write '" + path + "': " + error.what());
     }
     file.commit();

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Atomic output. A temporary `.NAME.ocean-PID-COUNT.tmp` is locked while its writer lives, so that
-// a later run can tell the remains of a killed process from a neighbour's work in progress. Writers
-// never see signals: a program that is interrupted finishes or abandons a file between two frames.
+// Atomic output. A temporary `.NAME.ocean-PID-COUNT.tmp` is locked while its writer is running, so
+// that a later run can distinguish the leftovers of a killed process from a file that another
+// process is writing. Writers do not handle signals: an interrupted program finishes or abandons a
+// file between two frames.
 #include "ocean/io/output_file.hpp"
 
 #include <atomic>
@@ -30,8 +31,8 @@ namespace {
 constexpr std::string_view kMark = ".ocean-";
 constexpr std::string_view kSuffix = ".tmp";
 
-// The few calls that C++ has no portable name for. An open file cannot be removed on Windows, which
-// does there what the lock does elsewhere.
+// The calls for which C++ has no portable function. Windows does not remove open files, so that the
+// temporary needs no lock there.
 #ifdef _WIN32
 int process_id() {
     return _getpid();
@@ -71,18 +72,18 @@ bool sync_to_disk(std::FILE* file) {
     do {
         result = fsync(fileno(file));
     } while (result != 0 && errno == EINTR);
-    // Pipes and devices have no disk behind them.
+    // Pipes and devices cannot be synchronised with a disk.
     return result == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-// False if a cleaner found the file between its creation and this lock and has removed it.
+// Returns false if a cleaner removed the file between its creation and this lock.
 bool claim(std::FILE* file) {
     flock(fileno(file), LOCK_EX);
     struct stat status {};
     return fstat(fileno(file), &status) == 0 && status.st_nlink > 0;
 }
 
-// A second descriptor of the same open file holds the lock on after the stream is closed.
+// A second descriptor of the open file keeps the lock after the stream is closed.
 int keep_lock(std::FILE* file) {
     return dup(fileno(file));
 }
@@ -111,14 +112,14 @@ int lock_folder(const std::string& folder) {
 bool abandoned(const std::filesystem::path& path) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0) return false;
-    // The lock is kept until the file is gone: see claim().
+    // The lock is kept until the file is removed: see claim().
     const bool unused = flock(descriptor, LOCK_EX | LOCK_NB) == 0 && unlink(path.c_str()) == 0;
     close(descriptor);
     return unused;
 }
 #endif
 
-/// The folder, or the first above it that is there.
+/// Returns the folder, or its nearest parent that exists.
 std::filesystem::path nearest_existing(const std::string& folder) {
     std::error_code code;
     std::filesystem::path place =
@@ -198,15 +199,15 @@ std::uint64_t OutputFile::tell() {
 }
 
 void OutputFile::commit() {
-    // errno still tells why, if a C library met an error before.
+    // errno still has the reason of an earlier error of a C library.
     const bool failed_before = std::ferror(file_) != 0;
     if (!failed_before) errno = 0;
-    // A full disk may show only here: fclose's own flush would come too late to be acted upon.
+    // A full disk may be detected only here: the flush of fclose would be too late to react.
     if (std::fflush(file_) != 0 || failed_before || !sync_to_disk(file_)) {
         fail("cannot write", errno != 0 ? errno : EIO);
     }
-    // What a network disk says only at the close still comes before the rename, and until then the
-    // lock tells cleaners to keep off.
+    // A network disk may report an error only at the close, which precedes the rename; until then
+    // the lock keeps cleaners away.
     const int lock = keep_lock(file_);
     const bool closed = std::fclose(file_) == 0;
     const int close_error = errno;
@@ -244,7 +245,7 @@ void make_folder(const std::string& folder) {
     std::error_code code;
     std::filesystem::create_directories(utf8_path(folder), code);
     if (!code) return;
-    throw Error(ErrorKind::output, folder + ": the folder cannot be made: " + code.message());
+    throw Error(ErrorKind::output, folder + ": the folder cannot be created: " + code.message());
 }
 
 void require_folder(const std::string& folder) {
@@ -254,7 +255,7 @@ void require_folder(const std::string& folder) {
     if (is_folder && may_write(place)) return;
     throw Error(ErrorKind::output, (folder.empty() ? "." : folder) +
                                        ": the folder cannot be written: " + place.string() +
-                                       (is_folder ? " is not ours to write in" : " is no folder"));
+                                       (is_folder ? " is not writable" : " is not a folder"));
 }
 
 std::uint64_t free_bytes(const std::string& folder) {
@@ -269,7 +270,7 @@ void refuse_to_replace_foreign_file(const std::string& path, std::string_view wr
     if (!std::filesystem::is_regular_file(native, code)) return;
     if (std::filesystem::file_size(native, code) == 0 || is_ours()) return;
     throw Error(ErrorKind::invalid_value,
-                "'" + path + "' is there and was not written by " + std::string(writer) +
+                "'" + path + "' exists and was not written by " + std::string(writer) +
                     ": it is not replaced; move it or choose another name");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An image as a value; see image.hpp.
+// See image.hpp.
 #include "ocean/io/image.hpp"
 
 namespace ocean::io {

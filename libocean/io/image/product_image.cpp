@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Channel names are chosen by what readers do with them. Cycles takes the first three or four
-// channels whatever their names, R,G,B,A first; two channels it takes for grey and alpha. Blender
-// drops a channel whose last token is longer than one letter. So a product alone is Y or R,G,B, a
-// layered file has bare R,G,B,A for the displacement, and all other names end in one letter.
+// The names of channels suit their readers. Cycles reads the first three or four channels, R,G,B,A
+// first, under any name, and reads two channels as grey and alpha. Blender drops a channel whose
+// last token is longer than one letter. So a single product is Y or R,G,B, a layered file has bare
+// R,G,B,A for the displacement, and all other names end in one letter.
 #include "ocean/io/product_image.hpp"
 
 #include <algorithm>
@@ -12,8 +12,6 @@
 #include <utility>
 
 #include "ocean/error.hpp"
-#include "ocean/text.hpp"
-#include "ocean/version.hpp"
 
 namespace ocean::io {
 namespace {
@@ -21,7 +19,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, Axes>, 3> kAxes{
     {{"zup", Axes::zup}, {"yup", Axes::yup}, {"tnb", Axes::tnb}}};
 
-// Component c of a file vector is `sign` times component `source` of the z-up one.
+// Component c of a vector in a file is `sign` times component `source` of the z-up vector.
 struct Component {
     int source;
     float sign;
@@ -44,7 +42,7 @@ PixelType pixel_type(const Product& product, const ProductLayout& layout) {
     return product.precision == Precision::full ? PixelType::full_float : PixelType::half_float;
 }
 
-/// The planes of an image, with the samples of a surface or, without one, none.
+/// Builds the planes of an image, with the samples of a surface if it has one.
 class ProductPlanes {
   public:
     ProductPlanes(const ProductLayout& layout, const Surface* surface,
@@ -68,7 +66,7 @@ class ProductPlanes {
             return found->samples;
         }
         throw Error(ErrorKind::invalid_value,
-                    "there is no map of '" + std::string(product.name) + "' for the surface");
+                    "no map was made of '" + std::string(product.name) + "' for the surface");
     }
 
     std::span<const float> samples(const Product& product, Channel channel) const {
@@ -79,7 +77,7 @@ class ProductPlanes {
                         std::string(product.name) + "'");
     }
 
-    /// Named X, Y, Z, or V for a scalar; what is no vector is the same whatever the axes.
+    /// Adds a product as X, Y, Z, or V for a scalar; scalars do not depend on the axes.
     std::vector<ImagePlane> components(const Product& product) const {
         if (product.count == 0) return {{"V", pixel_type(product, layout_), made(product)}};
         const auto order = component_order(product.vector ? layout_.axes : Axes::zup);
@@ -121,21 +119,6 @@ class ProductPlanes {
     std::span<const MadeMap> made_;
 };
 
-std::vector<HeaderString> product_strings(std::span<const Product* const> products, Axes axes) {
-    std::string names, units;
-    bool vectors = false;
-    for (const Product* product : products) {
-        const char* separator = names.empty() ? "" : ",";
-        names += separator + std::string(product->name);
-        units += separator + (product->unit.empty() ? "1" : std::string(product->unit));
-        vectors = vectors || product->vector;
-    }
-    // What is no vector is the same in all axes: x east and y north, as in zup.
-    return {{"ocean:axes", std::string(axes_name(vectors ? axes : Axes::zup))},
-            {"ocean:field", names},
-            {"ocean:unit", units}};
-}
-
 Image make_image(std::span<const Product* const> products, const ProductLayout& layout,
                  const Provenance& provenance, const Domain& domain, const Surface* surface,
                  std::span<const MadeMap> made = {}) {
@@ -147,7 +130,7 @@ Image make_image(std::span<const Product* const> products, const ProductLayout& 
             .domain = domain,
             .planes = ProductPlanes(layout, surface, made).of(products),
             .provenance = provenance,
-            .strings = product_strings(products, layout.axes)};
+            .strings = product_strings(products, axes_name(layout.axes))};
 }
 
 }  // namespace

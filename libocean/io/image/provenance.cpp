@@ -12,21 +12,10 @@
 
 #include "ocean/error.hpp"
 #include "ocean/internal/platform.hpp"
-#include "ocean/text.hpp"
-#include "ocean/version.hpp"
 
 namespace ocean::io {
 
 namespace {
-
-/// Kinds that files named before ocean:subject was.
-constexpr std::array kFirstKinds = {kSeaKind, std::string_view("foam_texture")};
-
-constexpr std::string_view kPrefix = "ocean:";
-
-std::string pair_text(double x, double y) {
-    return shortest_text(x) + "," + shortest_text(y);
-}
 
 /// Reads the header strings of one file.
 class StringReader {
@@ -36,8 +25,8 @@ class StringReader {
 
     const std::string* text(std::string_view name) const {
         const auto found = std::ranges::find_if(strings_, [&](const HeaderString& string) {
-            return string.name.starts_with(kPrefix) &&
-                   std::string_view(string.name).substr(kPrefix.size()) == name;
+            return string.name.starts_with(kHeaderPrefix) &&
+                   std::string_view(string.name).substr(kHeaderPrefix.size()) == name;
         });
         return found == strings_.end() ? nullptr : &found->text;
     }
@@ -67,7 +56,7 @@ class StringReader {
         const auto [stop, fault] = std::from_chars(digits.data(), end, value);
         if (fault == std::errc() && stop == end) return value;
         throw Error(ErrorKind::bad_file,
-                    path_ + ": its ocean:" + std::string(name) + " is no number");
+                    path_ + ": its ocean:" + std::string(name) + " is not a number");
     }
 
     std::span<const HeaderString> strings_;
@@ -88,31 +77,6 @@ std::optional<Domain> find_domain(const StringReader& reader) {
 }
 
 }  // namespace
-
-std::vector<HeaderString> provenance_strings(const Provenance& provenance) {
-    std::vector<HeaderString> strings;
-    const auto add = [&strings](std::string_view name, std::string text) {
-        strings.push_back({std::string(kPrefix) + std::string(name), std::move(text)});
-    };
-    add(provenance.kind, provenance.text);
-    if (std::ranges::find(kFirstKinds, provenance.kind) == kFirstKinds.end()) {
-        add("subject", provenance.kind);
-    }
-    if (provenance.frame) add("frame", std::to_string(*provenance.frame));
-    if (provenance.time) add("time", shortest_text(*provenance.time));
-    if (provenance.domain && provenance.domain->is_tile()) {
-        add("period", shortest_text(provenance.domain->size[0]));
-    } else if (provenance.domain) {
-        const Domain& domain = *provenance.domain;
-        add("origin", pair_text(domain.origin[0], domain.origin[1]));
-        add("size", pair_text(domain.size[0], domain.size[1]));
-        add("samples", pair_text(domain.samples[0], domain.samples[1]));
-        add("wraps", domain.wraps ? "yes" : "no");
-    }
-    if (!provenance.backend.empty()) add("backend", provenance.backend);
-    add("version", OCEAN_VERSION);
-    return strings;
-}
 
 std::string subject_kind(std::span<const HeaderString> strings) {
     const std::string no_path;
@@ -140,12 +104,12 @@ std::optional<Provenance> find_provenance(std::span<const HeaderString> strings,
 }
 
 std::string read_head(const std::string& path) {
-    constexpr std::uintmax_t kLongest = std::uintmax_t{8} << 20;  // a sea with its take
+    constexpr std::uintmax_t kMaxHead = std::uintmax_t{8} << 20;  // a sea with its take
     std::error_code missing;
     const std::uintmax_t size = std::filesystem::file_size(utf8_path(path), missing);
     if (missing) return {};
     std::ifstream file(utf8_path(path), std::ios::binary);
-    std::string head(static_cast<std::size_t>(std::min(size, kLongest)), '\0');
+    std::string head(static_cast<std::size_t>(std::min(size, kMaxHead)), '\0');
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(file.gcount()));
     return head;

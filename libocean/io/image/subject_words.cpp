@@ -17,7 +17,7 @@ constexpr std::array kRows = {
     Row{kTerrainKind, "a terrain", "Terrain"},
 };
 
-/// "foam_texture" -> "Foam_texture": hosts take letters, digits and '_' for a name.
+/// Returns "Foam_texture" for "foam_texture": names in hosts have letters, digits and '_' only.
 std::string capitalised(std::string_view kind) {
     std::string name(kind);
     for (char& c : name) {

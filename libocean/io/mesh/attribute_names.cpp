@@ -9,7 +9,7 @@
 namespace ocean::io {
 namespace {
 
-/// Names that readers know.
+/// The names that readers know.
 struct KnownName {
     std::string_view name;
     std::array<std::string_view, 3> ply;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How formats spell the attributes of a mesh: the names that their readers know, and a rule for all
+// The spellings of a mesh's attributes in files: the names that readers know, and a rule for all
 // others.
 #pragma once
 
@@ -19,11 +19,11 @@ std::vector<std::string> ply_names(const Attribute& attribute);
 struct UsdName {
     std::string name;          // "primvars:foam"
     std::string type;          // "float[]"
-    bool interpolated = true;  // its interpolation must be said
+    bool interpolated = true;  // its interpolation must be declared
 };
 UsdName usd_name(const Attribute& attribute);
 
-/// The normals of a mesh as one of its attributes, without their values.
+/// Returns the normals of a mesh as one of its attributes, without their values.
 Attribute normal_attribute();
 
 }  // namespace ocean::io

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sea as one eye sees it, to the horizon of a round Earth. Rows lie at geometrically growing
-// distances, columns at equal angles, so a quad looks about equally large wherever it is. Each
-// vertex shows the waves that its neighbourhood can hold; the shorter ones only turn its normal,
-// as shaders/wave/visible_slope.glsl says.
+// See horizon_mesh.hpp. Distances of rows grow geometrically and columns have equal angles, so that
+// all quads look about equally large from the camera. Each vertex shows the waves that the spacing
+// of its neighbours can resolve; shorter waves only tilt its normal
+// (shaders/wave/visible_slope.glsl).
 #include "ocean/io/horizon_mesh.hpp"
 
 #include <algorithm>
@@ -21,14 +21,15 @@ namespace {
 
 using wave::double_precision::earth_drop, wave::double_precision::earth_radius;
 
-constexpr int kMaxVertices = 50'000'000;  // what `int` faces and a text file can sensibly hold
+constexpr int kMaxVertices = 50'000'000;  // a limit of `int` faces and of practical text files
 
-// Rows, columns and spacings of the fan.
+// The spacings of the fan's rows and columns.
 struct Fan {
-    double nearest, growth, half_angle, step;  // growth: ratio of neighbouring rows; radians
+    double nearest, growth, half_angle,
+        step;  // growth: ratio of neighbouring distances; angles [rad]
 
     double distance(int row) const { return nearest * std::pow(growth, row); }
-    // Largest gap to a neighbour: waves shorter than two gaps would alias.
+    // Returns the largest gap to a neighbour [m]: waves shorter than two gaps would alias.
     double spacing(double distance) const { return distance * std::max(growth - 1.0, step); }
 };
 
@@ -37,7 +38,7 @@ void check(const View& view) {
         throw Error(ErrorKind::invalid_value, std::string(what) + " of the view is " +
                                                   std::to_string(value) + "; allowed: " + allowed);
     };
-    // Written so that NaN fails as well.
+    // The comparisons are written so that NaN fails them.
     if (!(view.height > 0.0 && view.height <= 20000.0))
         refuse("height", view.height, "0 .. 20000 m");
     if (!(view.field_of_view >= 1.0 && view.field_of_view <= 150.0)) {
@@ -60,13 +61,13 @@ void check(const View& view) {
 
 Fan make_fan(const View& view, const Surface& finest) {
     Fan fan{};
-    // 0.6 of the height is a look down by 59 degrees.
+    // At 0.6 of the height the camera looks down by 59 degrees.
     fan.nearest = view.nearest > 0.0 ? view.nearest : 0.6 * view.height;
     double farthest = view.horizon;
     if (farthest == 0.0) {
         const auto heights = finest.channel(Channel::height);
         const double crest = std::max(0.1f, *std::max_element(heights.begin(), heights.end()));
-        // Where the highest crest sinks below the sea's horizon, and a little more.
+        // The distance at which the highest crest sinks below the horizon, with a margin.
         farthest = 1.05 * (horizon_distance(view.height) + horizon_distance(crest));
     }
     if (!(farthest > fan.nearest)) {
@@ -74,8 +75,8 @@ Fan make_fan(const View& view, const Surface& finest) {
                                                   " m must be farther than its nearest row");
     }
     fan.growth = std::pow(farthest / fan.nearest, 1.0 / (view.rows - 1));
-    // The lower corners of a picture that looks down reach farther round than its middle, and
-    // displacement pulls the edge in.
+    // The lower corners of a view that looks down span a wider angle than its middle, and
+    // displacement moves the edge inwards.
     fan.half_angle = (0.58 * view.field_of_view + 6.0) * kPi / 180.0;
     fan.step = 2.0 * fan.half_angle / (view.columns - 1);
     return fan;
@@ -86,13 +87,13 @@ struct Vertex {
     double normal_x, normal_y, normal_z;
 };
 
-// The normal of the shown waves, turned towards the eye by those left out. East and north are those
-// of the eye; the curved Earth leans back from it by distance/R.
+// Returns the normal of the resolved waves, tilted towards the eye by the filtered ones. East and
+// north are those of the eye; the curved Earth leans away from it by distance/R.
 void turn_normal(Vertex& vertex, const PyramidSample& sample, const View& view, double distance) {
     const double to_eye_x = view.x - vertex.x, to_eye_y = view.y - vertex.y;
     const double range = std::max(std::hypot(to_eye_x, to_eye_y), 1e-3);
     const double ex = to_eye_x / range, ey = to_eye_y / range;
-    // A folded crest has no slope; the shallowest kept is 84 degrees.
+    // A folded crest has no slope; normals are limited to 84 degrees from the vertical.
     const double up = std::max(sample.normal_z, 0.1);
     double lean_x = sample.normal_x / up - ex * distance / earth_radius();
     double lean_y = sample.normal_y / up - ey * distance / earth_radius();
@@ -127,7 +128,7 @@ Vertex make_vertex(const MapPyramid& maps, const View& view, const Fan& fan, dou
     return vertex;
 }
 
-// Decimals that the eye cannot tell from exact at this distance: short numbers, a smaller file.
+// Rounds to the decimals that are visible at this distance: short numbers make a smaller file.
 double decimal_grid(double distance) {
     return distance < 100.0 ? 1e4 : distance < 2000.0 ? 1e3 : 1e2;
 }

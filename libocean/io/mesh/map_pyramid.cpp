@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reading maps between their samples. Catmull-Rom in both directions: it goes through the samples,
-// and its slope has no steps that a reflection would show.
+// Interpolates maps by Catmull-Rom splines in both directions, which pass through the samples and
+// have a continuous slope: a reflection would show its steps.
 #include "map_pyramid.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr std::array kSampled{Channel::dx, Channel::dy, Channel::height,
 using Values = std::array<double, kSampled.size()>;
 constexpr Values kStillWater{0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
 
-// The coarsest map still has the swell: it fades over more than the usual one octave.
+// The coarsest map still has the swell, so that it fades over more than one octave.
 constexpr double kOctavesToStillWater = 2.0;
 
 std::array<double, 4> catmull_rom(double f) {
@@ -29,7 +29,7 @@ std::array<double, 4> catmull_rom(double f) {
             f * (0.5 + f * (2.0 - 1.5 * f)), f * f * (-0.5 + 0.5 * f)};
 }
 
-// The four samples around a coordinate, wrapped, and their weights.
+// The indices, wrapped, and the weights of the four samples around a coordinate.
 struct Taps {
     std::array<std::size_t, 4> index;
     std::array<double, 4> weight;
@@ -40,7 +40,7 @@ Taps find_taps(double coordinate, int n) {
     const auto first = static_cast<long long>(whole) - 1;
     Taps taps{{}, catmull_rom(coordinate - whole)};
     for (int k = 0; k < 4; ++k) {
-        // n is a power of two: the mask is the modulus, for negative numbers too.
+        // n is a power of two: the mask is the modulus, also of negative numbers.
         taps.index[static_cast<std::size_t>(k)] = static_cast<std::size_t>((first + k) & (n - 1));
     }
     return taps;
@@ -78,8 +78,8 @@ SlopeVariance measure(const Surface& surface) {
     return {sum.xx * scale, sum.xy * scale, sum.yy * scale};
 }
 
-// Variance of all waves less that of a blend. What only the finer level has is weighted, so its
-// variance by the square; what the coarser one has too is whole.
+// Returns the variance of all waves minus that of a blend of two levels. Waves of the finer level
+// only have the weight w and the variance w^2; waves of both levels are complete.
 SlopeVariance left_out(const SlopeVariance& all, const SlopeVariance& fine,
                        const SlopeVariance& coarse, double weight) {
     const double kept = (1.0 - weight) * (1.0 - weight);

@@ -16,8 +16,9 @@ std::vector<HeaderString> read_comments(const std::string& path, std::string_vie
         strings = parse_comment_lines(lines.substr(magic.size()), prefix);
     }
     if (!find_provenance(strings, path)) {
-        throw Error(ErrorKind::bad_file,
-                    path + ": its comments name no sea; only files that `ocean bake` wrote do");
+        throw Error(
+            ErrorKind::bad_file,
+            path + ": its comments have no sea; only files that `ocean bake` wrote have one");
     }
     return strings;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The comments at the beginning of a mesh file.
+// The comments in the header of a mesh file.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 
 namespace ocean::io {
 
-/// Of a file that begins with `magic`, the comments before `end`. Throws Error bad_file for one
-/// that does not, or that says nothing of a sea.
+/// Returns the comments before `end` of a file that begins with `magic`. Throws Error bad_file for
+/// a file that does not, or that names no subject.
 std::vector<HeaderString> read_comments(const std::string& path, std::string_view magic,
                                         std::string_view end, std::string_view prefix);
 

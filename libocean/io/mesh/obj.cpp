@@ -31,7 +31,7 @@ void write_numbers(TextWriter& out, std::string_view word, std::span<const float
     for (const float value : values) (out << " ").number(value);
 }
 
-/// Returns the attribute that is shown as grey, the only room that OBJ has for one number.
+/// Returns the attribute that is stored as grey, the only place for one number in OBJ.
 const Attribute* find_grey(const Mesh& mesh) {
     const auto grey = std::ranges::find(mesh.attributes, 1, &Attribute::components);
     return grey == mesh.attributes.end() ? nullptr : &*grey;
@@ -87,9 +87,9 @@ std::vector<HeaderString> read_obj_header(const std::string& path) {
     return read_comments(path, kMagic, kObject, kComment);
 }
 
-std::uint64_t most_obj_bytes(std::uint64_t vertices, std::uint64_t floats,
-                             std::uint64_t triangles) {
-    // "-1.2345678e-05 ", "2147483647/2147483647/2147483647 ", and the words of the lines.
+std::uint64_t max_obj_bytes(std::uint64_t vertices, std::uint64_t floats, std::uint64_t triangles) {
+    // The longest numbers are "-1.2345678e-05 " and "2147483647/2147483647/2147483647 "; lines have
+    // keywords as well.
     constexpr std::uint64_t kHead = 1024, kNumber = 15, kCorner = 33, kLine = 4;
     return kHead + vertices * (floats * kNumber + 3 * kLine) + triangles * (3 * kCorner + kLine);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Maps as triangles. The maps of a domain that wraps have N x N samples and no seam; the mesh has
-// the seam's vertices twice, a period apart, so that copies of it tile the plane.
+// Maps as triangles. Maps of a domain that wraps have N x N samples and no seam; the mesh has the
+// vertices of the seam twice, a period apart, so that its copies tile the plane.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,14 +18,14 @@ namespace {
 constexpr std::string_view kNormal = "normal";
 constexpr std::array kPlace = {Channel::dx, Channel::dy, Channel::height};
 
-// Step of the vertex grid: 24 bits of a float hold every multiple of it up to `extent`, so adding a
-// period to a vertex is exact, and both sides of a seam round to the same point.
+// Returns the step of the vertex grid: 24 bits of a float hold every multiple of it up to `extent`,
+// so that adding a period is exact and both sides of a seam round to the same point.
 double grid_step(double extent) {
     const int integer_bits = std::max(8, static_cast<int>(std::ceil(std::log2(extent))));
     return std::ldexp(1.0, integer_bits - 24);
 }
 
-/// Returns a bound of all coordinates [m].
+/// Returns an upper bound of all coordinates [m].
 double reach_of(const Surface& surface) {
     const Domain& domain = surface.domain();
     double largest = 0.0;
@@ -38,7 +38,7 @@ double reach_of(const Surface& surface) {
            std::max(domain.size[0], domain.size[1]) + largest;
 }
 
-/// Calls visit(sample, i, j) for each vertex, rows from the south.
+/// Calls visit(sample, i, j) for each vertex, in rows from the south.
 template <typename Visit>
 void for_each_vertex(const Domain& domain, const Visit& visit) {
     const auto [columns, rows] = patch_vertices(domain);
@@ -72,7 +72,7 @@ std::vector<float> values_at_vertices(const Surface& surface, const Product& pro
 std::vector<float> place_vertices(const Surface& surface) {
     const Domain& domain = surface.domain();
     const double step = grid_step(reach_of(surface));
-    // What does not repeat has no seam to close: its floats are the nearest to its samples.
+    // A domain that does not wrap has no seam: its vertices are rounded to floats only.
     const auto snap = [&](double value) {
         return domain.wraps ? std::nearbyint(value / step) * step : value;
     };
@@ -82,7 +82,7 @@ std::vector<float> place_vertices(const Surface& surface) {
     const std::array cell = {domain.step(0), domain.step(1)};
     std::vector<float> positions(3 * vertex_count(domain));
     float* next = positions.data();
-    // The sample is snapped, then moved by whole periods: equal bits on both sides.
+    // The sample is snapped, then moved by whole periods, which gives equal bits on both sides.
     const auto coordinate = [&](std::size_t axis, int index, double offset) {
         const bool again = index == domain.samples[axis];
         const double place = domain.origin[axis] + (again ? 0 : index) * cell[axis] + offset;
@@ -100,9 +100,9 @@ void check(const Surface& surface) {
     require_channels(surface, {Channel::height});
     const auto [columns, rows] = surface.domain().samples;
     if (columns > 1 && rows > 1) return;
-    throw Error(ErrorKind::invalid_value, "a mesh needs two samples a side; there are " +
-                                              std::to_string(columns) + " x " +
-                                              std::to_string(rows));
+    throw Error(ErrorKind::invalid_value,
+                "a mesh needs two samples along a side; the surface has " +
+                    std::to_string(columns) + " x " + std::to_string(rows));
 }
 
 bool holds(ChannelSet channels, const Product& product) {
@@ -121,7 +121,7 @@ std::array<int, 2> patch_vertices(const Domain& domain) {
     return {domain.samples[0] + seam, domain.samples[1] + seam};
 }
 
-// The quads (i, j) as two triangles each, with the diagonal of POV-Ray's height_field.
+// Splits each quad (i, j) into two triangles along the diagonal of POV-Ray's height_field.
 std::vector<int> patch_triangles(const Domain& domain) {
     const auto [width, rows] = patch_vertices(domain);
     std::vector<int> triangles;

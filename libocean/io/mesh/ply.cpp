@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kFaceBytes = 1 + 3 * sizeof(std::int32_t);
 
-/// Numbers that stand side by side at each vertex.
+/// Consecutive numbers of each vertex.
 struct Column {
     const std::vector<float>& values;
     std::size_t components;
@@ -56,7 +56,7 @@ std::vector<HeaderString> read_ply_header(const std::string& path) {
 }
 
 std::uint64_t ply_bytes(std::uint64_t vertices, std::uint64_t floats, std::uint64_t triangles) {
-    return kMostPlyHead + vertices * floats * sizeof(float) + triangles * kFaceBytes;
+    return kMaxPlyHead + vertices * floats * sizeof(float) + triangles * kFaceBytes;
 }
 
 }  // namespace ocean::io

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Binary PLY on its way to a file: meshes and points write it.
+// A writer of binary PLY files, for meshes and points.
 #pragma once
 
 #include <bit>
@@ -19,8 +19,8 @@ namespace ocean::io {
 static_assert(std::endian::native == std::endian::little);
 
 inline constexpr std::string_view kPlyComment = "comment";
-/// Of a header, at most, without its comments.
-inline constexpr std::uint64_t kMostPlyHead = 1024;
+/// An upper bound of the header's size without its comments [bytes].
+inline constexpr std::uint64_t kMaxPlyHead = 1024;
 
 class PlyHeader {
   public:
@@ -30,7 +30,7 @@ class PlyHeader {
     void element(const char* name, std::size_t count) {
         text_ += "element " + std::string(name) + " " + std::to_string(count) + "\n";
     }
-    /// Of the last element.
+    /// Adds a property to the last element.
     void properties(const std::string& type, const std::vector<std::string>& names) {
         for (const std::string& name : names) text_ += "property " + type + " " + name + "\n";
     }

@@ -24,13 +24,13 @@ void write_ply(const Points& points, std::span<const HeaderString> strings,
         out.put(&points.velocities[3 * i], 3);
         const float scalars[] = {points.ages[i], points.lives[i], points.radii[i]};
         out.put(scalars, std::size(scalars));
-        out.put(&points.ids[i], 1);  // little-endian: the low half first
+        out.put(&points.ids[i], 1);  // little-endian, so the low half comes first
     }
     out.commit();
 }
 
 std::uint64_t points_ply_bytes(std::uint64_t count) {
-    return kMostPlyHead + points_bytes(count);
+    return kMaxPlyHead + points_bytes(count);
 }
 
 }  // namespace ocean::io

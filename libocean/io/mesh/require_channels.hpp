@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The one check of what a mesher was given.
+// The check of a mesher's input channels.
 #pragma once
 
 #include <initializer_list>

@@ -16,9 +16,9 @@ namespace ocean::io {
 namespace {
 
 constexpr const char* kLabel = "userProperties:ocean";
-constexpr std::string_view kLine = "-";  // what each line of the label begins with
+constexpr std::string_view kLine = "-";  // the prefix of each line of the header strings
 
-/// As text of USD, on several lines if need be.
+/// Returns a string literal of USD, with triple quotes if it has several lines.
 std::string quoted(const std::string& text) {
     if (text.find_first_of("\"\\\n") == std::string::npos) return "\"" + text + "\"";
     std::string quoted = "\"\"\"";
@@ -29,16 +29,16 @@ std::string quoted(const std::string& text) {
     return quoted + "\"\"\"";
 }
 
-/// As USD quotes the path of a file beside it.
+/// Returns the path of a file beside the stage in USD's quotes.
 std::string asset(const std::string& name) {
     const std::string mark = name.find('@') == std::string::npos ? "@" : "@@@";
     return mark + "./" + name + mark;
 }
 
-/// What each frame has whatever the mesh: a model's bounds are those of its one mesh.
+/// The extent, which each frame has: the bounds of a model are those of its only mesh.
 constexpr std::string_view kExtent = "extent", kHint = "extentsHint", kExtentType = "float3[]";
 
-/// Returns the declarations of all that frames have.
+/// Returns the declarations of all attributes of frames.
 std::string frame_attributes(const UsdSequence& sequence) {
     std::string text = "    point3f[] points\n";
     for (const std::string_view name : {kExtent, kHint}) {
@@ -51,7 +51,8 @@ std::string frame_attributes(const UsdSequence& sequence) {
     return text;
 }
 
-/// Returns the declarations of what the schema of a mesh does not know, or not how it lies.
+/// Returns the declarations of the attributes that the schema of a mesh lacks, and of
+/// interpolations.
 std::string stage_attributes(const UsdSequence& sequence) {
     std::string text = "    " + std::string(kExtentType) + " " + std::string(kHint) + "\n";
     std::vector<Attribute> attributes = {{.name = std::string(kUv), .components = 2}};
@@ -65,7 +66,7 @@ std::string stage_attributes(const UsdSequence& sequence) {
     return text;
 }
 
-/// Returns the least and the largest x, y, z.
+/// Returns the minimal and the maximal x, y, z.
 std::array<float, 6> bounds(std::span<const float> positions) {
     std::array<float, 6> box{};
     for (std::size_t axis = 0; axis < 3 && !positions.empty(); ++axis) {
@@ -80,7 +81,7 @@ std::array<float, 6> bounds(std::span<const float> positions) {
     return box;
 }
 
-/// "sea.####.usdc" of one frame.
+/// Returns "sea.####.usdc" with the number of a frame.
 std::string frame_name(const std::string& name, int frame) {
     const std::size_t first = name.find('#');
     const std::size_t end = name.find_first_not_of('#', first);
@@ -88,8 +89,8 @@ std::string frame_name(const std::string& name, int frame) {
            name.substr(end);
 }
 
-/// Names the clips of frames, by a template where their steps are even: a reader then takes any
-/// file whose name fits. Else each by its name, so that it takes no other.
+/// Returns the clips of the frames. Frames with even steps are a template, with which a reader
+/// opens any file whose name fits; other frames are listed one by one.
 std::vector<std::pair<std::string, std::string>> clip_names(const UsdSequence& sequence) {
     if (const std::optional<int> step = even_step(sequence.numbers)) {
         return {{"string templateAssetPath", quoted("./" + sequence.frames)},
@@ -209,7 +210,8 @@ void write_usd_topology(const Domain& domain, const SubjectWords& words, const s
 std::vector<HeaderString> read_usd_header(const std::string& path) {
     std::vector<HeaderString> strings = parse_comment_lines(read_usd_string(path), kLine);
     if (!strings.empty() && strings.front().name.starts_with("ocean:")) return strings;
-    throw Error(ErrorKind::bad_file, path + ": says no sea; only files that `ocean bake` wrote do");
+    throw Error(ErrorKind::bad_file,
+                path + ": has no subject; only files that `ocean bake` wrote have one");
 }
 
 }  // namespace ocean::io

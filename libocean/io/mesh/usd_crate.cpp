@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Numbers of types, fields and sections are those of Pixar's crate format, as usd-core reads it.
+// The numbers of types, fields and sections are those of Pixar's crate format, as usd-core reads
+// it.
 #include "usd_crate.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-// Of a value: its type above, then where it is or what it is.
+// Bits of a value's reference: its type, then its offset or the value itself.
 constexpr std::uint64_t kIsArray = std::uint64_t{1} << 63;
 constexpr std::uint64_t kIsInline = std::uint64_t{1} << 62;
 enum Type : unsigned {
@@ -37,7 +38,7 @@ enum Type : unsigned {
     kDoubleVector = 48,
 };
 constexpr std::uint64_t kUniform = 1;
-// Of what a path leads to.
+// The kind of object that a path leads to.
 constexpr std::uint32_t kAttribute = 1, kPrim = 6, kPseudoRoot = 7;
 
 constexpr std::array<char, 16> kIdent = {'P', 'X', 'R', '-', 'U', 'S', 'D', 'C', 0, 8, 0};
@@ -53,7 +54,7 @@ void append(std::string& bytes, Number number) {
     bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// One chunk, and in it an LZ4 block that is one run of literals.
+/// Returns one chunk with an LZ4 block that is a single run of literals.
 std::string lz4(const std::string& bytes) {
     constexpr std::size_t kShort = 15, kMore = 255;
     std::string block(1, '\0');
@@ -75,7 +76,8 @@ std::string packed(const std::string& bytes) {
     return section + block;
 }
 
-/// Differences of 32 bits each: a common one, which is none, two bits for the width of each, all.
+/// Returns the 32-bit differences of integers: the common one (0), two bits for the width of each,
+/// then the differences.
 std::string integers_packed(std::span<const std::uint32_t> values) {
     std::string bytes;
     append(bytes, std::int32_t{0});
@@ -162,7 +164,7 @@ void UsdCrate::add_uniform(const std::string& name, const std::string& type, Val
 
 void UsdCrate::add_sample(const std::string& name, const std::string& type, double time_code,
                           Value value) {
-    constexpr std::int64_t kNext = 8;  // what it refers to stands behind the reference
+    constexpr std::int64_t kNext = 8;  // the value follows its reference
     const std::uint64_t times = align();
     put_number(std::uint64_t{1});
     put_number(time_code);
@@ -196,7 +198,7 @@ void UsdCrate::finish() {
           {"properties", token_list(names)}}}};
     std::ranges::move(attributes_, std::back_inserter(specs));
 
-    // Paths: the root, the prim below it, the attributes one beside the other below the prim.
+    // The paths are the root, the prim below it, and the attributes as siblings below the prim.
     constexpr std::uint32_t kOnlyChild = static_cast<std::uint32_t>(-1), kSibling = 0,
                             kLeafAndLast = static_cast<std::uint32_t>(-2), kEndOfSet = ~0U;
     std::vector<std::uint32_t> field_tokens, field_sets, path_numbers, elements, jumps, set_starts,
@@ -214,7 +216,7 @@ void UsdCrate::finish() {
         }
         field_sets.push_back(kEndOfSet);
         const std::uint32_t element = token_number(spec.name);
-        // The names of properties are told by their sign.
+        // Indices of property names are negative.
         elements.push_back(spec.kind == kAttribute ? 0U - element : element);
         const bool last = number + 1 == specs.size();
         jumps.push_back(last ? kLeafAndLast : spec.kind == kAttribute ? kSibling : kOnlyChild);
@@ -258,18 +260,19 @@ void UsdCrate::finish() {
 
 namespace {
 
-/// Bytes of a file from a place on.
+/// Reads bytes of a file at an offset.
 class Reader {
   public:
     explicit Reader(const std::string& path)
         : path_(path), file_(utf8_path(path), std::ios::binary) {}
 
     [[noreturn]] void fail() const {
-        throw Error(ErrorKind::bad_file, path_ + ": is no whole USD file that `ocean bake` wrote");
+        throw Error(ErrorKind::bad_file,
+                    path_ + ": is not a complete USD file that `ocean bake` wrote");
     }
     std::string bytes(std::uint64_t start, std::uint64_t count) {
-        constexpr std::uint64_t kMost = std::uint64_t{64} << 20;
-        if (count > kMost) fail();
+        constexpr std::uint64_t kMaxReadBytes = std::uint64_t{64} << 20;
+        if (count > kMaxReadBytes) fail();
         std::string bytes(count, '\0');
         file_.clear();
         file_.seekg(static_cast<std::streamoff>(start));
@@ -294,12 +297,13 @@ struct Place {
 };
 
 Place find_section(Reader& file, std::string_view wanted) {
-    constexpr std::uint64_t kEntry = kSectionName + 16, kMostSections = 64;
+    constexpr std::uint64_t kEntry = kSectionName + 16, kMaxSections = 64;
     if (file.bytes(0, 8) != std::string_view(kIdent.data(), 8)) file.fail();
     const std::uint64_t table = file.number(kIdent.size());
     const std::uint64_t count = file.number(table);
-    if (count > kMostSections) file.fail();
-    file.bytes(table + 8, count * kEntry);  // the end of the file: it is whole
+    if (count > kMaxSections) file.fail();
+    file.bytes(table + 8,
+               count * kEntry);  // reads the end of the file, which proves that it is complete
     for (std::uint64_t i = 0; i < count; ++i) {
         const std::uint64_t entry = table + 8 + i * kEntry;
         const std::string name = file.bytes(entry, kSectionName);
@@ -309,7 +313,7 @@ Place find_section(Reader& file, std::string_view wanted) {
     file.fail();
 }
 
-/// All tokens, of a block of literals as lz4() makes it.
+/// Returns all tokens of a block of literals that lz4() made.
 std::vector<std::string> read_tokens(Reader& file) {
     const Place place = find_section(file, "TOKENS");
     constexpr std::uint64_t kNumbers = 24;

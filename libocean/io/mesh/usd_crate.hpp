@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A USD crate file (.usdc) of one prim with attributes, in version 0.8.0 of the format, which all
-// readers of today take. Its arrays are raw; the sections that say what they are, are LZ4 blocks of
-// literals, which is valid LZ4 and needs no library.
+// current readers accept. Its arrays are raw; its sections are LZ4 blocks of literals, which is
+// valid LZ4 and needs no library.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +20,24 @@ namespace ocean::io {
 
 class UsdCrate {
   public:
-    /// Of a prim `name` of `type`. Values are written as they are added, the rest by finish().
+    /// Starts the file of a prim `name` of `type`. Adding a value writes it; finish() writes the
+    /// rest.
     UsdCrate(OutputFile& file, std::string name, std::string type);
 
-    /// A value that stands somewhere in the file, or in the reference itself.
+    /// A reference to a value in the file, or the value itself.
     using Value = std::uint64_t;
     Value token(const std::string& text);
     Value string(const std::string& text);
-    /// So many floats an element, 1 .. 4.
+    /// Writes an array with 1 .. 4 floats for each element.
     Value floats(std::span<const float> values, int components);
     Value integers(std::span<const int> values);
 
     void add_default(const std::string& name, const std::string& type, Value value);
     void add_uniform(const std::string& name, const std::string& type, Value value);
-    /// A time sample at one time code.
+    /// Writes a time sample at one time code.
     void add_sample(const std::string& name, const std::string& type, double time_code,
                     Value value);
-    /// All that is left; the file is not committed.
+    /// Writes all remaining sections; does not commit the file.
     void finish();
 
   private:
@@ -72,8 +73,8 @@ class UsdCrate {
     std::vector<Section> sections_;
 };
 
-/// The first string of a file that UsdCrate wrote. Throws Error bad_file for any other, and for one
-/// that is cut off.
+/// Returns the first string of a file that UsdCrate wrote. Throws Error bad_file for any other
+/// file, and for one that is cut off.
 std::string read_usd_string(const std::string& path);
 
 }  // namespace ocean::io

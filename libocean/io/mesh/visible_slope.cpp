@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The lean of the facets that are seen: the formula and its derivation are shaders/wave's.
+// See visible_slope.hpp; shaders/wave has the formula and its derivation.
 #include "ocean/io/visible_slope.hpp"
 
 #include "wave/wave.hpp"

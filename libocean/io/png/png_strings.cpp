@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Texts in the header of a PNG: chunks iTXt, which hold UTF-8, between the first chunk and the
-// pixels. They are put in and read beside libpng, whose simple writer has none. [PNG 1.2, 3.2 and
-// 4.2.3.3]
+// pixels [PNG 1.2] sections 3.2 and 4.2.3.3. They are inserted and read without libpng, whose
+// simple writer does not support them.
 #include <zlib.h>
 
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kText = "iTXt";
-constexpr std::size_t kAround = 12;  // length, type and checksum of a chunk
-constexpr std::size_t kFirstChunk = kSignature.size() + 13 + kAround;  // IHDR
-/// After the keyword: its end, "not compressed", the method, and the ends of two empty texts.
+constexpr std::size_t kChunkOverhead = 12;  // length, type and checksum
+constexpr std::size_t kFirstChunk = kSignature.size() + 13 + kChunkOverhead;  // IHDR
+/// The bytes after the keyword: its end, "not compressed", the method, the ends of two empty texts.
 constexpr std::string_view kPlain("\0\0\0\0\0", 5);
 
 std::string big_endian(std::uint32_t value) {
@@ -62,11 +62,11 @@ std::vector<HeaderString> read_png_header(const std::string& path) {
     if (!rest.starts_with(kSignature)) throw refuse("is no PNG file");
     rest.remove_prefix(kSignature.size());
     std::vector<HeaderString> strings;
-    while (rest.size() >= kAround) {
+    while (rest.size() >= kChunkOverhead) {
         const std::size_t length = integer_at(rest);
         const std::string_view type = rest.substr(4, 4);
         if (type == "IDAT") break;
-        if (length > rest.size() - kAround) throw refuse("its header ends early");
+        if (length > rest.size() - kChunkOverhead) throw refuse("its header ends early");
         const std::string_view content = rest.substr(8, length);
         const std::size_t end = content.find('\0');
         const bool plain = type == kText && end != std::string_view::npos &&
@@ -75,7 +75,7 @@ std::vector<HeaderString> read_png_header(const std::string& path) {
             strings.push_back({std::string(content.substr(0, end)),
                                std::string(content.substr(end + kPlain.size()))});
         }
-        rest.remove_prefix(kAround + length);
+        rest.remove_prefix(kChunkOverhead + length);
     }
     if (strings.empty()) throw refuse("its header names no sea, so it was not written by libocean");
     return strings;

@@ -18,15 +18,15 @@ png_image image_of(int width, int height, png_uint_32 format) {
     return png;
 }
 
-/// The last row in memory is the top one. row_stride: of libpng, in samples.
+/// Writes an image whose last row in memory is the top one. `row_stride` is libpng's [samples].
 void write_rows(const std::string& path, int width, int height, png_uint_32 format,
                 const void* samples, int row_stride) {
     png_image png = image_of(width, height, format);
     OutputFile file(path);
-    // A negative stride: the rows from the last one in memory up.
+    // A negative stride writes the rows from the last one in memory to the first.
     const bool written =
         png_image_write_to_stdio(&png, file.stream(), 0, samples, -row_stride, nullptr) != 0;
-    // A full disk is told better by the stream itself.
+    // The stream reports a full disk more precisely than libpng.
     if (!written && std::ferror(file.stream()) == 0) {
         throw Error(ErrorKind::output, path + ": " + png.message);
     }

@@ -45,7 +45,7 @@ constexpr double kCodesPerMetre = 2097152.0;
 constexpr double kCodesPerProjection = 268435456.0;
 constexpr double kCodesPerSlope = 8192.0;
 constexpr double kSteepest = 3.99;
-// A normal that points straight down has no projection: it is tilted by 14 degrees.
+// A normal that points straight down has no projection: the limit tilts it by 14 degrees.
 constexpr double kLargestProjection = 7.99;
 
 [[noreturn]] void refuse(const char* what, double value) {
@@ -54,19 +54,21 @@ constexpr double kLargestProjection = 7.99;
                                               "; a DF3 file holds finite lengths, -1024 .. 1024 m");
 }
 
-// Positions on the two edges of a period must be the same floats but for the period, or copies show
-// cracks: offsets lie on a grid that single precision holds as far as the period and they reach.
+// Positions on the two edges of a period must differ by exactly the period as floats, or copies
+// show cracks: offsets are rounded to a grid that single precision holds up to the period plus
+// offset.
 class Offsets {
   public:
     explicit Offsets(const Surface& surface) {
         const double size = std::max(surface.domain().size[0], surface.domain().size[1]);
         double reach = size;
         for (const Channel channel : {Channel::dx, Channel::dy}) {
+            if (!surface.channels().contains(channel)) continue;
             for (const float offset : surface.channel(channel)) {
                 reach = std::max(reach, size + std::abs(double{offset}));
             }
         }
-        // Refused below if it is not finite.
+        // A value that is not finite is refused below.
         if (std::isfinite(reach)) step_ = std::ldexp(1.0, std::max(8, std::ilogb(reach) + 1) - 24);
     }
     double snapped(double offset) const { return std::nearbyint(offset / step_) * step_; }
@@ -76,7 +78,7 @@ class Offsets {
 };
 
 std::uint32_t length_code(const char* what, double metres) {
-    // Written so that NaN fails as well.
+    // The comparison is written so that NaN fails it.
     if (!(std::abs(metres) < 1024.0)) refuse(what, metres);
     return static_cast<std::uint32_t>(std::nearbyint(metres * kCodesPerMetre) + kZero);
 }
@@ -113,7 +115,7 @@ void append_big_endian(std::string& bytes, std::uint32_t value, int count) {
     }
 }
 
-/// Returns how a file of so many voxels begins.
+/// Returns the header of a file with that many voxels.
 std::string df3_head(std::size_t columns, std::size_t rows, std::size_t slices) {
     std::string head;
     for (const std::size_t size : {columns, rows, slices}) {
@@ -123,7 +125,7 @@ std::string df3_head(std::size_t columns, std::size_t rows, std::size_t slices) 
 }
 
 std::uint32_t slope_code(float slope) {
-    // Gaussian slopes of short waves deviate by 0.3 at most: this is 13 deviations.
+    // The standard deviation of short waves' slopes is at most 0.3: the limit is 13 deviations.
     const double held = std::clamp(double{slope}, -kSteepest, kSteepest);
     return static_cast<std::uint32_t>(std::nearbyint(held * kCodesPerSlope) + 32768.0);
 }

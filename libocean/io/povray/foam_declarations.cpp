@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// How thick the foam of a frame is, near and far. Thick foam hides most of the water that is
-// hidden, so that the thickness of a coarser map's mean cover is less than their mean: of what it
-// lacks to the frame's a map gets the share with which it has the frame's mean.
+// The thickness of a frame's foam, near and far. Thickness grows faster than cover, so that the
+// thickness of a coarser map's mean cover is less than the mean thickness of the frame. Each map
+// therefore gets a share of the difference that restores the frame's mean.
 #include <algorithm>
 #include <cmath>
 
@@ -14,9 +14,10 @@
 namespace ocean::io {
 namespace {
 
-/// The mean over a map of cover times thickness, of foam_mean_thickness or of `least` where that is
-/// more; between samples too, bilinear, at the two points a side of Gauss.
-double thick_cover(const Surface& map, double least) {
+/// Returns the mean over a map of cover times the maximum of foam_mean_thickness and
+/// `min_thickness`. Cover is bilinear between samples and integrated by Gauss's rule with 2 x 2
+/// points.
+double thick_cover(const Surface& map, double min_thickness) {
     constexpr double kSpan = 0.35;  // Ocean_Foam_Span_ of ocean.inc
     constexpr double kNear = 0.21132486540518708;
     const auto n = static_cast<std::size_t>(map.resolution());
@@ -34,8 +35,8 @@ double thick_cover(const Surface& map, double least) {
                 const double high = std::lerp(corner[2], corner[3], u);
                 for (const double v : {kNear, 1.0 - kNear}) {
                     const double c = std::lerp(low, high, v);
-                    sum +=
-                        c * std::max(wave::double_precision::foam_mean_thickness(c, kSpan), least);
+                    sum += c * std::max(wave::double_precision::foam_mean_thickness(c, kSpan),
+                                        min_thickness);
                 }
             }
         }
@@ -46,6 +47,7 @@ double thick_cover(const Surface& map, double least) {
 }  // namespace
 
 std::string povray_foam_declarations(std::span<const Surface> maps) {
+    if (!maps.front().channels().contains(Channel::cover)) return "";
     double hidden = 0.0;
     for (const float cover : maps.front().channel(Channel::cover)) hidden += double{cover};
     hidden /= static_cast<double>(maps.front().channel(Channel::cover).size());
@@ -53,8 +55,9 @@ std::string povray_foam_declarations(std::span<const Surface> maps) {
     const double mean = hidden > 0.0 ? whole / hidden : 0.0;
     std::string shares;
     for (const Surface& map : maps) {
-        const double own = thick_cover(map, 0.0), most = thick_cover(map, mean);
-        const double share = most > own ? std::clamp((whole - own) / (most - own), 0.0, 1.0) : 0.0;
+        const double own = thick_cover(map, 0.0), upper = thick_cover(map, mean);
+        const double share =
+            upper > own ? std::clamp((whole - own) / (upper - own), 0.0, 1.0) : 0.0;
         shares += (shares.empty() ? "" : ", ") + shortest_text(share);
     }
     return "#declare Ocean_Frame_Thickness_ = " + shortest_text(mean) +

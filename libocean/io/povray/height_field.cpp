@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // POV-Ray's height_field as a 16-bit grey PNG, the only image that it reads without loss. Pixel
-// centres are the samples, the first row is far; the wrapped last row and column make tiles meet.
+// centres are the samples, the first row is the far one; the repeated row and column close the
+// seam.
 #include "ocean/io/height_field.hpp"
 
 #include <png.h>
@@ -21,10 +22,10 @@ namespace {
 
 // POV-Ray's height is code/65536, not /65535.
 constexpr double kCodes = 65536.0;
-// The heights fill the middle three quarters of the codes. A quarter would make the normals of a
-// `smooth` height_field, which POV-Ray keeps as short integers of slope in codes per pixel, a
-// little better (0.28 degrees of noise instead of 0.4), and the heights three times worse; who
-// needs good normals takes a mesh.
+// The heights fill the middle three quarters of the codes. With one quarter the normals of a
+// `smooth` height_field, which POV-Ray keeps as short integers of slope in codes per pixel, would
+// have 0.28 degrees of noise instead of 0.4, but the heights would be three times as coarse. Scenes
+// that need good normals should use a mesh.
 constexpr double kRangeShare = 0.75;
 
 // height [m] = base + scale * code / 65536.
@@ -38,14 +39,14 @@ HeightScale fit_scale(std::span<const float> heights) {
             throw Error(ErrorKind::invalid_value, "a height is not finite: nothing was written");
         }
     }
-    const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
-    HeightScale fit{*least, *most, 0.0, 1.0};
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    HeightScale fit{*low, *high, 0.0, 1.0};
     if (fit.hi > fit.lo) fit.scale = (fit.hi - fit.lo) / kRangeShare;
     fit.base = 0.5 * (fit.lo + fit.hi) - 0.5 * fit.scale;
     return fit;
 }
 
-/// Of the image's first plane.
+/// Returns the code range for the heights in the image's first plane.
 HeightScale fit_scale(const Image& image) {
     const bool heights = !image.planes.empty() && !image.planes[0].samples.empty();
     if (!heights || image.width != image.height) {
@@ -54,7 +55,8 @@ HeightScale fit_scale(const Image& image) {
     return fit_scale(image.planes[0].samples);
 }
 
-/// Samples along each side of the file: what repeats has its first row and column again.
+/// Returns the pixels along a side of the file: an image that wraps repeats its first row and
+/// column.
 int side_of(const Image& image) {
     return image.wraps() ? image.width + 1 : image.width;
 }
@@ -85,7 +87,7 @@ void write_height_field(const Image& image, const std::string& path) {
     write_grey_png(path, side_of(image), side_of(image), codes);
 }
 
-// "key = value" lines: a person can read them, and so can TOML.
+// The lines are "key = value": readable text and valid TOML.
 std::string height_field_description(const Image& image) {
     const HeightScale fit = fit_scale(image);
     const auto number = [](double value) { return shortest_text(value); };
@@ -120,7 +122,7 @@ std::string height_field_declarations(const Image& image) {
            shortest_text(fit.scale) + ";\n";
 }
 
-std::uint64_t most_height_field_bytes(int resolution) {
+std::uint64_t max_height_field_bytes(int resolution) {
     constexpr std::uint64_t kHead = 4096, kPerRow = 16;
     const auto side = static_cast<std::uint64_t>(resolution) + 1;
     return side * (2 * side + kPerRow) + kHead;

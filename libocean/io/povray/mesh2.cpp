@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A mesh as a POV-Ray include file. POV-Ray is left-handed with y up: y and z change places, in
-// points and in normals. Numbers are the shortest text that gives the same float again, so that
-// vertices which met still meet.
+// A mesh as a POV-Ray include file. POV-Ray is left-handed with y up: y and z are swapped in points
+// and normals. A number is the shortest text that reads back as the same float, so that common
+// vertices stay common.
 #include "ocean/io/mesh2.hpp"
 
 #include <algorithm>
@@ -24,7 +24,8 @@
 namespace ocean::io {
 namespace {
 
-// -1 .. 1. Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves a tenth of the file.
+// Writes a number from -1 to 1. Four decimals are 0.003 degrees; ".1234" instead of "0.1234" saves
+// a tenth of the file.
 TextWriter& write_unit(TextWriter& out, float value) {
     const long scaled = std::lround(value * 10000.0f);
     if (scaled < 0) out << "-";
@@ -38,7 +39,7 @@ TextWriter& write_unit(TextWriter& out, float value) {
     return out << std::string_view(text, sizeof text);
 }
 
-/// <east, north> of a pair, in POV-Ray's order.
+/// Writes a pair as <east, north>.
 void write_pair(TextWriter& out, std::array<double, 2> pair) {
     out << "<";
     out.number(pair[0]) << ", ";
@@ -62,7 +63,7 @@ void write_head(TextWriter& out, const Mesh& mesh, const Provenance& provenance,
                 std::string file_name) {
     const SubjectWords words = subject_words(provenance.kind);
     const std::string prefix = words.prefix();
-    // A line end would end the comment.
+    // A line break in the name would end the comment.
     std::replace_if(
         file_name.begin(), file_name.end(),
         [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, '?');
@@ -71,13 +72,13 @@ void write_head(TextWriter& out, const Mesh& mesh, const Provenance& provenance,
         << (provenance.time ? " at one time" : "") << ", by libocean " OCEAN_VERSION
         << "\n//         " << prefix << "Surface: mesh2 of ";
     out.number(mesh.positions.size() / 3) << " vertices with normals, metres, <east, up, north>.\n";
-    // No guard: a frame that is loaded again is the current one again.
+    // The file has no include guard: a frame that is loaded again becomes the current one.
     out << "#declare " << prefix << "Mesh_Inc_Temp = version;\n#version 3.7;\n\n";
     out << povray_frame_declarations(provenance);
     write_domain(out, prefix, *provenance.domain);
 }
 
-// The camera that the mesh was made for, so that a scene cannot look past its edge.
+// Declares the camera that the mesh was made for, so that a scene need not look past its edge.
 void write_view(TextWriter& out, const std::string& prefix, const View& view) {
     const double heading = view.heading * kPi / 180.0;
     out << "// The camera that this mesh was made for.\n#declare " << prefix << "Eye = <";
@@ -157,8 +158,8 @@ void write_mesh2(const Mesh& mesh, const Provenance& provenance, const std::stri
     out << "\n#declare " << prefix << "Surface = mesh2 {\n";
     write_vectors(out, mesh, mesh.find(extras.u));
     write_faces(out, mesh.triangles);
-    // A sheet is not a solid, but an inside lets it cut others; off the axis, so that the test ray
-    // does not run along vertices and edges.
+    // A sheet is not a solid, but an inside_vector lets it cut other objects. It is off the axis,
+    // so that the test ray does not pass along vertices and edges.
     out << "inside_vector <0.0131, 1, 0.0073>\n}\n\n#version " << prefix << "Mesh_Inc_Temp;\n";
     out.flush();
     file.commit();

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a POV-Ray scene can know of a sea: its parameters, what they amount to, the frames that are
-// there, and what the water does to light. A loop over the parameter table and one over that of
-// the water types.
+// The declarations of a sea for POV-Ray scenes: parameters and derived quantities, existing frames,
+// and the optics of the water. They are loops over the parameter table and the table of water
+// types.
 #include "ocean/io/povray_declarations.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace ocean::io {
 namespace {
 
-/// POV-Ray's floats end at 1e308, but its parser knows no word for what lies beyond.
+/// Returns a number; infinity becomes 1e308, because POV-Ray's parser has no word for it.
 constexpr double kInfinity = 1e30;
 constexpr std::string_view kSeaPrefix = "Ocean_";
 
@@ -29,7 +29,7 @@ std::string number(double value) {
     return shortest_text(value);
 }
 
-/// In eight decimals: all machines agree on them.
+/// Returns a number with eight decimals, on which all machines agree.
 double rounded_variance(double variance) {
     return std::round(variance * 1e8) / 1e8;
 }
@@ -37,8 +37,8 @@ double variance_of(const DetailBand& band) {
     return rounded_variance(band.variance.mean_square_slope());
 }
 
-/// The text in the quotes of POV-Ray, whose strings hold UCS-2 and whose files are ASCII: other
-/// characters are \uXXXX, or two of these beyond the first plane; controls are blanks.
+/// Returns a string literal of POV-Ray, whose strings hold UCS-2 and whose files are ASCII: other
+/// characters are \uXXXX, or two of these beyond the first plane; control characters are blanks.
 std::string string_literal(std::string_view text) {
     std::string result = "\"";
     while (!text.empty()) {
@@ -65,7 +65,7 @@ std::string string_literal(std::string_view text) {
     return result + "\"";
 }
 
-/// "waves.0.wind_speed" -> "Ocean_Waves_0_Wind_Speed".
+/// Returns "Ocean_Waves_0_Wind_Speed" for "waves.0.wind_speed".
 std::string identifier(std::string_view path) {
     std::string name(kSeaPrefix);
     for (const char c : path) {
@@ -83,14 +83,15 @@ void declare(std::string& text, const std::string& name, const std::string& valu
     text += "\n";
 }
 
-/// "Ocean_Frame_Sea_": ends in '_' because scenes do not read it.
+/// Returns "Ocean_Frame_Sea_"; names that scenes should not use end in '_'.
 std::string frame_id_name(const SubjectWords& words) {
     const std::string kind = identifier(words.kind).substr(kSeaPrefix.size());
     return words.prefix() + "Frame_" + kind + "_";
 }
 
-/// What another sea in the same scene may have declared. Not by #ifdef: POV-Ray 3.7 loses its place
-/// after a file with conditions that a macro includes, at some positions [measured].
+/// Undefines the parameters that another sea in the same scene may have declared. It uses no
+/// #ifdef: POV-Ray 3.7 loses its position after a file with conditions that a macro includes, in
+/// some cases (measured).
 void forget(std::string& text, const std::string& name) {
     text += "#declare " + name + " = 0; #undef " + name + "\n";
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The formats whose headers say where a file comes from: see read_provenance.hpp.
+// The formats whose headers hold a provenance; see read_provenance.hpp.
 #include "ocean/io/read_provenance.hpp"
 
 #include <array>
@@ -57,8 +57,8 @@ std::optional<Provenance> read_provenance(const std::string& path) {
     std::optional<Provenance> provenance = find_provenance(*strings, path);
     if (provenance) return provenance;
     throw Error(ErrorKind::bad_file, path +
-                                         ": no sea is in this file; only files that `ocean bake` "
-                                         "wrote hold one");
+                                         ": the file has no sea; only files that `ocean bake` "
+                                         "wrote have one");
 }
 
 }  // namespace ocean::io

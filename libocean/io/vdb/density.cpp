@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gaussians added up, each leaf by itself: in the order in which they are given, so that the sums
-// have the same bits for any number of threads.
+// Adds Gaussians leaf by leaf, in the order in which they are given, so that the sums have the same
+// bits for any number of threads.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,12 +16,12 @@ namespace {
 using Leaf = openvdb::FloatTree::LeafNodeType;
 using Leaves = std::vector<std::unique_ptr<Leaf>>;
 
-constexpr double kReach = 3.0;            // deviations
-constexpr double kWithin = 0.9973002;     // of a Gaussian, along an axis
-constexpr double kLeastDeviation = 0.75;  // voxels: narrower ones fall between the samples
-constexpr float kLeast = 1e-5f;           // 1/m: what is thinner is not there
+constexpr double kReach = 3.0;          // [standard deviations]
+constexpr double kWithin = 0.9973002;   // share of a Gaussian within kReach, along an axis
+constexpr double kMinDeviation = 0.75;  // [voxels]; narrower puffs would fall between the samples
+constexpr float kMinDensity = 1e-5f;    // [1/m]; thinner voxels are inactive
 
-/// What a Gaussian gives to the voxels of an axis.
+/// The shares of a Gaussian in the voxels along an axis.
 struct Weights {
     int first;  // voxel
     std::vector<float> share;
@@ -57,7 +57,7 @@ class Density {
     }
 
   private:
-    /// The puffs that reach into each column of leaves.
+    /// Sorts the puffs by the columns of leaves that they reach into.
     std::vector<std::vector<std::uint32_t>> sort() const {
         std::vector<std::vector<std::uint32_t>> nearby(static_cast<std::size_t>(places_.count()));
         for (std::uint32_t at = 0; at < puffs_.size(); ++at) {
@@ -99,7 +99,7 @@ class Density {
                 for (int k = from; k <= to; ++k) {
                     const float density =
                         sums[static_cast<std::size_t>(k - from)] * dry_share(column, k);
-                    if (density < kLeast) continue;
+                    if (density < kMinDensity) continue;
                     leaf->setValueOn(Leaf::coordToOffset(axes_.file_of(i, j, k)), density);
                 }
             });
@@ -119,7 +119,7 @@ class Density {
         }
     }
 
-    /// Of a voxel, above the water.
+    /// Returns the share of a voxel above the water.
     float dry_share(std::size_t column, int k) const {
         const double above = voxels_.size * k - static_cast<double>(heights_[column]);
         return static_cast<float>(std::clamp(above / voxels_.size + 0.5, 0.0, 1.0));
@@ -135,7 +135,7 @@ class Density {
 }  // namespace
 
 double density_reach(const DensityPuff& puff, double voxel) {
-    return kReach * std::max(puff.deviation, kLeastDeviation * voxel);
+    return kReach * std::max(puff.deviation, kMinDeviation * voxel);
 }
 
 VdbGrid make_density(const VoxelRange& voxels, std::span<const float> heights,

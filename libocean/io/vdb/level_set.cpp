@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The surface as a level set, column by column: no mesh, no search. The distance to the tangent
-// plane above or below a voxel is exact in the vertical, where the surface is, and to second order
-// elsewhere in the band.
+// The surface as a level set, column by column, without a mesh or a search. The distance to the
+// tangent plane above or below a voxel is exact at the surface and of second order elsewhere in the
+// band.
 #include <openvdb/tools/SignedFloodFill.h>
 
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 using Leaf = openvdb::FloatTree::LeafNodeType;
 using Leaves = std::vector<std::unique_ptr<Leaf>>;
 
-/// From low to high; none if that is the wrong way round.
+/// A range from low to high, empty if high < low.
 struct Interval {
     double low;
     double high;
@@ -26,12 +26,12 @@ struct Interval {
     bool meets(double a, double b) const { return low <= b && a <= high; }
 };
 
-/// Distance to a side of the box from inside it, and from outside, where that is above 0.
+/// Returns the signed distance to the sides of the box along an axis, negative inside.
 double side_distance(const WorldBox& box, std::size_t axis, double at) {
     return std::max(box.low[axis] - at, at - box.high[axis]);
 }
 
-/// To the box, of the distances to its sides along x, y and z.
+/// Returns the signed distance to the box from the distances along x, y and z.
 double box_distance(double x, double y, double z) {
     const double inside = std::max({x, y, z});
     if (inside <= 0.0) return inside;
@@ -53,14 +53,15 @@ class LevelSet {
         auto grid = openvdb::FloatGrid::create(static_cast<float>(band_));
         add_leaves(grid->tree(), places_.count(), pool,
                    [this](int item, Leaves& leaves) { make_leaves(item, leaves); });
-        constexpr bool kThreaded = false;  // the pool's threads are those that the user allows
-        constexpr openvdb::Index kAboveLeaves = 1;  // which have their signs
+        constexpr bool kThreaded =
+            false;  // only the pool's threads, which the user limits, are used
+        constexpr openvdb::Index kAboveLeaves = 1;  // nodes above leaves get the signs
         openvdb::tools::signedFloodFill(grid->tree(), kThreaded, 1, kAboveLeaves);
         return grid;
     }
 
   private:
-    /// Where the surface of the columns beside one is.
+    /// Returns the range of the surface in the neighbouring columns.
     Interval neighbours(std::size_t column) const {
         const auto width = static_cast<std::size_t>(voxels_.count[0]);
         const std::size_t i = column % width;
@@ -80,14 +81,14 @@ class LevelSet {
         return range;
     }
 
-    /// The heights between which the band around the surface may lie.
+    /// Returns the heights between which the band around the surface may lie.
     Interval surface_band(std::size_t column, const Interval& beside) const {
-        constexpr double kLeastSlope = 1e-3;  // of a normal that lies
+        constexpr double kMinSlope = 1e-3;  // z of a horizontal normal
         const auto& [height, normal_z] = columns_[column];
-        const double reach = band_ / std::max(static_cast<double>(normal_z), kLeastSlope);
+        const double reach = band_ / std::max(static_cast<double>(normal_z), kMinSlope);
         const double low = std::min(static_cast<double>(height) - reach, beside.low);
         const double high = std::max(static_cast<double>(height) + reach, beside.high);
-        // The surface of a box that it rises out of is the box's top.
+        // Where the water rises out of the box, the surface is the box's top.
         return {std::min(low, box_.high[2] - band_), std::min(high, box_.high[2] + band_)};
     }
 
@@ -124,33 +125,33 @@ class LevelSet {
 
     using Distances = std::array<float, LeafColumns::kSide>;
 
-    /// Of the voxels from `first` up.
+    /// Writes the distances of the voxels from `first` upwards.
     void surface_distances(const Column& column, int first, Distances& d) const {
         const auto size = static_cast<float>(voxels_.size);
         const auto& [height, normal_z] = columns_[column.at];
         const double base = voxels_.size * first;
         const auto above = static_cast<float>(base - static_cast<double>(height));
-        // Where a crest has folded over, columns jump: water and air are never farther apart than
-        // the columns, or the level set had a hole.
+        // Where a crest has folded over, heights jump between columns: the distance is limited to
+        // that of the neighbouring columns, or the level set would have a hole.
         const auto highest = static_cast<float>(column.beside.high - base);
         const auto lowest = static_cast<float>(column.beside.low - base);
         constexpr float kFar = std::numeric_limits<float>::max();
         for (std::size_t k = 0; k < d.size(); ++k) {
             const float rise = size * static_cast<float>(k);
             const float slanted = (above + rise) * normal_z;
-            const float most = rise < highest ? size : kFar;
-            const float least = rise >= lowest ? -size : -kFar;
-            d[k] = std::clamp(slanted, least, most);
+            const float upper = rise < highest ? size : kFar;
+            const float lower = rise >= lowest ? -size : -kFar;
+            d[k] = std::clamp(slanted, lower, upper);
         }
     }
 
-    /// The intersection with the box.
+    /// Intersects the column with the box.
     void box_distances(const Column& column, int first, Distances& d) const {
         const double low = voxels_.size * first;
         const double high = low + voxels_.size * (LeafColumns::kSide - 1);
         const double side = std::max(column.side_x, column.side_y);
         const double end = std::max(box_.low[2] - low, high - box_.high[2]);
-        if (std::max(side, end) <= -band_) return;  // nothing of the box is near
+        if (std::max(side, end) <= -band_) return;  // the box is farther away than the band
         for (std::size_t k = 0; k < d.size(); ++k) {
             const double z = voxels_.size * (first + static_cast<int>(k));
             const double box =

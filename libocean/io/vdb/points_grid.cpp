@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points of spray as OpenVDB keeps points: sorted into voxels, attributes beside one another.
+// Spray as an OpenVDB point grid: points are sorted into voxels, with an array for each attribute.
 #include <openvdb/points/PointConversion.h>
 #include <openvdb/points/PointCount.h>
 #include <tbb/task_arena.h>
@@ -15,7 +15,7 @@ namespace points = openvdb::points;
 using openvdb::Vec3f;
 using Index = openvdb::tools::PointIndexGrid;
 
-/// Values of the points in the forms that OpenVDB asks for, positions and attributes.
+/// Positions and attributes of the points in the types that OpenVDB requires.
 template <typename Value>
 class Values {
   public:
@@ -40,7 +40,7 @@ std::span<const Vec3f> vectors(const std::vector<float>& numbers) {
 }  // namespace
 
 VdbGrid make_points(const Points& given, double cell) {
-    openvdb::initialize();  // makers of attributes are found by name
+    openvdb::initialize();  // registers the types of attributes by name
     points::PointDataGrid::Ptr grid;
     const auto transform = openvdb::math::Transform::createLinearTransform(cell);
     const auto make = [&] {
@@ -60,14 +60,15 @@ VdbGrid make_points(const Points& given, double cell) {
         add("id",
             std::span(reinterpret_cast<const std::int64_t*>(given.ids.data()), given.ids.size()));
     };
-    // The library would take all cores, whatever the user allows.
+    // OpenVDB would use all cores without regard to the user's limit.
     tbb::task_arena(1).execute(make);
     grid->setName("spray");
     return VdbGrid(std::make_shared<VdbGrid::Grid>(VdbGrid::Grid{grid}));
 }
 
 std::uint64_t points_vdb_bytes(std::uint64_t count, std::uint64_t leaves) {
-    constexpr std::uint64_t kLeaf = 4096;  // the ends of 8^3 cells and what each attribute adds
+    constexpr std::uint64_t kLeaf =
+        4096;  // the offsets of 8^3 cells and the overhead of each attribute
     return points_bytes(count) + std::min(count, leaves) * kLeaf;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Grids into a file. They go through OpenVDB into our own stream, because its own says nothing of
-// a full disk. Readers can skip from grid to grid: the stream can seek.
+// Writes grids into a file. OpenVDB writes into our own stream, because its own does not report a
+// full disk. The stream can seek, so that readers can skip from grid to grid.
 #include <openvdb/MetaMap.h>
 #include <openvdb/io/Archive.h>
 
@@ -48,26 +48,26 @@ class FileBuffer : public std::streambuf {
     OutputFile& file_;
 };
 
-/// OpenVDB's own, which gives out neither its stream nor what it does there.
+/// Access to the writer of OpenVDB, which exposes neither its stream nor its positions.
 class GridArchive : public openvdb::io::Archive {
   public:
     using Archive::write;
 };
 
-/// Which of two files is meant readers tell by this, so that it depends on all that does.
+/// Returns the id by which readers distinguish files: a hash of grids, strings and settings.
 std::string file_id(std::span<const VdbGrid> grids, std::span<const HeaderString> strings,
                     bool half_floats) {
     std::string text = half_floats ? "half" : "float";
     for (const VdbGrid& grid : grids) text += '\n' + grid.grid().grid->getName();
     for (const HeaderString& string : strings) text += '\n' + string.name + '=' + string.text;
-    // FNV-1a, from two beginnings.
+    // FNV-1a with two offset bases.
     std::uint64_t half[2] = {0xcbf29ce484222325u, 0x84222325cbf29ce4u};
     for (const char byte : text) {
         for (std::uint64_t& hash : half) {
             hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
         }
     }
-    // A UUID of version 8: the rest is ours. [RFC 9562] section 5.8.
+    // A UUID of version 8, whose other bits are free [RFC 9562] section 5.8.
     return format_text("%08x-%04x-8%03x-%04x-%012llx", static_cast<unsigned>(half[0] >> 32),
                        static_cast<unsigned>(half[0] >> 16 & 0xffffu),
                        static_cast<unsigned>(half[0] & 0xfffu),
@@ -79,7 +79,7 @@ std::string file_id(std::span<const VdbGrid> grids, std::span<const HeaderString
 
 void write_vdb(std::span<const VdbGrid> grids, std::span<const HeaderString> strings,
                bool half_floats, const std::string& path) {
-    constexpr std::uint64_t kIdPosition = 21;  // behind the magic, three versions and a flag
+    constexpr std::uint64_t kIdPosition = 21;  // after the magic, three versions and a flag
 
     openvdb::MetaMap header;
     header.insertMeta("creator", openvdb::StringMetadata("libocean " OCEAN_VERSION));
@@ -89,7 +89,7 @@ void write_vdb(std::span<const VdbGrid> grids, std::span<const HeaderString> str
     openvdb::GridCPtrVec written;
     for (const VdbGrid& grid : grids) {
         openvdb::GridBase::Ptr copy = openvdb::ConstPtrCast<openvdb::GridBase>(grid.grid().grid)
-                                          ->copyGrid();  // of the tree a reference
+                                          ->copyGrid();  // shares the tree
         copy->setSaveFloatAsHalf(half_floats);
         written.push_back(copy);
     }
@@ -108,7 +108,7 @@ void write_vdb(std::span<const VdbGrid> grids, std::span<const HeaderString> str
     } catch (const std::exception& error) {
         throw Error(ErrorKind::output, "cannot write '" + path + "': " + error.what());
     }
-    // The library's is a random number.
+    // OpenVDB's own id is a random number.
     file.seek(kIdPosition);
     file.write(file_id(grids, strings, half_floats));
     file.commit();

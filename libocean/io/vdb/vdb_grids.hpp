@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What makes OpenVDB grids out of columns of voxels, a leaf of 8^3 voxels after another: the same
-// tree for any number of threads, and no look-up for a voxel. OpenVDB is included in this folder
-// alone.
+// Builds OpenVDB grids from columns of voxels, one leaf of 8^3 voxels after the other: the tree is
+// the same for any number of threads, and no voxel needs a look-up. Only this folder includes
+// OpenVDB.
 #pragma once
 
 #include <openvdb/openvdb.h>
@@ -24,7 +24,7 @@ struct VdbGrid::Grid {
     openvdb::GridBase::ConstPtr grid;
 };
 
-/// Where the voxel (i, j, k) of the sea lies in the file.
+/// Returns the coordinate in the file of the sea's voxel (i, j, k).
 struct FileAxes {
     bool y_up;
 
@@ -34,7 +34,7 @@ struct FileAxes {
     Velocity file_of(const Velocity& v) const { return y_up ? Velocity{v[0], v[2], -v[1]} : v; }
 };
 
-/// Leaves of a tree above the 8 x 8 columns that they have in common.
+/// The leaves of a tree that share 8 x 8 columns.
 class LeafColumns {
   public:
     static constexpr int kSide = 8;
@@ -53,8 +53,8 @@ class LeafColumns {
     int first_block() const { return block_of(voxels_.first[2]); }
     int last_block() const { return block_of(last(2)); }
 
-    /// Calls body(i, j, column) for the columns of item that there are; column is the index of the
-    /// row-major [j][i].
+    /// Calls body(i, j, column) for the existing columns of an item; `column` is the row-major
+    /// index [j][i].
     template <typename Body>
     void for_each_column(int item, const Body& body) const {
         const int x = kSide * (first_x_ + item % count_x_);
@@ -72,7 +72,7 @@ class LeafColumns {
             }
         }
     }
-    /// Calls body(item) for those that have columns in a rectangle of the sea, m.
+    /// Calls body(item) for the items with columns in a rectangle of the sea [m].
     template <typename Body>
     void for_each_item(double x0, double x1, double y0, double y1, const Body& body) const {
         if (axes_.y_up) std::tie(y0, y1) = std::pair(-y1, -y0);
@@ -87,7 +87,7 @@ class LeafColumns {
             }
         }
     }
-    /// The corner of the leaf of item and block in the file.
+    /// Returns the corner of the leaf of an item and a block in the file.
     openvdb::Coord corner(int item, int block) const {
         const int x = kSide * (first_x_ + item % count_x_);
         const int y = kSide * (first_y_ + item / count_x_);
@@ -95,7 +95,7 @@ class LeafColumns {
         return axes_.y_up ? openvdb::Coord(x, z, y) : openvdb::Coord(x, y, z);
     }
 
-    /// The block of 8 voxels that one is in.
+    /// Returns the block of 8 voxels that holds a voxel.
     static int block_of(int voxel) { return voxel >> 3; }
 
   private:
@@ -110,7 +110,7 @@ class LeafColumns {
     int count_x_, count_y_;
 };
 
-/// Calls make(item, leaves) for each item, on all threads, and adds the leaves to the tree in the
+/// Calls make(item, leaves) for each item on all threads, and adds the leaves to the tree in the
 /// order of the items.
 template <typename Tree, typename Make>
 void add_leaves(Tree& tree, int items, ThreadPool& pool, const Make& make) {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The texts at the beginning of a VDB file, read without OpenVDB, which trusts the sizes that a
-// file names.
+// Reads the texts in the header of a VDB file without OpenVDB, which trusts the sizes in a file.
 #include <cstring>
 
 #include "ocean/error.hpp"
@@ -15,7 +14,7 @@ constexpr std::uint64_t kMagic = 0x56444220;   // "VDB "
 constexpr std::uint32_t kOldestVersion = 222;  // OpenVDB 3; written by 10: 224
 constexpr std::size_t kIdLength = 36;
 
-/// Little-endian values one after another; whether all of them were there is asked at the end.
+/// Reads consecutive little-endian values; a caller checks once at the end that none was missing.
 class Bytes {
   public:
     explicit Bytes(std::string_view bytes) : rest_(bytes) {}
@@ -23,11 +22,11 @@ class Bytes {
     template <typename Number>
     Number number() {
         Number value{};
-        const std::string_view bytes = take(sizeof value);
+        const std::string_view bytes = read(sizeof value);
         if (bytes.size() == sizeof value) std::memcpy(&value, bytes.data(), sizeof value);
         return value;
     }
-    std::string_view take(std::size_t count) {
+    std::string_view read(std::size_t count) {
         if (count > rest_.size()) {
             ends_early_ = true;
             rest_ = {};
@@ -37,7 +36,7 @@ class Bytes {
         rest_.remove_prefix(count);
         return bytes;
     }
-    std::string_view counted() { return take(number<std::uint32_t>()); }
+    std::string_view counted() { return read(number<std::uint32_t>()); }
     bool ends_early() const { return ends_early_; }
 
   private:
@@ -51,12 +50,12 @@ std::vector<HeaderString> read_vdb_header(const std::string& path) {
     const std::string head = read_head(path);
     Bytes bytes(head);
     if (bytes.number<std::uint64_t>() != kMagic) {
-        throw Error(ErrorKind::bad_file, path + ": is no OpenVDB file");
+        throw Error(ErrorKind::bad_file, path + ": is not an OpenVDB file");
     }
     const auto version = bytes.number<std::uint32_t>();
-    bytes.take(2 * sizeof(std::uint32_t));  // of the library
-    bytes.take(1);                          // whether grids have offsets
-    bytes.take(kIdLength);
+    bytes.read(2 * sizeof(std::uint32_t));  // version of the library
+    bytes.read(1);                          // true if grids have offsets
+    bytes.read(kIdLength);
     if (version < kOldestVersion) {
         throw Error(ErrorKind::bad_file, path + ": is of an older version of OpenVDB's files");
     }
@@ -72,8 +71,9 @@ std::vector<HeaderString> read_vdb_header(const std::string& path) {
         throw Error(ErrorKind::bad_file, path + ": its header ends early");
     }
     if (!find_provenance(strings, path)) {
-        throw Error(ErrorKind::bad_file,
-                    path + ": its metadata name no sea; only files that `ocean bake` wrote do");
+        throw Error(
+            ErrorKind::bad_file,
+            path + ": its metadata have no sea; only files that `ocean bake` wrote have one");
     }
     return strings;
 }

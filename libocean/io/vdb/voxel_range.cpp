@@ -12,12 +12,12 @@ VoxelRange voxels_around(const WorldBox& box, double size, int beyond) {
     constexpr double kFarthest = 1 << 30;
     VoxelRange range{{}, {}, size};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // What rounding left of a whole number of voxels is no voxel.
+        // A remainder of rounding is not a voxel.
         constexpr double kRounding = 1e-9;
         const double low = std::ceil(box.low[axis] / size - kRounding) - beyond;
         const double high = std::floor(box.high[axis] / size + kRounding) + beyond;
         const bool is_box = size > 0.0 && box.low[axis] < box.high[axis];
-        // Also false for what is not a number.
+        // Also false for NaN.
         if (!(is_box && -kFarthest <= low && low <= high && high <= kFarthest)) {
             throw Error(ErrorKind::invalid_value,
                         format_text("a box from %g to %g m has no voxels of %g m, or too many",

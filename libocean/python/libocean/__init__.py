@@ -15,9 +15,12 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from typing import Any
 
+from ._answers import Detail, DetailBand, FloatPose, Samples, Spray, Water
 from ._foam import foam_texture, foam_texture_period
+from ._handle import text_array, value_text
 from ._library import (
     CancelledError,
     Error,
@@ -28,7 +31,8 @@ from ._library import (
     library,
     text_of,
 )
-from ._sea import Detail, DetailBand, FloatPose, Samples, Sea, Spray, Surface, Water
+from ._sea import Sea
+from ._surface import Surface
 
 __all__ = [
     "CancelledError",
@@ -52,6 +56,7 @@ __all__ = [
     "preset",
     "presets",
     "records",
+    "text_of_values",
     "version",
     "water_types",
 ]
@@ -61,10 +66,10 @@ __version__ = version
 
 
 def open(path: str | os.PathLike[str], **options: Any) -> Sea:
-    """Opens a sea file. Options, of parse() and preset() too:
+    """Opens a sea file. The options are those of parse() and preset() too:
     threads: 0 = the cores this process may use. backend: "cpu", or the slow "radix2" and "dft".
     foam_start: "settled", or "empty" for live tools, which do not wait for the foam's past.
-    progress: called with (done, total) while foam is followed; what it raises ends the call.
+    progress: called with (done, total) while the library follows foam; its exception ends the call.
     jobs: called with (run, count) for a host's own threads: it calls run(0) .. run(count - 1), in
     any order, on any threads, and returns when all have returned."""
     name = os.fsencode(path)
@@ -72,34 +77,44 @@ def open(path: str | os.PathLike[str], **options: Any) -> Sea:
 
 
 def parse(text: str, *, base_dir: str | os.PathLike[str] | None = None, **options: Any) -> Sea:
-    """A sea from the text of a sea file; base_dir is where a relative `file` in it starts."""
+    """Opens a sea from the text of a sea file. base_dir: the folder that a relative `file` in it
+    starts from, None = the current one."""
     toml = text.encode()
     base = None if base_dir is None else os.fsencode(base_dir)
     return Sea(lambda given, out: call("ocean_parse", toml, len(toml), base, given, out), **options)
 
 
 def preset(name: str, **options: Any) -> Sea:
-    """One of the seas of presets(): "beaufort_6", "douglas_4", "seed_thesis"."""
+    """Opens one of the seas of presets(): "beaufort_6", "douglas_4", "seed_thesis"."""
     return parse(text_of("ocean_preset", name.encode()), **options)
 
 
 def presets() -> list[str]:
-    """The names that preset() takes."""
+    """Returns the names that preset() knows."""
     return json.loads(text_of("ocean_preset", None))
 
 
 def parameters() -> list[dict[str, Any]]:
-    """The parameter table: name, type, unit, label, help, default and range of every parameter."""
+    """Returns the parameter table: name, type, unit, label, help, default and range of every
+    parameter."""
     return json.loads(text_of("ocean_parameters_json"))
 
 
 def records(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """What a file of measured spectra holds, record by record."""
+    """Returns the records of a file of measured spectra."""
     return json.loads(text_of("ocean_records_json", os.fsencode(path)))
 
 
 def water_types() -> list[dict[str, Any]]:
-    """What sea water does to light, by Jerlov's types, clearest first: name, label, help, ior;
-    absorption and scattering in 1/m, albedo of the water below its surface, each as red, green and
+    """Returns Jerlov's optical types of sea water, clearest first: name, label, help, ior;
+    absorption and scattering [1/m], albedo of the water below its surface, each as red, green and
     blue of linear Rec. 709; anisotropy, the mean cosine of scattering; foam_albedo."""
     return json.loads(text_of("ocean_water_types_json"))
+
+
+def text_of_values(values: Mapping[str, Any]) -> str:
+    """Returns a sea file that sets these parameters, named as in Sea.values or Sea.set(). Equal
+    values give equal bytes. Unset values are left out, and neutral ones of later parameters. Checks
+    no value: parse() of the text does."""
+    texts = [value_text(value) for value in values.values()]
+    return text_of("ocean_text_of_values", text_array(list(values)), text_array(texts), len(texts))

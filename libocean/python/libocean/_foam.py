@@ -13,11 +13,11 @@ import numpy as np
 from ._library import INVALID_VALUE, FoamTextureRequest, InvalidValueError, Options, call
 
 
-def _whole(name: str, value: int, least: int, most: int) -> int:
-    """ctypes would cut off what does not fit."""
+def _whole(name: str, value: int, low: int, high: int) -> int:
+    """Returns the number as an int; raises where ctypes would silently cut it off."""
     number = index(value)
-    if not least <= number <= most:
-        message = f"{name} = {number}; allowed: {least} .. {most}"
+    if not low <= number <= high:
+        message = f"{name} = {number}; allowed: {low} .. {high}"
         raise InvalidValueError(message, INVALID_VALUE)
     return number
 
@@ -30,10 +30,11 @@ def _call(request: FoamTextureRequest, threads: int = 0) -> float:
 
 
 def foam_texture(kind: str, *, size: int = 1024, seed: int = 1, threads: int = 0) -> Any:
-    """A texture of foam that tiles: float32 [j, i], size texels a side, a power of two, 64 .. 4096.
-    kind: "lace", "bubbles" or "streaks", which lie along x. A place is white where its value is
-    below the cover, 0 .. 1: `texture < cover` is the share `cover` of the area, read bilinearly.
-    Low values are the last to vanish. foam_texture_period() says how many metres a tile is."""
+    """Returns a texture of foam that tiles: float32 [j, i], size texels per side, a power of two,
+    64 .. 4096. kind: "lace", "bubbles" or "streaks", which lie along x. A place is white where its
+    value is below the cover, 0 .. 1: `texture < cover` is the share `cover` of the area, read
+    bilinearly. Low values are the last to vanish. foam_texture_period() returns the side of a
+    tile."""
     request = FoamTextureRequest(
         ctypes.sizeof(FoamTextureRequest),
         kind.encode(),
@@ -48,5 +49,5 @@ def foam_texture(kind: str, *, size: int = 1024, seed: int = 1, threads: int = 0
 
 
 def foam_texture_period(kind: str) -> float:
-    """The side in metres of the tile that a kind of texture is made for."""
+    """Returns the side of the tile that a kind of texture is made for [m]."""
     return _call(FoamTextureRequest(ctypes.sizeof(FoamTextureRequest), kind.encode(), 64))

@@ -7,6 +7,7 @@ from __future__ import annotations
 import ctypes
 import os
 import sys
+from collections.abc import Sequence
 from ctypes import (
     POINTER,
     c_char_p,
@@ -31,10 +32,8 @@ OUT_OF_MEMORY = 7
 BUFFER_TOO_SMALL = 8
 CANCELLED = 10
 
-# Parts of a failure, in the order of the C enum.
+# The order of these is that of the C enums.
 ERROR_FIELDS = ("what", "parameter", "value", "allowed")
-
-# In the order of the C enums.
 BACKENDS = ("cpu", "gl", "radix2", "dft")
 AXES = ("zup", "yup", "tnb")
 FOAM_STARTS = ("settled", "empty")
@@ -148,6 +147,21 @@ class DetailRequest(ctypes.Structure):
     ]
 
 
+class ProvenanceRequest(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("time", c_double),
+        ("frame", c_int32),
+        ("axes", c_int32),
+        ("field", c_char_p),
+        ("band", c_void_p),
+        ("band_size", c_size_t),
+        ("residual", c_double),
+        ("resolution", c_int32),
+        ("reserved", c_int32),
+    ]
+
+
 class SprayRequest(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_size_t),
@@ -174,8 +188,8 @@ class FoamTextureRequest(ctypes.Structure):
 
 
 class Error(Exception):
-    """A call that failed. `code` is that of libocean.h, the text is the library's sentence. Its
-    parts are `what`, `parameter`, `value` and `allowed`, each "" where it has no such part:
+    """A call failed. `code` is that of libocean.h, the text is the library's sentence. The parts of
+    the sentence are `what`, `parameter`, `value` and `allowed`, each "" if it has no such part:
     "is out of range", "waves.0.fetch", "5", "1000 .. 10000000 m"."""
 
     def __init__(
@@ -197,19 +211,19 @@ class Error(Exception):
 
 
 class InvalidValueError(Error, ValueError):
-    """A parameter or argument that is unknown, of a wrong type or out of range."""
+    """A parameter or argument is unknown, of a wrong type or out of range."""
 
 
 class UnsupportedError(Error, NotImplementedError):
-    """A feature that this version of the library does not have."""
+    """This version of the library does not have the feature."""
 
 
 class OutOfMemoryError(Error, MemoryError):
-    """More memory than there is; said before it is allocated."""
+    """A call would need more memory than is available; raised before it allocates any."""
 
 
 class CancelledError(Error):
-    """A call that was ended from outside."""
+    """A progress function or Ctrl-C ended the call."""
 
 
 _ERRORS = {
@@ -225,8 +239,15 @@ def error(message: str, code: int, **fields: str) -> Error:
     return _ERRORS.get(code, Error)(message, code, **fields)
 
 
+def choose(name: str, word: str, known: Sequence[str]) -> int:
+    """Returns the number of a word of a C enum; raises Error for an unknown word."""
+    if word not in known:
+        raise error(f"unknown {name} '{word}'; known: {', '.join(known)}", INVALID_VALUE)
+    return known.index(word)
+
+
 def last_error(code: int) -> Error:
-    """The last failure of this thread, whose code is given."""
+    """Returns the last failure of this thread, which had this code."""
 
     def text(given: bytes) -> str:
         return given.decode(errors="replace")
@@ -239,10 +260,11 @@ def last_error(code: int) -> Error:
 
 
 def _candidates() -> list[str]:
-    """Where the library may be, best first; a name without a folder is for the system's loader."""
-    asked = os.environ.get("LIBOCEAN_LIBRARY")
-    if asked:
-        return [asked]  # and nothing else: another one found by accident would hide the mistake
+    """Returns where the library may be, best first; a name without a folder is for the system's
+    loader."""
+    named = os.environ.get("LIBOCEAN_LIBRARY")
+    if named:
+        return [named]  # and nothing else: another one found by accident would hide the mistake
     names = {"win32": ["libocean.dll"], "darwin": ["libocean.dylib"]}
     beside = names.get(sys.platform, ["libocean.so"])
     system = names.get(sys.platform, [f"libocean.so.{ABI_VERSION}"])
@@ -267,6 +289,10 @@ _SIGNATURES: dict[str, list[Any]] = {
     "ocean_state_json": [c_void_p, *_TEXT],
     "ocean_records_json": [c_char_p, *_TEXT],
     "ocean_preset": [c_char_p, *_TEXT],
+    "ocean_values_json": [c_void_p, *_TEXT],
+    "ocean_text_of_values": [POINTER(c_char_p), POINTER(c_char_p), c_size_t, *_TEXT],
+    "ocean_time_of_frame": [c_void_p, c_double, POINTER(c_double)],
+    "ocean_provenance_json": [c_void_p, POINTER(ProvenanceRequest), *_TEXT],
     "ocean_water_types_json": _TEXT,
     "ocean_map_resolution": [c_void_p, POINTER(c_int32)],
     "ocean_cascade_periods": [c_void_p, POINTER(c_double), POINTER(c_size_t)],
@@ -323,14 +349,14 @@ library = _load()
 
 
 def call(name: str, *arguments: Any) -> None:
-    """Calls a function that returns a code; raises the library's sentence."""
+    """Calls a function that returns a code; raises Error with the library's sentence."""
     code = getattr(library, name)(*arguments)
     if code != OK:
         raise last_error(code)
 
 
 def text_of(name: str, *arguments: Any) -> str:
-    """The text result of a function whose last arguments are (out, size)."""
+    """Returns the text result of a function whose last arguments are (out, size)."""
     size = c_size_t(1 << 14)
     while True:
         out = ctypes.create_string_buffer(size.value)

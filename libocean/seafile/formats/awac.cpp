@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a Nortek AWAC sends (NMEA, $PNOR...). Of one measurement, by date MMDDYY and time hhmmss:
+// Sentences of a Nortek AWAC (NMEA, $PNOR...). One measurement, by date MMDDYY and time hhmmss, has
 //   $PNORW,050120,000101,3,4,2.30,...*4F                       wave parameters; the 6th is Hm0 [m]
-//   $PNORE,050120,000101,3,0.02,0.01,98,0.063,0.029,...*75     first frequency and step [Hz], how
-//                                                              many, densities
+//   $PNORE,050120,000101,3,0.02,0.01,98,0.063,0.029,...*75     first frequency and step [Hz], the
+//                                                              number of densities, densities
 //   $PNORF,A1,050120,000101,3,0.02,0.01,48,-0.1370,...*06      A1, B1, A2, B2 of the direction that
 //                                                              waves come from, clockwise from
 //                                                              north
-// Other sentences are passed over. *hh is the exclusive or of all characters between $ and *. A
-// moment of -9 is missing; there are fewer moments than densities. The manual gives densities in
-// cm^2/Hz, instruments send m^2/Hz too: Hm0 tells.
+// Other sentences are skipped. *hh is the exclusive or of all characters between $ and *. A moment
+// of -9 is missing; there are fewer moments than densities. The manual gives densities in cm^2/Hz,
+// but instruments send m^2/Hz too: Hm0 decides.
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -29,12 +29,14 @@ constexpr std::string_view kStart = "$PNOR";
 constexpr double kMissingMoment = -9.0;
 constexpr double kMaxMoment = 1.005;
 constexpr double kSquareCentimetre = 1e-4;  // m^2
-/// Of Hm0 and the spectrum's own height: beyond this they do not belong together.
+/// Max relative difference of Hm0 and the spectrum's own height: beyond it they do not belong
+/// together.
 constexpr double kSameHeight = 0.2;
 constexpr std::size_t kFirstLines = 50;
 
-/// Why a sentence cannot be trusted; empty for a good one, whose checksum is cut off.
-std::string take_checksum(std::string_view& sentence) {
+/// Removes the checksum of a sentence. Returns why the sentence cannot be trusted; empty for a good
+/// one.
+std::string remove_checksum(std::string_view& sentence) {
     const std::size_t star = sentence.rfind('*');
     if (star == std::string_view::npos) return "the sentence has no checksum: it is cut off";
     unsigned sum = 0;
@@ -63,7 +65,7 @@ class AwacReader {
     }
 
   private:
-    /// Of one time.
+    /// The sentences of one time.
     struct Measurement {
         SpectrumRecord record;
         double hm0 = kMissing;
@@ -74,7 +76,7 @@ class AwacReader {
     };
 
     void read_sentence(std::string_view sentence) {
-        std::string fault = take_checksum(sentence);
+        std::string fault = remove_checksum(sentence);
         const auto fields = csv::split(sentence, ',', 2 * kMaxFrequencies);
         if (!fields || fields->empty()) return;
         fields_ = *fields;
@@ -134,7 +136,7 @@ class AwacReader {
         }
     }
 
-    /// What the sentences of one time say alike of their frequencies, and a value for each.
+    /// Reads the frequencies, on which the sentences of one time must agree, and a value for each.
     std::vector<double> read_list(std::size_t at, double most, std::string_view what) {
         const double start = number(at, 0.0, kMaxFrequency, "a frequency");
         const double step = number(at + 1, kMinFrequency, kMaxFrequency, "a step of frequency");
@@ -167,7 +169,7 @@ class AwacReader {
         }
         if (done.record.fault.empty() && done.density.empty()) {
             done.record.fault =
-                lines_.fail("no $PNORE, the densities, of " + done.record.time).what();
+                lines_.fail("$PNORE, with the densities, is missing at " + done.record.time).what();
         }
         if (done.record.fault.empty()) set_spectrum(done);
         records_.push_back(std::move(done.record));
@@ -184,9 +186,9 @@ class AwacReader {
                 const double value = i < values.size() ? values[i] : kMissing;
                 return std::abs(value) <= kMaxMoment ? value : kMissing;
             };
-            // Of the direction D that waves come from, clockwise from north, cos D and sin D; they
-            // travel to T = 270 - D from east: cos T = -sin D, sin T = -cos D, cos 2T = -cos 2D,
-            // sin 2T = sin 2D.
+            // The moments belong to the direction D that waves come from, clockwise from north: cos
+            // D and sin D. Waves travel to T = 270 - D from east: cos T = -sin D, sin T = -cos D,
+            // cos 2T = -cos 2D, sin 2T = sin 2D.
             append_moments(record, {-moment(1), -moment(0), -moment(2), moment(3)});
         }
         drop_unknown_moments(record);
@@ -200,7 +202,7 @@ class AwacReader {
         const double centimetres = metres * std::sqrt(kSquareCentimetre);
         if (!(done.hm0 > 0.0 && metres > 0.0)) {
             record.warnings.push_back(
-                "no Hm0 tells the unit of the densities: they are taken as m^2/Hz");
+                "without Hm0 the unit of the densities is unknown: m^2/Hz is assumed");
             return;
         }
         const bool centi =
@@ -223,7 +225,7 @@ class AwacReader {
     std::vector<SpectrumRecord> records_;
 };
 
-/// A recording may begin in the middle of a sentence.
+/// Recognises a recording, which may begin in the middle of a sentence.
 bool recognises(std::string_view content) {
     LineReader lines(content, "");
     for (std::size_t i = 0; i < kFirstLines && lines.next_filled(); ++i) {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra as CSV, for data that has no format of its own, in the dialects that csv_rows.hpp names:
+// Spectra as CSV, for data without a format of its own, in the dialects that csv_rows.hpp lists:
 // commas, semicolons, tabs or blanks, decimal points or commas, UTF-8 or UTF-16. Lines that begin
-// with '#' and blank lines are skipped. The first line left names the columns, in any order and any
-// case; each line after it is one value of the spectrum. A text may stand in "double quotes".
+// with '#' and blank lines are skipped. The first remaining line names the columns, in any order
+// and any case; each line after it is one value of the spectrum. A text may be in "double quotes".
 //
-//   frequency              (Hz) or (rad/s)                                        needed
-//   density                what the rows hold; empty or nan = missing             needed
+//   frequency              (Hz) or (rad/s)                                        required
+//   density                the value of a row; empty or nan = missing             required
 //     without a direction: (m2/Hz), (m2 s), (m2/(rad/s)) and their kind: see density_units.hpp
-//     with a direction:    (m2/Hz/deg), (m2/Hz/rad), or (m2 s/rad), per Hz and rad as ERA5 has it
+//     with a direction:    (m2/Hz/deg), (m2/Hz/rad), or (m2 s/rad), per Hz and rad as in ERA5
 //   direction              (deg) or (rad), coming from, clockwise from north
 //   direction_to           travelling to, clockwise from north
 //   direction_cartesian    travelling to, counter-clockwise from east             one of the three
@@ -21,11 +21,11 @@
 //   latitude longitude     (deg), both or none
 //   depth                  (m), one for each record
 //
-// A unit stands in () or [] after the name; without one it is the first in the list, but a density
-// over rad/s must name its own. Columns without a name, of row numbers, are passed over. Rows alike
-// in time, station, latitude and longitude are one record. Its rows are in any order: one a
+// A unit is in () or [] after the name; without one it is the first in the list, but a density over
+// rad/s must name its own. Columns without a name, such as row numbers, are skipped. Rows with
+// equal time, station, latitude and longitude form one record. Its rows are in any order: one per
 // frequency, or with a direction one for each of its frequencies and directions. Tables of another
-// shape, a record a column or a row, are csv_wide.cpp's.
+// shape, a record per column or row, belong to csv_wide.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -126,15 +126,15 @@ class CsvReader {
         return fail_at(last_line(group), "in the record that ends here: " + message);
     }
 
-    /// False at the end. A line that is no row costs the record before it and the one after it: it
-    /// may have belonged to either.
+    /// Steps to the next row; false at the end. A line that is not a row invalidates the record
+    /// before it and the one after it: it may have belonged to either.
     bool next_row() {
         while (true) {
             const std::size_t before = table_.lines().number();
             try {
                 return table_.next();
             } catch (const Error& error) {
-                if (table_.lines().number() == before) throw;  // of the table as a whole
+                if (table_.lines().number() == before) throw;  // a fault of the table as a whole
                 lost_ = error.what();
                 if (!groups_.empty()) blame(lost_);
             }
@@ -176,7 +176,7 @@ class CsvReader {
     std::string_view field(Column column) const {
         return header_.has(column) ? table_.cell(header_.place(column)) : std::string_view();
     }
-    /// Empty or nan = missing = NaN. The limits are in the record's unit.
+    /// Returns a number; NaN for an empty cell or nan. The limits are in the record's unit.
     double optional_number(Column column, double low, double high) {
         const std::string_view word = field(column);
         if (word.empty()) return kMissing;
@@ -188,11 +188,11 @@ class CsvReader {
         if (!read) throw bad_row(named() + " is not a number");
         const double value = *read * header_.factor(column);
         if (std::isnan(value) || (value >= low && value <= high)) return value;
-        throw bad_row(named() + " is not within " + shortest_text(std::max(low, least_of(column))) +
+        throw bad_row(named() + " is not within " + shortest_text(std::max(low, min_of(column))) +
                       " .. " + shortest_text(high));
     }
-    /// What the message says: noise below 0 is let through, see clean_record.
-    static double least_of(Column column) {
+    /// Returns the min that a message states: noise below 0 is accepted, see clean_record.
+    static double min_of(Column column) {
         return column == density ? 0.0 : -std::numeric_limits<double>::infinity();
     }
     double number(Column column, double low, double high) {
@@ -201,7 +201,8 @@ class CsvReader {
         throw bad_row("the " + std::string(name_of(column)) + " is missing");
     }
 
-    /// Rows of one record mostly follow each other: only a change is looked up.
+    /// Returns the group of a row. Rows of one record usually follow each other: only a change is
+    /// looked up.
     Group& group_of_row() {
         std::string key;
         for (const Column column : {time, station, latitude, longitude}) {
@@ -261,7 +262,7 @@ class CsvReader {
             const Row& row = group.rows[i];
             if (i > 0 && group.rows[i - 1].frequency == row.frequency) {
                 throw fail_at(std::max(group.rows[i - 1].line, row.line),
-                              "this frequency is there twice in one record");
+                              "this frequency appears twice in one record");
             }
             if (std::isnan(row.density)) continue;
             record.frequency.push_back(row.frequency);
@@ -299,7 +300,8 @@ class CsvReader {
         return record;
     }
 
-    /// Sorted rows are a grid if each has the frequency and direction of its place.
+    /// Checks that the rows are a grid: sorted, each must have the frequency and direction of its
+    /// position.
     void check_grid(const Group& group, const std::vector<double>& frequencies,
                     const std::vector<double>& directions) const {
         for (std::size_t i = 0; i < frequencies.size() * directions.size(); ++i) {
@@ -314,14 +316,14 @@ class CsvReader {
                                group.rows[i].direction == group.rows[i - 1].direction;
             if (twice) {
                 throw fail_at(group.rows[i].line,
-                              "this frequency and direction are there twice in one record");
+                              "this frequency and direction appear twice in one record");
             }
             throw fail_record(group, format_text("no row for %.6g Hz and %.6g degrees", f, d));
         }
         const std::size_t cells = frequencies.size() * directions.size();
         if (group.rows.size() > cells) {
             throw fail_at(group.rows[cells].line,
-                          "this frequency and direction are there twice in one record");
+                          "this frequency and direction appear twice in one record");
         }
     }
 
@@ -333,7 +335,7 @@ class CsvReader {
     std::string lost_;  // the fault of a line that may belong to the next row's record
     std::vector<Group> groups_;
     std::map<std::string, std::size_t> group_by_key_;
-    std::string key_;  // of the row before
+    std::string key_;  // of the previous row
     std::size_t current_ = 0;
 };
 

@@ -18,7 +18,7 @@
 namespace ocean::csv {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;  // of a radian
+constexpr double kDegrees = 180.0 / kPi;  // in a radian
 
 struct Unit {
     std::string_view name;
@@ -50,7 +50,7 @@ constexpr std::string_view kNames[] = {"frequency",
                                        "depth"};
 static_assert(std::size(kNames) == kColumns);
 
-/// Other names, in lower case, with _ for blanks.
+/// Other names of columns, in lower case, with _ for blanks.
 constexpr std::pair<std::string_view, Column> kAliases[] = {
     {"freq", frequency},
     {"f", frequency},
@@ -80,7 +80,7 @@ char lower_case(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// A unit without what does not matter in it.
+/// Returns a unit without the characters that do not matter in it.
 std::string reduced(std::string_view unit) {
     std::string out;
     for (const char c : unit) {
@@ -164,7 +164,7 @@ bool is_missing(std::string_view cell) {
 
 std::optional<std::string> time_text(std::string_view cell) {
     if (const auto read = parse_utc_time(cell)) return read->text();
-    if (cell.size() == 10) {  // what pandas writes of midnights
+    if (cell.size() == 10) {  // pandas omits a time of midnight
         const auto read = parse_utc_time(std::string(cell) + "T00:00");
         if (read) return read->text();
     }
@@ -188,7 +188,7 @@ Header::Header(const TableReader& table) {
         const Column column = column_named(title.name);
         if (column == kNone) throw lines.fail(unknown_column(title.name));
         if (has(column)) {
-            throw lines.fail("the column " + text::printable(title.name) + " is there twice");
+            throw lines.fail("the column " + text::printable(title.name) + " appears twice");
         }
         place_[column] = i;
         units[column] = title.unit;

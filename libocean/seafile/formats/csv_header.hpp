@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The header line of a CSV: which columns there are, where, in which units. What can stand there is
-// documented in csv.cpp.
+// The header line of a CSV: its columns, their positions and their units. csv.cpp documents the
+// allowed names.
 #pragma once
 
 #include <array>
@@ -36,41 +36,44 @@ enum Column : std::size_t {
     kColumns,
     kNone = kColumns,
 };
-/// As a header line names it.
+/// Returns the name of a column in a header line.
 std::string_view name_of(Column column);
-/// kNone for a name that is unknown. Names of wavespectra, xarray and pandas are known too.
+/// Returns the column of a title, also for the names of wavespectra, xarray and pandas; kNone for
+/// an unknown name.
 Column column_of(std::string_view title);
-/// A column of row numbers, as pandas writes it: it has no name, or one that says so.
+/// Returns true for a column of row numbers, as pandas writes it: it has no name, or one that says
+/// so.
 bool is_row_index(std::string_view title);
-/// A row index, or what wavespectra writes beside a spectrum.
+/// Returns true for a row index and for the columns that wavespectra writes beside a spectrum.
 bool is_passed_over(std::string_view title);
-/// The column that a title was meant to name, if it was mistyped; else empty.
+/// Returns the column that a mistyped title probably means; else empty.
 std::string_view mistyped_column(std::string_view title);
-/// "unknown column 'x'", with a name that was mistyped or those there are.
+/// Returns the message "unknown column 'x'" with the name that was probably meant, or the known
+/// names.
 std::string unknown_column(std::string_view name);
 
-/// What a density of a unit is to be multiplied by; `unit` as parse_title gives it, empty for the
-/// record's own. Throws Error bad_file for others.
+/// Returns the factor of densities of a unit; `unit` is that of parse_title, empty for the record's
+/// own. Throws Error bad_file for other units.
 double density_factor(const LineReader& lines, std::string_view unit, bool directional);
-/// The factor of a frequency's unit to Hz. Throws Error bad_file for an unknown one.
+/// Returns the factor of a frequency's unit to Hz. Throws Error bad_file for an unknown unit.
 double frequency_factor(const LineReader& lines, std::string_view unit);
 
-/// What stands in a cell without a value.
+/// Returns true if a cell has no value.
 bool is_missing(std::string_view cell);
-/// UTC as a record has it, of "2020-06-08T03:50" and its kind (see parse_utc_time), a date alone,
-/// 2020/06/08 03:50 and 08.06.2020 03:50; nothing for others.
+/// Returns a record's UTC time of "2020-06-08T03:50" and its kind (see parse_utc_time), a date
+/// alone, 2020/06/08 03:50 or 08.06.2020 03:50; nothing for other text.
 std::optional<std::string> time_text(std::string_view cell);
 
-/// Where in a row the columns are, and what their values are to be multiplied by.
+/// The positions of the columns in a row, and the factors of their values.
 class Header {
   public:
-    /// From the titles of a table.
+    /// Reads the titles of a table.
     explicit Header(const TableReader& table);
 
     std::size_t place(Column column) const { return place_[column]; }
     double factor(Column column) const { return factor_[column]; }
     bool has(Column column) const { return place_[column] != kNone; }
-    /// The one there is of a column and the two after it, else kNone.
+    /// Returns the one that is present of a column and the two after it, else kNone.
     Column any_of(Column first) const;
 
   private:

@@ -6,9 +6,9 @@
 //   0.04,0.0001                     names of stations. The frequency may have no title, as an
 //   0.05,0.0123                     index of pandas.
 //
-//   ,0.04,0.05,0.06                 times in the first column, and in others what a record has
-//   2024-03-01 12:00:00,0.1,0.2,0.1 beside its spectrum; frequencies in Hz are the titles of the
-//                                   others.
+//   ,0.04,0.05,0.06                 times in the first column, and in others further data of the
+//   2024-03-01 12:00:00,0.1,0.2,0.1 record; the titles of the remaining columns are frequencies
+//                                   in Hz.
 #include "csv_wide.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ bool is_record_column(Column column) {
            column == depth;
 }
 
-/// Hz; nothing for a title that is no number.
+/// Returns a title's frequency [Hz]; nothing for a title that is not a number.
 std::optional<double> frequency_title(std::string_view title) {
     if (title.find(',') == std::string_view::npos) return text::parse_number(title);
     std::string point(title);
@@ -48,7 +48,8 @@ std::optional<double> frequency_title(std::string_view title) {
     return text::parse_number(point);
 }
 
-/// Where the last brackets begin that are not within others; the end if there are none.
+/// Returns the position where the last brackets begin that are not within others; the end without
+/// any.
 std::size_t last_brackets(std::string_view title) {
     std::size_t last = title.size();
     int depth = 0;
@@ -81,7 +82,7 @@ bool has_record_a_column(std::span<const std::string> titles) {
     const auto is_index = [](const std::string& title) { return is_row_index(title); };
     const auto axis = std::find_if_not(titles.begin(), titles.end(), is_index);
     const bool named = axis != titles.end() && column_of(*axis) == frequency;
-    // Without a name the first column may be the frequency: its values tell.
+    // Without a name the first column may be the frequency: its values decide.
     const auto first = named ? axis + 1 : titles.begin() + 1;
     if (first == titles.end()) return false;
     return (named || is_row_index(titles.front())) &&
@@ -162,7 +163,7 @@ class WideReader {
     static DensityUnit unit_of(std::string_view title) {
         return parse_density_unit(parse_title(title).unit, DensityOver::frequency);
     }
-    /// The factor of its densities. Sets time, or station, and what had to be assumed.
+    /// Returns the factor of its densities. Sets time or station, and a warning for an assumption.
     double describe(std::string_view title, bool radians, SpectrumRecord& record) const {
         // "S(f) [m2/Hz]" has its unit in the last brackets, "S (m2/(rad/s))" in the first.
         DensityUnit unit = unit_of(title);
@@ -184,7 +185,8 @@ class WideReader {
         return has_unit ? unit.factor : 1.0;
     }
 
-    /// A line that is no row costs the whole table: each record has a value in it.
+    /// Steps to the next row. A line that is not a row invalidates the whole table: each record has
+    /// a value in it.
     bool next_row(const std::vector<SpectrumRecord>& records) {
         if (!table_.next()) return false;
         if (records.front().frequency.size() + 1 > kMaxFrequencies) {
@@ -213,7 +215,7 @@ class WideReader {
         throw table_.lines().fail("'" + text::printable(cell, 20) + "' is not a density");
     }
 
-    /// Row numbers without a title look like frequencies of whole Hz.
+    /// Refuses row numbers without a title, which look like frequencies of whole Hz.
     void check_axis(const std::vector<double>& f, bool named) const {
         bool numbers = !named && f.size() >= 2;
         for (std::size_t i = 1; i < f.size(); ++i) {

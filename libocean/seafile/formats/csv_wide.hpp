@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra in tables that have a record in each column or in each row, as pandas writes a DataFrame
-// of densities. Beside csv.cpp, which reads a value in each row.
+// Spectra in tables with a record in each column or in each row, as pandas writes a DataFrame of
+// densities. csv.cpp reads tables with one value in each row.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ enum class WideShape {
     record_a_row,     // time or place, then a column for each frequency, whose title is that in Hz
 };
 
-/// By the titles of a table.
+/// Recognises the shape by the titles of a table.
 WideShape shape_of(std::span<const std::string> titles);
 /// Throws Error bad_file. What the titles do not say is a warning of each record.
 std::vector<SpectrumRecord> read_wide(const SpectrumSource& source, WideShape shape);

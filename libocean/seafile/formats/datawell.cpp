@@ -102,7 +102,7 @@ class DatawellReader {
         if (value && std::isfinite(*value)) return *value;
         throw lines_.fail("'" + text::printable(word, 20) + "' is not " + what);
     }
-    /// Empty or nan = missing: the rest of a bin counts all the same.
+    /// Returns a number; NaN for an empty field or nan: the rest of the bin still counts.
     double number_or_missing(std::string_view word, double low, double high,
                              const std::string& what, std::string_view allowed) const {
         if (word.empty() || word == "nan" || word == "NaN") return kMissing;
@@ -119,7 +119,8 @@ class DatawellReader {
     std::vector<std::string_view> fields_;  // of the line
 };
 
-/// Station and time of ".../buoy}2024-09-09T01h15Z.spt"; empty where the name says nothing.
+/// Returns station and time of ".../buoy}2024-09-09T01h15Z.spt"; empty if the name does not contain
+/// them.
 std::pair<std::string, std::string> parse_name(std::string_view path) {
     path.remove_prefix(path.find_last_of("/\\") + 1);
     const std::size_t brace = path.find('}');
@@ -133,7 +134,7 @@ std::pair<std::string, std::string> parse_name(std::string_view path) {
     return {text::printable(station), read ? read->text() : ""};
 }
 
-/// Four numbers, each on a line of its own, and commas after the header.
+/// Recognises four numbers, each on a line of its own, and commas after the header.
 bool recognises(std::string_view content) {
     LineReader lines(content, "");
     for (std::size_t i = 0; i < kHeader.size(); ++i) {

@@ -11,7 +11,7 @@
 
 namespace ocean::text {
 
-std::optional<double> take_fortran_number(std::string_view& text) {
+std::optional<double> next_fortran_number(std::string_view& text) {
     const auto is_any = [&](std::size_t at, std::string_view of) {
         return at < text.size() && of.find(text[at]) != std::string_view::npos;
     };

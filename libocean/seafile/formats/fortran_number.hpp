@@ -9,9 +9,9 @@
 
 namespace ocean::text {
 
-/// Takes the number off the front of `text` that Fortran wrote there: 0.1D-02, 0.123-100 (an
-/// exponent of three digits leaves no room for its letter), 40.98-171.12 (the first of two without
-/// a blank between). Nothing, and nothing taken, if there is none.
-std::optional<double> take_fortran_number(std::string_view& text);
+/// Removes a number that Fortran wrote from the front of `text` and returns it: 0.1D-02, 0.123-100
+/// (an exponent of three digits leaves no room for its letter), 40.98-171.12 (the first of two
+/// without a blank between). Returns nothing, and removes nothing, if there is no number.
+std::optional<double> next_fortran_number(std::string_view& text);
 
 }  // namespace ocean::text

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Text of wave models as Fortran reads it: numbers in free form, over as many lines as they take.
-// What the readers of WAVEWATCH III and SWAN share, between lines and records.
+// Text of wave models in Fortran's free form: numbers over as many lines as they need. Shared by
+// the readers of WAVEWATCH III and SWAN, between lines and records.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 
 namespace ocean {
 
-/// Of all records of a file: a word as short as SWAN's ZERO may stand for a whole spectrum.
+/// The max of values in all records of a file: a word as short as SWAN's ZERO may stand for a whole
+/// spectrum.
 inline constexpr std::size_t kMaxFileValues = std::size_t{1} << 26;
 
 /// A format that marks whole lines as comments also has comments after the values of its header.
@@ -48,11 +49,11 @@ class FreeForm {
         } while (comment_mark_ != '\0' && rest_.starts_with(comment_mark_));
         return true;
     }
-    /// The next call of next_line() gives this line again.
+    /// Makes the next call of next_line() return this line again.
     void hold_line() { held_ = true; }
     std::size_t line_number() const { return lines_.number(); }
-    /// After a fault of what begins in line `first`: looks behind that line for one that `begins`
-    /// something new, which next_line() gives next.
+    /// Recovers from a fault in the item that begins in line `first`: searches the lines after it
+    /// for one that `begins` a new item, which next_line() then returns.
     template <typename Begins>
     void resume_after(std::size_t first, const Begins& begins) {
         const std::string_view line = lines_.line();
@@ -65,16 +66,16 @@ class FreeForm {
     void need_line(std::string_view what) {
         if (!next_line()) throw fail("the file ends where " + std::string(what) + " should be");
     }
-    /// What of the line is not taken yet, without blanks before it.
+    /// Returns the rest of the line that has not been read, without blanks before it.
     std::string_view rest() {
         skip_blanks();
         return rest_;
     }
     std::string_view word() {
         begun_ = true;
-        return take_word(rest_);
+        return next_word(rest_);
     }
-    void take(std::size_t bytes) { rest_.remove_prefix(bytes); }
+    void skip(std::size_t bytes) { rest_.remove_prefix(bytes); }
     void leave_line() { rest_ = {}; }
     void end_line(std::string_view what) {
         if (repeats_ > 0) throw fail("more numbers than " + std::string(what));
@@ -84,7 +85,7 @@ class FreeForm {
         }
     }
 
-    /// The next number, of this line or one that follows. `what`: "a density".
+    /// Reads the next number, of this line or a later one. `what` names it: "a density".
     double number(std::string_view what) {
         if (repeats_ > 0) {
             --repeats_;
@@ -92,25 +93,25 @@ class FreeForm {
         }
         while (rest().empty()) need_line(what);
         const std::string_view before = rest_;
-        std::optional<double> value = text::take_fortran_number(rest_);
-        if (!value) value = take_repeated();
+        std::optional<double> value = text::next_fortran_number(rest_);
+        if (!value) value = next_repeated();
         if (!value) throw no_number(what);
         number_ = before.substr(0, before.size() - rest_.size());
         begun_ = true;
         return *value;
     }
-    /// The same, of this line.
+    /// Reads the next number of this line.
     double number_here(std::string_view what) {
         if (rest().empty()) throw fail("the line ends where " + std::string(what) + " should be");
         return number(what);
     }
-    /// The same as number(), in a header.
+    /// Reads the next number of a header, of this line or a later one.
     double header_number(std::string_view what) {
         const bool comment = comment_mark_ != '\0' && begun_ && !begins_number(rest());
         if (comment) leave_line();
         return number(what);
     }
-    /// How many there are of `what`: "frequencies".
+    /// Reads a count of `what`: "frequencies".
     std::size_t count(std::string_view what, std::size_t least, std::size_t most) {
         const double value = header_number("the number of " + std::string(what));
         const bool within =
@@ -121,7 +122,7 @@ class FreeForm {
         }
         return static_cast<std::size_t>(value);
     }
-    /// The last number as the file spells it.
+    /// Returns the last number as the file spells it.
     std::string last_number() const { return shown(number_); }
     void require_within(double value, double low, double high, std::string_view what,
                         std::string_view allowed) const {
@@ -139,8 +140,9 @@ class FreeForm {
     void skip_blanks() {
         rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
     }
-    /// "36*0.0", as list-directed output writes 36 numbers alike: the first of them.
-    std::optional<double> take_repeated() {
+    /// Reads "36*0.0", as list-directed output writes 36 equal numbers, and returns the first of
+    /// them.
+    std::optional<double> next_repeated() {
         const std::size_t star = rest_.substr(0, 8).find('*');
         if (star == std::string_view::npos) return std::nullopt;
         const std::optional<double> count = text::parse_number(rest_.substr(0, star));
@@ -148,7 +150,7 @@ class FreeForm {
             return std::nullopt;
         }
         std::string_view after = rest_.substr(star + 1);
-        const std::optional<double> value = text::take_fortran_number(after);
+        const std::optional<double> value = text::next_fortran_number(after);
         if (!value) return std::nullopt;
         rest_ = after;
         repeats_ = static_cast<std::size_t>(*count) - 1;
@@ -171,10 +173,10 @@ class FreeForm {
     bool begun_ = false;  // something of the line is taken
     bool held_ = false;   // the line is to be given again
     std::size_t repeats_ = 0;
-    double repeated_ = 0.0;  // what the next `repeats_` numbers are
+    double repeated_ = 0.0;  // the value of the next `repeats_` numbers
 };
 
-/// Hz, ascending.
+/// Reads frequencies [Hz], ascending.
 inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
     std::vector<double> frequency;
     while (frequency.size() < count) {
@@ -189,7 +191,7 @@ inline std::vector<double> read_frequencies(FreeForm& in, std::size_t count) {
     return frequency;
 }
 
-/// Before a record joins others of the same size.
+/// Throws if another record of the same size would exceed the limits of a file.
 inline void require_room(const FreeForm& in, std::size_t records, std::size_t values_of_each) {
     if (records >= kMaxRecords) throw in.fail("more than 100000 records");
     if ((records + 1) * values_of_each > kMaxFileValues) {
@@ -197,8 +199,8 @@ inline void require_room(const FreeForm& in, std::size_t records, std::size_t va
     }
 }
 
-/// The time that `text` begins with, by a pattern of Y M D h m s for digits and b for the three
-/// letters of a month; other characters stand for themselves. Not checked for validity; a year of
+/// Returns the time that `text` begins with, by a pattern with Y M D h m s for digits and b for the
+/// three letters of a month; other characters match themselves. Not checked for validity; a year of
 /// two digits stays one.
 inline std::optional<UtcTime> match_time(std::string_view text, std::string_view pattern) {
     constexpr std::string_view kMonths = "janfebmaraprmayjunjulaugsepoctnovdec";

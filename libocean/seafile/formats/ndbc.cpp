@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tables of the National Data Buoy Center have in common: see ndbc.hpp.
+// Common parts of the tables of the National Data Buoy Center: see ndbc.hpp.
 #include "ndbc.hpp"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ int date_part(const LineReader& lines, std::string_view word) {
     return static_cast<int>(value);
 }
 
-/// The value at a frequency. Tables print the same frequency alike: a tolerance only for other
-/// digits of the same number.
+/// Returns the value at a frequency. Tables print the same frequency alike: the tolerance is for
+/// other digits of the same number.
 double value_at(const std::vector<Bin>& bins, double frequency) {
     constexpr double kTolerance = 1e-6;  // Hz; bins lie 5e-3 apart
     const auto found =
@@ -35,7 +35,7 @@ double value_at(const std::vector<Bin>& bins, double frequency) {
     return hit ? found->value : kMissing;
 }
 
-/// A bin that lacks one of the four quantities lacks all four moments.
+/// Adds the directions. A bin that lacks one of the four quantities lacks all four moments.
 void add_directions(SpectrumRecord& record, const Row& row, const Companions& companions) {
     std::array<const std::vector<Bin>*, kCompanions> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -69,14 +69,14 @@ double number(const LineReader& lines, std::string_view word, std::string_view w
     return *value;
 }
 
-std::string take_time(const LineReader& lines, std::string_view& line, bool minutes) {
+std::string next_time(const LineReader& lines, std::string_view& line, bool minutes) {
     UtcTime time;
-    time.year = date_part(lines, take_word(line));
+    time.year = date_part(lines, next_word(line));
     if (time.year >= 0 && time.year < 100) time.year += 1900;  // written before 1999
-    time.month = date_part(lines, take_word(line));
-    time.day = date_part(lines, take_word(line));
-    time.hour = date_part(lines, take_word(line));
-    if (minutes) time.minute = date_part(lines, take_word(line));
+    time.month = date_part(lines, next_word(line));
+    time.day = date_part(lines, next_word(line));
+    time.hour = date_part(lines, next_word(line));
+    if (minutes) time.minute = date_part(lines, next_word(line));
     if (!time.valid()) throw lines.fail("the line does not begin with a date and time");
     return time.text();
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tables of the National Data Buoy Center have in common, real-time or historical: dates,
-// missing values, and how five tables of one station become records. Buoy's degrees become
+// Common parts of the tables of the National Data Buoy Center, real-time and historical: dates,
+// missing values, and the way from five tables of one station to records. The buoy's degrees become
 // libocean's directions here, and only here.
 #pragma once
 
@@ -26,7 +26,7 @@ inline constexpr double kMaxSpread = 1.05;
 /// Before the header line of a table.
 inline constexpr std::size_t kMaxMetadataLines = 1000;
 
-/// What the five tables hold: density, alpha1, alpha2, r1, r2.
+/// The contents of the five tables: density, alpha1, alpha2, r1, r2.
 enum class Quantity { density, direction1, direction2, spread1, spread2 };
 inline constexpr std::size_t kCompanions = enum_count<Quantity>() - 1;  // all but the density
 
@@ -38,7 +38,7 @@ struct Bin {
 struct Row {
     std::string time;
     std::vector<Bin> bins;  // ascending in frequency
-    std::string station;    // of a table of several stations
+    std::string station;    // in a table of several stations
     std::string fault;      // why the line cannot be used, "NAME:LINE: ..."
     std::string warning;
 };
@@ -47,25 +47,25 @@ struct Row {
 using Companion = std::map<std::pair<std::string, std::string>, Row>;
 using Companions = std::array<Companion, kCompanions>;
 
-/// A finite number, or a failure that says what the word is not.
+/// Returns a finite number. Throws Error bad_file stating that the word is not `what`.
 double number(const LineReader& lines, std::string_view word, std::string_view what);
 /// Takes year, month, day, hour and perhaps minute off the front of a line: "2020-06-08T03:50".
-std::string take_time(const LineReader& lines, std::string_view& line, bool minutes);
-/// The frequency that follows those of `bins`: within the limits, ascending.
+std::string next_time(const LineReader& lines, std::string_view& line, bool minutes);
+/// Returns the frequency that follows those of `bins`: within the limits, ascending.
 double next_frequency(const LineReader& lines, std::string_view word, const std::vector<Bin>& bins);
-/// A value of a table; `full` is how that table writes an r1 or r2 of 1. Nines mean missing: 999 in
-/// every table, 99 too where it is no possible value (a direction of 99 degrees is; its bin is
-/// missing all the same if the spread beside it is).
+/// Returns a value of a table; `full` is how that table writes an r1 or r2 of 1. Nines mean
+/// missing: 999 in every table, 99 too if it is not a possible value. (A direction may be 99
+/// degrees; its bin is missing all the same if the spread beside it is.)
 double value(const LineReader& lines, std::string_view word, Quantity quantity, double full);
 
-/// The rows of a table whose time is known; of two with one time the first. Throws Error bad_file
-/// where none is.
+/// Returns the rows of a table whose time is known; of two with one time, the first. Throws Error
+/// bad_file if no time is known.
 Companion by_time(std::vector<Row> rows);
-/// NDBC's identifiers have five characters: "41010" of "ndbc_41010" and "41010_5day", else all of
-/// the stem.
+/// Returns the station of a file's stem. NDBC's identifiers have five characters: "41010" of
+/// "ndbc_41010" and "41010_5day", else the whole stem.
 std::string station_of(std::string_view stem);
-/// A record for each row that has two densities or more, or a fault. `station`: of rows that name
-/// none.
+/// Returns a record for each row that has at least two densities, or a fault. `station`: for rows
+/// that name none.
 std::vector<SpectrumRecord> make_records(const std::string& station, const std::vector<Row>& rows,
                                          const std::optional<Companions>& companions);
 

@@ -28,14 +28,14 @@ constexpr std::size_t kMaxColumns = 64;
 
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
-    for (auto word = take_word(line); !word.empty() && words.size() < kMaxColumns;
-         word = take_word(line)) {
+    for (auto word = next_word(line); !word.empty() && words.size() < kMaxColumns;
+         word = next_word(line)) {
         words.push_back(word);
     }
     return words;
 }
 
-/// "YYYY MM DD hh mm bands"
+/// Recognises "YYYY MM DD hh mm bands".
 bool names_times(std::string_view line) {
     if (line.starts_with('#')) line.remove_prefix(1);
     const std::vector<std::string_view> words = words_of(line);
@@ -66,7 +66,7 @@ class FiveDayReader {
     }
 
   private:
-    /// Skips header lines, which say what the columns are, and comments.
+    /// Skips comments and header lines, which name the columns.
     bool next_data_line() {
         while (lines_.next_filled()) {
             if (names_times(lines_.line())) continue;
@@ -91,20 +91,20 @@ class FiveDayReader {
         width_ = words.size();
     }
 
-    /// A time and a number, as no band has.
+    /// Returns true for a line with a time and a number, which no band has.
     bool begins_record() const {
         bool good = words_of(lines_.line()).size() == 6;
         std::string fault;
         std::string_view line = lines_.line();
-        catch_fault(fault, [&] { ndbc::take_time(lines_, line, true); });
+        catch_fault(fault, [&] { ndbc::next_time(lines_, line, true); });
         return good && fault.empty();
     }
 
     void read_record(SpectrumRecord& record) {
         if (width_ == 0) throw lines_.fail("values before the line that names their columns");
         std::string_view line = lines_.line();
-        record.time = ndbc::take_time(lines_, line, true);
-        const double bands = ndbc::number(lines_, take_word(line), "a number of bands");
+        record.time = ndbc::next_time(lines_, line, true);
+        const double bands = ndbc::number(lines_, next_word(line), "a number of bands");
         if (!(bands >= 2.0 && bands <= kMaxFrequencies && bands == std::floor(bands))) {
             throw lines_.fail("the number of bands is not within 2 .. 4096");
         }

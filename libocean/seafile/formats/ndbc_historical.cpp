@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// NDBC historical spectra: a table a year (or month) of densities, 41010w2019.txt, and beside it
-// four of directional quantities: d (alpha1), i (alpha2), j (r1), k (r2) in the place of the w.
-// The header has the frequencies, one line is one time:
+// NDBC historical spectra: a table of densities for a year (or month), 41010w2019.txt, and beside
+// it four of directional quantities: d (alpha1), i (alpha2), j (r1), k (r2) in place of the w. The
+// header contains the frequencies, one line is one time:
 //   #YY  MM DD hh mm   .0200   .0325   .0375 ...
 //   2019 01 01 00 00    0.00    0.00    0.12 ...
 // Old files have no minutes, no '#' or YYYY; some have a second line of units. Lines of metadata,
-// with a '#', may stand before the header.
+// with a '#', may precede the header.
 #include <algorithm>
 #include <set>
 
@@ -24,27 +24,27 @@ using ndbc::Row;
 /// By quantity, as the names of the files have them.
 constexpr std::string_view kLetters = "wdijk";
 
-/// What follows the names of the columns of time, and whether minutes are among them.
+/// The text after the names of the columns of time, and whether minutes are among these columns.
 struct Header {
     bool minutes = false;
     std::string_view frequencies;
 };
 
-/// The words after the '#', if the line begins with a year.
+/// Returns the words after the '#', if the line begins with a year.
 std::optional<std::string_view> header_words(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     if (line.starts_with('#')) line.remove_prefix(1);
     std::string_view rest = line;
-    const std::string_view year = take_word(rest);
+    const std::string_view year = next_word(rest);
     return year == "YY" || year == "YYYY" ? std::optional(rest) : std::nullopt;
 }
 
 std::optional<Header> parse_header(std::string_view words) {
     for (const std::string_view name : {"MM", "DD", "hh"}) {
-        if (take_word(words) != name) return std::nullopt;
+        if (next_word(words) != name) return std::nullopt;
     }
     Header header{false, words};
-    header.minutes = take_word(words) == "mm";
+    header.minutes = next_word(words) == "mm";
     if (header.minutes) header.frequencies = words;
     return header;
 }
@@ -77,7 +77,7 @@ class TableReader {
         minutes_ = header->minutes;
         bins_.clear();
         std::string_view rest = header->frequencies;
-        for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+        for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
             bins_.push_back({ndbc::next_frequency(lines_, word, bins_), kMissing});
         }
         if (bins_.size() < 2) throw lines_.fail("fewer than 2 frequencies");
@@ -86,10 +86,10 @@ class TableReader {
     void read_row(Row& row, Quantity quantity) const {
         if (bins_.empty()) throw lines_.fail("values before the header line");
         std::string_view rest = lines_.line();
-        row.time = ndbc::take_time(lines_, rest, minutes_);
+        row.time = ndbc::next_time(lines_, rest, minutes_);
         row.bins = bins_;
         std::size_t count = 0;
-        for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+        for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
             if (count == bins_.size()) {
                 throw lines_.fail("more values than the " + std::to_string(count) +
                                   " frequencies of the header line");
@@ -107,8 +107,9 @@ class TableReader {
     std::vector<Bin> bins_;  // of the header line, without values
 };
 
-/// Historical r1 and r2 are in hundredths, but some tables have them as fractions of one, where 99
-/// means missing. No sea has an r1 below a hundredth everywhere: a value above one tells.
+/// Converts r1 and r2 to fractions. Historical ones are in hundredths, but some tables have
+/// fractions of one, where 99 means missing. No sea has an r1 below a hundredth everywhere, so a
+/// value above one decides.
 void make_fractions(std::vector<Row>& rows) {
     const auto is_hundredths = [](const Bin& bin) {
         return bin.value > ndbc::kMaxSpread && bin.value != 99.0;
@@ -152,7 +153,7 @@ std::optional<TableName> parse_name(std::string_view path) {
     return std::nullopt;
 }
 
-/// Packed or not, each on its own.
+/// Reads a companion table, gzipped or not.
 std::optional<std::vector<Row>> read_companion(const SpectrumSource& source, const TableName& name,
                                                Quantity quantity) {
     const std::string plain = std::string(name.front) +
@@ -164,7 +165,7 @@ std::optional<std::vector<Row>> read_companion(const SpectrumSource& source, con
     return std::nullopt;
 }
 
-/// The four companions, or nothing if one of them is missing.
+/// Returns the four companions, or nothing if one of them is missing.
 std::optional<ndbc::Companions> read_companions(const SpectrumSource& source,
                                                 const std::optional<TableName>& name) {
     if (!name || !source.companion) return std::nullopt;
@@ -179,14 +180,15 @@ std::optional<ndbc::Companions> read_companions(const SpectrumSource& source,
     return companions;
 }
 
-/// Tables of meteorology begin alike, but no word of their header is a number.
+/// Recognises the header. Tables of meteorology begin alike, but no word of their header is a
+/// number.
 bool recognises(std::string_view content) {
     LineReader lines(content, "");
     for (std::size_t i = 0; i < ndbc::kMaxMetadataLines && lines.next_filled(); ++i) {
         std::optional<std::string_view> words = header_words(lines.line());
         if (!words && !lines.line().starts_with('#')) return false;
         if (!words) continue;
-        for (auto word = take_word(*words); !word.empty(); word = take_word(*words)) {
+        for (auto word = next_word(*words); !word.empty(); word = next_word(*words)) {
             if (text::parse_number(word)) return true;
         }
         return false;

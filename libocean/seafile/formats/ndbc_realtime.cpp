@@ -6,7 +6,7 @@
 //   #YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) spec_2 (freq_2) ... >
 //   2020 06 08 03 50 0.225 0.000 (0.033) 0.000 (0.038) ...
 // The hourly tables of all stations (hour_12.data_spec) begin with the station: #STN YYYY MM ...
-// Lines of metadata, with a '#', may stand before the header.
+// Lines of metadata, with a '#', may precede the header.
 #include <algorithm>
 
 #include "ndbc.hpp"
@@ -25,7 +25,7 @@ constexpr std::string_view kSuffixes[] = {".data_spec", ".swdir", ".swdir2", ".s
 static_assert(std::size(kColumnNames) == enum_count<Quantity>());
 static_assert(std::size(kSuffixes) == enum_count<Quantity>());
 
-/// Which columns stand before the first value. Old files have no minutes, companions no separation
+/// The columns before the first value. Old files have no minutes, companion tables no separation
 /// frequency.
 struct Header {
     bool station = false;
@@ -39,12 +39,12 @@ class Cursor {
   public:
     explicit Cursor(std::string_view line) : rest_(line) {}
     bool at_end() { return skip_blanks().empty(); }
-    bool take(char c) {
+    bool accept(char c) {
         if (!skip_blanks().starts_with(c)) return false;
         rest_.remove_prefix(1);
         return true;
     }
-    /// Up to the next blank or parenthesis.
+    /// Returns the text up to the next blank or parenthesis.
     std::string_view word() {
         skip_blanks();
         const std::string_view result = rest_.substr(0, rest_.find_first_of(" \t()"));
@@ -62,7 +62,7 @@ class Cursor {
 
 std::optional<Header> parse_header(std::string_view line) {
     Cursor cursor(line);
-    cursor.take('#');
+    cursor.accept('#');
     Header header;
     std::string_view first = cursor.word();
     if (first == "STN") {
@@ -115,8 +115,8 @@ class TableReader {
     void read_row(Row& row, const std::vector<Row>& before) const {
         if (!header_) throw lines_.fail("values before the header line that names the columns");
         std::string_view line = lines_.line();
-        if (header_->station) row.station = text::printable(take_word(line), 40);
-        row.time = ndbc::take_time(lines_, line, header_->minutes);
+        if (header_->station) row.station = text::printable(next_word(line), 40);
+        row.time = ndbc::next_time(lines_, line, header_->minutes);
         Cursor cursor(line);
         if (header_->separation) ndbc::number(lines_, cursor.word(), "a separation frequency");
         while (!cursor.at_end()) row.bins.push_back(read_bin(cursor, row.bins));
@@ -125,7 +125,8 @@ class TableReader {
         check_length(row, before.back().bins);
     }
 
-    /// A line that ends where the one before went on has lost its end, or says so in a warning.
+    /// Checks a line's length. A line shorter than the one before it is cut off, or a warning says
+    /// so.
     void check_length(Row& row, const std::vector<Bin>& before) const {
         if (row.bins.size() >= before.size()) return;
         if (lines_.cut_off()) throw lines_.fail("the file ends within this line");
@@ -137,9 +138,9 @@ class TableReader {
 
     Bin read_bin(Cursor& cursor, const std::vector<Bin>& before) const {
         const std::string_view word = cursor.word();
-        if (word.empty() || !cursor.take('(')) throw not_pairs();
+        if (word.empty() || !cursor.accept('(')) throw not_pairs();
         const std::string_view frequency = cursor.word();
-        if (!cursor.take(')')) throw not_pairs();
+        if (!cursor.accept(')')) throw not_pairs();
         return {ndbc::next_frequency(lines_, frequency, before),
                 ndbc::value(lines_, word, header_->quantity, 1.0)};
     }
@@ -149,7 +150,7 @@ class TableReader {
     std::optional<Header> header_;
 };
 
-/// The four companions, or nothing if one of them is missing.
+/// Returns the four companions, or nothing if one of them is missing.
 std::optional<ndbc::Companions> read_companions(const SpectrumSource& source) {
     if (!source.name.ends_with(kSuffixes[0]) || !source.companion) return std::nullopt;
     const std::string stem = source.name.substr(0, source.name.size() - kSuffixes[0].size());
@@ -164,7 +165,7 @@ std::optional<ndbc::Companions> read_companions(const SpectrumSource& source) {
     return companions;
 }
 
-/// "41010" of ".../ndbc_41010.data_spec".
+/// Returns "41010" of ".../ndbc_41010.data_spec".
 std::string station_of(std::string_view path) {
     if (!path.ends_with(kSuffixes[0])) return "";
     path.remove_suffix(kSuffixes[0].size());

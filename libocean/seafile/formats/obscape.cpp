@@ -29,7 +29,7 @@ namespace {
 constexpr std::string_view kColumns = "Columns [deg]";
 constexpr std::string_view kRows = "Rows [Hz]";
 constexpr std::string_view kDensity = "Variance-density";
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxBinDensity = 2500.0;
 constexpr std::size_t kMaxMetadataLines = 200;
 
@@ -76,7 +76,7 @@ class ObscapeReader {
     }
 
   private:
-    /// False if there are no rows after it.
+    /// Reads the metadata. Returns false if no rows follow.
     bool read_metadata(SpectrumRecord& record) {
         while (lines_.next_filled()) {
             const std::optional<Entry> entry = parse_entry(lines_.line());
@@ -126,15 +126,15 @@ class ObscapeReader {
         }
     }
 
-    /// "0,3,6,... 357" leaves out what goes on as it begins.
+    /// Expands "0,3,6,... 357", which omits values that continue the pattern of the first.
     void read_directions(std::string_view list) {
         std::string blanks(list);
         std::replace(blanks.begin(), blanks.end(), ',', ' ');
         std::string_view rest = blanks;
         degrees_.clear();
-        for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+        for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
             if (word == "...") {
-                go_on(number(take_word(rest), -360.0, 720.0, kColumns));
+                go_on(number(next_word(rest), -360.0, 720.0, kColumns));
                 break;
             }
             if (degrees_.size() == kMaxDirections) throw lines_.fail("more than 720 directions");
@@ -149,7 +149,7 @@ class ObscapeReader {
         const double steps = step > 0.0 ? std::round((last - degrees_.back()) / step) : 0.0;
         if (!(steps >= 1.0 && steps <= kMaxDirections) ||
             std::abs(degrees_.back() + steps * step - last) > 1e-6) {
-            throw lines_.fail("what stands for '...' in the directions is not known");
+            throw lines_.fail("the meaning of '...' in the directions is unclear");
         }
         const double begin = degrees_.back();
         for (double i = 1.0; i <= steps; ++i) degrees_.push_back(begin + i * step);

@@ -20,14 +20,14 @@
 namespace ocean {
 namespace {
 
-/// So that no sum over the circle is beyond what a record may hold.
+/// Max energy of a bin, so that no sum over the circle exceeds the limit of a record.
 constexpr double kMaxEnergy = 1e4;
 
 bool begins_record(std::string_view line) {
     return line.starts_with("CCYYMM,");
 }
 
-/// "maari" of "maari_20180311_00z": the forecast that it is of says nothing of the place.
+/// Returns "maari" of "maari_20180311_00z": the forecast does not identify the place.
 std::string_view without_run(std::string_view point) {
     constexpr std::string_view kPattern = "_00000000_00z";
     if (point.size() <= kPattern.size()) return point;
@@ -111,7 +111,7 @@ class OctopusReader {
         throw lines_.fail("'" + text::printable(word, 20) + "' is not " + std::string(what) +
                           " within " + shortest_text(low) + " .. " + shortest_text(high));
     }
-    /// Without what may stand behind a final comma.
+    /// Reads the fields of the next line, without those after a final comma.
     void next_fields(const std::string& what, std::size_t least) {
         need_line(what);
         fields_ = csv::fields_of(lines_, ',', 2 * kMaxFrequencies);
@@ -147,8 +147,9 @@ class OctopusReader {
                           "should be");
     }
 
-    /// An energy over the width that the trapezoid gives to its frequency, and over the angle of
-    /// its direction: the sum over a record is the height that the file states.
+    /// Reads energies. Each is divided by the width that the trapezoid gives to its frequency and
+    /// by the angle of its direction, so that the sum over a record is the height that the file
+    /// states.
     void read_energies(SpectrumRecord& record) {
         std::vector<double> degrees;
         std::vector<double> energies(frequencies_ * directions_);
@@ -177,7 +178,7 @@ class OctopusReader {
     LineReader lines_;
     std::size_t frequencies_ = 0;
     std::size_t directions_ = 0;
-    SpectrumRecord place_;  // of all records
+    SpectrumRecord place_;  // the data of all records
     std::vector<std::string_view> fields_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// From what a Spotter says to a record: see spotter.hpp.
+// From the values of a Spotter to a record: see spotter.hpp.
 #include "spotter.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Spotter buoys (Sofar Ocean) say of one spectrum, downloaded as CSV or as JSON of the
-// maker's interface: the same quantities under nearly the same names. Between a reader of either
-// and the record.
+// One spectrum of a Spotter buoy (Sofar Ocean), downloaded as CSV or as JSON of the maker's
+// interface: the same quantities under nearly the same names. Stands between a reader of either
+// format and the record.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@
 
 namespace ocean::spotter {
 
-/// Of one frequency. The moments are of the direction that waves travel to, counter-clockwise from
-/// east, as libocean has them; `direction` is the mean that they come from, clockwise from north.
+/// The quantities at one frequency. The moments are those of the direction that waves travel to,
+/// counter-clockwise from east, as in libocean; `direction` is the mean that they come from,
+/// clockwise from north.
 enum class Quantity { frequency, density, a1, b1, a2, b2, direction, spread };
 inline constexpr std::size_t kQuantities = enum_count<Quantity>();
 
@@ -28,15 +29,16 @@ inline constexpr std::array<std::string_view, kQuantities> kNames = {
 /// By quantity, then by bin; NaN = missing. A quantity that the file has not is empty.
 using Bins = std::array<std::vector<double>, kQuantities>;
 
-/// What is wrong with a value that the file spells so, with what is allowed; empty for a good one.
+/// Returns the fault of a value, with its spelling in the file and the allowed values; empty for a
+/// good one.
 std::string fault(Quantity quantity, double value, std::string_view spelled);
-/// The same for a latitude and a longitude, in degrees.
+/// Returns the fault of a latitude or a longitude [degrees]; empty for a good one.
 std::string latitude_fault(double value, std::string_view spelled);
 std::string longitude_fault(double value, std::string_view spelled);
 
-/// What is wrong with the bins as a whole; empty for good ones.
+/// Returns the fault of the bins as a whole; empty for good ones.
 std::string fault(const Bins& bins);
-/// Whether there is a spectrum: two frequencies with a density.
+/// Returns true if there are at least two frequencies with a density.
 bool has_spectrum(const Bins& bins);
 /// Sets the spectrum of a record: bins without density are left out; directions are the moments
 /// where the file has them, else the mean and the spread. Needs bins without a fault.

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The CSV that the dashboard of Spotter buoys offers for download. A header line names the columns,
-// padded with blanks; a line after it is one spectrum. Of its columns these are read:
+// padded with blanks; each line after it is one spectrum. These of its columns are read:
 //   Epoch Time                          seconds since 1970, UTC
 //   Latitude (deg), Longitude (deg)
 //   f_0 f_1 ...                         centres of the bins, Hz
 //   varianceDensity_0 ...               m^2/Hz
 //   a1_0 ... b1_0 ... a2_0 ... b2_0 ... moments of the travel direction, from east
-//   direction_0 ... directionalSpread_0 ...   degrees, coming from; where there are no moments
+//   direction_0 ... directionalSpread_0 ...   degrees, coming from; if moments are missing
 // A minus sign alone is a missing value: the buoy reports spectra in one of its modes only.
 #include <algorithm>
 #include <array>
@@ -92,7 +92,7 @@ class SpotterCsvReader {
 
   private:
     void read_header() {
-        if (!lines_.next_filled()) throw lines_.fail("there is no header line");
+        if (!lines_.next_filled()) throw lines_.fail("the header line is missing");
         const auto titles = csv::fields_of(lines_, ',', kMaxColumns);
         width_ = titles.size();
         if (width_ > kMaxColumns) throw lines_.fail("more than 40960 columns");
@@ -110,7 +110,7 @@ class SpotterCsvReader {
     }
     void place(std::size_t& column, std::size_t i, std::string_view title) const {
         if (column != kNone) {
-            throw lines_.fail("the column " + text::printable(title, 40) + " is there twice");
+            throw lines_.fail("the column " + text::printable(title, 40) + " appears twice");
         }
         column = i;
     }
@@ -137,7 +137,7 @@ class SpotterCsvReader {
                           std::string(" fields than the header line has columns"));
     }
 
-    /// Empty or a minus sign = missing = NaN.
+    /// Returns a number; NaN for an empty field or a minus sign.
     double number(std::size_t column) const {
         const std::string_view word = column == kNone ? "" : fields_[column];
         if (word.empty() || word == "-" || word == "nan" || word == "NaN") return kMissing;
@@ -175,7 +175,7 @@ class SpotterCsvReader {
     std::string_view spelled(std::size_t column) const {
         return column == kNone ? "" : fields_[column];
     }
-    /// The seconds of a minute are dropped, as where times are spelled.
+    /// Returns the time. The seconds of a minute are dropped, as in spelled times.
     std::string read_time() const {
         constexpr double kFarthest = 1e11;  // seconds; beyond every valid time
         const double seconds = number(time_);

@@ -6,11 +6,11 @@
 //    "latitude": -61.09, "longitude": 173.42, "frequency": [...], "varianceDensity": [...],
 //    "a1": [...], "b1": [...], "a2": [...], "b2": [...], "direction": [...],
 //    "directionalSpread": [...]}, ...]}}
-// Each list has a value for each frequency, null or NaN = missing; all other keys are passed over.
-// What is in `data` may also stand outside of it, and lists of all of that stand for several buoys;
+// Each list has a value for each frequency, null or NaN = missing; all other keys are skipped. The
+// members of `data` may also be outside of it, and a list of such objects describes several buoys;
 // or the file is a list of spectra alone. The moments are those of the travel direction, from east.
-// The file is read as a stream of events: nothing is kept but what is asked for, however deep or
-// long the rest is.
+// The file is read as a stream of events: only the required values are stored, however deep or long
+// the rest is.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,7 +47,8 @@ constexpr int kOutOfRange = 406;
 constexpr std::array<std::string_view, 3> kOtherKeys = {"timestamp", "latitude", "longitude"};
 constexpr std::size_t kKeys = spotter::kQuantities + kOtherKeys.size();
 
-/// Of a spectrum: its quantity, or one of the other keys after them; nothing for others.
+/// Returns the index of a key of a spectrum: its quantity, or one of the other keys after them;
+/// nothing for an unknown key.
 std::optional<std::size_t> index_of(std::string_view key) {
     for (std::size_t i = 0; i < kKeys; ++i) {
         const bool quantity = i < spotter::kQuantities;
@@ -58,12 +59,12 @@ std::optional<std::size_t> index_of(std::string_view key) {
 
 /// How far the parser has come.
 struct Progress {
-    std::size_t line = 1;  // of the last character that it took
+    std::size_t line = 1;  // of the last character that the parser has read
     char last = '\0';
     bool at_end = false;
 };
 
-/// Characters for the parser, which tells its handler nothing of lines.
+/// Counts the lines of the parser's input, which the parser does not report to its handler.
 class CountingIterator {
   public:
     using iterator_category = std::input_iterator_tag;
@@ -135,7 +136,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         key_ = value;
         const std::optional<std::size_t> known = index_of(key_);
         if (!describes() || !known) return true;
-        if (seen_[*known]) blame("'" + key_ + "' is there twice in one spectrum");
+        if (seen_[*known]) blame("'" + key_ + "' appears twice in one spectrum");
         seen_[*known] = true;
         return true;
     }
@@ -160,7 +161,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
     bool start_array(std::size_t) override {
         if (place() == Place::answer && key_ == kSpectra) {
-            if (answers_.back().listed) throw fail("'" + key_ + "' is there twice");
+            if (answers_.back().listed) throw fail("'" + key_ + "' appears twice");
             answers_.back().listed = true;
             return enter(Place::spectra);
         }
@@ -177,7 +178,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
     bool end_array() override { return leave(); }
 
-    /// Costs the spectrum in which it is, and those after it.
+    /// Invalidates the spectrum that contains the error, and those after it.
     bool parse_error(std::size_t, const std::string& token,
                      const nlohmann::detail::exception& error) override {
         const std::string_view last(&progress_.last, 1);
@@ -198,22 +199,23 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     }
 
   private:
-    /// answer: the outermost object, its `data` and other objects within, which may be a spectrum
-    /// themselves or have a list of them; answers: a list of such; spectra: of what must be
-    /// spectra; values: of a quantity; other: within a spectrum.
+    /// The element around the parser's position. answer: the outermost object, its `data` and other
+    /// objects within, which may be a spectrum themselves or contain a list of them; answers: a
+    /// list of such; spectra: a list whose elements must be spectra; values: a list of a quantity;
+    /// other: any other element within a spectrum.
     enum class Place { outside, answers, answer, spectra, spectrum, values, other };
     struct Answer {
         std::string station;
-        std::size_t first;  // of its records
+        std::size_t first;  // index of its first record
         bool listed;        // its list of spectra has begun
         bool spectrum;      // it is a spectrum itself
-        // What was read of the object around it.
+        // The values read of the enclosing object.
         SpectrumRecord outer_record;
         spotter::Bins outer_bins;
         std::array<bool, kKeys> outer_seen;
     };
 
-    /// Python writes NaN, which JSON has not; nothing where it does not.
+    /// Returns the content without NaN, which Python writes and JSON lacks; nothing if it has none.
     static std::string without_nan(std::string_view content) {
         constexpr std::string_view kNan = "NaN";
         constexpr std::string_view kNull = "null";
@@ -246,12 +248,12 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
     Error fail(const std::string& message) const {
         return text::error_at(ErrorKind::bad_file, source_.name, progress_.line, message);
     }
-    /// Of the spectrum that is being read.
+    /// Records a fault of the current spectrum.
     void blame(const std::string& message) {
         if (record_.fault.empty()) record_.fault = fail(message).what();
     }
     bool describes() const { return place() == Place::spectrum || place() == Place::answer; }
-    /// Only what is asked for must be of the right kind.
+    /// Refuses a required value of the wrong kind; ignores all others.
     bool refuse_known(const std::string& what) {
         const bool known = describes() && index_of(key_);
         if (known || place() == Place::values) blame("'" + key_ + "' has " + what);
@@ -314,7 +316,7 @@ class SpotterJsonReader final : public nlohmann::json_sax<nlohmann::json> {
         if (answers_.back().spectrum) end_spectrum();
         leave_answer();
     }
-    /// The station stands before or behind the spectra.
+    /// Ends an answer. Its station may precede or follow the spectra.
     void leave_answer() {
         Answer answer = std::move(answers_.back());
         answers_.pop_back();
@@ -352,7 +354,7 @@ std::vector<SpectrumRecord> read(const SpectrumSource& source) {
 
 #endif
 
-/// An object or a list, with one of three keys somewhere.
+/// Recognises an object or a list that contains one of three keys.
 bool recognises(std::string_view content) {
     if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
     const std::size_t first = content.find_first_not_of(" \t\r\n");

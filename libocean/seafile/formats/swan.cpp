@@ -10,9 +10,9 @@
 // then for each time (or iteration, of which the last is the result) a line with it, and for each
 // location
 //   FACTOR, a number, and a line of numbers for each frequency; or ZERO; or NODATA
-// or, over frequency only, LOCATION k and a line of all quantities for each frequency; or NODATA.
-// A line that begins with $ is a comment, and so is what follows the values of the header.
-// A reader of spectra: turns such a file into records in libocean's conventions.
+// or, over frequency only, LOCATION k and a line of all quantities for each frequency; or NODATA. A
+// line that begins with $ is a comment, and so is any text after the values of the header. A reader
+// of spectra: turns such a file into records in libocean's conventions.
 #include "free_form.hpp"
 #include "ocean/grid.hpp"
 #include "ocean/internal/directional_record.hpp"
@@ -22,14 +22,14 @@
 namespace ocean {
 namespace {
 
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxBinDensity = 2500.0;
-/// Two digits of a year: SWAN is of 1993, what is computed with it rarely from before 1950.
+/// The first year of two digits: SWAN is of 1993 and rarely computes times before 1950.
 constexpr int kFirstYear = 1950;
 
-/// The circular standard deviation, in degrees, of cos^m about the mean, over a half circle: with
-/// r1 = G(m/2 + 1)^2 / (G(m/2 + 1/2) G(m/2 + 3/2)), G the gamma function, it is sqrt(2 (1 - r1));
-/// 31.5 degrees for m = 2.
+/// Returns the circular standard deviation [degrees] of cos^m about the mean, over a half circle:
+/// with r1 = G(m/2 + 1)^2 / (G(m/2 + 1/2) G(m/2 + 3/2)), G the gamma function, it is sqrt(2 (1 -
+/// r1)); 31.5 degrees for m = 2.
 double spread_of_power(double m) {
     const double r1 = std::exp(2.0 * std::lgamma(0.5 * m + 1.0) - std::lgamma(0.5 * m + 0.5) -
                                std::lgamma(0.5 * m + 1.5));
@@ -82,7 +82,7 @@ class SwanReader {
         return time->text();
     }
 
-    /// The number before each iteration, as the time of none.
+    /// Reads the number before each iteration, and returns an empty time.
     std::string read_iteration() {
         const double number = in_.number_here("the number of an iteration");
         if (number < 0.0 || number != std::floor(number)) {
@@ -94,7 +94,8 @@ class SwanReader {
         return "";
     }
 
-    /// Without a look at the year: what begins a spectrum's values looks otherwise.
+    /// Returns true for a line that begins a time. Does not check the year, since no other line
+    /// looks alike.
     bool begins_time(std::string_view line) const {
         if (header_.iterations) return false;
         if (line.starts_with('\'')) line.remove_prefix(1);
@@ -118,13 +119,13 @@ class SwanReader {
         records_.push_back(std::move(record));
     }
 
-    /// All locations of one time. The file does not name them: behind one that cannot be read, the
-    /// others are known to be at their places only if there are as many as there should be.
+    /// Reads all locations of one time. The file does not name them: after one that cannot be read,
+    /// the others can be assigned to their places only if all are present.
     void read_places(const std::string& time) {
         std::vector<SpectrumRecord> before;
         if (header_.iterations) before.swap(records_);  // the last one is the result
         std::size_t found = 0;
-        std::optional<std::size_t> first_fault;  // of records_
+        std::optional<std::size_t> first_fault;  // index in records_
         for (std::size_t k = 0; k < header_.places.size(); ++k) {
             SpectrumRecord record;
             record.station = header_.places[k].station;
@@ -188,7 +189,7 @@ class SwanReader {
         for (SpectrumRecord& record : records_) record.warnings = {warning};
     }
 
-    /// False if there is no spectrum.
+    /// Reads the spectrum of location k. Returns false if it has none.
     bool read_place(std::size_t k, SpectrumRecord& record) {
         const std::string_view word = in_.word();
         if (word == "NODATA") return false;
@@ -213,8 +214,8 @@ class SwanReader {
         header_.axis->fill(record, values_, 1.0);
     }
 
-    /// Action density is variance density over the angular frequency [SWAN, scientific manual,
-    /// eq. 2.6]: N = E / (2 pi f).
+    /// Returns the factor to variance density. Action density is variance density over the angular
+    /// frequency [SWAN, scientific manual, eq. 2.6]: N = E / (2 pi f).
     double scale_at(const SwanQuantity& quantity, std::size_t i) const {
         return quantity.action ? quantity.scale * 2.0 * kPi * header_.frequency[i] : quantity.scale;
     }
@@ -238,7 +239,7 @@ class SwanReader {
         }
     }
 
-    /// False if there is no spectrum.
+    /// Reads the rows of a spectrum over frequency. Returns false if it has none.
     bool read_rows(std::string_view word, std::size_t location, SpectrumRecord& record) {
         if (word != "LOCATION") {
             throw in_.fail("'" + FreeForm::shown(word) + "' where LOCATION or NODATA should be");
@@ -255,7 +256,7 @@ class SwanReader {
         return true;
     }
 
-    /// Whether its direction and spread are known.
+    /// Reads a row. Returns true if its direction and spread are known.
     bool read_row(SpectrumRecord& record) {
         double mean = kMissing;
         double spread = kMissing;

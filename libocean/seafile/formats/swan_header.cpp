@@ -13,7 +13,7 @@
 namespace ocean {
 namespace {
 
-/// What SWAN multiplies variance by to make energy, J/m^2: its default density and gravity.
+/// The factor from variance to energy in SWAN [J/m^2 per m^2]: its default density and gravity.
 constexpr double kEnergyOfVariance = 1025.0 * 9.81;
 
 class SwanHeaderReader {
@@ -49,7 +49,7 @@ class SwanHeaderReader {
     }
 
   private:
-    /// Of the next line, one of those allowed.
+    /// Reads the keyword of the next line, which must be one of those allowed.
     std::string_view keyword(std::initializer_list<std::string_view> allowed) {
         std::string names;
         for (const std::string_view name : allowed) {
@@ -72,7 +72,7 @@ class SwanHeaderReader {
                                                                "YYMMDDhhmm"};
         const std::size_t option = in_.count("as time coding option", 1, kPatterns.size());
         header_.time_pattern = kPatterns[option - 1];
-        if (header_.time_pattern.empty()) throw in_.fail("time coding option 4 tells no dates");
+        if (header_.time_pattern.empty()) throw in_.fail("time coding option 4 has no dates");
     }
 
     void read_locations(bool geographic) {
@@ -95,7 +95,7 @@ class SwanHeaderReader {
             header_.places.push_back(std::move(place));
         }
     }
-    /// The manual allows a name after the coordinates.
+    /// Returns the name that the manual allows after the coordinates.
     static std::string name_of(std::string_view text) {
         constexpr std::string_view kAround = " \t'\"";
         text.remove_prefix(std::min(text.find_first_not_of(kAround), text.size()));
@@ -155,7 +155,8 @@ class SwanHeaderReader {
         return quantity;
     }
 
-    /// SWAN writes "m2/Hz/degr", and "J" before it for energy, "s" behind m2 for action.
+    /// Reads a unit as SWAN spells it: "m2/Hz/degr", with "J/" before it for energy and "s" after
+    /// "m2" or "J" for action.
     void read_density_unit(const std::string& name, SwanQuantity& quantity) {
         const bool energy = name == "EnDens";
         quantity.action = name == "AcDens";

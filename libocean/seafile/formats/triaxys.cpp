@@ -7,10 +7,10 @@
 //   DATE = 2018-01-31 21:00(UTC), or 2018 Jan 31 21:00(UTC)
 //   NUMBER OF FREQUENCIES, INITIAL FREQUENCY (Hz), FREQUENCY SPACING (Hz) = a number each
 //   NUMBER OF DIRECTIONS, DIRECTION SPACING (DEG) = a number each
-// and other keys, which are passed over. After the key ROWS there is a line for each frequency with
-// the densities [m^2/Hz/deg] of all directions from 0 on: coming from, clockwise from north; 0 and
-// 360 are both there. After the key COLUMN 2 a line for each frequency has it and its density
-// [m^2/Hz].
+// and other keys, which are skipped. After the key ROWS follows a line for each frequency with the
+// densities [m^2/Hz/deg] of all directions from 0 on: coming from, clockwise from north, with both
+// 0 and 360. After the key COLUMN 2 follows a line for each frequency with the frequency and its
+// density [m^2/Hz].
 #include <cmath>
 #include <optional>
 
@@ -22,7 +22,7 @@
 namespace ocean {
 namespace {
 
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density of a bin, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxBinDensity = 2500.0;
 
 /// The value of "KEY = value", and the key without the blanks before the sign.
@@ -40,8 +40,8 @@ bool is_title(std::string_view line) {
     return line.starts_with("TRIAXYS BUOY DATA REPORT") || line.starts_with("TRIAXYS BUOY REPORT");
 }
 
-/// "4857.6668S": degrees and minutes, and the letter of a hemisphere.
-std::optional<double> take_angle(std::string_view& text, std::string_view letters) {
+/// Returns an angle of "4857.6668S": degrees and minutes, and the letter of a hemisphere.
+std::optional<double> next_angle(std::string_view& text, std::string_view letters) {
     const std::size_t end = text.find_first_of(letters);
     if (end == std::string_view::npos) return std::nullopt;
     const std::optional<double> read = text::parse_number(text.substr(0, end));
@@ -105,8 +105,8 @@ class TriaxysReader {
         if (parts.size() < 2) return;
         record.station = text::printable(csv::trimmed(parts[1]));
         std::string_view position = csv::trimmed(parts.back());
-        const std::optional<double> latitude = take_angle(position, "NS");
-        const std::optional<double> longitude = take_angle(position, "EW");
+        const std::optional<double> latitude = next_angle(position, "NS");
+        const std::optional<double> longitude = next_angle(position, "EW");
         const bool known = latitude && longitude && position.empty() &&
                            std::abs(*latitude) <= 90.0 && std::abs(*longitude) <= 180.0;
         if (known) {
@@ -204,7 +204,8 @@ class TriaxysReader {
                        "; allowed: " + std::to_string(least) + " .. " + std::to_string(most));
     }
 
-    /// The rows of all frequencies. The first one, 0 Hz, is no wave: it is read and left out.
+    /// Reads the rows of all frequencies. The first one, 0 Hz, is not a wave: it is read and left
+    /// out.
     void read_table(SpectrumRecord& record, const Header& header) {
         std::vector<double> degrees;
         while (degrees.size() < header.directions) {

@@ -25,15 +25,15 @@ constexpr std::string_view kQuotes = "'\"";
 constexpr std::string_view kTime = "YYYYMMDD hhmmss";
 /// After the name of a point: its place, depth, wind and current.
 constexpr std::size_t kPointNumbers = 7;
-/// Half a unit of the third digit of 6.28, and what the smallest direction may be off.
+/// Half a unit of the third digit of 6.28, the max error of the smallest direction.
 constexpr double kRounding = 0.0055;
-/// So that no sum over the circle is beyond what a record may hold: 1e6 m^2/Hz.
+/// Max density, so that no sum over the circle exceeds the limit of a record: 1e6 m^2/Hz.
 constexpr double kMaxDensity = 1e5;
 
-/// The model's directions are even, but 85 degrees is printed as 1.48. Taken as printed, the
-/// weights of the bins in every integral would be off by some percent, each in its own way. So
-/// directions that rounding alone keeps from an even circle are put back on it, from the smallest
-/// one, which is printed with the most digits; others are as printed.
+/// Returns even directions. The model's are even, but 85 degrees is printed as 1.48; used as
+/// printed, the weights of the bins would be off by some percent, each differently. Directions that
+/// differ from an even circle by rounding alone are therefore moved to it, starting at the smallest
+/// one, which is printed with the most digits; others stay as printed.
 std::vector<double> even_circle(const std::vector<double>& printed) {
     const auto count = static_cast<double>(printed.size());
     const auto smallest = std::min_element(printed.begin(), printed.end());
@@ -53,7 +53,7 @@ std::vector<double> even_circle(const std::vector<double>& printed) {
     return printed;
 }
 
-/// The bytes of the magic words that `line` begins with, quotes included; 0 if it does not.
+/// Returns the bytes of the magic words that `line` begins with, quotes included; 0 if it does not.
 std::size_t magic_bytes(std::string_view line) {
     const bool quoted = !line.empty() && kQuotes.find(line[0]) != std::string_view::npos;
     std::size_t bytes = quoted ? 1 : 0;
@@ -70,7 +70,7 @@ bool begins_time(std::string_view line) {
            line.find_first_not_of(" \t", kTime.size()) == std::string_view::npos;
 }
 
-/// The bytes of a point's name, quotes included: what stands before the seven numbers.
+/// Returns the bytes of a point's name, quotes included: the text before the seven numbers.
 std::size_t name_bytes(std::string_view line) {
     for (const char quote : kQuotes) {
         if (!line.starts_with(quote)) continue;
@@ -84,7 +84,7 @@ std::size_t name_bytes(std::string_view line) {
         const std::size_t before = line.find_last_of(" \t", last);
         const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
         std::string_view word = line.substr(first, last + 1 - first);
-        if (!text::take_fortran_number(word) || !word.empty()) return 0;
+        if (!text::next_fortran_number(word) || !word.empty()) return 0;
         end = first;
     }
     return end;
@@ -123,7 +123,8 @@ class WavewatchReader {
         records.push_back(std::move(record));
     }
 
-    /// All points of one time. One that cannot be read costs those after it only if the file ends.
+    /// Reads all points of one time. A point that cannot be read invalidates those after it only if
+    /// the file ends there.
     void read_points(const std::string& time, const DirectionAxis& axis,
                      std::vector<SpectrumRecord>& records) {
         for (std::size_t point = 1; point <= points_; ++point) {
@@ -160,7 +161,7 @@ class WavewatchReader {
         in_.need_line("a header");
         const std::size_t magic = magic_bytes(in_.rest());
         if (magic == 0) throw in_.fail("does not begin with '" + std::string(kMagic) + "'");
-        in_.take(magic);
+        in_.skip(magic);
         const std::size_t frequencies = in_.count("frequencies", 2, kMaxFrequencies);
         directions_ = in_.count("directions", 3, kMaxDirections);
         if (frequencies * directions_ > kMaxDirectionalValues) {
@@ -193,7 +194,7 @@ class WavewatchReader {
             throw in_.fail("'" + FreeForm::shown(in_.rest()) +
                            "' where a time like 20220912 060000 should be");
         }
-        in_.take(kTime.size());
+        in_.skip(kTime.size());
         in_.end_line("the time");
         return time->text();
     }
@@ -210,7 +211,7 @@ class WavewatchReader {
         const bool quoted = kQuotes.find(name[0]) != std::string_view::npos;
         if (quoted) name = name.substr(1, bytes - 2);
         record.station = text::printable(name.substr(0, name.find_last_not_of(" \t") + 1));
-        in_.take(bytes);
+        in_.skip(bytes);
         record.latitude = in_.number_here("a latitude");
         in_.require_within(record.latitude, -90.0, 90.0, "a latitude", "-90 .. 90");
         record.longitude = in_.number_here("a longitude");

@@ -170,7 +170,7 @@ CASES = [
     case(
         "direction_twice",
         sea(dir=(None, [0.0, 90.0, 90.0, 270.0])),
-        "dir: a direction is there twice",
+        "dir: a direction appears twice",
     ),
     case(
         "direction_out_of_range",

@@ -29,8 +29,8 @@ def many_bins(count):
 CASES = [
     ("no_time", changed(b"Epoch Time", b"Time"), 1, "the column Epoch Time is missing"),
     ("longitude_alone", changed(b"Latitude (deg)", b"Lat"), 1, "need each other"),
-    ("time_twice", changed(b"Power (W)", b"Epoch Time"), 1, "Epoch Time is there twice"),
-    ("bin_twice", changed(b",f_2", b",f_1"), 1, "the column f_1 is there twice"),
+    ("time_twice", changed(b"Power (W)", b"Epoch Time"), 1, "Epoch Time appears twice"),
+    ("bin_twice", changed(b",f_2", b",f_1"), 1, "the column f_1 appears twice"),
     ("bin_missing", changed(b",varianceDensity_1", b",x"), 1, "varianceDensity_1 is missing"),
     ("last_bin_missing", changed(b",varianceDensity_2", b",x"), 2, "2 values of varianceDensity"),
     ("no_frequencies", changed(b",f_0 ,f_1 ,f_2", b",x,x,x"), 2, "a spectrum without frequency"),

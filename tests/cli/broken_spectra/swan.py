@@ -105,7 +105,7 @@ BROKEN = [
     ("sections_shuffled", changed(b"AFREQ", b"QUANT"), 9, "'QUANT' where AFREQ or RFREQ"),
     ("quantities_keyword_garbled", changed(b"QUANT", b"QU\xc4NT"), 20, "where QUANT should be"),
     ("time_coding_unknown", changed(b"     1    ", b"     9    "), 4, "9 as time coding option"),
-    ("time_coding_without_date", changed(b"     1    ", b"     4    "), 4, "tells no dates"),
+    ("time_coding_without_date", changed(b"     1    ", b"     4    "), 4, "has no dates"),
     # Locations.
     ("locations_1e9", changed(b"     2    ", b"1000000000"), 6, "1000000000 locations; allowed"),
     ("locations_none", changed(b"     2    ", b"     0    "), 6, "0 locations; allowed: 1"),
@@ -136,7 +136,7 @@ BROKEN = [
     ("directions_1e9", changed(b"     4    ", b"     1e9  "), 15, "1e9 directions; allowed"),
     ("directions_2", TWO_DIRECTIONS, 15, "2 directions; allowed: 3 .. 720"),
     ("direction_out_of_range", changed(b"315.0", b"3150."), 19, "a direction of 3150."),
-    ("direction_twice", changed(b"135.0", b" 45.0"), 19, "a direction is there twice"),
+    ("direction_twice", changed(b"135.0", b" 45.0"), 19, "a direction appears twice"),
     ("values_288000", MANY_VALUES, 412, "at most 131072 values"),
     # Quantities.
     (

@@ -42,7 +42,7 @@ CASES = [
     ("no_spacing", one(without_line(GOOD, 6)), 9, "has no FREQUENCY SPACING (Hz)"),
     ("spacing_zero", changed(b"0.100", b"0.000"), 6, "a spacing of '0.000'"),
     ("two_directions", changed(b"= 5", b"= 2"), 7, "'2' directions; allowed: 3 .. 720"),
-    ("beyond_the_circle", changed(b"= 90", b"= 120"), 10, "a direction is there twice"),
+    ("beyond_the_circle", changed(b"= 90", b"= 120"), 10, "a direction appears twice"),
     (
         "values_3_million",
         one(replaced(replaced(GOOD, b"= 3", b"= 4096"), b"= 5", b"= 720")),

@@ -35,7 +35,7 @@ def without(number):
 
 
 BROKEN = [
-    # What the header claims.
+    # Wrong numbers in the header.
     ("frequencies_1e9", changed(b"     3     4", b"1000000000 4"), 1, "1000000000 frequencies"),
     ("frequencies_none", changed(b"     3     4", b"     0     4"), 1, "0 frequencies; allowed: 2"),
     ("directions_721", changed(b"     4     2", b"   721     2"), 1, "721 directions; allowed"),
@@ -76,7 +76,7 @@ BROKEN = [
     ("frequency_in_mhz", changed(b"0.200E+00", b"0.200E+03"), 2, "1e-5 .. 100 Hz"),
     ("frequency_garbled", changed(b"0.200E+00", b"0.2O0E+00"), 2, "'0.2O0E+00' is not a frequency"),
     ("directions_in_degrees", changed(b"0.157E+01", b"0.900E+02"), 3, "0 .. 2 pi (radians)"),
-    ("direction_twice", changed(b"0.157E+01", b"0.000E+00"), 3, "a direction is there twice"),
+    ("direction_twice", changed(b"0.157E+01", b"0.000E+00"), 3, "a direction appears twice"),
     ("direction_infinite", changed(b"0.157E+01", b" Infinity"), 3, "'Infinity' is not a direction"),
     # Times.
     ("month_13", changed(b"20220912 07", b"20221312 07"), 11, "'20221312' where a time"),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Readings and spectra of gauges as CSV and .npy; see gauge_files.hpp.
+// See gauge_files.hpp.
 #include "gauge_files.hpp"
 
 #include <bit>
@@ -37,7 +37,7 @@ std::string series_npy(const GaugeSeries& series) {
     std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
                          std::to_string(series.times) + ", " + std::to_string(series.gauges) +
                          ", " + std::to_string(GaugeSeries::kColumns.size()) + "), }";
-    constexpr std::size_t kBefore = 10;  // bytes
+    constexpr std::size_t kBefore = 10;  // [bytes]
     header.append(63 - (kBefore + header.size()) % 64, ' ');
     header += '\n';
     std::string bytes = "\x93NUMPY\x01";

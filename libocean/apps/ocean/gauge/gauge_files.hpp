@@ -11,11 +11,11 @@
 
 namespace ocean::app {
 
-/// A line for each time and gauge.
+/// Returns CSV with a line for each time and gauge.
 std::string series_csv(const GaugeSeries& series, const std::vector<Gauge>& gauges);
-/// A NumPy file: float64, C order, shape (times, gauges, GaugeSeries::kColumns).
+/// Returns a NumPy file: float64, C order, shape (times, gauges, GaugeSeries::kColumns).
 std::string series_npy(const GaugeSeries& series);
-/// A line for each gauge and frequency.
+/// Returns CSV with a line for each gauge and frequency.
 std::string spectrum_csv(const std::vector<GaugeSummary>& summaries);
 
 }  // namespace ocean::app

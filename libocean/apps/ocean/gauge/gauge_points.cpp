@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gauges from a table of points; see gauge_points.hpp.
+// See gauge_points.hpp.
 #include "gauge_points.hpp"
 
 #include <unordered_map>
@@ -19,7 +19,7 @@ class GaugeReader {
         : path_(path), from_(from), to_(to), depth_(depth), table_(read_points(path, columns())) {}
 
     GaugePoints read() {
-        if (table_.size() == 0) throw fail("there are no points");
+        if (table_.size() == 0) throw fail("the table has no points");
         if (tracks() && (table_.has("velocity_x") || table_.has("velocity_y"))) {
             throw fail("a gauge has a velocity or the times of a track, not both");
         }
@@ -64,14 +64,14 @@ class GaugeReader {
             gauges_.push_back({name, {}, number("velocity_x", row), number("velocity_y", row)});
         } else if (!tracks()) {
             throw fail("the name '" + name +
-                       "' is there twice; the rows of a track need a column time");
+                       "' is repeated; the rows of a track need a column time");
         }
         Gauge& gauge = gauges_[known->second];
         const double time = tracks() ? number("time", row) : from_;
         if (!gauge.track.empty() && !(time > gauge.track.back().time)) {
             throw fail(
                 "the times of '" + name +
-                format_text("' must grow: %g comes after %g", time, gauge.track.back().time));
+                format_text("' must increase: %g follows %g", time, gauge.track.back().time));
         }
         gauge.track.push_back({time, {number("x", row), number("y", row), depth_of(name, row)}});
     }

@@ -13,12 +13,13 @@ namespace ocean::app {
 
 struct GaugePoints {
     std::vector<Gauge> gauges;
-    std::string left_out;  // as PointTable has it
+    std::string left_out;  // of PointTable
 };
 
-/// From a table, "-" = standard input. Columns: x, y; name, the row's number without it; z, default
-/// 0; velocity_x, velocity_y of a gauge that is at x, y at the time `from`; or time, and the rows
-/// of one name are its track, which must cover from .. to. Throws Error bad_file.
+/// Returns the gauges of a table; "-" = standard input. Columns: x, y; name, by default the row's
+/// number; z, by default 0; velocity_x and velocity_y of a gauge that is at x, y at the time
+/// `from`; or time, which makes the rows of one name a track that must cover from .. to. Throws
+/// Error bad_file.
 GaugePoints read_gauges(const std::string& path, double from, double to, double depth);
 
 }  // namespace ocean::app

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What gauges say of the sea; see gauge_summary.hpp.
+// See gauge_summary.hpp.
 #include "gauge_summary.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<GaugeSummary> summarize(const GaugeSeries& series, const std::vector
 
 namespace {
 
-/// "2.01 (1.88 .. 2.16)".
+/// Returns "2.01 (1.88 .. 2.16)".
 std::string with_limits(const Estimate& estimate) {
     if (!std::isfinite(estimate.value)) return "-";
     const std::string value = format_text("%.3g", estimate.value);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a series says of the sea at each gauge: as values, as a table for people and as JSON.
+// The statistics of the sea at each gauge: as values, as a readable table and as JSON.
 #pragma once
 
 #include <string>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The right panel of the spectrum's picture: where the waves of each frequency travel to.
+// The right panel of the spectrum's plot: the directions towards which the waves of each frequency
+// travel.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 constexpr Color kMean{0.75, 0.10, 0.25};
 constexpr Color kWind{0.25, 0.25, 0.28};
 
-/// White for nothing, then deeper water.
+/// Returns a colour from white for 0 to the blue of deep water for 1.
 Color water_color(double share) {
     constexpr std::array<Color, 6> kStops = {{{1.00, 1.00, 1.00},
                                               {0.80, 0.91, 0.93},
@@ -37,7 +38,7 @@ Point on_dial(const Dial& dial, double share, double theta) {
             dial.center.y - share * dial.radius * std::sin(theta)};
 }
 
-/// Largest density shown, m^2/(Hz deg).
+/// Returns the maximal density of the panel [m^2/(Hz deg)].
 double draw_density(Figure& figure, const Dial& dial, const Picture& picture) {
     const DirectionalSpectrum& spectrum = picture.spectrum;
     double top = 0.0;
@@ -52,7 +53,7 @@ double draw_density(Figure& figure, const Dial& dial, const Picture& picture) {
     figure.raster({dial.center.x - dial.radius, dial.center.y - dial.radius}, 2 * dial.radius,
                   2 * dial.radius, [&](Point point) {
                       const double value = share(point);
-                      // The square root shows a weak system beside a strong one.
+                      // The square root makes a weak system visible beside a strong one.
                       return value < 0.0 ? Color{1, 1, 1, 0} : water_color(std::sqrt(value));
                   });
     return top * kTwoPi / kDegrees;
@@ -80,7 +81,7 @@ void draw_dial(Figure& figure, const Dial& dial, double highest) {
     figure.text({c.x, c.y + gap + 8}, "270\u00b0 south", kText, kInk);
 }
 
-/// Along the rim only, so that they do not cover what they explain.
+/// Draws the labels along the rim only, so that they do not cover the spectrum.
 void draw_directions(Figure& figure, const Dial& dial, const Picture& picture) {
     constexpr double kFrom = 0.7;
     for (const WaveSystem& waves : picture.parameters.waves) {
@@ -108,7 +109,7 @@ void draw_color_scale(Figure& figure, const Box& box, double top) {
                  {box.left, box.bottom},
                  {box.left, box.top}},
                 kInk, 0.8);
-    // Marks lie at even shares of the colour: quarters of it are sixteenths of the density.
+    // Marks are evenly spaced in colour: a quarter of the scale is a sixteenth of the density.
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const double y = box.bottom - share * (box.bottom - box.top);
         figure.line({{box.right, y}, {box.right + 4, y}}, kInk, 0.8);

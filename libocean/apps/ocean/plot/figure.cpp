@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sheet to draw on; see figure.hpp.
+// See figure.hpp.
 #include "figure.hpp"
 
 #include <cmath>
@@ -70,7 +70,7 @@ void Figure::arrow(Point tail, Point tip, Color color, double width) {
     const auto barb = [&](double turn) {
         return Point{tip.x - head * std::cos(angle + turn), tip.y - head * std::sin(angle + turn)};
     };
-    const double shaft = 0.8 * head;  // the line ends inside the head, or it would blunt the tip
+    const double shaft = 0.8 * head;  // the line ends inside the head, so that the tip stays sharp
     line({tail, {tip.x - shaft * std::cos(angle), tip.y - shaft * std::sin(angle)}}, color, width);
     area({tip, barb(0.45), barb(-0.45)}, color);
 }
@@ -87,7 +87,7 @@ void Figure::text(Point point, const std::string& text, double size, Color color
     cairo_save(context);
     cairo_translate(context, point.x, point.y);
     if (turned) cairo_rotate(context, -kPi / 2.0);
-    // Digits and capitals are about 0.72 of the size high: that is what looks centred.
+    // Digits and capitals are about 0.72 of the size high; centring that height looks right.
     cairo_move_to(context, -share * extents.x_advance, 0.36 * size);
     cairo_text_path(context, text.c_str());
     if (halo) {

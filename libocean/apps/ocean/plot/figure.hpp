@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sheet to draw on, by cairo: lines, texts and axes in points, and the PNG file as bytes. Knows
-// nothing of the sea.
+// A page drawn by cairo: lines, texts and axes in points, and the PNG file as bytes. It is
+// independent of the sea.
 #pragma once
 
 #include <cairo.h>
@@ -25,30 +25,30 @@ struct Color {
     double alpha = 1.0;
 };
 
-/// Where a text stands relative to its point.
+/// The position of a text relative to its point.
 enum class Anchor { left, center, right };
 
 class Figure {
   public:
-    /// `scale` pixels per point; white paper.
+    /// Makes a white page with `scale` pixels per point.
     Figure(double width, double height, double scale);
 
     void line(const std::vector<Point>& points, Color color, double width);
     void dashed_line(const std::vector<Point>& points, Color color, double width);
     void area(const std::vector<Point>& points, Color fill);
     void circle(Point center, double radius, Color color, double width);
-    /// From tail to tip, with a head.
+    /// Draws an arrow from tail to tip.
     void arrow(Point tail, Point tip, Color color, double width);
-    /// `size` in points, centred on its height; `turned` reads upwards. A halo keeps it legible
-    /// over colour.
+    /// Draws a text of `size` [points], centred vertically; a `turned` text reads upwards. A halo
+    /// keeps it legible on colours.
     void text(Point point, const std::string& text, double size, Color color,
               Anchor anchor = Anchor::center, bool turned = false, bool bold = false,
               bool halo = false);
-    /// Paints `color(point)` over a rectangle at the sheet's own resolution.
+    /// Paints `color(point)` on a rectangle at the page's own resolution.
     template <typename ColorOf>
     void raster(Point corner, double width, double height, const ColorOf& color_of);
 
-    /// The picture as a PNG file. Throws Error output.
+    /// Returns the bytes of a PNG file. Throws Error output.
     std::string png() const;
 
   private:
@@ -61,9 +61,9 @@ class Figure {
     std::unique_ptr<cairo_t, void (*)(cairo_t*)> context_;
 };
 
-/// 1, 2 or 5 times a power of ten, so that `range` holds about `count` steps.
+/// Returns 1, 2 or 5 times a power of ten, so that `range` has about `count` steps.
 double tick_step(double range, int count);
-/// Without needless zeros.
+/// Returns the number without trailing zeros.
 std::string tick_label(double value, double step);
 
 template <typename ColorOf>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The left panel of the spectrum's picture: variance density over frequency, asked and resolved.
+// The left panel of the spectrum's plot: variance density over frequency, asked and resolved.
 #include <algorithm>
 #include <cmath>
 
@@ -35,8 +35,7 @@ void draw_axes(Figure& figure, const Box& box, double highest, double top_value)
                 kText, kInk, Anchor::center, true);
 }
 
-/// A second scale on top: people think in periods. The roundest ones first, the rest where there
-/// is room.
+/// Draws a second scale of periods on top; the roundest numbers come first, others fill the gaps.
 void draw_periods(Figure& figure, const Box& box, double highest) {
     std::vector<double> taken;
     for (const int period : {10, 5, 20, 2, 3, 4, 1, 15, 8, 6, 7, 12, 30}) {

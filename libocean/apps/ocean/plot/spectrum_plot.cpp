@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The picture of `ocean spectrum --plot`; see spectrum_plot.hpp.
+// See spectrum_plot.hpp.
 #include "spectrum_plot.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace ocean::app {
 namespace {
 
-/// The frequency below which this share of the energy lies, with some room.
+/// Returns the frequency below which this share of the energy lies, with a margin [Hz].
 double frequency_below(const DirectionalSpectrum& spectrum, double share) {
     const std::span<const double> omega = spectrum.angular_frequencies();
     std::vector<double> energy(omega.size(), 0.0);
@@ -32,7 +32,7 @@ double frequency_below(const DirectionalSpectrum& spectrum, double share) {
     return std::ceil(1.1 * hertz / step) * step;
 }
 
-/// Nobody writes 360 or -0 degrees.
+/// Returns whole degrees in [0, 360).
 int whole_degrees(double degrees) {
     return static_cast<int>(std::lround(std::fmod(degrees + 720.0, 360.0))) % 360;
 }
@@ -62,8 +62,8 @@ void draw_title(Figure& figure, const Picture& picture, const std::string& name)
     figure.text({82, 54}, line, 13.5, kInk, Anchor::left);
 }
 
-/// Variance density of the grid's modes, without any random draw, as even steps over
-/// [0, highest] Hz: m^2/Hz.
+/// Returns the variance density of the grid's modes, without random draws, in even steps over
+/// [0, highest] [m^2/Hz].
 std::vector<double> resolved_steps(const DirectionalSpectrum& spectrum,
                                    const Parameters& parameters, double highest, int steps,
                                    ThreadPool& pool) {
@@ -71,7 +71,7 @@ std::vector<double> resolved_steps(const DirectionalSpectrum& spectrum,
     const std::vector<CascadeBand> bands = cascade_bands(parameters.grid);
     const Dispersion dispersion(parameters.water);
     const auto columns = static_cast<std::size_t>(steps);
-    // One histogram per row of modes: the sum does not depend on the number of threads.
+    // Each row of modes has a histogram, so that the sum does not depend on the number of threads.
     std::vector<double> rows(static_cast<std::size_t>(n) * columns, 0.0);
     pool.for_each_range(n, [&](int first, int last) {
         for (int row = first; row < last; ++row) {

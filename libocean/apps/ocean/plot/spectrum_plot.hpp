@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The picture of `ocean spectrum --plot`: on the left the frequency spectrum that was asked for,
-// with what the grid resolves of it; on the right where the waves go.
+// The plot of `ocean spectrum --plot`: on the left the frequency spectrum as asked and as the grid
+// resolves it, on the right the directional spectrum.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class Ocean;
 
 namespace ocean::app {
 
-/// The bytes of a PNG file; `name` goes into its title.
+/// Returns the bytes of a PNG file; `name` is part of its title.
 std::string plot_spectrum(Ocean& ocean, const std::string& name, int threads);
 
 }  // namespace ocean::app

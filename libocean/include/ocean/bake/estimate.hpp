@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a bake will take, known before it begins: memory, files, room on the disk.
+// Estimates of a bake before it starts: memory, files, disk space.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,29 @@
 
 namespace ocean {
 
-/// How the threads are shared out.
+/// The distribution of a bake's threads.
 struct WorkShare {
     int frames_at_a_time = 1;
-    int threads_each = 1;
+    int threads_each = 1;  // of a frame
 };
-/// Frames side by side as far as memory goes; frames with foam follow each other. Throws Error
-/// out_of_memory when not even one fits.
+/// Returns as many parallel frames as fit into half of the available memory; frames of a sequential
+/// plan follow each other. Throws Error out_of_memory if not even one fits.
 WorkShare share_work(const BakePlan& plan);
 
-/// With so many frames at a time, at most.
+/// Returns an upper bound of the memory of a bake with that many parallel frames [bytes].
 std::uint64_t bake_memory_bytes(const BakePlan& plan, int frames_at_a_time);
 
 struct BakeForecast {
     struct File {
         std::string path;
-        bool kept;  // complete already
+        bool kept;  // complete, so that it is not written again
     };
     std::vector<File> files;
-    std::uint64_t bytes = 0;         // of those that are not kept, at most
+    std::uint64_t bytes = 0;         // of the files that are not kept, an upper bound
     std::uint64_t free_bytes = 0;    // on their disk
-    std::uint64_t memory_bytes = 0;  // at most
+    std::uint64_t memory_bytes = 0;  // an upper bound
 };
-/// Reads what there is, writes nothing.
+/// Returns the files of a bake and the space they need. Reads existing files, writes none.
 BakeForecast forecast_bake(const BakePlan& plan);
 
 }  // namespace ocean

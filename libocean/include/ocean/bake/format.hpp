@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A format of baked files: all that the rest of a bake knows of it. One constant of this type in
-// one file of bake/formats/, and one line of the table in catalogue.cpp, make a new format.
+// A format of baked files, as the rest of a bake sees it: a row of functions without the type of
+// the format's settings. Formats are written as a BakeFormatOf (typed_format.hpp), which makes the
+// row. A new format is one such constant in one file of bake/formats/, and one line of the table in
+// catalogue.cpp.
 #pragma once
 
-#include <any>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/bake/erased_settings.hpp"
 #include "ocean/io/image.hpp"
 #include "ocean/io/provenance.hpp"
 #include "ocean/surface.hpp"
@@ -27,59 +29,61 @@ struct BakeOptions;
 struct BakePlan;
 struct Catalogue;
 
-/// An option that formats have for themselves, --NAME on the command line.
+/// An option of one or several formats, --NAME on the command line.
 struct FormatOption {
     std::string name;   // "axes"
-    std::string value;  // what stands for its value in a help text, "AXES"; empty: it is a flag
+    std::string value;  // placeholder of its value in help texts, "AXES"; empty for a flag
     std::string help;
-    std::string needs = "";  // another option and its value, "eye X,Y,HEIGHT": refused without it
-    std::string_view subject = {};  // the one kind of subject that has it; empty: any may
+    std::string needs = "";  // another option and its value, "eye X,Y,HEIGHT": required beside it
+    std::string_view subject = {};  // the only kind of subject that has the option; empty: any kind
 };
 
-/// The maps that a frame is made of.
+/// The maps that a frame of a format is made of.
 struct FrameMaps {
     ChannelSet channels;
     std::vector<int> resolutions;  // the finest first
-    bool by_place = false;         // the height alone, a function of the place instead of the label
-    int finer = 0;                 // one more map of so many samples, after the others; 0 = none
+    bool by_place = false;         // heights only, as a function of the place instead of the label
+    int finer = 0;  // samples along a side of one more map, after the others; 0 = none
     ChannelSet finer_channels = {};
-    bool has_past = false;  // what is made of no map follows one, frame after frame
+    bool sequential = false;  // frames depend on earlier ones, so they are baked in order
 };
 
-/// What a format makes of its options and of the sea.
+/// A format's part of a plan, resolved from its options and the subject.
+template <typename Settings>
 struct FormatPlan {
     FrameMaps maps;
-    std::any settings;  // the format's own, for its other functions
-    /// Of files that a product in their names tells apart: those products.
+    Settings settings;
+    /// Products that get a file each; their names go into the file name.
     std::vector<std::string> named_products = {};
 };
 
 struct BakeFile {
     std::string path;
     int frame = 0;
-    std::size_t part = 0;  // its number among the files of the frame
-    std::string product;   // what it holds, several in comma lists
+    std::size_t part = 0;  // index among the files of the frame
+    std::string product;   // its products, separated by commas
 };
 
-/// A frame whose maps are there, on its way to its files.
+/// A frame whose maps have been computed, for the format to write.
 struct FrameWork {
     const BakePlan& plan;
     int frame;
-    std::span<const Surface> maps;  // as FrameMaps says
-    SubjectMaps& source;            // of the maps, for what is no map
+    std::span<const Surface> maps;  // those of FrameMaps, in its order
+    SubjectMaps& source;            // makes them; for data that is not a map
     int threads;
-    /// Has `write` make a file, undisturbed by an interrupt; reads it back for the manifest.
-    std::function<void(const BakeFile& file, const std::function<void()>& write)> put;
-    /// Of what the frame lacks.
+    /// Runs `write` with interrupts deferred, then reads the file back, verifies it and enters its
+    /// hashes into the manifest.
+    std::function<void(const BakeFile& file, const std::function<void()>& write)> write_and_verify;
+    /// Warns of something that the frame lacks.
     std::function<void(const std::string& message)> warn;
 
     io::Provenance provenance() const;
-    double time() const;
+    double time() const;  // [s]
 };
-/// What the files of a frame say of it.
+/// Returns the provenance that the files of a frame carry.
 io::Provenance provenance_of(const BakePlan& plan, int frame);
 
-/// A pointer to a function that every format has: one without it does not compile.
+/// A pointer to a function that every format has: a format without it does not compile.
 template <typename Function>
 class Required;
 template <typename Result, typename... Arguments>
@@ -95,60 +99,43 @@ class Required<Result(Arguments...)> {
     Result (*function_)(Arguments...);
 };
 
-/// Functions get plans whose format they are. Those that are not Required are null where a format
-/// has no such thing.
+/// The row of a format in a Catalogue, made by bake_format(). typed_format.hpp documents the
+/// members. Functions get plans of this format; they throw std::logic_error where the settings of
+/// the plan are those of another one.
 struct BakeFormat {
-    std::string_view name;                  // "height_field"
-    std::string_view extension;             // in lower case with its dot, ".png"
-    std::string_view frame_extension = {};  // of a frame's own file, where it is another
-    std::string_view family;                // heading of its options in a help text, "EXR files"
+    std::string_view name;
+    std::string_view extension;
+    std::string_view frame_extension;
+    std::string_view family;
 
-    std::vector<FormatOption> (*options)(const Catalogue& catalogue) = nullptr;
-    /// The settings that the options ask for, before there is a sea. Throws Error.
-    std::any (*read_options)(const BakeOptions& options, const Catalogue& catalogue) = nullptr;
-    /// The products that the settings of a plan ask for: the plan refuses those that its subject
-    /// does not have. Of formats with a choice of products.
-    std::vector<const Product*> (*products)(const BakePlan& begun) = nullptr;
-    /// For a plan with subject, resolution and settings. Throws Error.
-    Required<FormatPlan(const BakePlan& begun)> settle;
-    /// In the order in which they are written. Cheap: a bake asks for all its frames at its start.
+    Required<std::vector<FormatOption>(const Catalogue& catalogue)> options;
+    Required<ErasedSettings(const BakeOptions& options, const Catalogue& catalogue)> read_options;
+    Required<std::vector<const Product*>(const BakePlan& draft)> products;
+    Required<FormatPlan<ErasedSettings>(const BakePlan& draft)> resolve;
     Required<std::vector<BakeFile>(const BakePlan& plan, int frame)> files;
-    /// Beside the frames what all of them share: the same bytes from each shard. With write_shared.
-    std::vector<BakeFile> (*shared_files)(const BakePlan& plan) = nullptr;
-    void (*write_shared)(const BakePlan& plan, const BakeFile& file) = nullptr;
-    /// How many of the shared files, the first ones, list the frames of the folder: their plan's
-    /// all_frames has those of earlier chunks too, and they are written again after the frames.
-    std::size_t frame_lists = 0;
-    /// Whether a frame's file that is there is of the plan's sea and options, whatever its frame.
-    /// Of formats with frame_lists.
-    bool (*is_of_plan)(const BakePlan& plan, const BakeFile& file) = nullptr;
-    /// Whether a reader of the frames fills one that is missing without a word. With frame_lists.
-    bool hides_gaps = false;
-    /// SHA-256 of all that decides the content of a file.
+    bool has_shared_files;
+    Required<std::vector<BakeFile>(const BakePlan& plan)> shared_files;
+    Required<void(const BakePlan& plan, const BakeFile& file)> write_shared;
+    std::size_t frame_lists;
+    Required<bool(const BakePlan& plan, const BakeFile& file)> matches_plan;
+    bool interpolates_missing_frames;
     Required<std::string(const BakePlan& plan, const BakeFile& file)> recipe;
-    /// Whether a file that is there may be one that a bake wrote, of any sea: others are the
-    /// user's, and stay. By its beginning, so that it costs little.
     Required<bool(const BakeFile& file)> is_baked;
-    /// Memory that a frame needs beside its maps, at most.
-    std::uint64_t (*frame_bytes)(const BakePlan& plan) = nullptr;
-    /// Of a file, at most.
-    Required<std::uint64_t(const BakePlan& plan, const BakeFile& file)> most_bytes;
+    Required<std::uint64_t(const BakePlan& plan)> frame_bytes;
+    Required<std::uint64_t(const BakePlan& plan, const BakeFile& file)> max_bytes;
     Required<void(const FrameWork& work, std::span<const BakeFile> files)> write;
-    /// The decoded samples of a file, whatever its compression; false for a file that is no image.
-    /// Throws Error bad_file for a file that is damaged or another.
-    bool (*read_pixels)(const BakePlan& plan, const BakeFile& file, int threads,
-                        const io::ByteSink& sink) = nullptr;
-    /// read_pixels tells by itself whether a file is the plan's; others need a manifest.
-    bool tells_its_recipe = false;
-    /// What a baked file says of itself. Throws Error bad_file.
-    std::vector<io::HeaderString> (*read_header)(const std::string& path) = nullptr;
-    /// --from: takes what was not typed from the header of a baked file.
-    void (*adopt)(const BakedHeader& header, const Catalogue& catalogue,
-                  BakeOptions& options) = nullptr;
+    Required<bool(const BakePlan& plan, const BakeFile& file, int threads,
+                  const io::ByteSink& sink)>
+        read_pixels;
+    bool header_proves_recipe;
+    /// Null for a format whose files have no header.
+    std::vector<io::HeaderString> (*read_header)(const std::string& path);
+    Required<void(const BakedHeader& header, const Catalogue& catalogue, BakeOptions& options)>
+        adopt;
 };
 
-/// SHA-256 of what decides the content of a file without a header: version, format, backend,
-/// resolution, frame, the format's own lines and the sea.
+/// Returns the SHA-256 of everything that decides the content of a file without a header: version,
+/// format, backend, resolution, frame, `format_lines` and the subject.
 std::string bake_recipe(const BakePlan& plan, int frame, std::string_view format_lines = "");
 
 }  // namespace ocean

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frame numbers and the names of the files they go into: the grammar of --frames and of -o.
+// Frame numbers and the names of their files: the grammar of --frames and -o.
 #pragma once
 
 #include <optional>
@@ -11,55 +11,58 @@
 
 namespace ocean {
 
-/// INT[-INT[xINT]], in comma lists: "1-250x2", "-10--5", "1,5,9-12". In the order given, each
-/// frame once. Throws Error invalid_value with the part that is wrong.
+/// Returns the frames of INT[-INT[xINT]] in comma lists, such as "1-250x2", "-10--5" or "1,5,9-12",
+/// in the order given, without duplicates. Throws Error invalid_value with the part that is wrong.
 std::vector<int> parse_frames(std::string_view text);
 
-/// "7, 9-11, 20-90x10": the frames by their ranges, as parse_frames takes them, in the order given.
-/// Longer than some 200 bytes it is cut off after a range, with "... LAST".
+/// Returns "7, 9-11, 20-90x10", the frames as ranges for parse_frames, in the order given. A text
+/// of more than about 200 bytes is cut off after a range, with "... LAST".
 std::string frames_text(const std::vector<int>& frames);
-/// The greatest step that reaches all of them, ascending, from the first; 1 for one frame.
+/// Returns the largest step that reaches all frames from the first one; 1 for one frame. `frames`
+/// must be ascending.
 int common_step(const std::vector<int>& frames);
 
-/// A part of a list for one machine of a farm: the i-th of n blocks as even as can be, so that
-/// frames in sequence stay together.
+/// A part of a list for one machine of a render farm: one of `count` consecutive blocks whose sizes
+/// differ by at most one frame.
 struct Shard {
     int number = 1;  // 1 .. count
     int count = 1;
 
+    /// Returns the shard's part of the list.
     std::vector<int> of(const std::vector<int>& frames) const;
 };
-/// "2/5". Throws Error invalid_value.
+/// Reads "2/5". Throws Error invalid_value.
 Shard parse_shard(std::string_view text);
 
-/// The pattern of -o: "out/sea.####.exr". A lone # is four digits, ## and more are as many as they
-/// are; %04d and $F4 are understood too.
+/// The pattern of -o, "out/sea.####.exr". A lone # is four digits, two or more are one digit each;
+/// %04d and $F4 are equivalent to ####.
 class OutputPattern {
   public:
     OutputPattern() = default;
     /// Throws Error invalid_value for an empty name or two frame tokens.
     explicit OutputPattern(const std::string& path);
 
-    /// The same with .#### before the extension if it has no token.
+    /// Returns the pattern with .#### before the extension, unless it has a frame token.
     OutputPattern with_token() const;
     bool has_token() const { return width_ > 0; }
-    /// Lower case with its dot, ".exr"; "" for none.
+    /// Returns the extension in lower case with its dot, ".exr"; "" if it has none.
     std::string extension() const;
-    /// The file of one frame; a product goes before the number: out/sea.normal.0001.exr.
+    /// Returns the path of a frame's file; a product precedes the number: out/sea.normal.0001.exr.
     std::string file(int frame, std::string_view product = "") const;
-    /// The number in the place of the frame token of a name without a folder; nothing if the name
-    /// does not begin as the pattern does. What follows the number is not looked at.
+    /// Returns the number in the place of the frame token of a file name without its folder;
+    /// nothing if the name does not begin as the pattern does. The text after the number is
+    /// ignored.
     std::optional<int> number_in(std::string_view name) const;
-    /// The manifest of all files: out/sea.manifest.json.
+    /// Returns the path of the manifest, out/sea.manifest.json.
     std::string manifest() const;
-    /// The folder of all files; "" for the current one.
+    /// Returns the folder of all files; "" for the current one.
     std::string folder() const;
 
   private:
     std::string folder_;  // with its final slash
-    std::string before_;  // of the file's name
-    std::string after_;
-    int width_ = 0;  // digits; 0 = no token
+    std::string before_;  // the file name before the frame token
+    std::string after_;   // the file name after it, with the extension
+    int width_ = 0;       // digits of the frame token; 0 = no token
 };
 
 }  // namespace ocean

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Products that are made of a whole frame instead of the channels of a sample: all that a bake of
-// images knows of them. One constant in one file of bake/products/, and one line of the table in
-// catalogue.cpp, make a new one; formats are loops over that table.
+// Products that are made of a whole frame instead of the channels of a sample, as a bake of images
+// sees them. A new family is one constant in one file of bake/products/, and one line of the table
+// in catalogue.cpp; formats are loops over that table.
 #pragma once
 
 #include <algorithm>
-#include <any>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -17,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "ocean/bake/erased_settings.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/channel.hpp"
 #include "ocean/surface.hpp"
@@ -33,106 +33,112 @@ struct MadeSamples {
 /// is about to be written, so that a frame need not hold all of them.
 using MadeFrame = std::function<MadeSamples(const Product& product)>;
 
-/// What becomes of the products that a plan asks for, once the subject is known.
+/// A family's part of a plan, resolved from its options and the subject.
 template <typename Settings>
 struct MadePlan {
-    std::vector<const Product*> products;  // those of others too, all in the order of their files
-    ChannelSet channels;                   // of the frame's map, that the products are made of
+    std::vector<const Product*> products;  // all of the plan, in the order of their files
+    ChannelSet channels;                   // the channels of the frame's map that the family needs
     Settings settings;
 };
 
-/// A family of made products with settings of one type. Functions that are left out do
-/// nothing; they are not null.
+/// A family of made products with settings of one type. A required function that is left out does
+/// not compile; other functions that are left out do nothing.
 template <typename Settings>
 struct MadeProductOf {
     using settings_type = Settings;
 
     /// The first one is the name of the family in messages.
     std::span<const Product> products;
-    /// What its maps are called where they have a size of their own, "slope tiles": no layered file
-    /// holds them. Empty: they have the size of the frame's map.
+    /// The name of its maps if they have a size of their own, "slope tiles": no layered file holds
+    /// them. Empty: they have the size of the frame's map.
     std::string_view tiles = {};
-    /// Refused where none of the products is asked for. A help text sorts them by name.
+    /// Returns its options, which are refused unless one of the products is requested.
     std::vector<FormatOption> (*options)() = [] { return std::vector<FormatOption>{}; };
-    /// Returns the settings that the options ask for, before there is a subject. Throws Error.
+    /// Returns the settings that the options request, before the subject is known. Throws Error.
     Required<Settings(const BakeOptions& options)> read;
-    /// `products` are all that the plan asks for. Throws Error.
-    Required<MadePlan<Settings>(const BakePlan& begun, const Settings& asked,
+    /// Returns the family's part of the plan; `products` are all that the draft requests. Throws
+    /// Error.
+    Required<MadePlan<Settings>(const BakePlan& draft, const Settings& requested,
                                 const std::vector<const Product*>& products)>
-        settle;
+        resolve;
     /// Returns the samples along a side of a tile.
     int (*tile_samples)(const Settings& settings) = [](const Settings&) { return 0; };
-    /// Returns what the header of a product's file says of it, known before the product is made.
+    /// Returns the header strings of a product's file, known before the product is made.
     std::vector<io::HeaderString> (*strings)(const BakePlan& plan, const Settings& settings,
                                              int frame, const Product& product) =
         [](const BakePlan&, const Settings&, int, const Product&) {
             return std::vector<io::HeaderString>{};
         };
-    /// Returns the memory [bytes] that a frame needs for them, at most.
+    /// Returns the memory that a frame needs for them [bytes], an upper bound.
     std::uint64_t (*frame_bytes)(const BakePlan& plan, const Settings& settings) =
         [](const BakePlan&, const Settings&) { return std::uint64_t{0}; };
     Required<MadeFrame(const FrameWork& work, const Settings& settings)> make;
-    /// Takes what was not typed from the header of a baked file that holds one of them.
+    /// Sets the options that were not given from the header of a baked file that holds one of them.
     void (*adopt)(const BakedHeader& header, BakeOptions& options) = [](const BakedHeader&,
                                                                         BakeOptions&) {};
 };
 
-/// The same without the type of the settings, for a table of all families. See made_product().
+/// The row of a family in a Catalogue, without the type of its settings; made by made_product().
 struct MadeProduct {
     std::span<const Product> products;
     std::string_view tiles;
-    std::vector<FormatOption> (*options)();
-    std::any (*read)(const BakeOptions& options);
-    MadePlan<std::any> (*settle)(const BakePlan& begun, const std::any& asked,
-                                 const std::vector<const Product*>& products);
-    int (*tile_samples)(const std::any& settings);
-    std::vector<io::HeaderString> (*strings)(const BakePlan& plan, const std::any& settings,
-                                             int frame, const Product& product);
-    std::uint64_t (*frame_bytes)(const BakePlan& plan, const std::any& settings);
-    MadeFrame (*make)(const FrameWork& work, const std::any& settings);
-    void (*adopt)(const BakedHeader& header, BakeOptions& options);
+    Required<std::vector<FormatOption>()> options;
+    Required<ErasedSettings(const BakeOptions& options)> read;
+    Required<MadePlan<ErasedSettings>(const BakePlan& draft, const ErasedSettings& requested,
+                                      const std::vector<const Product*>& products)>
+        resolve;
+    Required<int(const ErasedSettings& settings)> tile_samples;
+    Required<std::vector<io::HeaderString>(const BakePlan& plan, const ErasedSettings& settings,
+                                           int frame, const Product& product)>
+        strings;
+    Required<std::uint64_t(const BakePlan& plan, const ErasedSettings& settings)> frame_bytes;
+    Required<MadeFrame(const FrameWork& work, const ErasedSettings& settings)> make;
+    Required<void(const BakedHeader& header, BakeOptions& options)> adopt;
 
+    /// Returns true if the product is one of the family.
     bool has(const Product& product) const {
         return std::ranges::any_of(products,
                                    [&](const Product& own) { return own.name == product.name; });
     }
-    /// Whether one of them is in the list.
+    /// Returns true if the list has a product of the family.
     bool is_among(std::span<const Product* const> list) const {
         return std::ranges::any_of(list, [this](const Product* product) { return has(*product); });
     }
 };
 
-/// Returns the row of a MadeProductOf, a constant at namespace scope. The only place where the type
-/// of the settings is lost, so that a function for other settings does not compile.
+/// Returns the row of a MadeProductOf, a constant at namespace scope. The type of the settings is
+/// erased here only, so that a function for other settings does not compile.
 template <const auto& kOf>
 constexpr MadeProduct made_product() {
     using Settings = typename std::remove_cvref_t<decltype(kOf)>::settings_type;
-    using Any = const std::any&;
-    using Typed = const Settings&;
+    using Erased = const ErasedSettings&;
     using List = std::vector<const Product*>;
     return {
         .products = kOf.products,
         .tiles = kOf.tiles,
         .options = kOf.options,
-        .read = [](const BakeOptions& options) -> std::any { return kOf.read(options); },
-        .settle =
-            [](const BakePlan& begun, Any asked, const List& products) {
-                MadePlan<Settings> plan = kOf.settle(begun, std::any_cast<Typed>(asked), products);
-                return MadePlan<std::any>{std::move(plan.products), plan.channels,
-                                          std::move(plan.settings)};
+        .read =
+            +[](const BakeOptions& options) {
+                return ErasedSettings::of<Settings>(kOf.read(options));
             },
-        .tile_samples =
-            [](Any settings) { return kOf.tile_samples(std::any_cast<Typed>(settings)); },
+        .resolve =
+            +[](const BakePlan& draft, Erased requested, const List& products) {
+                MadePlan<Settings> plan = kOf.resolve(draft, requested.as<Settings>(), products);
+                return MadePlan<ErasedSettings>{
+                    std::move(plan.products), plan.channels,
+                    ErasedSettings::of<Settings>(std::move(plan.settings))};
+            },
+        .tile_samples = +[](Erased settings) { return kOf.tile_samples(settings.as<Settings>()); },
         .strings =
-            [](const BakePlan& plan, Any settings, int frame, const Product& product) {
-                return kOf.strings(plan, std::any_cast<Typed>(settings), frame, product);
+            +[](const BakePlan& plan, Erased settings, int frame, const Product& product) {
+                return kOf.strings(plan, settings.as<Settings>(), frame, product);
             },
         .frame_bytes =
-            [](const BakePlan& plan, Any settings) {
-                return kOf.frame_bytes(plan, std::any_cast<Typed>(settings));
+            +[](const BakePlan& plan, Erased settings) {
+                return kOf.frame_bytes(plan, settings.as<Settings>());
             },
-        .make = [](const FrameWork& work,
-                   Any settings) { return kOf.make(work, std::any_cast<Typed>(settings)); },
+        .make = +[](const FrameWork& work,
+                    Erased settings) { return kOf.make(work, settings.as<Settings>()); },
         .adopt = kOf.adopt,
     };
 }

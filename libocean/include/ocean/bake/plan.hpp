@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a bake is asked to do, settled before anything is computed: options that do not fit each
-// other or this version are refused here. A plan does not change after it is made.
+// The plan of a bake, resolved before anything is computed: options that contradict each other, or
+// that this version does not have, are refused here. A plan does not change after it is made.
 #pragma once
 
-#include <any>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -14,37 +13,40 @@
 #include <vector>
 
 #include "ocean/bake/catalogue.hpp"
+#include "ocean/bake/erased_settings.hpp"
 #include "ocean/bake/format.hpp"
 #include "ocean/bake/frames.hpp"
 #include "ocean/subject.hpp"
 
 namespace ocean {
 
-/// As typed; "" = not given.
+/// The options of a bake as they were typed; "" = not given.
 struct BakeOptions {
     std::string source;  // SEA
-    std::string from;    // a baked file to take everything from that is not given
+    std::string from;    // a baked file that supplies everything that is not given
     std::string output, frames, shard, backend, resolution, fps;
-    std::map<std::string, std::string> of_format;  // by the option's name; "yes" for a flag
+    std::map<std::string, std::string> format_options;  // by their names; "yes" for a flag
     bool skip_existing = false;
     bool keep_going = false;
-    int threads = 0;      // 0 = the cores this process may use
-    int largest_map = 0;  // samples a side, where --resolution does not say; 0 = no limit
+    int threads = 0;         // 0 = the cores this process may use
+    int max_resolution = 0;  // of the default resolution [samples along a side]; 0 = no limit
     /// Opens SEA, or the subject of a baked file: resolved and valid. Throws Error.
     std::function<std::unique_ptr<Subject>(const std::string& source)> open_subject;
 
-    /// "" for an option that was not given.
+    /// Returns "" for an option that was not given.
     const std::string& format_option(const std::string& name) const;
-    /// Gives it a value if it has none.
-    void take(const std::string& name, std::string_view value);
+    /// Sets an option of formats unless it was given.
+    void set_default(const std::string& name, std::string_view value);
 };
 
+/// A draft is a plan that its format has not resolved yet: it has subject, format, the format's
+/// settings as requested, frames and resolution.
 struct BakePlan {
     std::shared_ptr<const Subject> subject;
     std::string subject_text;
     std::string subject_id;  // of io::Provenance
     const BakeFormat* format = nullptr;
-    std::any settings;  // the format's
+    ErasedSettings settings;  // the format's
     FrameMaps maps;
     OutputPattern pattern;
     std::vector<int> frames;       // of this shard
@@ -52,32 +54,33 @@ struct BakePlan {
     std::string shard;             // as typed; "" = all
     bool product_in_name = false;  // of each file
     Backend backend;
-    std::string backend_note;  // why that one; "" where the user said so and nothing is to be told
+    std::string backend_note;  // why this backend; "" if the user named it and it needs no note
     std::span<const ChannelInfo> channels;  // of the catalogue, beside the library's
     int resolution = 0;                     // of the finest map
     int threads = 0;
     bool skip_existing = false;
     bool keep_going = false;
 
-    /// Maps of earlier foam are kept.
+    /// Returns true if maps of earlier foam are kept from frame to frame.
     bool follows_foam() const { return ocean::has_past(foam_use(maps.channels, channels)); }
-    /// Foam and spray have one: frames are made one after another.
-    bool has_past() const { return follows_foam() || maps.has_past; }
-    /// Of the finest map, samples along a side.
-    int finest() const { return maps.has_past ? maps.resolutions.front() : resolution; }
-    /// Returns where the map of the plan's resolution lies.
+    /// Returns true if frames depend on earlier ones (foam, spray), so that they are baked in
+    /// order.
+    bool is_sequential() const { return follows_foam() || maps.sequential; }
+    /// Returns the samples along a side of the finest map.
+    int finest() const { return maps.sequential ? maps.resolutions.front() : resolution; }
+    /// Returns the domain of the map that has the plan's resolution.
     Domain domain() const { return subject->domain(resolution); }
     /// Returns the shortest wave of the finest map [m].
     double shortest_wave() const { return subject->shortest_wave(finest()); }
 };
 
-/// Of this shard, those that frames share first.
+/// Returns the files of this shard; those that frames share come first.
 std::vector<BakeFile> all_files(const BakePlan& plan);
-/// All files of a bake, the manifest too.
+/// Returns the paths of all files of a bake, with the manifest.
 std::vector<std::string> output_paths(const BakePlan& plan);
 
-/// Throws Error invalid_value, unsupported, or what opening the sea throws. What the catalogue
-/// refers to must outlive the plan.
+/// Returns the plan of a bake, which refers to the catalogue: its rows must outlive the plan.
+/// Throws Error invalid_value, unsupported, or the error of opening the subject.
 BakePlan make_bake_plan(const BakeOptions& options, const Catalogue& catalogue);
 
 }  // namespace ocean

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies around the frames of a folder that POV-Ray renders as it is: the macros, the sea's
+// The files beside the frames of a folder that POV-Ray renders as it is: the macros, the sea's
 // parameters, the texture of its foam, a scene, and the settings of its animation.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "ocean/bake/frames_there.hpp"
+#include "ocean/bake/existing_frames.hpp"
 #include "ocean/bake/plan.hpp"
 #include "ocean/sea_state.hpp"
 
@@ -17,19 +17,19 @@ namespace ocean {
 struct FolderFile {
     std::string name;
     std::string text;
-    bool users = false;  // theirs to change: kept where it is
+    bool is_users = false;  // the user's to change: an existing file is kept
 
-    /// What files of ours begin with, whatever else is in them.
+    /// Returns the beginning that all versions of this file share.
     std::string opening() const;
 };
 
-/// Returns the frames of the plan's sea, form and maps that lie in its folder, and others.
-FramesThere povray_frames_there(const BakePlan& plan);
-/// Returns all files of the folder but its frames. `frames`: those that it has or will have,
-/// ascending, at least one; `state`: of the plan's sea.
+/// Returns the frames in the plan's folder: those of its sea, format and resolution, and others.
+ExistingFrames povray_existing_frames(const BakePlan& plan);
+/// Returns all files of the folder except its frames. `frames` lists the frames that it has or will
+/// have, ascending, at least one; `state` is that of the plan's sea.
 std::vector<FolderFile> povray_folder_files(const BakePlan& plan, const SeaState& state,
                                             const std::vector<int>& frames);
-/// Returns those of them that depend on the frames.
+/// Returns only the files that depend on the frames.
 std::vector<FolderFile> povray_frame_lists(const BakePlan& plan, const SeaState& state,
                                            const std::vector<int>& frames);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a bridge listens and who may talk to it: addresses, this machine's interfaces, the token,
-// and how many connections the system allows.
+// Addresses that a bridge listens at, this machine's interfaces, the token that clients need, and
+// the number of connections that the system allows.
 #pragma once
 
 #include <cstddef>
@@ -12,33 +12,35 @@
 
 namespace ocean::bridge {
 
-/// An address of IPv4 or IPv6, or a name that the system looks up.
+/// A port of a host: an IPv4 or IPv6 address, or a name that the system looks up.
 struct Endpoint {
     std::string host = "127.0.0.1";
     unsigned short port = 4747;
 
-    /// "127.0.0.1:4747", "[::1]:4747".
+    /// Returns "127.0.0.1:4747", or "[::1]:4747" for IPv6.
     std::string text() const;
-    /// 127.x.x.x, ::1 or localhost.
+    /// Returns true for 127.x.x.x, ::1 and localhost.
     bool is_loopback() const;
     bool operator==(const Endpoint&) const = default;
 };
 
-/// "HOST:PORT", "[::1]:4747", or HOST alone with the usual port. Throws Error invalid_value.
+/// Parses "HOST:PORT", "[::1]:4747", or HOST alone, which gets `default_port`. Messages begin with
+/// `what`, such as the name of an option. Throws Error invalid_value.
 Endpoint parse_endpoint(std::string_view text, const std::string& what,
-                        unsigned short usual_port = Endpoint().port);
+                        unsigned short default_port = Endpoint().port);
 
-/// "lo 127.0.0.1", "eth0 192.168.1.7": those that are up.
+/// Returns the interfaces that are up, with their addresses: "lo 127.0.0.1", "eth0 192.168.1.7".
 std::vector<std::string> network_interfaces();
 
-/// The one line of a file that nobody but its owner may read: 16 .. 256 printable characters
-/// without blanks. Throws Error bad_file.
+/// Returns the token in a file: one line of 16 .. 256 printable ASCII characters without blanks.
+/// Throws Error bad_file for another content, and for a file that other users may read.
 std::string read_token(const std::string& path);
-/// Takes the same time for every guess of a length.
+/// Compares in a time that depends on the length of `guess` alone. Returns false for an empty
+/// token.
 bool same_token(std::string_view guess, std::string_view token);
 
-/// Raises the limit of descriptors as far as needed for so many more than are open. Throws Error
-/// unsupported that says what is allowed, where the system refuses.
+/// Raises this process's limit of open descriptors so that `count` more can be opened. Throws Error
+/// unsupported, with the number that is allowed, if the system refuses.
 void require_descriptors(std::size_t count);
 
 }  // namespace ocean::bridge

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A program's end of the line protocol: a thread that keeps the connection, comes back when the
-// bridge does, and hands over what was said when its owner asks for it.
+// A program's end of the line protocol: a thread keeps the connection, reconnects when the bridge
+// is back, and stores events until the program takes them.
 #pragma once
 
 #include <chrono>
@@ -17,20 +17,20 @@ namespace ocean::bridge {
 
 struct LineClientOptions {
     Endpoint server = {};
-    std::string token = {};  // "" = none
+    std::string token = {};  // "" for a bridge without one
     bool subscribe = true;
-    std::vector<std::string> names = {};  // to subscribe to; none = all
+    std::vector<std::string> names = {};  // values to subscribe to; empty for all
 };
 
-/// What the bridge said, or what became of it. Names are full paths, whatever they were asked by.
+/// A line of the bridge, or a change of the connection. Names are full paths.
 struct ClientEvent {
     enum class Kind {
-        connected,  // name: this client, as the bridge names it; text: the greeting; values follow
-        lost,       // text: why; what there is holds, and it tries again
-        value,      // name, text: of a snapshot or a change
-        writer,     // name, text: who moves it now
+        connected,  // name: this client's name at the bridge; text: the greeting; values follow
+        lost,       // text: the reason; values stay as they are, and the client tries again
+        value,      // name, text: a value of the snapshot, or a change
+        writer,     // name, text: the new writer of the value
         notice,     // text: an event of the bridge, such as "TAKE take_1.take"
-        refused,    // text: "CODE ..." of what was asked
+        refused,    // text: "CODE ...", the answer to a refused line
         reply,      // text: any other line
     };
     Kind kind;
@@ -38,7 +38,7 @@ struct ClientEvent {
     std::string text = {};
 };
 
-/// Every function from any thread; none waits for the network.
+/// Every function may be called from any thread. No function but wait() blocks.
 class LineClient {
   public:
     explicit LineClient(LineClientOptions options);
@@ -47,24 +47,25 @@ class LineClient {
     LineClient& operator=(const LineClient&) = delete;
 
     bool connected() const;
-    /// What has come since the last call, in order; of a value that came often the latest, of one
-    /// that two have moved in turn the latest of each. While a set() of a value is on its way,
-    /// older words of the bridge about it are left out.
+    /// Returns the events since the last call, in order. Several changes of a value become the
+    /// latest one; if two writers have changed it in turn, the latest change of each. While a set()
+    /// is not yet confirmed, older values of that name are left out.
     std::vector<ClientEvent> events();
-    /// The same, after waiting for something to be there.
-    std::vector<ClientEvent> wait(std::chrono::milliseconds longest);
+    /// Blocks until an event is available or the time is over, then returns events().
+    std::vector<ClientEvent> wait(std::chrono::milliseconds limit);
 
-    /// The bridge is to have this value: of several for one name the latest is sent, and of those
-    /// while there is no connection too, when there is.
+    /// Requests a value. Of several requests for one name the latest is sent, when the connection
+    /// is back if it is lost.
     void set(const std::string& name, const std::string& value);
-    /// So it stands here: as set(), but what another has wished of it meanwhile is heard.
+    /// Reports the state of a value of this program. Unlike set(), it does not hide a value that
+    /// another client requests meanwhile.
     void report(const std::string& name, const std::string& value);
-    /// Any line, as it is; dropped while there is no connection.
+    /// Sends a line as it is. Without a connection the line is dropped.
     void send(const std::string& line);
 
   private:
-    class Core;
-    std::unique_ptr<Core> core_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::bridge

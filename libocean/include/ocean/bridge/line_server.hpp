@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The bridge on the network: one thread that serves any number of clients of the line protocol and
-// peers of Open Sound Control, and at which the boards' reports arrive.
+// The bridge on the network: one thread serves all clients of the line protocol and all peers of
+// Open Sound Control, and processes the boards' reports.
 #pragma once
 
 #include <chrono>
@@ -21,10 +21,10 @@ namespace ocean::bridge {
 /// Open Sound Control by UDP.
 struct OscOptions {
     std::optional<Endpoint> listen = {};
-    /// Addresses, without ports, that may send there. Empty: all that can reach a loopback
-    /// address, and no other address may be listened at.
+    /// Addresses, without ports, that may send to `listen`. If empty, `listen` must be a loopback
+    /// address, and every program of this machine may send.
     std::vector<std::string> allow = {};
-    std::vector<Endpoint> to = {};  // are told each change
+    std::vector<Endpoint> to = {};  // receive each change
     std::chrono::milliseconds subscription{60'000};
 
     bool operator==(const OscOptions&) const = default;
@@ -32,38 +32,39 @@ struct OscOptions {
 
 struct ServerOptions {
     Endpoint listen = {};
-    std::string token = {};  // "" = none is asked for, which only a loopback address may have
-    std::size_t clients = 64;
-    std::chrono::milliseconds idle{300'000};    // of a client without subscriptions
-    std::chrono::milliseconds stalled{30'000};  // of one that reads nothing
-    double commands_per_second = 200.0;         // of one client; what comes faster waits
+    std::string token = {};    // "" requires none; allowed for a loopback address alone
+    std::size_t clients = 64;  // max number of connections
+    std::chrono::milliseconds idle{300'000};    // limit for a silent client without subscriptions
+    std::chrono::milliseconds stalled{30'000};  // limit for a client that reads nothing
+    double commands_per_second = 200.0;         // limit per client; further commands wait
     OscOptions osc = {};
-    /// A line for people: start, connections, each line that came, ends. Must not wait.
+    /// Receives one line per start, connection, command and end. Must not block.
     std::function<void(std::string)> log = {};
 };
 
 class LineServer {
   public:
-    /// Listens from now on; `hub` is this object's until it is stopped. Throws Error invalid_value
-    /// for an address that needs a token or a list of who is allowed, unsupported for more clients
-    /// than the system allows and for OSC in a build without it, output if a port cannot be had.
+    /// Listens at once. `hub` belongs to the server until stop() returns. Throws Error
+    /// invalid_value for an address that requires a token or a list of allowed senders, unsupported
+    /// for more clients than the system allows and for OSC in a build without liblo, output if a
+    /// port is not available.
     LineServer(ServerOptions options, Hub& hub);
-    /// stop().
+    /// Calls stop().
     ~LineServer();
     LineServer(const LineServer&) = delete;
     LineServer& operator=(const LineServer&) = delete;
 
-    /// With the port that was chosen, if 0 was asked for.
+    /// Returns the address with the port in use, which the system chooses for port 0.
     Endpoint endpoint() const;
     std::optional<Endpoint> osc_endpoint() const;
     std::size_t clients() const;
-    /// Ends all connections and the boards, and writes a take that is being recorded. Any thread
-    /// but those of the boards; twice is once.
+    /// Ends all connections, stops the boards and writes a take that is being recorded. May be
+    /// called from any thread but those of the boards; further calls do nothing.
     void stop();
 
   private:
-    class Core;
-    std::unique_ptr<Core> core_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::bridge

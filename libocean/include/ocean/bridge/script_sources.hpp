@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Boards that are files: the dummy board, by which everything works without hardware, and the
-// replay of what a board reported.
+// Boards that are files: the dummy board, which stands in for hardware, and the replay of a
+// recorded board.
 #pragma once
 
 #include <memory>
@@ -14,24 +14,24 @@
 
 namespace ocean::bridge {
 
-/// What a channel is at a time after the start.
+/// The value of a channel at a time after the start.
 struct ScriptLine {
     double seconds = 0.0;
     std::string channel;
     double value = 0.0;
 };
 
-/// Lines "SECONDS CHANNEL VALUE" in order of time; '#' begins a comment. Throws Error bad_file
-/// "NAME:LINE: ...".
+/// Parses lines "SECONDS CHANNEL VALUE" in order of time; '#' begins a comment. Throws Error
+/// bad_file "NAME:LINE: ...".
 std::vector<ScriptLine> parse_script(std::string_view text, const std::string& name);
-/// The same from a file of at most 16 MiB.
+/// Reads a script from a file of at most 16 MiB. Throws Error bad_file.
 std::vector<ScriptLine> read_script(const std::string& path);
 
-/// The board "board0" with the channels of a Velleman K8055: knobs a1, a2 (0 .. 255), buttons d1 ..
-/// d5, counters c1, c2; lamps o1 .. o8 and voltages dac1, dac2. All are 0 and still until the
-/// script or put() says otherwise, and put() moves its knobs too.
+/// Makes the board "board0" with the channels of a Velleman K8055 (k8055_source.hpp). All inputs
+/// are 0 until the script or put() moves them: put() sets inputs of this board, too. Throws Error
+/// bad_file for a script with another channel or a value out of its range.
 std::unique_ptr<Source> make_dummy_source(std::vector<ScriptLine> script = {});
-/// The channels that the script names, all inputs.
+/// Makes a board whose inputs are the channels that the script names. It has no outputs.
 std::unique_ptr<Source> make_replay_source(std::vector<ScriptLine> script);
 
 }  // namespace ocean::bridge

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where reports come from: a board, a controller, a file. The bridge knows its sources by this
-// interface alone, so a new kind of board is one class.
+// The interface of everything that reports: a board, a controller, a file. The bridge knows its
+// sources by this interface alone.
 #pragma once
 
 #include <chrono>
@@ -14,74 +14,78 @@
 
 namespace ocean::bridge {
 
-/// Of reports and all that is reckoned from them; never set back.
+/// The clock of reports and of everything computed from them. It is never set back.
 using Clock = std::chrono::steady_clock;
 
-/// One wire of a board: a knob, a button, a counter; a lamp or a voltage if it is an output.
+/// One wire of a board: an input (knob, button, counter) or an output (lamp, voltage).
 struct Channel {
     std::string name;  // "board0/a1"
-    double lowest = 0.0;
-    double highest = 255.0;
+    double min = 0.0;
+    double max = 255.0;
     bool output = false;
 };
 
-/// "BOARD/LETTERSdigits", such as "board0/a1": small letters, digits and '_', 32 bytes a part.
+/// Returns true for "BOARD/LETTERSdigits", such as "board0/a1": BOARD has lower-case letters,
+/// digits and '_'; either part has at most 32 bytes.
 bool is_channel_name(std::string_view name);
 
-/// What a channel was at a time, in the board's own units. Whether a channel that rests is reported
-/// again and again or only when it moves is the board's business.
+/// The value of a channel at a time, in units of the board. A source may repeat a value that has
+/// not changed.
 struct Report {
     Clock::time_point time;
     std::string channel;
     double value = 0.0;
-    /// A hand did it just now, on a board that does not say where its controls rest.
+    /// The user moved the control just now (the board does not report initial positions).
     bool moved = false;
 };
 
-/// A board came, went, or cannot be had.
+/// A board has connected, is lost, or cannot be opened.
 struct BoardEvent {
     enum class Kind {
-        connected,  // from now on its channels are there; it knows nothing of its lamps
+        connected,  // its channels are available from now on; its outputs have no known value
         lost,
-        busy,  // it is there, and refused: said once
+        busy,  // it is plugged in but refused; reported once
     };
     Kind kind;
     std::string board;      // its id, "board0"
-    std::string text = "";  // what it is, or why; may be empty
+    std::string text = "";  // description of the board, or the reason; may be empty
 
     bool operator==(const BoardEvent&) const = default;
 };
 
-/// Returns what clients are told: "board0 CONNECTED: K8055 on bus 1, device 2", "midi0 LOST".
+/// Returns the event as clients read it: "board0 CONNECTED: K8055 on bus 1, device 2",
+/// "midi0 LOST".
 std::string event_text(const BoardEvent& event);
 
 class Source {
   public:
-    /// Called from any thread of the source; neither function waits.
+    /// The functions are called from threads of the source. They must not block.
     struct Listener {
         std::function<void(Report)> report;
         std::function<void(BoardEvent)> event;
     };
 
     virtual ~Source() = default;
-    /// Those it has now; any thread.
+    /// Returns the channels that are available now. Any thread.
     virtual std::vector<Channel> channels() const = 0;
-    /// Reports come from now on, that of each input's place first, where the board tells it.
+    /// Begins to report. If the board reports positions, each input's position comes first.
     virtual void start(Listener listener) = 0;
-    /// When it returns the listener is not called any more. Also before start, and twice.
+    /// Ends the reports: after its return `listener` is not called. It may be called before start
+    /// and again.
     virtual void stop() = 0;
-    /// An output takes the value as soon as the board does; does not wait for it, any thread.
-    /// Throws Error invalid_value for a channel that cannot be told, and for a value out of range.
+    /// Requests a value of an output, which the board gets as soon as possible. Returns at once;
+    /// any thread. Throws Error invalid_value for a channel that is not an output, and for a value
+    /// out of range.
     virtual void put(const std::string& channel, double value) = 0;
 };
 
-/// Of `channels` the one of that name; nullptr if it is not there.
+/// Returns the channel of that name, or nullptr.
 const Channel* find_channel(const std::vector<Channel>& channels, std::string_view name);
 
 /// Throws Error invalid_value for a value out of the channel's range.
 void require_in_range(const Channel& channel, double value);
-/// Which of `channels` is the output of that name, for a value that it takes. Throws Error
-/// invalid_value.
+/// Returns the index in `channels` of the output of that name. Throws Error invalid_value if
+/// `channels` has no such output, or if the value is out of its range.
 std::size_t output_index(const std::vector<Channel>& channels, const std::string& name,
                          double value);
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What everything is now: the latest value of each parameter of the sea and of the application, who
-// wrote it, and when in the order of all changes. The one thing that boards, clients and recorders
-// share. For one thread.
+// The current values of the sea's parameters and of the application, with their last writers and
+// revisions. Boards, clients and recorders share this table alone. For one thread.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,26 +17,26 @@
 
 namespace ocean::bridge {
 
-/// A value of the application that shows the sea: no part of the sea, in no take.
+/// A value of the application that shows the sea. It is not a parameter and stands in no take.
 struct AppValue {
     std::string_view name;
-    double lowest;
-    double highest;
-    double start;
-    bool whole;
+    double min;
+    double max;
+    double initial;
+    bool is_whole;
     std::string_view help;
 };
 std::span<const AppValue> app_values();
 
 struct ValueEntry {
     std::string name;           // the parameter's path, or "app.pause"
-    std::string text;           // "unset" where a parameter without a default has none
-    std::string writer;         // "" before anybody wrote it
-    std::uint64_t changed = 0;  // revision at which the text became what it is
-    std::uint64_t taken = 0;    // revision at which this writer took it over from another
+    std::string text;           // "unset" for an optional parameter without a value
+    std::string writer;         // "" until it is written
+    std::uint64_t changed = 0;  // revision at which the text changed
+    std::uint64_t taken = 0;    // revision at which the writer changed
 };
 
-/// What an unset value is called on the wire.
+/// The word of an unset value on the wire.
 inline constexpr std::string_view kUnset = "unset";
 /// Returns a value of any table as VAL and UPD spell it and SET reads it: a number, a word, true or
 /// false, [1, 7], or "unset".
@@ -44,29 +44,34 @@ std::string wire_text(const ParameterSpec& spec, const ParameterValue& value);
 
 class ValueTable {
   public:
-    /// Of a valid sea.
+    /// `parameters` must be valid.
     explicit ValueTable(Parameters parameters = {});
 
     std::span<const ValueEntry> entries() const { return entries_; }
     const ValueEntry& operator[](std::size_t entry) const { return entries_[entry]; }
-    /// By a path or a bare key, as the parameter table finds them. Throws Error not_found.
+    /// Finds an entry by its path or its bare key, as the parameter table does. Throws Error
+    /// not_found.
     std::size_t find(std::string_view name) const;
-    /// The table's parameter; nothing of an app value.
+    /// Returns the row of the parameter table, or nullptr for an app value.
     const ParameterInfo* parameter(std::size_t entry) const { return refs_[entry].info; }
     ParameterRef ref(std::size_t entry) const { return refs_[entry]; }
-    /// A number that knobs may turn, not a word, text or list.
+    /// Returns true for a number, which controls may set; false for words, texts, booleans and
+    /// lists.
     bool is_number(std::size_t entry) const;
-    /// A number without a fraction.
+    /// Returns true for a number without a fraction.
     bool is_whole(std::size_t entry) const;
-    /// Of a number, what is in effect if it is unset.
+    /// Returns the value of a number. For an unset wind speed it is kDefaultWind, for another unset
+    /// number the start of its slider, but at least 0.
     double number(std::size_t entry) const;
-    /// "0 .. 75 m/s", "one of ...".
+    /// Returns the values that are allowed: "0 .. 75 m/s", "one of ...".
     std::string allowed(std::size_t entry) const;
 
-    /// The last writer wins. True if the value is another now. Throws Error invalid_value for one
-    /// that the parameter table or a rule between parameters refuses; unsupported for names of
-    /// files, which nobody sets from outside.
+    /// Stores a value from its text. The last writer wins. Returns true if the value has changed.
+    /// Throws Error invalid_value for a value that the parameter table or a rule between parameters
+    /// refuses; unsupported for names of files, which cannot be set here.
     bool set(std::size_t entry, std::string_view value, std::string_view writer);
+    /// Stores a number as set(entry, plain_text(value), writer) does, without the text.
+    bool set(std::size_t entry, double value, std::string_view writer);
 
     /// Grows with every change.
     std::uint64_t revision() const { return revision_; }
@@ -74,11 +79,17 @@ class ValueTable {
 
   private:
     const AppValue& app_value(std::size_t entry) const;
-    std::string checked_app_value(std::size_t entry, std::string_view value) const;
+    void require_app_value(std::size_t entry, std::optional<double> value,
+                           std::string_view text) const;
+    bool set_app_value(std::size_t entry, double value, std::string_view writer);
+    bool set_parameter_value(std::size_t entry, const ParameterValue& value,
+                             std::string_view writer);
+    bool note_change(std::size_t entry, std::string text, std::string_view writer);
 
     Parameters parameters_;
     std::vector<ValueEntry> entries_;
-    std::vector<ParameterRef> refs_;  // without info: an app value
+    std::vector<ParameterRef> refs_;   // without info for an app value
+    std::vector<double> app_numbers_;  // in the order of app_values()
     std::uint64_t revision_ = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contexts of OpenGL without a window, and what a context can do.
+// OpenGL contexts without a window, and the properties of a context.
 #pragma once
 
 #include <cstdint>
@@ -12,56 +12,57 @@
 
 namespace ocean::gl {
 
-/// What is current on the calling thread.
+/// The properties of the context that is current on the calling thread.
 struct ContextInfo {
     std::string vendor;
     std::string renderer;
     std::string version;
-    bool software = false;  // a processor that plays a GPU
+    bool software = false;  // a CPU emulates the GPU
     int major = 0;
     int minor = 0;
-    std::int64_t storage_block_bytes = 0;  // the largest
-    int storage_blocks = 0;                // of a compute shader
-    int shared_bytes = 0;                  // of a workgroup
+    std::int64_t storage_block_bytes = 0;  // max of one block
+    int storage_blocks = 0;                // max of a compute shader
+    int shared_bytes = 0;                  // max of a workgroup
     int workgroup_threads = 0;
     int image_units = 0;
     int texture_size = 0;
-    bool tells_resets = false;  // whether it was lost can be asked
+    bool reports_resets = false;  // the driver reports whether the context was lost
 
-    /// "NVIDIA H100 (NVIDIA Corporation), OpenGL 4.6".
+    /// Returns "NVIDIA H100 (NVIDIA Corporation), OpenGL 4.6".
     std::string text() const;
 };
 
-/// Throws Error no_gpu if no context is current.
+/// Returns the properties of the current context. Throws Error no_gpu if none is current.
 ContextInfo context_info();
-/// Whether any context, through EGL or GLX, is current on the calling thread.
+/// Returns true if any context, through EGL or GLX, is current on the calling thread.
 bool has_current_context();
 
 struct HeadlessOptions {
-    /// Of the devices that EGL lists, from 0; else use_egl_device's, OCEAN_EGL_DEVICE's, or the
-    /// first that is hardware, or the first.
+    /// Index of a device in EGL's list, from 0. Unset: the device of use_egl_device, else that of
+    /// OCEAN_EGL_DEVICE, else the first that is hardware, else the first.
     std::optional<int> device = {};
-    /// What the driver has to say is kept for messages().
+    /// Keeps the driver's messages for messages().
     bool debug = false;
-    /// OpenGL 4.3 core, with phase and noise of the shaders checked; else 4.1 is enough, to draw.
+    /// Requires OpenGL 4.3 core and checks the shaders' phase and noise; else 4.1 suffices, to
+    /// draw.
     bool compute = true;
 };
 
-/// For all contexts that are made without a device of their own, as `--egl-device` wants it.
+/// Sets the device of all contexts that are made without one, for the option `--egl-device`.
 void use_egl_device(int device);
 
-/// A context through EGL that needs no display: of a device, else without a surface, else with a
-/// pbuffer of one pixel. Current on one thread at a time; the destructor may be called on any.
+/// A context through EGL that needs no display: on a device, else without a surface, else with a
+/// pbuffer of one pixel. Current on one thread at a time; any thread may call the destructor.
 class HeadlessContext {
   public:
-    /// Throws Error no_gpu, which says what was tried. Leaves nothing current.
+    /// Leaves no context current. Throws Error no_gpu, whose sentence lists the attempts.
     explicit HeadlessContext(const HeadlessOptions& options = {});
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-    /// Current on the calling thread while it lives; what was current before is so again after it.
-    /// Throws Error no_gpu if the context was lost.
+    /// Makes the context current on the calling thread while it lives, and restores the previously
+    /// current one afterwards. Throws Error no_gpu if the context was lost.
     class Current {
       public:
         explicit Current(const HeadlessContext& context);
@@ -78,12 +79,12 @@ class HeadlessContext {
     };
 
     const ContextInfo& info() const;
-    /// Of the driver since the context was made, with `debug`.
+    /// Returns the driver's messages since the context was made; empty without `debug`.
     const std::vector<std::string>& messages() const;
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::gl

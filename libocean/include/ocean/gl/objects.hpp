@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Objects of OpenGL that are deleted with their owner, which needs their context to be current.
+// OpenGL objects that are deleted with their owner. Their context must be current then.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A sea as textures, for a renderer in the same context: the small map of each cascade, with
-// mipmaps and second moments, and the foam of the whole patch. Nothing comes back to the CPU.
+// mipmaps and second moments, and the foam of the whole patch. No data returns to the CPU.
 #pragma once
 
 #include <cstdint>
@@ -20,46 +20,59 @@ class Ocean;
 
 namespace ocean::gl {
 
-/// Names of textures, which stay their owner's. All are RGBA in float, N x N, repeat, and have
-/// mipmaps down to one texel; u = x / period.
+/// The maps of all cascades of a sea as array textures (GL_TEXTURE_2D_ARRAY), a layer for each
+/// cascade; the components and mipmaps of a layer are those of CascadeTextures.
+struct CascadeArrays {
+    int resolution = 0;  // texels along a side of each layer
+    unsigned displacement = 0;
+    unsigned gradients = 0;
+    unsigned moments = 0;
+
+    bool operator==(const CascadeArrays&) const = default;
+};
+
+/// The textures of one cascade, by name; SeaTextures owns them. All are RGBA float, N x N, repeat,
+/// with mipmaps down to one texel; u = x / period. They
+/// share their texels with layers of CascadeArrays.
 struct CascadeTextures {
-    double period = 0.0;  // m
+    double period = 0.0;  // [m]
     int resolution = 0;
     unsigned displacement = 0;  // Dx, Dy at choppiness 1, height [m]; dDx/dy
     unsigned gradients = 0;     // slope x, slope y, dDx/dx, dDy/dy
-    /// Slope x ^ 2, slope y ^ 2, slope x * slope y, (dDx/dx + dDy/dy)^2. Their mipmaps less the
-    /// squares of those of `gradients` are what a texel's waves vary by: glitter, and whitecaps
-    /// that are too small to be seen.
+    /// Slope x ^ 2, slope y ^ 2, slope x * slope y, (dDx/dx + dDy/dy)^2. Their mipmaps minus the
+    /// squares of those of `gradients` are the variances within a texel: glitter, and whitecaps too
+    /// small to be seen.
     unsigned moments = 0;
 };
 
-/// foam = max(W, fade * texture), with W = surface_whitecap of the interpolated Jacobian: clamp and
-/// interpolation do not commute.
+/// The foam of the patch: foam = max(W, fade * texture), where W = surface_whitecap of the
+/// interpolated Jacobian must be computed after the interpolation, since clamping and interpolation
+/// do not commute.
 struct FoamTexture {
-    unsigned texture = 0;  // one float a texel, of the whole patch; 0: there is no foam yet
+    unsigned texture = 0;  // one float per texel, of the whole patch; 0 = no foam yet
     int resolution = 0;
-    double period = 0.0;  // m
+    double period = 0.0;  // [m]
     float fade = 0.0f;
     float threshold = 0.0f;  // of the whitecaps
     float width = 0.0f;
 };
 
-/// For who measures: called when the commands of a part of the work have been given, with its name.
+/// Called with the name of a part of the work when its commands have been issued, for measurements.
 using AfterStage = std::function<void(std::string_view stage)>;
 
 struct SeaTextureOptions {
-    /// Samples of a cascade's map along a side; 0: those of its lattice.
+    /// Samples of a cascade's map along a side; 0 = those of its lattice.
     int cascade_resolution = 0;
-    /// Of the foam; 0: the default map of the sea.
+    /// Samples of the foam along a side; 0 = those of the sea's default map.
     int foam_resolution = 0;
     FoamStart foam_start = FoamStart::empty;
-    /// Of a pre-roll; may throw to stop it.
+    /// Called during a pre-roll of the foam; may throw to stop it.
     std::function<void(std::int64_t done, std::int64_t total)> foam_progress = {};
     AfterStage after_stage = {};  // "foam", "cascades"
 };
 
-/// Needs the context that was current when it was made to be current in every call, the destructor
-/// too.
+/// Makes and owns the textures. The context that was current at construction must be current in
+/// every call and in the destructor.
 class SeaTextures {
   public:
     /// Throws Error no_gpu.
@@ -68,23 +81,26 @@ class SeaTextures {
     SeaTextures(const SeaTextures&) = delete;
     SeaTextures& operator=(const SeaTextures&) = delete;
 
-    /// Makes all textures those of a time. The sea is asked for its modes alone, at the ticks of
-    /// the foam's clock too; of a sea that was changed or performed foam begins again, or goes on,
-    /// as foam_changed() was told. Throws Error; no_gpu if the context was lost too, after which
+    /// Updates all textures to a time [s]. Reads only the modes of the sea, also at the ticks of
+    /// the foam's clock. After a change or performance of the sea, foam begins again or continues,
+    /// as foam_changed() was called. Throws Error; after no_gpu, also when the context was lost,
     /// only the destructor may be called.
     void show(Ocean& sea, double time);
-    /// What was followed of the foam is not that of this sea any more, from that time on.
+    /// Drops the foam that was followed, from a time [s] on, because the sea has changed there.
     void foam_changed(double from);
+    /// Drops all foam that was followed.
     void foam_changed();
 
-    // Of the last show.
+    // The results of the last show().
+    /// Returns the textures of each cascade: layers of arrays(), in its order.
     std::span<const CascadeTextures> cascades() const;
+    CascadeArrays arrays() const;
     const FoamTexture& foam() const;
     std::int64_t foam_settling_ticks() const;
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::gl

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shaders of shaders/, with what is defined outside of them, as one program.
+// Programs made of the files in shaders/ and of definitions made by C++.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,19 @@
 
 namespace ocean::gl {
 
-/// A file with all that it includes.
+/// A shader file with all files that it includes.
 struct ShaderText {
     std::string text;                // without #version; lines are numbered by file
     std::vector<std::string> files;  // in the order of their numbers
-    /// Of the files on disk; empty for those inside the library.
+    /// The files on disk with their times; empty for files inside the library.
     std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> on_disk;
 
+    /// Returns true if one of the files on disk has changed.
     bool changed_on_disk() const;
 };
 
-/// GL_COMPUTE_SHADER, GL_VERTEX_SHADER ... and a file in the folder of shaders.
+/// One stage of a program: GL_COMPUTE_SHADER, GL_VERTEX_SHADER ... and a file in the folder of
+/// shaders.
 struct ShaderStage {
     GLenum kind;
     std::string path;
@@ -33,16 +35,16 @@ struct ShaderStage {
 class ShaderProgram {
   public:
     ShaderProgram() = default;
-    /// defines: lines of #define. Throws Error no_gpu with the compiler's words, the files by their
-    /// names, if the driver does not take it.
+    /// Compiles and links. defines: lines of #define. Throws Error no_gpu with the compiler's
+    /// messages, files by their names, if the driver refuses it.
     ShaderProgram(std::vector<ShaderStage> stages, std::string defines);
 
-    /// Makes it the current program. A shader that was changed on disk is compiled anew first; if
-    /// that fails it throws once, and the program of before goes on with the next call. Returns
-    /// whether it is another program than before, which knows no uniforms yet.
+    /// Makes this the current program. If a shader has changed on disk, it is compiled first; if
+    /// that fails, this throws once and later calls continue with the previous program. Returns
+    /// true if the program is new, so that all its uniforms must be set.
     bool use();
     GLuint name() const { return program_.name(); }
-    /// A uniform of the current program; one that the driver found to be of no use is left out.
+    /// Sets a uniform of the current program. Ignores a uniform that the driver has optimised away.
     void set(const char* name, int x);
     void set(const char* name, float x);
     void set(const char* name, float x, float y);
@@ -57,7 +59,7 @@ class ShaderProgram {
     Program program_;
 };
 
-/// The whole text that the driver compiles: of OpenGL 4.3 for compute shaders, else of 4.1.
+/// Returns the whole text that the driver compiles: of OpenGL 4.3 for compute shaders, else of 4.1.
 std::string program_text(const ShaderText& text, std::string_view defines,
                          GLenum kind = GL_COMPUTE_SHADER);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rows of a CSV that nobody has checked: what readers of spectra and of points begin with.
+// Rows of untrusted CSV text: the common part of the readers of spectra and of points.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,27 @@
 
 namespace ocean::csv {
 
-/// Without blanks around it.
+/// Returns the text without blanks around it.
 std::string_view trimmed(std::string_view text);
 
-/// The next line that is neither blank nor a comment.
+/// Steps to the next line that is neither blank nor a comment; false at the end.
 bool next_row(LineReader& lines);
-/// The fields of a line, at most one more than `limit`, without blanks and quotes around them;
-/// nothing if a quote is not closed. The separator ' ' stands for a run of blanks and tabs.
+/// Returns the fields of a line, at most one more than `limit`, without blanks and quotes around
+/// them; nothing if a quote is not closed. The separator ' ' stands for a run of blanks and tabs.
 std::optional<std::vector<std::string_view>> split(std::string_view line, char separator,
                                                    std::size_t limit);
-/// Those of the reader's line. Throws Error bad_file if a quote is not closed.
+/// Returns the fields of the reader's line. Throws Error bad_file if a quote is not closed.
 std::vector<std::string_view> fields_of(const LineReader& lines, char separator, std::size_t limit);
 
-/// Returns `bytes` as UTF-8 with LF at the ends of lines where they are UTF-16 (with a byte order
-/// mark, or known by the NUL in their first character) or have CR alone; nothing where they need
-/// no conversion. A half of a surrogate pair becomes U+FFFD.
+/// Returns `bytes` as UTF-8 with LF line ends if they are UTF-16 (with a byte order mark, or
+/// recognised by the NUL in their first character) or have CR line ends; nothing if they need no
+/// conversion. A half of a surrogate pair becomes U+FFFD.
 std::optional<std::string> converted(std::string_view bytes);
 
-/// "Density [m2/Hz]" in two parts; () do as well.
+/// The two parts of a column title such as "Density [m2/Hz]"; brackets may be () too.
 struct Title {
     std::string name;  // in lower case
-    std::string unit;  // empty = none is named; "()" = the brackets are empty
+    std::string unit;  // empty = no unit; "()" = empty brackets
 };
 Title parse_title(std::string_view cell);
 
@@ -49,9 +49,9 @@ class TableReader {
   public:
     static constexpr std::size_t kMaxColumns = 10'000;
 
-    /// Reads the header line; titles() is empty where there is none. `content` and `name` must
-    /// outlive the reader. Throws Error bad_file "NAME:LINE: ..." if a quote is not closed, if two
-    /// separators suit header and first row alike, if there are more than kMaxColumns columns.
+    /// Reads the header line; titles() is empty without one. `content` and `name` must outlive the
+    /// reader. Throws Error bad_file "NAME:LINE: ..." if a quote is not closed, if two separators
+    /// suit header and first row alike, or if there are more than kMaxColumns columns.
     TableReader(std::string_view content, std::string_view name);
     TableReader(const TableReader&) = delete;
     TableReader& operator=(const TableReader&) = delete;
@@ -59,16 +59,16 @@ class TableReader {
     const std::vector<std::string_view>& titles() const { return titles_; }
     char separator() const { return separator_; }
     /// Steps to the next row, which has a cell for each title; false at the end of the table.
-    /// Throws Error bad_file: more or fewer cells, an open quote; at the end, if every comma within
-    /// a number may separate decimals or thousands.
+    /// Throws Error bad_file for more or fewer cells and for an open quote; at the end, if every
+    /// comma within a number may separate decimals or thousands.
     bool next();
-    /// Without blanks and quotes around it; a quote within quotes stands twice.
+    /// Returns a cell without blanks and quotes around it; within quotes a quote appears twice.
     std::string_view cell(std::size_t column) const { return cells_[column]; }
-    /// The number that all of the cell spells, finite or not, with a decimal point or comma;
-    /// nothing if it spells none. Throws Error bad_file if it has both, or the mark that an earlier
-    /// number of the table does not have.
+    /// Returns the number that all of the cell spells, finite or not, with a decimal point or
+    /// comma; nothing if it spells none. Throws Error bad_file if it has both, or another mark than
+    /// an earlier number of the table.
     std::optional<double> number(std::size_t column);
-    /// At the row that next() read, or the header line; for messages.
+    /// Returns the reader at the row that next() read, or at the header line; for messages.
     const LineReader& lines() const { return lines_; }
 
   private:
@@ -84,14 +84,14 @@ class TableReader {
     std::vector<std::string_view> titles_;
     std::vector<std::string_view> cells_;
     char separator_ = ',';
-    std::size_t point_line_ = 0;  // of a number with a decimal point
-    std::size_t comma_line_ = 0;  // of the first with a comma
+    std::size_t point_line_ = 0;  // of the first number with a decimal point
+    std::size_t comma_line_ = 0;  // of the first number with a comma
     std::string first_comma_;     // that number
     bool only_thousands_ = true;  // every comma may separate thousands
 };
 
-/// The titles of a table, in its order; none where it has no header line that can be split. For
-/// those that recognise a format; does not throw on what TableReader refuses.
+/// Returns the titles of a table, in its order; none without a header line that can be split. For
+/// the recognition of formats: it does not throw where TableReader does.
 std::vector<std::string> titles_of(std::string_view content);
 
 }  // namespace ocean::csv

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The units of spectral densities as people spell them: "m2 s rad-1", "m^2/(Hz deg)", "meter^2
-// second", "J/m2/Hz", "m² per Hz". A small grammar reads them; readers of spectra multiply by the
-// factor that it gives.
+// Units of spectral densities as people spell them: "m2 s rad-1", "m^2/(Hz deg)", "meter^2 second",
+// "J/m2/Hz", "m² per Hz". A small grammar parses them; readers of spectra multiply by the resulting
+// factor.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@
 
 namespace ocean {
 
-/// What a spectrum is a density over.
+/// The variables that a spectrum is a density over.
 enum class DensityOver { frequency, frequency_and_direction };
 
 struct DensityUnit {
-    double factor = 0.0;  // brings values to m^2/Hz, over directions to m^2/Hz/degree
-    std::string fault;  // why it is no unit of such a density, and how it was understood; or empty
+    double factor = 0.0;  // converts values to m^2/Hz, over directions to m^2/Hz/degree
+    std::string fault;    // why it is no unit of such a density, and how it was parsed; or empty
 };
 
-/// Parses a unit. Upper and lower case are one. Blanks, `.`, `*`, `_` and `-` between names
-/// multiply; `/` and `per` divide by what follows, or by all that follows where only that is a
-/// density ("m2/Hz deg"). Powers are `2`, `^2`, `**2`, `^{-1}`, `²`, `squared`. Energies per area
+/// Parses a unit; upper and lower case are the same. Blanks, `.`, `*`, `_` and `-` between names
+/// multiply. `/` and `per` divide by the name that follows, or by all that follows if only that is
+/// a density ("m2/Hz deg"). Powers are `2`, `^2`, `**2`, `^{-1}`, `²`, `squared`. Energies per area
 /// (J/m2/Hz) are divided by rho g = 1025 kg/m^3 * 9.81 m/s^2, the defaults of SWAN. Without
 /// directions, "m2 s rad-1" is a density per angular frequency; over directions it is one per Hz
-/// and radian, and the angular frequency takes a further angle: "m2/(rad/s)/deg".
+/// and radian, and an angular frequency needs a further angle: "m2/(rad/s)/deg".
 DensityUnit parse_density_unit(std::string_view text, DensityOver over);
 
 }  // namespace ocean

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What spectrum formats say of directions, in libocean's: degrees counter-clockwise from east, the
-// direction waves travel to. Formats hand over what they read; conventions are converted here.
+// Directions of spectrum formats, converted to libocean's: degrees counter-clockwise from east, the
+// direction waves travel to. Formats pass the numbers that they read; conventions are converted
+// here.
 #pragma once
 
 #include <array>
@@ -14,28 +15,30 @@
 
 namespace ocean {
 
-/// Where formats measure a direction from, and whether waves come from it or travel to it.
+/// The reference and sense of a direction: where it is measured from, and whether waves come from
+/// it or travel to it.
 enum class DirectionConvention {
     from_nautical,  // degrees clockwise from north, coming from: buoys, meteorology
     to_nautical,    // degrees clockwise from north, travelling to: oceanography
     to_cartesian,   // degrees counter-clockwise from east, travelling to: libocean
 };
-/// Within 0 <= d < 360.
+/// Returns a direction in libocean's convention, 0 <= d < 360 [degrees].
 double travel_direction(double degrees, DirectionConvention convention);
 
-/// The direction bins of a file: in any order, wrapped anywhere, even or not, the first bin
-/// repeated after 360 degrees or not, the whole circle or a sector of it. Made once for all spectra
-/// that share it.
+/// The direction bins of a file: in any order, wrapped anywhere, even or not, with or without the
+/// first bin repeated after 360 degrees, the whole circle or a sector of it. Made once for all
+/// spectra that share it.
 class DirectionAxis {
   public:
-    /// What is wrong with the bins, as a message; empty for good ones: 3 .. 720, finite, distinct.
+    /// Returns the fault of the bins as a message; empty for good ones: 3 .. 720, finite, distinct.
     static std::string fault(std::span<const double> degrees);
-    /// Needs bins without a fault.
+    /// Requires bins without a fault.
     DirectionAxis(std::span<const double> degrees, DirectionConvention convention);
 
     /// Sets `direction`, `directional_density` and `density` of a record that has its frequencies.
-    /// `values`: [frequency][bin] in the order of the file, NaN = missing = 0; `to_per_degree`
-    /// makes them m^2/Hz/degree. A sector falls to 0 within a bin of its edges.
+    /// `values`: [frequency][bin] in the order of the file, NaN (missing) counts as 0;
+    /// `to_per_degree` converts them to m^2/Hz/degree. A sector falls to 0 within a bin of its
+    /// edges.
     void fill(SpectrumRecord& record, std::span<const double> values, double to_per_degree) const;
 
   private:
@@ -43,8 +46,8 @@ class DirectionAxis {
 
     std::size_t bins_;                 // of the file
     std::vector<double> direction_;    // ascending
-    std::vector<std::size_t> source_;  // the bin of the file for each direction; bins_ = none: 0
-    std::vector<double> weight_;       // of each direction in the integral, degrees
+    std::vector<std::size_t> source_;  // the file's bin for each direction; bins_ = none, 0
+    std::vector<double> weight_;       // of each direction in the integral [degrees]
 };
 
 /// Appends the first moment of one frequency, r1 = 1 - spread^2 / 2, from a mean travel direction
@@ -58,7 +61,7 @@ void append_mean_and_principal(SpectrumRecord& record, double mean, double princ
                                double r2);
 /// Appends the moments of one frequency as they are; if one of the four is missing, all are.
 void append_moments(SpectrumRecord& record, const std::array<double, 4>& a1_b1_a2_b2);
-/// A record whose moments are missing in every bin has none.
+/// Removes the moments of a record if they are missing in every bin.
 void drop_unknown_moments(SpectrumRecord& record);
 
 }  // namespace ocean

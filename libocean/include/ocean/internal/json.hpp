@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// JSON, written: every text in this form that leaves the library or a tool is built here.
-// Strings are escaped as they enter, and a number that JSON does not have is refused.
+// JSON writing: every JSON text that leaves the library or a tool is built here. Strings are
+// escaped as they enter, and numbers that JSON cannot express are refused.
 #pragma once
 
 #include <concepts>
@@ -16,15 +16,15 @@
 
 namespace ocean {
 
-/// In quotes; quotation marks, backslashes and control characters escaped, bytes that are not UTF-8
-/// replaced by '?'.
+/// Returns the text in quotes, with quotation marks, backslashes and control characters escaped and
+/// bytes that are not UTF-8 replaced by '?'.
 std::string json_string(std::string_view text);
-/// An array of strings.
+/// Returns an array of strings.
 std::string json_list(std::span<const std::string> texts);
 
 class JsonItems;
 
-/// One value, as text.
+/// One JSON value, as text.
 class Json {
   public:
     Json(std::nullptr_t) : text_("null") {}
@@ -38,7 +38,7 @@ class Json {
         : text_(std::to_string(value)) {}
     template <std::same_as<bool> Truth>  // no pointer becomes one
     Json(Truth value) : text_(value ? "true" : "false") {}
-    /// Spelled as `spelling` does it. Throws Error invalid_value for what is not finite.
+    /// Spells a number by `spelling`. Throws Error invalid_value for one that is not finite.
     Json(double value, std::string (*spelling)(double) = shortest_text);
 
     const std::string& text() const { return text_; }
@@ -47,16 +47,16 @@ class Json {
     std::string text_;
 };
 
-/// The same with null for a number that is not finite: not known, or without bound.
+/// Returns the number, or null if it is not finite: unknown or unbounded.
 Json json_number_or_null(double value, std::string (*spelling)(double) = shortest_text);
 
-/// Each item on a line of its own, `indent` spaces in; the closing bracket stands two less far in.
+/// Layout: each item on its own line, indented by `indent` spaces; the closing bracket by two less.
 struct JsonLines {
     int indent;
 };
 
-/// What arrays and objects share: brackets and what stands between the items. Without JsonLines
-/// all is one line.
+/// The common part of arrays and objects: brackets and separators. Without JsonLines, all on one
+/// line.
 class JsonItems {
   public:
     std::string text() const { return text_ + closing_; }
@@ -82,7 +82,7 @@ class JsonArray : public JsonItems {
     JsonArray& add(const Json& value);
 };
 
-/// All items of a range, on one line.
+/// Returns an array of all items of a range, on one line.
 template <std::ranges::input_range Items>
 JsonArray json_array(const Items& items) {
     JsonArray array;
@@ -95,7 +95,7 @@ class JsonObject : public JsonItems {
     JsonObject() : JsonItems("{}") {}
     explicit JsonObject(JsonLines lines) : JsonItems("{}", lines) {}
     JsonObject& add(std::string_view key, const Json& value);
-    /// The members that follow stand on lines of their own, `indent` spaces in.
+    /// Puts the members that follow on lines of their own, indented by `indent` spaces.
     JsonObject& then_lines(int indent);
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lines of a text that nobody has checked, with their numbers for messages. What every reader of a
-// text format begins with.
+// Lines of an untrusted text, with their numbers for messages: the common part of the readers of
+// text formats.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,15 @@
 
 namespace ocean {
 
-/// Ends of lines are LF or CRLF; a byte order mark is skipped. References must outlive the reader.
+/// Splits a text into lines that end in LF or CRLF, and skips a byte order mark. Text and name must
+/// outlive the reader.
 class LineReader {
   public:
     LineReader(std::string_view content, std::string_view name) : rest_(content), name_(name) {
         if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
     }
 
-    /// False at the end of the text.
+    /// Steps to the next line; false at the end of the text.
     bool next() {
         if (rest_.empty()) return false;
         const std::size_t end = rest_.find('\n');
@@ -31,7 +32,7 @@ class LineReader {
         ++number_;
         return true;
     }
-    /// The same, blank lines skipped.
+    /// Steps to the next line that is not blank; false at the end of the text.
     bool next_filled() {
         while (next()) {
             if (line_.find_first_not_of(" \t") != std::string_view::npos) return true;
@@ -40,13 +41,13 @@ class LineReader {
     }
 
     std::string_view line() const { return line_; }
-    /// Of the line, from 1; 0 before the first.
+    /// Returns the number of the line, from 1; 0 before the first.
     std::size_t number() const { return number_; }
-    /// The line has no end: the file may have been cut there.
+    /// Returns true if the line has no line end, so that the file may have been cut off in it.
     bool cut_off() const { return cut_off_; }
-    /// Bytes after the line: no claim of a file can need more values than these can hold.
+    /// Returns the bytes after the line, a bound on how many values a file can still contain.
     std::size_t bytes_left() const { return rest_.size(); }
-    /// bad_file "NAME:LINE: message".
+    /// Returns Error bad_file "NAME:LINE: message".
     Error fail(std::string_view message) const {
         return text::error_at(ErrorKind::bad_file, name_, number_, message);
     }
@@ -59,8 +60,8 @@ class LineReader {
     bool cut_off_ = false;
 };
 
-/// Takes the next blank-separated word off the front of a line; empty at its end.
-inline std::string_view take_word(std::string_view& line) {
+/// Removes the next blank-separated word from the front of a line and returns it; empty at its end.
+inline std::string_view next_word(std::string_view& line) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
     line.remove_prefix(word.size());

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a linear field is made of: the one table of them, for every backend that has no code of its
-// own for each.
+// The formulas of the linear fields, as one table for every backend without code of its own for
+// each.
 #pragma once
 
 #include "ocean/channel.hpp"
 
 namespace ocean {
 
-/// How a field follows from a mode's h or dh/dt: it is multiplied by
-/// sign * i^odd * kx^x_power * ky^y_power * (coth(kd)/k)^displacement.
+/// The factor by which a field follows from a mode's h or dh/dt:
+///     sign * i^odd * kx^x_power * ky^y_power * (coth(kd)/k)^displacement.
 /// Multiplications by i k are derivatives; D = -i (k/|k|) coth(kd) h, [Tessendorf 2001] eq. 44.
 struct LinearShape {
     int sign;

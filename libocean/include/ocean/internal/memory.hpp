@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a sea takes of the machine's memory, said before it is allocated.
+// The memory that a sea needs, known before it is allocated.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,15 @@
 
 namespace ocean {
 
-/// Bytes of the modes,
+/// Returns the bytes of the modes.
 std::uint64_t modes_bytes(const Grid& grid);
-/// of so many maps,
+/// Returns the bytes of `maps` maps.
 std::uint64_t maps_bytes(int resolution, int maps);
-/// and of what makes maps of these channels out of the modes.
+/// Returns the bytes that computing these channels from the modes needs, beside modes and maps.
 std::uint64_t work_bytes(const Grid& grid, const Backend& backend, ChannelSet channels,
-                         int resolution, std::span<const ChannelInfo> further = {});
-/// Throws Error out_of_memory, before anything is allocated, when `bytes` is more than there is.
+                         int resolution, std::span<const ChannelInfo> host_channels = {});
+/// Throws Error out_of_memory, before anything is allocated, if `bytes` exceeds the available
+/// memory. `what` names the data in the message.
 void require_memory(std::uint64_t bytes, const std::string& what,
                     const std::string& advice = "choose a smaller resolution");
 

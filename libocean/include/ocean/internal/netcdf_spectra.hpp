@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra from NetCDF, as ERA5, wavespectra, WAVEWATCH III, SWAN, NDBC, CDIP, Copernicus and others
-// write it. For the tools alone:
-// libocean.so and ocean::seafile never link libnetcdf. A file goes through four stages, each
-// of which knows only the next: netcdf_file (libnetcdf) in a child process -> netcdf_wire (a pipe)
-// -> netcdf_layout (which variable plays which part) -> netcdf_records.
+// Spectra from NetCDF files, as ERA5, wavespectra, WAVEWATCH III, SWAN, NDBC, CDIP, Copernicus and
+// others write them. For the tools alone: libocean.so and ocean::seafile never link libnetcdf. A
+// file passes four stages, each of which knows only the next: netcdf_file (libnetcdf) in a child
+// process -> netcdf_wire (a pipe) -> netcdf_layout (the roles of the variables) -> netcdf_records.
 #pragma once
 
 #include <string>
@@ -16,14 +15,14 @@
 
 namespace ocean {
 
-/// Whether a file begins like NetCDF: classic, with 64-bit offsets, with 64-bit data, or HDF5.
-/// Eight bytes are enough.
+/// Returns true if a file begins like NetCDF: classic, with 64-bit offsets, with 64-bit data, or
+/// HDF5. Eight bytes suffice.
 bool is_netcdf(std::string_view first_bytes);
 
-/// One record for each time and place that has a spectrum, times outermost; one that cannot be used
-/// has its `fault`. Throws Error bad_file "PATH: VARIABLE: what is wrong" where none can be used,
-/// unsupported in a program built without NetCDF, and interrupted.
-/// libnetcdf runs in a child process, so that a file that crashes it costs an error and no more.
+/// Returns one record for each time and place with a spectrum, times outermost; a record that
+/// cannot be used has its `fault` set. libnetcdf runs in a child process, so a file that crashes it
+/// causes no more than an error. Throws Error bad_file "PATH: VARIABLE: FAULT" if no record can be
+/// used, unsupported in a program built without NetCDF, and interrupted.
 std::vector<SpectrumRecord> read_netcdf_spectra(const std::string& path);
 
 }  // namespace ocean

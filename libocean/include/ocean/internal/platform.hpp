@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What differs between operating systems, in one place: core/base/platform.cpp.
+// The differences between operating systems, in one place: core/base/platform.cpp.
 #pragma once
 
 #include <cfenv>
@@ -12,19 +12,19 @@
 
 namespace ocean {
 
-/// Cores that this process may run on, at least 1: affinity and the quotas of its control groups
-/// (cpu.max, rounded up) respected.
+/// Returns the cores that this process may run on, at least 1: its affinity and the quotas of its
+/// control groups (cpu.max, rounded up).
 int available_cores();
-/// Of this process: another in a child after fork(), which has but the one thread.
+/// Returns a number of this process, different in a child after fork(), which has only one thread.
 std::uint64_t process_number();
-/// What the calling thread has had so far; zeros where the system does not tell.
+/// The resources that the calling thread has used so far; 0 if the system does not report them.
 struct ThreadUsage {
-    std::int64_t preemptions = 0;  // how often its core was taken for another thread
-    double seconds = 0.0;          // of a core
+    std::int64_t preemptions = 0;  // times that its core was given to another thread
+    double seconds = 0.0;          // of CPU time
 };
 ThreadUsage usage_of_this_thread();
-/// The calling thread's floating-point modes, set to the standard's while the object lives: what a
-/// host rounds by, or flushes to zero, is its own.
+/// Sets the calling thread's floating-point modes to the standard's while the object lives: a
+/// host's rounding and flush-to-zero modes are saved and restored.
 class PlainFloats {
   public:
     PlainFloats();
@@ -34,12 +34,12 @@ class PlainFloats {
 
   private:
     std::fenv_t host_;
-    [[maybe_unused]] unsigned host_sse_ = 0;  // MXCSR, where there is one
+    [[maybe_unused]] unsigned host_sse_ = 0;  // MXCSR, where the CPU has it
 };
-/// Bytes that can still be allocated (free memory, container and process limits), or the largest
-/// value where the system does not tell.
+/// Returns the bytes that can still be allocated (free memory, container and process limits), or
+/// the largest value if the system does not report them.
 std::uint64_t available_memory();
-/// Path from the UTF-8 text that all interfaces use.
+/// Returns the path of UTF-8 text, the encoding of all interfaces.
 std::filesystem::path utf8_path(std::string_view text);
 
 }  // namespace ocean

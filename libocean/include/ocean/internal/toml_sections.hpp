@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Flat TOML files that nobody has checked, as plain values: lists of tables, [[map]] and [[out]],
-// whose keys have numbers, texts, flags or lists of numbers. For files beside the sea file.
+// Untrusted flat TOML files as plain values: lists of tables, [[map]] and [[out]], whose keys have
+// numbers, texts, flags or lists of numbers. For files beside the sea file.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct TomlSection {
     std::vector<TomlKey> keys;
 };
 
-/// In the order of the file. `known` are the names that sections may have. Throws Error bad_file
-/// "NAME:LINE: ..." for what is no TOML and what is not of that form.
+/// Returns the sections in the order of the file. `known` are the names that sections may have.
+/// Throws Error bad_file "NAME:LINE: ..." for text that is not TOML or not of this form.
 std::vector<TomlSection> parse_toml_sections(std::string_view text, const std::string& name,
                                              std::span<const std::string_view> known);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Times of records: UTC, to the minute, as ISO 8601 text. Spectrum formats write them, the choice
+// Times of records: UTC, to the minute, as ISO 8601 text. Spectrum formats write them; the choice
 // of a record compares them.
 #pragma once
 
@@ -19,19 +19,19 @@ struct UtcTime {
     int hour = 0;
     int minute = 0;
 
-    /// A date of the calendar and a time of the day, years 1800 .. 2999.
+    /// Returns true for a date of the calendar and a time of the day, years 1800 .. 2999.
     bool valid() const;
-    /// "2020-06-08T03:50"
+    /// Returns "2020-06-08T03:50".
     std::string text() const;
-    /// Since 1970; needs valid().
+    /// Returns the minutes since 1970. Requires valid().
     std::int64_t minutes() const;
 };
 
-/// "2020-06-08T03:50", with or without seconds and their fractions (both dropped); a blank may
-/// stand for the T. After it Z, UTC, GMT or nothing for UTC, or the offset of another zone, which
-/// is converted: "+01:00", "-0530", "+01".
+/// Parses "2020-06-08T03:50", with or without seconds and their fractions (both dropped); a blank
+/// may replace the T. Z, UTC, GMT or nothing after it means UTC; the offset of another zone,
+/// "+01:00", "-0530" or "+01", is converted. Returns nothing for other text.
 std::optional<UtcTime> parse_utc_time(std::string_view text);
-/// The inverse of UtcTime::minutes(); nothing outside the years of valid().
+/// Returns the inverse of UtcTime::minutes(); nothing outside the years of valid().
 std::optional<UtcTime> utc_time_at(std::int64_t minutes);
 
 }  // namespace ocean

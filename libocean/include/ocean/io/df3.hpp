@@ -16,11 +16,11 @@
 
 namespace ocean::io {
 
-/// How the voxels of a slice hold a channel; the codes are in df3.cpp.
+/// The encoding of a channel in the voxels of a slice; df3.cpp has the formulas.
 enum class Df3Code {
     length,  // [m]
     offset,  // [m], on the grid of a patch mesh's vertices
-    normal,  // a horizontal component of the normal: needs nz too
+    normal,  // a horizontal component of the normal; needs nz as well
     share,   // 0 .. 1
 };
 struct Df3Slice {
@@ -30,20 +30,24 @@ struct Df3Slice {
 /// Maps along the z axis of a DF3 file, in their order.
 using Df3Slices = std::span<const Df3Slice>;
 
-/// Returns the slices of a subject: of a sea height, dx, dz, two of the normal, foam, cover; of
-/// others, whose places stand still, height and two of the normal.
+/// Returns the slices of a kind of subject: a sea has height, dx, dz, two components of the normal,
+/// foam and cover; a subject that is not displaced has height and two components of the normal.
 Df3Slices df3_slices(std::string_view kind = kSeaKind);
-/// Returns those of a sea's position: height, dx, dz.
+/// Returns the slices of a sea's position: height, dx, dz.
 Df3Slices df3_position_slices();
 /// Returns the channels that write_df3 needs.
 ChannelSet df3_channels(Df3Slices slices);
+/// Returns the size of a file [bytes].
 std::uint64_t df3_bytes(int resolution, std::size_t slices);
-/// Writes heights to 2.4e-7 m, offsets to half a step of the patch mesh's grid, which keeps the
-/// seam of copies free of cracks. Throws Error output, invalid_value for a channel that is missing,
-/// or a length that is not finite or beyond 1024 m.
+/// Writes the slices of a surface: heights with an error of at most 2.4e-7 m, offsets with half a
+/// step of the patch mesh's grid, which keeps the seam between copies free of cracks. Throws Error
+/// output, and invalid_value for a channel that is missing or a length that is not finite or beyond
+/// 1024 m.
 void write_df3(const Surface& surface, const std::string& path, Df3Slices slices = df3_slices());
 
+/// Returns the size of a file of slope tiles [bytes].
 std::uint64_t slopes_df3_bytes(int samples, int bands);
+/// Writes two slices for each band: the slopes along x and y. Throws Error output.
 void write_slopes_df3(const Detail& detail, const std::string& path);
 
 }  // namespace ocean::io

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// POV-Ray's height_field: a 16-bit grey PNG of an image of one plane, of one that wraps (N+1)^2
-// pixels with the seam, top row far. height = base + scale * code / 65536; the heights fill three
-// quarters of the codes, so each is right to (hi - lo) / 98304.
+// POV-Ray's height_field: a 16-bit grey PNG, with the far row on top. An image that wraps has
+// (N+1)^2 pixels, which include the seam.
+//     height = base + scale * code / 65536
+// The heights fill three quarters of the codes, so that the error is at most (hi - lo) / 98304.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +14,18 @@
 
 namespace ocean::io {
 
-/// Of a square image whose first plane holds the heights in metres. Throws Error output, and
+/// Writes a square image whose first plane holds the heights [m]. Throws Error output, and
 /// invalid_value for a height that is not finite.
 void write_height_field(const Image& image, const std::string& path);
-/// What goes beside it as .txt: lo, hi, unit, quantum, and POV-Ray's scale and base, for people.
+/// Returns the text of the .txt beside it: lo, hi, unit, quantum, and POV-Ray's scale and base.
 std::string height_field_description(const Image& image);
-/// And as .inc: scale and base for scenes.
+/// Returns the text of the .inc beside it: scale and base for scenes.
 std::string height_field_declarations(const Image& image);
-/// The most bytes of the PNG.
-std::uint64_t most_height_field_bytes(int resolution);
+/// Returns an upper bound of the size of the PNG [bytes].
+std::uint64_t max_height_field_bytes(int resolution);
 
-/// The 16-bit codes of such a file, rows from the top, little-endian. Throws Error bad_file.
+/// Passes the 16-bit codes of such a file to `sink`, rows from the top, little-endian. Throws Error
+/// bad_file.
 void read_height_field(const std::string& path, const ByteSink& sink);
 
 }  // namespace ocean::io

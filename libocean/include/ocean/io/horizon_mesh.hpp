@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The sea as one eye sees it, to the horizon: a mesh that is fine where the eye looks.
+// The sea up to the horizon as seen by one camera: a mesh that is fine near the camera.
 #pragma once
 
 #include <span>
@@ -10,30 +10,32 @@
 
 namespace ocean::io {
 
-/// Where a picture is taken from: what of the sea a mesh must show, and how finely.
+/// A camera, with the resolution of the mesh that is made for it.
 struct View {
-    double x = 0.0;  // eye, m
-    double y = 0.0;
-    double height = 6.0;          // above still water, m
-    double heading = 0.0;         // degrees counter-clockwise from +x
-    double field_of_view = 60.0;  // horizontal, degrees, 1 .. 150; the mesh has a margin around it
-    double nearest = 0.0;         // first row, m from the eye; 0 = right for this height
-    double horizon = 0.0;         // last row, m; 0 = where the Earth hides the highest crest
-    int columns = 720;            // vertices across, and away
-    int rows = 1800;
-    /// Slope variance of the waves too short for any map, e.g. those that a buoy does not measure:
-    /// light meets them too. Added to that of the waves filtered away.
+    double x = 0.0;               // position [m]
+    double y = 0.0;               // [m]
+    double height = 6.0;          // above still water [m]
+    double heading = 0.0;         // [degrees] counter-clockwise from +x
+    double field_of_view = 60.0;  // horizontal [degrees], 1 .. 150; the mesh has a margin around it
+    double nearest = 0.0;         // distance of the first row [m]; 0 = chosen for this height
+    double horizon = 0.0;  // of the last row [m]; 0 = where the Earth hides the highest crest
+    int columns = 720;     // vertices from left to right
+    int rows = 1800;       // vertices from near to far
+    /// Slope variance of the waves too short for any map, such as those that a buoy does not
+    /// measure. It is added to that of the waves that are filtered away, because both scatter
+    /// light.
     double unresolved_slope_variance = 0.0;
 };
 
-/// Metres to the horizon of still water from `height` metres above it: sqrt(2 R h).
+/// Returns the distance of the horizon of still water from `height` [m] above it, sqrt(2 R h) [m].
 double horizon_distance(double height);
 
-/// A fan of the sea in front of an eye, dense near and coarse far, to the horizon of a round Earth.
-/// `levels` are maps of one sea and time, from the finest resolution to the coarsest, each half the
-/// one before: each vertex takes what its distance can show, so that nothing aliases, and its
-/// normal is turned to the eye by what the filtered-away waves would have shown of themselves.
-/// Needs dx, dy, height, nx, ny, nz, slope_x, slope_y of a tile. Throws Error invalid_value.
+/// Returns a fan of the sea in front of a camera, dense near it and coarse far away, up to the
+/// horizon of a round Earth. `levels` are maps of one sea and time that tile, the finest first,
+/// each with half the resolution of the one before. Each vertex samples the level that its distance
+/// can resolve, so that nothing aliases, and its normal is turned to the camera by the mean slope
+/// of the filtered waves that the camera would see (visible_slope.hpp). Needs dx, dy, height, nx,
+/// ny, nz, slope_x and slope_y. Throws Error invalid_value.
 Mesh make_horizon_mesh(std::span<const Surface> levels, const View& view);
 
 }  // namespace ocean::io

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// An image as a value: what every image writer takes, whatever the samples mean. Above it stand the
-// products of a sea (product_image.hpp); a terrain, a spectrum or a mask may stand there as well.
+// An image as a value, the input of all image writers for samples of any meaning: the products of a
+// sea (product_image.hpp), a terrain, a spectrum or a mask.
 #pragma once
 
 #include <functional>
@@ -16,27 +16,27 @@
 
 namespace ocean::io {
 
-/// How a sample is stored.
+/// The stored type of a sample.
 enum class PixelType { half_float, full_float };
 
-/// One channel: factor * samples, or a constant. The samples must outlive the image.
+/// A channel: factor * samples, or a constant. The samples must outlive the image.
 struct ImagePlane {
     std::string name = {};
     PixelType type = PixelType::full_float;
-    std::span<const float> samples =
-        {};  // width * height, row-major, the bottom row first; or none
+    /// width * height values, row-major, the bottom row first; empty: `constant` everywhere.
+    std::span<const float> samples = {};
     float factor = 1.0f;
-    float constant = 0.0f;  // everywhere, where there are no samples
+    float constant = 0.0f;
 };
 
 struct Image {
     int width = 0;
     int height = 0;
-    /// Where the samples lie in the world; nothing for a picture. One that wraps tiles.
+    /// The domain of the samples in the world; absent for a picture. A domain that wraps tiles.
     std::optional<Domain> domain = {};
     std::vector<ImagePlane> planes;
     Provenance provenance = {};
-    std::vector<HeaderString> strings = {};  // what the header says beside the provenance
+    std::vector<HeaderString> strings = {};  // of the header, beside the provenance
 
     bool wraps() const { return domain && domain->wraps; }
     /// Returns all strings of the header.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A surface as triangles, for renderers without displacement.
+// A surface as triangles, for renderers without displacement mapping.
 #pragma once
 
 #include <array>
@@ -16,54 +16,55 @@
 
 namespace ocean::io {
 
-/// Numbers at each vertex, for every writer: how a format spells a name stands in one table.
+/// Values at each vertex, for all writers; attribute_names.cpp has the formats' spellings of names.
 struct Attribute {
-    std::string name;  // "uv", or a product's: "foam", "velocity"
+    std::string name;  // "uv", or that of a product: "foam", "velocity"
     int components = 1;
-    std::vector<float> values = {};  // `components` of each vertex
-    bool vector = false;             // x, y, z in the world: it turns with the mesh
+    std::vector<float> values = {};  // `components` for each vertex
+    bool vector = false;             // x, y, z of the world, which turn with the mesh
 };
 
-/// Where the label of a vertex lies in its domain, 0 .. 1 along each side.
+/// The position of a vertex's label in its domain, 0 .. 1 along each side.
 inline constexpr std::string_view kUv = "uv";
 
-/// Triangles with a normal at each vertex, z up, metres.
+/// Triangles with a normal at each vertex, z up, in metres.
 struct Mesh {
     std::vector<float> positions;            // x, y, z of each vertex
-    std::vector<float> normals = {};         // likewise, or none
-    std::vector<Attribute> attributes = {};  // each name once
-    std::vector<int> triangles = {};    // three vertex numbers each, counter-clockwise from above
-    std::optional<Domain> domain = {};  // of the maps that it shows all of; nothing for a view
+    std::vector<float> normals = {};         // x, y, z of each vertex; or empty
+    std::vector<Attribute> attributes = {};  // with distinct names
+    std::vector<int> triangles = {};    // three vertex indices each, counter-clockwise from above
+    std::optional<Domain> domain = {};  // that the mesh covers; absent for a horizon mesh
 
     std::size_t vertices() const { return positions.size() / 3; }
     /// Returns the attribute of that name, or null.
     const Attribute* find(std::string_view name) const;
 };
 
-/// none: what frames do not share alone, for files that have the faces and uv elsewhere.
+/// none: the mesh has neither triangles nor uv, for files whose frames share them.
 enum class Faces { none, triangles };
 
-/// Returns the displaced surface over its domain, with the normal, uv, and each of `products` that
-/// it was evaluated with, in their order. Needs height; a surface without dx and dy rises straight
-/// above its samples. Throws Error invalid_value for one without height or with fewer than two
-/// samples a side.
+/// Returns the displaced surface over its domain, with normals, uv, and those of `products` for
+/// which the surface has all channels, in their order. Needs height; without dx and dy vertices lie
+/// straight above their samples. Throws Error invalid_value for a surface without height or with
+/// fewer than two samples along a side.
 ///
-/// A domain that wraps has (N + 1)^2 vertices with the seam closed. They lie on a grid of a power
-/// of two (2^-16 m, coarser for large patches), which keeps the seam of copies that lie a period
-/// apart free of cracks when the period lies on it too, as every whole number does. Of one that
-/// does not wrap the vertices are its samples.
+/// A domain that wraps has (N + 1)^2 vertices, which close the seam. They are rounded to a grid of
+/// a power of two (2^-16 m, coarser for large patches); copies a period apart then have no cracks
+/// if the period is on the grid too, as every whole number is. The vertices of a domain that does
+/// not wrap are its samples.
 Mesh make_patch_mesh(const Surface& surface, Faces faces = Faces::triangles,
                      std::span<const Product> products = product_table());
 
-/// y up instead of z: (x, z, -y).
+/// Turns positions, normals and vectors from z up to y up: (x, y, z) becomes (x, z, -y).
 void turn_y_up(Mesh& mesh);
 
-/// Returns how many vertices a patch mesh has along x and along y.
+/// Returns the number of vertices of a patch mesh along x and along y.
 std::array<int, 2> patch_vertices(const Domain& domain);
-/// Returns its triangles alone, which are the same for all maps of so many samples.
+/// Return the triangles of a patch mesh, which depend on the number of samples only.
 std::vector<int> patch_triangles(const Domain& domain);
 std::vector<int> patch_triangles(int resolution);
-/// Returns its uv alone, two numbers a vertex: 0 at the first, 1 at the last of a side.
+/// Returns the uv of a patch mesh, two numbers for each vertex: 0 at the first vertex of a side, 1
+/// at the last.
 std::vector<float> patch_uv(const Domain& domain);
 
 }  // namespace ocean::io

@@ -14,18 +14,19 @@
 
 namespace ocean::io {
 
-/// Triangles as the face_indices of a mesh2.
+/// Returns triangles as the face_indices of a mesh2.
 std::string povray_faces(std::span<const int> triangles);
-/// What a mesh2 may have beside its triangles.
+/// Optional parts of a mesh2.
 struct Mesh2Extras {
-    const View* view = nullptr;  // the camera that it was made for
-    std::string_view u = {};     // the attribute, of one component, that is the u of its uv
+    const View* view = nullptr;  // the camera of a horizon mesh
+    std::string_view u =
+        {};  // name of the attribute with one component that becomes the u of its uv
 };
 
 /// Writes a POV-Ray include file that declares `Ocean_Surface` as a mesh2 in POV-Ray's axes
-/// (x, z, y), and Ocean_Time, Ocean_Frame_Number and Ocean_Period, or of a domain that is no tile
-/// Ocean_Origin and Ocean_Size; with a view also its camera: Ocean_Eye, Ocean_Forward,
-/// Ocean_View_Angle. Other subjects have a prefix of their own. Throws Error output, and
+/// (x, z, y), and Ocean_Time, Ocean_Frame_Number and Ocean_Period, or Ocean_Origin and Ocean_Size
+/// for a domain that does not wrap; with a view also its camera: Ocean_Eye, Ocean_Forward,
+/// Ocean_View_Angle. The names of other subjects have their own prefix. Throws Error output, and
 /// invalid_value for a mesh without normals or a provenance without a domain.
 void write_mesh2(const Mesh& mesh, const Provenance& provenance, const std::string& path,
                  const Mesh2Extras& extras = {});

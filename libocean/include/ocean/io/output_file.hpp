@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The last metre of every output: bytes go into a temporary beside the target and take its name
-// only when the disk has all of them. All writers of files use this and no other way. They take no
-// notice of signals: an interrupted program finishes the file or unwinds by an exception, and both
-// leave no temporary.
+// Atomic output, which all writers of files use: bytes go into a temporary beside the target, which
+// is renamed when the disk has all of them. Signals are not handled here: an interrupted program
+// either finishes the file or unwinds by an exception, and neither leaves a temporary.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +14,9 @@
 
 namespace ocean::io {
 
-/// A file being written. The target appears, or is replaced, by commit() and not before; without it
-/// the temporary is removed again. A device or pipe is written directly: it cannot be replaced.
-/// Every failure throws Error output with the target's path and the system's reason.
+/// A file being written. Only commit() creates or replaces the target; without it the destructor
+/// removes the temporary. A device or pipe cannot be replaced and is written directly. Every
+/// failure throws Error output with the target's path and the system's reason.
 class OutputFile {
   public:
     explicit OutputFile(const std::string& path);
@@ -28,14 +27,14 @@ class OutputFile {
     void write(std::string_view bytes);
     void seek(std::uint64_t position);
     std::uint64_t tell();
-    /// For C libraries that write to a stream themselves; their errors are found by commit().
+    /// Returns the stream, for C libraries that write to it; commit() detects their errors.
     std::FILE* stream() { return file_; }
-    /// Flushes, asks the disk for a confirmation, closes and renames. Once.
+    /// Flushes, waits for the disk's confirmation, closes and renames. Call it once.
     void commit();
 
   private:
     void open_temporary();
-    [[noreturn]] void fail(const char* what, int error) const;
+    [[noreturn]] void fail(const char* action, int error) const;
     void discard() noexcept;
 
     std::string path_;       // as the user named it, for messages
@@ -44,16 +43,16 @@ class OutputFile {
     std::FILE* file_ = nullptr;
 };
 
-/// Writes bytes so that `path` is either the old file or the whole new one, also when the disk is
+/// Writes bytes so that `path` is either the old file or the complete new one, even if the disk is
 /// full or the process is killed. Throws Error output with the path and the system's reason.
 void write_file_atomically(const std::string& path, std::string_view bytes);
 
-/// Keeps other processes from a folder's common files while it lives, so that what they list can be
-/// read, merged and replaced. The lock of a process that is killed goes with it. Some network disks
-/// have no locks: there the last of two writers wins. Not for one thread twice.
+/// Locks a folder's shared files against other processes as long as this object lives, so that they
+/// can be read, merged and replaced. The lock ends with its process, even if that is killed. On
+/// network disks without locks the last of two writers wins. A thread must not lock a folder twice.
 class FolderLock {
   public:
-    /// Waits for others. "" is the current folder.
+    /// Blocks until no other process holds the lock. "" is the current folder.
     explicit FolderLock(const std::string& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
@@ -63,21 +62,23 @@ class FolderLock {
     int descriptor_;
 };
 
-/// Makes `folder` and those above it; "" is the current one. Throws Error output.
+/// Creates `folder` and its parents; "" is the current folder. Throws Error output.
 void make_folder(const std::string& folder);
-/// Throws what make_folder or a file in it would, as far as that is known without making them.
+/// Throws the error that make_folder, or creating a file in it, would throw, as far as that is
+/// known without creating them.
 void require_folder(const std::string& folder);
-/// Of the file system that the folder is on, or will be.
+/// Returns the free bytes of the file system that has, or will have, the folder.
 std::uint64_t free_bytes(const std::string& folder);
-/// Throws Error invalid_value if `path` is a file with content that `is_ours` denies: what others
-/// wrote is not replaced. `writer`: who wrote those that are, "a bake".
+/// Throws Error invalid_value if `path` is a file with content for which `is_ours` returns false: a
+/// file of another program is not replaced. `writer` names the writer of files that are, "a bake".
 void refuse_to_replace_foreign_file(const std::string& path, std::string_view writer,
                                     const std::function<bool()>& is_ours);
-/// write_file_atomically, the file's folder made first.
+/// Creates the file's folder, then calls write_file_atomically.
 void write_output(const std::string& path, std::string_view bytes);
 
-/// Removes what writers killed outright (power, kill -9, out of memory) left in a directory; "" is
-/// the current one. Temporaries of writers that still live are kept. Returns how many it removed.
+/// Removes the temporaries that killed writers (power, kill -9, out of memory) left in a directory;
+/// "" is the current one. Keeps those of writers that are still running. Returns the number of
+/// removed files.
 int remove_abandoned_temporaries(const std::string& directory);
 
 }  // namespace ocean::io

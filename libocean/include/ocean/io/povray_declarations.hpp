@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a POV-Ray scene is told of a sea.
+// The declarations of a sea, its frames and its folder for POV-Ray scenes.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@
 
 namespace ocean::io {
 
-/// Of the folders that `ocean povray` writes: ocean.inc refuses any other.
+/// The version of the folders that `ocean povray` writes; ocean.inc refuses any other.
 inline constexpr int kPovrayDataVersion = 4;
 
 /// A folder of frames for POV-Ray. References must outlive it.
@@ -26,27 +26,29 @@ struct PovrayFolder {
     const Sea& sea;
     const SeaState& state;
     std::string_view format;  // "df3", "mesh2" or "height_field"
-    std::vector<int> maps;    // samples a side of each frame's maps, the finest first
+    std::vector<int> maps;    // samples along a side of each frame's maps, the finest first
     std::vector<int> frames;  // ascending, at least one
-    std::string frames_text;  // for people
+    std::string frames_text;  // the frames as readable ranges
     std::string_view sea_id;  // of Provenance
-    int fine_map = 0;         // samples a side of the map for heights of places; 0 = the finest
+    int fine_map = 0;         // samples along a side of the fine map; 0 = no fine map
 };
-/// The include file that tells a scene all of that, each parameter by its name:
+/// Returns the include file with the folder and each parameter of the sea by its name:
 /// `waves.0.wind_speed` is Ocean_Waves_0_Wind_Speed.
 std::string povray_declarations(const PovrayFolder& folder);
 /// Returns the line for one parameter of any table: "#declare Ocean_Water_Depth = 20;  // m".
-/// Numbers, words and texts as POV-Ray spells them, true and false as they are; what is not set is
-/// forgotten, because another folder may have declared it.
+/// Numbers, words and texts have POV-Ray's spelling. A parameter that is not set is undefined
+/// explicitly, because another folder may have declared it.
 std::string povray_parameter_declaration(const ParameterSpec& spec, std::size_t item,
                                          const ParameterValue& value);
-/// Returns what a frame says of itself, whatever its format, in names of its subject's prefix:
-/// Ocean_Load refuses those of other seas.
+/// Returns the declarations of a frame of any format, in names with its subject's prefix; by them
+/// Ocean_Load refuses frames of other seas.
 std::string povray_frame_declarations(const Provenance& provenance);
-/// Whether a text has the declarations of a frame of that sea.
+/// Returns true if a text has the declarations of a frame of that sea.
 bool declares_sea(std::string_view text, std::string_view sea_id);
-/// What Ocean_Material asks of a frame's foam, by cover of the frame's maps, the finest first.
+/// Returns the foam's thickness for Ocean_Material, from the cover of a frame's maps, the finest
+/// first; "" for maps without cover.
 std::string povray_foam_declarations(std::span<const Surface> maps);
+/// Returns the bands of the slope tiles for Ocean_Material.
 std::string povray_detail_declarations(const Detail& detail);
 
 }  // namespace ocean::io

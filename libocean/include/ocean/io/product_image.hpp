@@ -18,32 +18,33 @@ namespace ocean::io {
 
 /// Order of vector components: zup (x, y, z), yup (x, z, -y), tnb (x, z, y).
 enum class Axes { zup, yup, tnb };
-/// "zup", "yup", "tnb"; throws Error invalid_value.
+/// Returns the axes called "zup", "yup" or "tnb". Throws Error invalid_value.
 Axes find_axes(std::string_view name);
 std::string_view axes_name(Axes axes);
 
 struct ProductLayout {
     Axes axes = Axes::tnb;
-    /// None: as the product's row says.
+    /// Absent: the type of the product's row.
     std::optional<PixelType> type = {};
     /// false: one product as R,G,B or Y. true: all products in one image for compositors, R,G,B,A =
     /// displacement and 1, then normal.X ...
     bool layered = false;
 };
 
-/// The samples of a product without channels, as many as the surface beside it has.
+/// The samples of a product without channels; their number is that of the surface beside it.
 struct MadeMap {
     const Product* product;
     std::span<const float> samples;
 };
 
-/// The image of one product, or in a layered one of several, before its surface is computed: all
-/// but the samples. Throws Error invalid_value without products.
+/// Returns the image of one product, or a layered image of several, without samples, for use before
+/// the surface is computed. Throws Error invalid_value without products.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, int resolution);
-/// Returns that image with the samples of the surface, which must outlive it, and of each product
-/// without channels those that were `made` for it. Throws Error invalid_value if the surface was
-/// evaluated without a channel of the products, or nothing was made.
+/// Returns the image of one product, or a layered image of several, with the samples of the
+/// surface, and with those in `made` for products without channels. Surface and maps must outlive
+/// the image. Throws Error invalid_value if the surface lacks a channel of the products, or `made`
+/// lacks one.
 Image product_image(std::span<const Product* const> products, const ProductLayout& layout,
                     const Provenance& provenance, const Surface& surface,
                     std::span<const MadeMap> made = {});

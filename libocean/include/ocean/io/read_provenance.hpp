@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a file of any format says of itself, recognised by its content, not by its name.
+// The header and provenance of a file of any format, which is recognised by its content instead of
+// its name.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace ocean::io {
 /// of these formats that is damaged or that another program wrote.
 std::optional<std::vector<HeaderString>> read_header(const std::string& path);
 
-/// Returns what the file shows; nothing for a file of another kind. Throws Error bad_file as
+/// Returns the provenance of a file; nothing for a file of another kind. Throws Error bad_file as
 /// read_header does, and for a header that names no subject.
 std::optional<Provenance> read_provenance(const std::string& path);
 

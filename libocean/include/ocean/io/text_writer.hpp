@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Large text files, number by number.
+// A buffered writer of large text files.
 #pragma once
 
 #include <charconv>
@@ -13,7 +13,7 @@
 
 namespace ocean::io {
 
-/// Collects text; with a file, hands it on in large pieces.
+/// Collects text; with a file, writes it there in large pieces.
 class TextWriter {
   public:
     TextWriter() = default;
@@ -24,7 +24,7 @@ class TextWriter {
         if (file_ != nullptr && buffer_.size() >= kPiece) flush();
         return *this;
     }
-    /// The shortest text that gives the same number again.
+    /// Appends the shortest text that reads back as the same number.
     template <typename Number>
     TextWriter& number(Number value) {
         char text[48];

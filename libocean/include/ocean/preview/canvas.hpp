@@ -14,18 +14,20 @@
 
 namespace ocean::preview {
 
-/// Colour and depth to draw into. GL_RGBA8 for pictures, GL_RGBA32F for light and numbers. Of more
-/// samples than one, as many as the driver has, a pixel is their mean when it is read or copied.
+/// A framebuffer with colour and depth: GL_RGBA8 for pictures, GL_RGBA32F for light and numbers. A
+/// pixel with several samples is read and copied as their mean.
 class Canvas {
   public:
-    /// Throws Error no_gpu.
+    /// samples: per pixel, up to the driver's limit. Throws Error no_gpu.
     Canvas(int width, int height, GLenum format, int samples = 1);
 
     void bind() const;
-    /// Of a pixel, as many as the driver has of those that were asked for.
+    /// Returns the samples of a pixel: the requested number or the driver's limit.
     int samples() const { return samples_; }
-    /// Into the window's own framebuffer, which has that size; leaves it bound.
+    /// Copies the picture into the window's framebuffer, which has that size [pixels] and is bound
+    /// afterwards.
     void copy_to_window(int width, int height) const;
+    /// Returns the pixels, the bottom row first.
     std::vector<std::uint8_t> rgb() const;
     std::vector<float> rgba() const;
 
@@ -38,7 +40,7 @@ class Canvas {
     gl::Renderbuffer colour_;
     gl::Renderbuffer depth_;
     gl::Framebuffer framebuffer_;
-    std::unique_ptr<Canvas> means_;  // of the samples of each pixel
+    std::unique_ptr<Canvas> means_;  // the mean of each pixel's samples
 };
 
 }  // namespace ocean::preview

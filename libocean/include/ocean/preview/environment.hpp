@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sky that was photographed or painted instead of the one that is computed.
+// A photographed or painted sky in place of the computed one.
 #pragma once
 
 #include <array>
@@ -11,27 +11,28 @@
 
 namespace ocean::preview {
 
-/// The sun of an environment, as the water mirrors it: a glitter, and no texels.
+/// The sun of an environment. The water mirrors it as glitter, not as texels.
 struct EnvironmentSun {
-    std::array<double, 3> direction;  // to it, a unit vector
-    std::array<double, 3> colour;     // what a white surface that faces it sends: irradiance/pi
+    std::array<double, 3> direction;  // towards the sun, a unit vector
+    std::array<double, 3> colour;     // radiance of a white surface that faces it: irradiance/pi
 };
 
-/// Light of the sky above the horizon, over longitude and latitude, without its sun. A value of
+/// Light of the sky above the horizon, over longitude and latitude, without its sun; made by
 /// make_environment.
 struct Environment {
-    int width = 0;           // all around; the middle looks along +x, what is right of it clockwise
-    int height = 0;          // from the horizon to the zenith
-    std::vector<float> rgb;  // radiance, row after row, that over the horizon first
+    int width = 0;   // a full turn: the middle column lies along +x, columns right of it clockwise
+    int height = 0;  // from the horizon to the zenith
+    std::vector<float> rgb;  // radiance, row after row, the row at the horizon first
     std::optional<EnvironmentSun> sun;
-    std::array<double, 3> light = {};  // of the rest on a level white surface: irradiance/pi
+    std::array<double, 3> light =
+        {};  // of the sky without its sun on a level white surface: irradiance/pi
 };
 
-/// Of a picture of the whole sphere, its bottom row, the nadir, first: the upper half is taken, for
-/// the sea hides the other. What is brighter than 4 times its surroundings where they are brightest
-/// is cut off there, and is the sun if it gives at least 1/100 of all light. Throws Error
-/// invalid_value unless the width is twice the height, which is even, and the light finite and not
-/// negative.
+/// Returns the environment of a picture of the whole sphere, with its bottom row, the nadir, first.
+/// Only the upper half counts, because the sea hides the other. Light above 4 times the
+/// surroundings of the brightest place is cut off there, and becomes the sun if it is 1/100 of all
+/// light or more. Throws Error invalid_value unless the width is twice the height, the height even,
+/// and the light finite and not negative.
 Environment make_environment(int width, int height, std::span<const float> rgb);
 
 }  // namespace ocean::preview

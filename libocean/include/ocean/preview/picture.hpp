@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a picture of the sea is of: from where, in which light, and which of its fields.
+// The camera, the light and the view of a picture of the sea.
 #pragma once
 
 #include <array>
@@ -16,41 +16,42 @@
 namespace ocean::preview {
 
 struct Camera {
-    std::array<double, 3> eye = {0.0, 0.0, 8.0};  // m; z above still water
-    double heading = 0.0;         // degrees counter-clockwise from +x, the way that it looks
-    double pitch = -4.0;          // degrees above the horizontal, -90 .. 90
-    double field_of_view = 60.0;  // degrees, horizontal
+    std::array<double, 3> eye = {0.0, 0.0, 8.0};  // [m]; z above still water
+    double heading = 0.0;         // [degrees] counter-clockwise from +x, of the line of sight
+    double pitch = -4.0;          // [degrees] above the horizontal, -90 .. 90
+    double field_of_view = 60.0;  // [degrees], horizontal
 
-    /// Turned towards a point.
+    /// Turns the camera towards a point [m].
     void look_at(const std::array<double, 3>& point);
-    /// Where the line of sight through a place of the picture (0 .. 1 from its left and from its
-    /// top; aspect = width/height) meets a level, metres over still water; nothing if it does not.
+    /// Returns the point [m] where the line of sight through a place of the picture meets a level
+    /// [m] over still water, or nothing. The place is 0 .. 1 from the left and from the top; aspect
+    /// = width/height.
     std::optional<std::array<double, 2>> meet_level(double from_left, double from_top,
                                                     double aspect, double level) const;
 };
 
-/// physical: the sea to its horizon under its sky. seed: as the teaching programs drew it that the
-/// library continues: ten by ten periods as a flat mesh in plain light, in fog; of all of Look it
-/// takes the sun's direction alone.
+/// physical: the sea to its horizon under its sky. seed: ten by ten periods as a flat mesh in plain
+/// light and fog, as the teaching programs drew it that the library continues; it uses only the
+/// sun's direction of Look.
 enum class LookKind { physical, seed };
 std::vector<std::string> look_names();
-/// Throws Error invalid_value.
+/// Returns the look of a name. Throws Error invalid_value.
 LookKind look_of(std::string_view name);
 
-/// The light and the water: nothing of the waves.
+/// The light, the air and the water body. The waves are no part of it.
 struct Look {
     LookKind kind = LookKind::physical;
-    double sun_altitude = 35.0;  // degrees
-    double sun_bearing = 70.0;   // degrees counter-clockwise from +x, where it stands
-    /// Instead of the computed sky, with the sun that is in it; the renderer keeps the last one.
+    double sun_altitude = 35.0;  // [degrees]
+    double sun_bearing = 70.0;   // [degrees] counter-clockwise from +x, of the direction to it
+    /// A sky with its sun in place of the computed one; the renderer keeps the last one.
     std::shared_ptr<const Environment> environment = nullptr;
-    double environment_turn = 0.0;  // degrees counter-clockwise, seen from above
+    double environment_turn = 0.0;  // [degrees] counter-clockwise, seen from above
     double exposure = 1.0;
-    double visibility = 60e3;  // m, after which 2 % of contrasts are left; 0: no haze
+    double visibility = 60e3;  // [m], the distance that leaves 2 % of contrasts; 0: no haze
     std::string water_type = "jerlov_ii";
-    double crest_light = 1.0;  // of the sun, through crests; 0: none
+    double crest_light = 1.0;  // factor of the sun's light through crests; 0: none
     double foam_amount = 1.0;
-    bool repeats = false;  // to the horizon, as its one period does
+    bool repeats = false;  // one period repeats to the horizon, without copies that hide it
 };
 
 enum class View {
@@ -63,12 +64,13 @@ enum class View {
     jacobian,
     whitecap,
     foam,
-    numbers,  // for probes, see shaders/preview/water.frag
-    foam_numbers,
+    numbers,       // for probes: four numbers of the water in each pixel
+    foam_numbers,  // for tests: four numbers of the foam
 };
-/// The names of all that can be shown: "shaded", "displacement_x" ...
+/// Returns the names of the views for a person: "shaded", "displacement_x" ... A view is an
+/// enumerator and a row of libocean/preview/view_table.hpp.
 std::vector<std::string> view_names();
-/// Throws Error invalid_value.
+/// Returns the view of such a name. Throws Error invalid_value.
 View view_of(std::string_view name);
 
 }  // namespace ocean::preview

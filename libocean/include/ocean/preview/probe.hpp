@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Numbers of what is drawn, read back from the drawing itself.
+// Numbers of the drawn water, read back from the drawing itself.
 #pragma once
 
 #include <array>
@@ -11,16 +11,18 @@
 
 namespace ocean::preview {
 
-/// At a place of the world, of the top sheet.
+/// The drawn water at a place of the world; of folded water the highest sheet.
 struct Probe {
-    double mesh_height;      // m, of the triangle that is drawn there
-    double map_height;       // m, of the maps at its label, as the fragment's light has it
-    double shown_slope;      // square of the slope that the fragment shows
-    double handed_on_slope;  // mean square slope that it gives to the light as roughness
-    double cover;            // share of it that is foam
+    double mesh_height;      // [m], of the triangle at that place
+    double map_height;       // [m], of the maps at its label, as the light of the pixel uses it
+    double shown_slope;      // square of the slope that the pixel shows
+    double handed_on_slope;  // mean square slope that the light receives as roughness
+    double cover;            // share of the pixel that is foam
 };
 
-/// Of the mesh that the camera sees; nothing where it draws nothing. cascade: as in DrawOptions.
+/// Returns the numbers at a place [m] of the mesh that the camera sees, or nothing where no water
+/// is drawn. cascade: as in DrawOptions. Changes the bound framebuffer and the viewport. Throws
+/// Error.
 std::optional<Probe> probe(Renderer& renderer, const ShownSea& sea, const Camera& camera,
                            const std::array<double, 2>& place, int cascade = -1);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libocean authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sea at a time as the renderer takes it, computed by the GPU or by the sea's own backend.
+// A sea at a time as textures for the renderer, computed by the GPU or by the sea's own backend.
 #pragma once
 
 #include <array>
@@ -14,89 +14,97 @@
 
 namespace ocean::preview {
 
-/// Of a picture; a sea has at most 5.
-inline constexpr std::size_t kMostCascades = 10;
+/// Cascades of a picture; a sea has at most 5.
+inline constexpr std::size_t kMaxCascades = 10;
 
-struct ShownCascade : gl::CascadeTextures {
-    double weight = 1.0;      // of its amplitudes
-    double sea_period = 0.0;  // m, a multiple of its own period
+struct ShownCascade {
+    gl::CascadeArrays maps;   // of all cascades of its sea
+    int layer = 0;            // of the maps
+    double period = 0.0;      // [m]
+    double weight = 1.0;      // factor of its amplitudes
+    double sea_period = 0.0;  // [m], a multiple of its own period
     int number = 0;           // in its sea, from 0
 };
 
-/// A map with mipmaps: how much of each texel foam covers; that times how thick it is; and how much
-/// its breakers have driven bubbles down.
+/// A map of foam with mipmaps: the covered share of each texel, that share times its thickness, and
+/// the amount of bubbles that breakers have driven down.
 struct ShownCover {
     unsigned texture = 0;
     int resolution = 0;
     double period = 0.0;  // m
     double share = 1.0;
-    // Of the pattern, which lies at labels. All the waves have the same one, for it would turn and
-    // swell around the origin with a take's wind: that of the sea's parameters before any event.
-    double direction = 0.0;  // rad counter-clockwise from +x, along the cells
-    double stretch = 1.5;    // length over width of the cells
+    // The pattern, which lies at labels. It follows the sea's parameters before any event of its
+    // take: with the wind of a take it would turn and swell around the origin.
+    double direction = 0.0;  // [rad] counter-clockwise from +x, along the cells
+    double stretch = 1.5;    // length/width of the cells
     double streaks = 0.0;    // share of windrows, 0 .. 1
 };
 
-/// Of the mipmaps of a slope tile, those that are read.
+/// Levels of the mipmaps of a slope tile that are read.
 inline constexpr std::size_t kTileLevels = 8;
 
-/// Slopes by label of waves that no map of a cascade has, in two floats; see ocean/detail.hpp.
+/// Slopes by label, two floats a texel, of waves that no map of a cascade has; see
+/// ocean/detail.hpp.
 struct ShownTile {
-    unsigned texture = 0;
+    unsigned texture = 0;  // GL_TEXTURE_2D_ARRAY, of all tiles of its sea
+    int layer = 0;
     int samples = 0;
-    double tile = 0.0;                          // m
-    double shortest_wave = 0.0;                 // m
-    double longest_wave = 0.0;                  // m
+    double tile = 0.0;                          // side [m]
+    double shortest_wave = 0.0;                 // [m]
+    double longest_wave = 0.0;                  // [m]
     SlopeVariance variance;                     // at this time
     std::array<double, kTileLevels> read = {};  // share of it that reads of a level have
-    double weight = 1.0;                        // of its amplitudes
+    double weight = 1.0;                        // factor of its amplitudes
 };
 
-/// Its textures are valid until the maps are those of another time.
+/// A sea at a time. Its textures are valid until the next show() of its SeaMaps.
 struct ShownSea {
     std::vector<ShownCascade> cascades;
-    std::vector<ShownCover> covers;  // one; two of a cross-fade
-    bool has_foam = false;           // or had some
-    std::vector<ShownTile> tiles;    // none where nobody asked for them
-    double period = 0.0;             // m
-    double time = 0.0;               // s
+    std::vector<ShownCover> covers;  // one, or two in a cross-fade
+    bool has_foam = false;           // or has had some
+    std::vector<ShownTile> tiles;    // empty without SeaMapsOptions::detail
+    double period = 0.0;             // [m]
+    double time = 0.0;               // [s]
     double choppiness = 0.0;
     double foam_threshold = 0.0;  // of the whitecaps
     double foam_width = 1.0;
-    double significant_wave_height = 0.0;  // m, asked
-    double peak_period = 0.0;              // s, asked; 0: flat
-    double mean_square_slope = 0.0;        // asked
+    // By the spectrum, whether or not the maps hold all of its waves.
+    double significant_wave_height = 0.0;  // [m]
+    double peak_period = 0.0;              // [s]; 0: flat water
+    double mean_square_slope = 0.0;
 };
 
-/// m, of the finest of its maps: no water is shown finer.
+/// Returns the side of a texel of its finest map [m]: no mesh is finer.
 double finest_texel(const ShownSea& sea);
 
-/// Two seas at once. Of two that know nothing of each other the amplitudes a and b have
-/// a^2 + b^2 = 1, for their energies add up; with a correlation of their heights, as of
-/// height_correlation(), both are less, so that the height is that blend too. share: 0 .. 1, from
-/// one to the other.
+/// Returns two seas at once, faded by `share` 0 .. 1 from the first one to the second. Independent
+/// seas have amplitudes a and b with a^2 + b^2 = 1, because their energies add up; with a
+/// correlation of their heights, see height_correlation(), both are smaller, so that the wave
+/// height is the same blend.
 ShownSea cross_fade(const ShownSea& from, const ShownSea& to, double share,
                     double correlation = 0.0);
 
 struct SeaMapsOptions {
-    /// By compute shaders in the current context (OpenGL 4.3), else by the backend of the sea.
+    /// True: compute shaders in the current context make the maps (OpenGL 4.3); else the backend of
+    /// the sea does.
     bool compute = true;
-    int cascade_resolution = 0;  // samples; 0: those of its lattice
-    int foam_resolution = 0;     // 0: the default map of the sea
-    /// Of computed foam; that of the sea's backend begins as the sea was told.
+    int cascade_resolution = 0;  // samples along a side; 0: those of the sea's grid
+    int foam_resolution = 0;     // 0: the sea's default for maps
+    /// Start of the foam that compute shaders make; the foam of the sea's backend starts as the
+    /// options of the Ocean say.
     FoamStart foam_start = FoamStart::empty;
-    /// For a picture that may not wait some tenths of a second when the waves or the wind change:
-    /// the power of the cover is solved in another thread, and the one before holds until it is.
-    /// Without it a picture is a function of the sea and the time.
+    /// True: when waves or wind change, the power of the cover is solved in another thread for some
+    /// tenths of a second, and the previous one is used meanwhile. Else the picture waits, and is a
+    /// function of the sea and the time.
     bool live = false;
-    /// The waves too short for the maps too: slope tiles, computed on the CPU.
+    /// Adds the waves too short for the maps, as slope tiles that the CPU computes.
     bool detail = false;
 
     bool operator==(const SeaMapsOptions&) const = default;
 };
 
-/// What another thread makes for the pictures to come. While it is in work pictures are without it;
-/// when it is ready the next one has it.
+/// State of a result that another thread computes for the pictures to come: they go without it
+/// while it is in work, and the next one has it when it is ready.
 enum class Pending { nothing, in_work, ready };
 
 /// Needs the context that was current when it was made to be current in every call, the destructor
@@ -109,23 +117,22 @@ class SeaMaps {
     SeaMaps(const SeaMaps&) = delete;
     SeaMaps& operator=(const SeaMaps&) = delete;
 
-    /// Throws Error.
+    /// Returns the sea at a time [s]; overwrites the textures of the ShownSea before. Throws Error.
     ShownSea show(Ocean& sea, double time);
-    /// As SeaMapsOptions say, from now on.
+    /// Sets SeaMapsOptions::detail.
     void set_detail(bool on);
-    /// The foam from that time on, or all of it, is not that of the sea any more.
+    /// Discards the foam from a time on [s], or all of it, after a change of the sea.
     void foam_changed(double from);
     void foam_changed();
-    /// Ticks of the foam's clock until foam that began empty is what it always is.
+    /// Returns the ticks of the foam's clock until foam that began empty has settled.
     std::int64_t foam_settling_ticks(const Ocean& sea) const;
-    /// Returns whether the same sea at the same time will look otherwise, of live maps: their cover
-    /// is solved beside the pictures.
+    /// Returns whether the same sea at the same time would change if it were shown again: live maps
+    /// solve their cover in another thread.
     Pending pending() const;
 
-    class Source;
-
   private:
-    std::unique_ptr<Source> source_;
+    class Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace ocean::preview

@@ -1,0 +1,267 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The plan of a bake, frame by frame, and the record of it that the object keeps.
+
+scene and parameters (here) -> bake_job (a thread) -> record, baked group (here)
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+
+import bpy
+
+from ..look import detail
+from ..sea import live, node_group, sea_text
+from ..shared import changes, messages, paths
+from ..shared.compat import tr
+from ..shared.native import libocean
+from . import bake_files, bake_job, bake_record, baked, exr_files
+
+
+class BakeError(Exception):
+    """A bake is refused; the sentence says why."""
+
+
+def asked_range(ob, scene) -> tuple[int, int]:
+    """Returns the first and last frame of the shot."""
+    settings = ob.libocean.bake
+    if settings.use_custom_range:
+        return settings.frame_start, settings.frame_end
+    return scene.frame_start, scene.frame_end
+
+
+def with_margins(first: int, last: int) -> tuple[int, int]:
+    """Returns the first and last frame that get files: motion blur reads beyond those of the shot.
+    Blender's image sequences have no negative numbers."""
+    return max(first - 1, 0), last + 1
+
+
+def size_estimate(ob, resolution: int, frames: int) -> int:
+    """Returns the max size of a bake [bytes]."""
+    fields = bake_record.wanted_fields(ob.libocean)
+    if detail.is_wanted(ob.libocean):  # the library says how many bands there are, not at once
+        fields = [*fields, *exr_files.DETAIL]
+    samples = 0
+    for field in fields:
+        rows, columns = exr_files.shape(field, resolution)
+        samples += rows * columns * len(exr_files.channels(field))
+    return frames * 4 * samples
+
+
+def _require_one_map(values: sea_text.SeaValues, resolution: int, before: set) -> None:
+    """Raises BakeError unless all frames have one period and one size."""
+    names = ("patch_size", "resolution", "cascades")
+    before.add((resolution, *(values.values[name] for name in names)))
+    if len(before) > 1:
+        raise BakeError(
+            tr(
+                "The patch size, the resolution or the cascades are animated: "
+                "a bake has one of each"
+            )
+        )
+
+
+def for_each_frame(context, ob, first: int, last: int, take: Callable[..., None]) -> None:
+    """Calls take(number, shown frame, settings of the object at that frame) for each frame."""
+    scene = context.scene
+    numbers = range(first, last + 1)
+    if ob.animation_data is None and bake_record.frame_length(scene) == 1.0:
+        for number in numbers:
+            take(number, float(number), ob.libocean)
+        return
+    now, part = scene.frame_current, scene.frame_subframe
+    try:
+        with live.paused():
+            for number in numbers:
+                scene.frame_set(number)
+                seen = ob.evaluated_get(context.evaluated_depsgraph_get())
+                take(number, scene.frame_current_final, seen.libocean)
+    finally:
+        scene.frame_set(now, subframe=part)
+
+
+def _plan(context, ob, first: int, last: int) -> tuple[list[bake_job.Frame], dict[str, str]]:
+    """Returns each frame with its sea, and the recipes by frame; a single one, by "", if all are
+    the same."""
+    scene = context.scene
+    frames, recipes, maps = [], {}, set()
+
+    def add(number: int, at: float, settings) -> None:
+        values = live.current_values(settings, scene)
+        _require_one_map(values, settings.render_resolution, maps)
+        frames.append(bake_job.Frame(number, at, values.text(), live.own_time(settings)))
+        recipes[str(number)] = bake_record.recipe(settings, values)
+
+    for_each_frame(context, ob, first, last, add)
+    if len(set(recipes.values())) == 1:
+        recipes = {"": next(iter(recipes.values()))}
+    return frames, recipes
+
+
+def _require_own(ob, place: bake_record.Place, recipes: dict[str, str]) -> None:
+    for other in bake_record.others_in(ob, place):
+        if not bake_record.is_same_sea(other.libocean.bake, recipes):
+            text = tr("The bake of {} is in {}: choose another folder", other.name, place.folder)
+            raise BakeError(text)
+
+
+def require_no_strangers(frames: list[int], asked: str) -> None:
+    """Raises BakeError if files of another sea would be overwritten. frames: those with such
+    files."""
+    if frames:
+        numbers = bake_files.in_words(frames)
+        raise BakeError(
+            tr(
+                "{} holds another sea, which would be written over at the frames {}: choose "
+                "another folder, or delete the files",
+                asked,
+                numbers,
+            )
+        )
+
+
+def _strangers(
+    ob, place: bake_record.Place, frames: list[bake_job.Frame], base_dir: str | None
+) -> list[int]:
+    """Returns the frames whose files in a chosen folder belong neither to the object's bake nor to
+    the planned one. In a folder where the object has begun a bake all files are its own."""
+    if ob.libocean.bake.begun == place.folder:
+        return []
+    found = set(bake_record.strangers(ob, place, [frame.number for frame in frames]))
+    if not found:
+        return []
+    marks: dict[str, str] = {}
+    for frame in frames:
+        if frame.number not in found:
+            continue
+        if frame.sea not in marks:
+            with libocean.parse(frame.sea, base_dir=base_dir) as sea:
+                marks[frame.sea] = bake_files.sea_mark(sea.text)
+        shown = bake_files.identity(place.file("displacement", frame.number))
+        if shown.sea == marks[frame.sea]:
+            found.discard(frame.number)
+    return sorted(found)
+
+
+def make_folder(asked: str) -> Path:
+    if asked.startswith("//") and not bpy.data.filepath:
+        raise BakeError(tr("Save the blend file first: the bake's folder is relative to it"))
+    if paths.is_of_windows(asked) and os.name != "nt":
+        raise BakeError(tr("{} is a path of Windows: choose another folder", asked))
+    path = paths.absolute(asked)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as failure:
+        text = tr("The folder {} cannot be made: {}", path, failure.strerror)
+        raise BakeError(text) from failure
+    return path
+
+
+class Work:
+    """A job for an object, from its plan to the changed object."""
+
+    job: bake_job.Job
+
+    def __init__(self, ob, shot: tuple[int, int]) -> None:
+        if shot[1] < shot[0]:
+            text = tr("The last frame, {}, comes before the first, {}", *reversed(shot))
+            raise BakeError(text)
+        self.object_name, self.folder = ob.name, ""
+        # The object is found by it even if it gets another name meanwhile.
+        self.token = ob.libocean.bake.token = uuid.uuid4().hex
+
+    def is_of(self, ob) -> bool:
+        return ob.libocean.bake.token == self.token
+
+    def find(self):
+        """Returns the object, not one of the copies that were made of it meanwhile."""
+        found = [ob for ob in bpy.data.objects if ob.library is None and self.is_of(ob)]
+        ob = min(found, key=lambda ob: ob.name != self.object_name, default=None)
+        if ob is None or not node_group.modifiers(ob):
+            text = tr("{} is gone; its files are in {}", self.object_name, self.folder)
+            raise BakeError(text)
+        return ob
+
+    def finish(self) -> str:
+        """Completes the work when all files are written. Returns a report."""
+        raise NotImplementedError
+
+    def told(self) -> str:
+        done, written = self.job.done, self.job.written
+        kept = done - written
+        return tr("{} frames in {}: {} written, {} kept", done, self.folder, written, kept)
+
+
+class Bake(Work):
+    """A bake, until the object plays it."""
+
+    def __init__(self, context, ob, asked: str, shot: tuple[int, int], *, overwrite: bool) -> None:
+        """asked: the folder; empty: that of the object's settings, or the default one."""
+        super().__init__(ob, shot)
+        try:
+            package = exr_files.load_package()
+        except ImportError as failure:
+            text = tr(
+                "To write EXR files takes the Python package OpenEXR, which this copy of the "
+                "add-on does not have for Python {}: {}",
+                exr_files.PYTHON,
+                failure,
+            )
+            raise BakeError(text) from failure
+        self.range = with_margins(*shot)
+        self.frame_length = bake_record.frame_length(context.scene)
+        frames, self.recipes = _plan(context, ob, *self.range)
+        base_dir = bpy.path.abspath("//") or None
+        try:
+            with libocean.parse(frames[0].sea, base_dir=base_dir) as sea:
+                resolution = ob.libocean.render_resolution or sea.map_resolution()
+                self.period = float(sea.get("patch_size"))
+                self.samples = live.samples_of(ob.libocean, sea.map_resolution())
+            is_chosen = bool(asked or ob.libocean.bake.directory)
+            place = bake_record.next_place(ob, self.recipes, asked)
+            _require_own(ob, place, self.recipes)
+            if is_chosen and not overwrite:
+                require_no_strangers(_strangers(ob, place, frames, base_dir), place.folder)
+            self.folder, self.stem = place.folder, place.stem
+        except libocean.Error as failure:
+            raise BakeError(messages.of_error(failure)) from failure
+        self.job = bake_job.MapJob(
+            folder=make_folder(self.folder),
+            stem=self.stem,
+            frames=frames,
+            fields=bake_record.wanted_fields(ob.libocean),
+            use_detail=detail.is_wanted(ob.libocean),
+            resolution=resolution,
+            base_dir=base_dir,
+            overwrite=overwrite,
+            package=package,
+        )
+        ob.libocean.bake.begun = self.folder
+
+    def finish(self) -> str:
+        """Has the object play its bake."""
+        job, ob = self.job, self.find()
+        settings, record = ob.libocean, ob.libocean.bake
+        with changes.quiet():
+            # Live first: playing, the folder would be that of the bake before.
+            settings.use_bake = False
+            baked.follow(ob, node_group.modifiers(ob))
+            record.fields = ",".join(job.fields)
+            record.folder, record.stem = self.folder, self.stem
+            record.first, record.last = self.range
+            record.resolution, record.period = job.resolution, self.period
+            record.samples, record.slope_variance = self.samples, job.slope_variance
+            record.cover_power = job.cover_power
+            record.bands = json.dumps(job.bands) if job.use_detail else ""
+            record.frame_length = self.frame_length
+            record.sea = job.first_sea
+            record.recipes = json.dumps(self.recipes)
+            record.marks = " ".join(job.marks)
+            settings.use_bake = True
+        changes.tell(ob)
+        return self.told()

@@ -1,0 +1,299 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The waves too short for the maps, half of all slope, as the material shows them near the eye.
+
+    libocean's slope tiles of the frame, or those of a bake as image sequences
+    -> an image for each band -> group `Ocean Detail`:
+    label, footprint of a pixel -> slopes, and their mean square -> Ocean Water: normal, roughness
+
+The formulas are those of shaders/wave/slope_tiles.glsl and copies.glsl, but for the hash that moves
+the copies about: nodes have no whole numbers of 32 bits, and White Noise takes its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import bpy
+
+from ..shared import compat, images
+from . import foam_nodes, water_shader
+from .detail_tiles import SAMPLES, Band, band_of
+from .water_shader import Tree
+
+GROUP = "Ocean Detail"
+MARK = "libocean_detail"  # custom property of a group and of images: the object whose sea it is
+_MADE_OF = "libocean_bands"  # custom property of a group: of which tiles
+SOCKET = "Detail"
+_EDGES = 2.0  # slope_tile_triangles
+
+# The formulas -------------------------------------------------------------------
+
+
+def copies(b, x, y) -> list[tuple]:
+    """slope_tile_read: where in the tile to read, and the weight, for each corner of the triangle
+    that holds a place, all in tiles."""
+    grid_x = b.number(
+        "MULTIPLY_ADD", y, -_EDGES * 0.57735026918962576, b.number("MULTIPLY", x, _EDGES)
+    )
+    grid_y = b.number("MULTIPLY", y, _EDGES * 1.15470053837925153)
+    square_x, square_y = b.number("FLOOR", grid_x), b.number("FLOOR", grid_y)
+    part_x, part_y = b.number("SUBTRACT", grid_x, square_x), b.number("SUBTRACT", grid_y, square_y)
+    rest = b.number("SUBTRACT", b.number("SUBTRACT", 1.0, part_x), part_y)
+    other = b.number("LESS_THAN", rest, 0.0)
+    same = b.number("SUBTRACT", 1.0, other)
+
+    def turned(share):
+        return foam_nodes.blend(b, share, b.number("SUBTRACT", 1.0, share), other)
+
+    corners = [
+        (b.number("ABSOLUTE", rest), other, other),
+        (turned(part_y), other, same),
+        (turned(part_x), same, other),
+    ]
+    squares = 0.0
+    for weight, _, _ in corners:
+        squares = b.number("MULTIPLY_ADD", weight, weight, squares)
+    deviation = b.number("SQRT", squares)
+    found = []
+    for weight, right, up in corners:
+        noise = b.node("ShaderNodeTexWhiteNoise", noise_dimensions="2D")
+        corner = b.vector(b.number("ADD", square_x, right), b.number("ADD", square_y, up), 0.0)
+        b.link(corner, noise.inputs["Vector"])
+        place = b.math("ADD", b.vector(x, y, 0.0), noise.outputs["Color"])
+        found.append((place, b.number("DIVIDE", weight, deviation)))
+    return found
+
+
+def fade(b, footprint, shortest_wave: float, longest_wave: float):
+    """slope_tile_fade: the share of a band's slopes that is shown."""
+    middle = (shortest_wave * longest_wave) ** 0.5
+    made = b.node("ShaderNodeMapRange", interpolation_type="SMOOTHSTEP", clamp=True)
+    b.feed(footprint, made.inputs["Value"])
+    for name, value in {
+        "From Min": 0.25 * middle,
+        "From Max": 1.2 * middle,
+        "To Min": 1.0,
+        "To Max": 0.0,
+    }.items():
+        made.inputs[name].default_value = value
+    return made.outputs[0]
+
+
+def _play(user, frames: tuple[int, int]) -> None:
+    """The file of the scene's frame; beyond the first and the last frame that has one, theirs."""
+    first, last = frames
+    # Blender counts them from 1, but lets what comes before be number 0: that is the first.
+    user.frame_start, user.frame_duration, user.frame_offset = first + 1, last - first, first
+    user.use_auto_refresh = True
+
+
+def _band(t: Tree, place, footprint, band: Band, image, frames: tuple[int, int] | None):
+    """Slopes that a band shows, and their mean square."""
+    x, y, _ = t.parts(t.scale(place, 1.0 / band.tile))
+    slope = (0.0, 0.0, 0.0)
+    for where, weight in copies(t, x, y):
+        read = t.node("ShaderNodeTexImage", image=image, interpolation="Linear")
+        if frames is not None:
+            _play(read.image_user, frames)
+        # Samples lie at multiples of a texel, which is half a texel before its middle.
+        t.link(t.math("ADD", where, (0.5 / SAMPLES, 0.5 / SAMPLES, 0.0)), read.inputs["Vector"])
+        slope = t.math("ADD", t.scale(read.outputs["Color"], weight), slope)
+    shown = fade(t, footprint, band.shortest_wave, band.longest_wave)
+    share = t.number("MULTIPLY", shown, shown)
+    return t.scale(slope, shown), t.number("MULTIPLY", share, band.mean_square)
+
+
+# The group of a sea -------------------------------------------------------------
+
+
+def _owned(blocks, owner: str) -> list:
+    """Returns the blocks of the object with that full name."""
+    return [block for block in blocks if block.get(MARK) == owner and block.library is None]
+
+
+def _group(owner: str):
+    for group in _owned(bpy.data.node_groups, owner):
+        return group
+    group = bpy.data.node_groups.new(GROUP, "ShaderNodeTree")
+    group[MARK] = owner
+    compat.add_socket(
+        group,
+        "Pixel Angle",
+        "NodeSocketFloat",
+        default_value=water_shader.PIXEL_ANGLE,
+        min_value=0.0,
+        description="Of a pixel of the picture, in radians: waves as short as it become roughness",
+    )
+    compat.add_socket(group, SOCKET, "NodeSocketVector", output=True)
+    return group
+
+
+def _read_by(group) -> set:
+    """The images of a group."""
+    return {node.image for node in group.nodes if node.type == "TEX_IMAGE"} - {None}
+
+
+def _is_made_of(group, made_of: str, shown) -> bool:
+    return group.get(_MADE_OF) == made_of and _read_by(group) == set(shown)
+
+
+def _remove_unused_sequences(found) -> None:
+    for image in found:
+        if image.source == "SEQUENCE" and image.users == 0:
+            bpy.data.images.remove(image)
+
+
+def _build(
+    group, made_of: str, bands: list[Band], shown, frames: tuple[int, int] | None = None
+) -> None:
+    """Anew. shown: the images of the bands; frames: those that have files, where images are
+    sequences."""
+    before = _read_by(group)
+    group.nodes.clear()
+    t = Tree(group)
+    inputs = t.node("NodeGroupInput").outputs
+    place = water_shader.place(t)
+    footprint = water_shader.footprint(t, inputs["Pixel Angle"])
+    slope, variance = (0.0, 0.0, 0.0), 0.0
+    for band, image in zip(bands, shown, strict=True):
+        more, its_variance = _band(t, place, footprint, band, image, frames)
+        slope, variance = t.math("ADD", more, slope), t.number("ADD", its_variance, variance)
+    result = t.math("MULTIPLY_ADD", slope, (1.0, 1.0, 0.0), t.vector(0.0, 0.0, variance))
+    t.link(result, t.node("NodeGroupOutput").inputs[SOCKET])
+    t.arrange(rows=5)
+    group[_MADE_OF] = made_of
+    _remove_unused_sequences(before)
+
+
+def is_detail(node) -> bool:
+    """Returns whether a node of a material is one of these groups."""
+    return node.type == "GROUP" and node.node_tree is not None and MARK in node.node_tree
+
+
+def _waters(ob) -> list[tuple]:
+    """Returns the waters of an object's materials that can show it, node tree and node: the socket
+    is free, or holds the detail of this sea or of a deleted one."""
+    found = []
+    for slot in ob.material_slots:
+        made = slot.material
+        if made is None or made.library is not None or made.node_tree is None:
+            continue
+        for node in made.node_tree.nodes:
+            if not water_shader.is_water(node) or SOCKET not in node.inputs:
+                continue
+            links = node.inputs[SOCKET].links
+            before = links[0].from_node if links else None
+            if before is not None:
+                if not is_detail(before):
+                    continue
+                owner = before.node_tree[MARK]
+                if owner != ob.name_full and owner in bpy.data.objects:
+                    continue
+            found.append((made.node_tree, node))
+    return found
+
+
+def _attach(waters, group) -> None:
+    for tree, water in waters:
+        links = water.inputs[SOCKET].links
+        if links:
+            if links[0].from_node.node_tree != group:
+                links[0].from_node.node_tree = group
+            continue
+        node = tree.nodes.new("ShaderNodeGroup")
+        node.node_tree = group
+        node.location = (water.location[0] - 260, water.location[1] - 200)
+        node.inputs["Pixel Angle"].default_value = water.inputs["Pixel Angle"].default_value
+        tree.links.new(node.outputs[SOCKET], water.inputs[SOCKET])
+
+
+def clear(ob) -> None:
+    """Empties the object's group: files of the same names may be others now."""
+    for group in _owned(bpy.data.node_groups, ob.name_full):
+        before = _read_by(group)
+        group.nodes.clear()
+        _remove_unused_sequences(before)
+
+
+def leave(owner: str) -> None:
+    """Shows the sea of the object with that full name without near detail."""
+    for group in _owned(bpy.data.node_groups, owner):
+        for made in bpy.data.materials:
+            tree = made.node_tree if made.library is None else None
+            for node in list(tree.nodes) if tree else ():
+                if node.type == "GROUP" and node.node_tree == group:
+                    tree.nodes.remove(node)
+        played = _read_by(group)
+        bpy.data.node_groups.remove(group)
+        _remove_unused_sequences(played)
+    for image in _owned(bpy.data.images, owner):
+        bpy.data.images.remove(image)
+
+
+def _images(owner: str, name: str, count: int) -> list:
+    """Returns an image for each of `count` bands of the object with that full name and name."""
+    there = sorted(_owned(bpy.data.images, owner), key=lambda image: image.name)
+    while len(there) < count:
+        field = f"detail {len(there) + 1}"
+        image = images.make(name, field, (SAMPLES, SAMPLES), (0.0, 0.0, 0.0, 0.0))
+        image[MARK] = owner
+        there.append(image)
+    return there[:count]
+
+
+def is_wanted(settings) -> bool:
+    """Returns whether near detail is shown. It needs the attributes `label`, which comes with foam,
+    and `slope_variance`, which comes with normals."""
+    return settings.use_detail and settings.use_foam and settings.use_normal
+
+
+def play(
+    ob, bands: list[Band], frames: tuple[int, int], load: Callable[[int], bpy.types.Image | None]
+) -> None:
+    """Shows the tiles of a bake. frames: the first and the last that have files; load: gives the
+    image sequence of a band by its number, or None where there are no files."""
+    waters = _waters(ob) if bands and ob.library is None else []
+    shown = [load(number) for number in range(len(bands))] if waters else []
+    if not shown or None in shown:
+        leave(ob.name_full)
+        _remove_unused_sequences(set(shown) - {None})
+        return
+    group, made_of = _group(ob.name_full), repr((bands, frames))
+    if not _is_made_of(group, made_of, shown):
+        _build(group, made_of, bands, shown, frames)
+        for image in _owned(bpy.data.images, ob.name_full):  # of the live sea
+            bpy.data.images.remove(image)
+    _attach(waters, group)
+
+
+def follow(ocean, settings, at: float, size: int) -> None:
+    """Brings the slopes of a time [s] up to date. size: samples per side of the shown maps."""
+    ob, sea = ocean.ob, ocean.sea
+    waters = _waters(ob) if is_wanted(settings) and ob.library is None else []
+    if not waters:
+        leave(ob.name_full)
+        return
+    state = (sea.changes, at, size, "detail")
+    group = _group(ob.name_full)
+    owned = _owned(bpy.data.images, ob.name_full)
+    if owned and all(sea.shown.get(image.name_full) == state for image in owned):
+        _attach(waters, group)
+        return
+    with sea.lock:
+        found = sea.sea.detail(at, size, samples=SAMPLES)
+        shown = _images(ob.name_full, ob.name, len(found.bands))
+        if sea.detail_pixels is None:  # as much time goes into new memory as into the slopes
+            sea.detail_pixels = images.aligned((SAMPLES, SAMPLES))
+        for image, band in zip(shown, found.bands, strict=True):
+            images.let_go(image)
+            sea.detail_pixels[..., :2] = band.slope
+            images.fill(image, sea.detail_pixels)
+            image.update()  # else Eevee without a window goes on with what it has
+    for image in {*owned, *shown}:
+        sea.shown[image.name_full] = state
+    # The group is built once for these waves: mean_square, which is the frame's, is left out.
+    made_of = repr([tuple(band)[1:7] for band in found.bands])
+    if not _is_made_of(group, made_of, shown):
+        _build(group, made_of, [band_of(band) for band in found.bands], shown)
+    _attach(waters, group)

@@ -1,0 +1,315 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The node group of the modifier: it reads finished fields from images, nothing else.
+
+    position, turned, + origin -> / tile size -> + half a texel -> image -> offset, attributes
+
+What lies turned in the world shows the same sea: it looks where it is in the world, and what it
+finds is turned back. Most things are not turned, and a patch's vertices lie on samples: these have
+a branch of their own, of which a switch of geometry runs one.
+
+Each image is read once: a field is evaluated anew by every node that uses it, a captured one is
+not. A live group reads images that the add-on fills; a baked one plays image sequences by the
+scene's time, without the add-on (baked_nodes.py). A mesh lies where it lies; the rings of a horizon
+follow the camera, and read coarser maps too (ring_nodes.py).
+"""
+
+from __future__ import annotations
+
+import bpy
+
+from ..bake import baked_nodes
+from ..bake.baked_nodes import (
+    COVER_POWER,
+    COVER_POWER_HELP,
+    LOST_SLOPES,
+    ON_SAMPLES,
+    ON_SAMPLES_HELP,
+)
+from ..shared import compat
+from ..shared.node_builder import Builder
+from . import ring_nodes
+from .ring_nodes import far_image
+
+VERSION = 6
+MARK = "libocean"  # custom property of a group: the version that built it
+_KIND = "libocean_kind"
+_BAKED = "libocean_baked"  # of one that plays a bake
+
+FIELDS = ("Displacement", "Velocity", "Normal")
+"""The maps; each image has a twin for renders. The alpha of the first is the cover of foam, whose
+mean is what is seen from far away; that of the second the Jacobian of the displacement; that of a
+horizon's third one the variance of the slopes that are left out."""
+
+
+WORLD_ORIGIN = "World Origin"
+WORLD_ORIGIN_HELP = "Origin, whole periods included: where the places of foam begin"
+
+SMALLEST_TURN = 1e-6
+"""Radians: less is what single precision makes of none."""
+
+
+def render_twin(name: str) -> str:
+    return f"{name} Render"
+
+
+def _declare(group, kind: str) -> None:
+    """The sockets of a live group."""
+    socket = compat.add_socket
+    socket(group, "Geometry", "NodeSocketGeometry")
+    for name in FIELDS:
+        for image in (name, far_image(name)) if kind == "HORIZON" else (name,):
+            socket(group, image, "NodeSocketImage")
+            socket(group, render_twin(image), "NodeSocketImage")
+    if kind == "HORIZON":
+        ring_nodes.declare(group)
+    socket(group, "Tile Size", "NodeSocketFloat", default_value=100.0, min_value=1e-3)
+    socket(group, "Half Texel", "NodeSocketFloat")
+    socket(group, render_twin("Half Texel"), "NodeSocketFloat")
+    socket(group, "Slope Variance", "NodeSocketFloat", description=LOST_SLOPES)
+    socket(group, render_twin("Slope Variance"), "NodeSocketFloat", description=LOST_SLOPES)
+    for name in (COVER_POWER, render_twin(COVER_POWER)):
+        socket(group, name, "NodeSocketFloat", default_value=1.0, description=COVER_POWER_HELP)
+    socket(group, "Origin", "NodeSocketVector")
+    socket(group, WORLD_ORIGIN, "NodeSocketVector", description=WORLD_ORIGIN_HELP)
+    socket(
+        group, "Turn", "NodeSocketVector", description="Of the object in the world, as Euler XYZ"
+    )
+    socket(group, ON_SAMPLES, "NodeSocketBool", description=ON_SAMPLES_HELP)
+    socket(group, "Mask", "NodeSocketString")
+    for name in ("Use Mask", "Use Foam", "Use Velocity", "Use Normal"):
+        socket(group, name, "NodeSocketBool")
+    socket(group, "Geometry", "NodeSocketGeometry", output=True)
+
+
+class _LiveFields:
+    """The fields as images that the add-on fills, those for renders apart."""
+
+    def __init__(self, builder: Builder, inputs) -> None:
+        self.b, self.inputs = builder, inputs
+        self.viewport = builder.node("GeometryNodeIsViewport").outputs[0]
+
+    def shown(self, name: str, kind: str):
+        """An input or its twin for renders."""
+        twin = self.inputs[render_twin(name)]
+        return self.b.switch(kind, self.viewport, twin, self.inputs[name])
+
+    def origin(self):
+        return self.inputs["Origin"]
+
+    def world_origin(self):
+        return self.inputs[WORLD_ORIGIN]
+
+    def turn(self):
+        return self.inputs["Turn"]
+
+    def half_texel(self):
+        return self.shown("Half Texel", "FLOAT")
+
+    def color(self, field: str, place, interpolation: str):
+        return self.b.texture(self.shown(field, "IMAGE"), place, interpolation)
+
+    def far(self, field: str, place):
+        return self.color(far_image(field), place, "Linear")
+
+    def has_alpha(self, _field: str) -> bool:
+        return True
+
+    def cover_power(self):
+        return self.shown(COVER_POWER, "FLOAT")
+
+    def cover(self, displacement, _lookup):
+        return self.b.alpha(displacement)
+
+    def jacobian(self, velocity, _lookup):
+        return self.b.alpha(velocity)
+
+    def lost_slopes(self):
+        return self.shown("Slope Variance", "FLOAT")
+
+
+class Turn:
+    """Between an object's own axes and the world's; None: they are the same."""
+
+    def __init__(self, b: Builder, euler) -> None:
+        self.b, self.euler = b, euler
+
+    def to_world(self, vector):
+        return vector if self.euler is None else self.b.rotate(vector, self.euler)
+
+    def to_local(self, vector):
+        return vector if self.euler is None else self.b.rotate(vector, self.euler, back=True)
+
+
+class _Flat:
+    """A mesh that shows the finest map wherever it lies."""
+
+    def __init__(self, b: Builder, inputs, fields, turn: Turn, interpolation: str) -> None:
+        self.fields = fields
+        self.interpolation = interpolation
+        position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
+        place = b.math("DIVIDE", b.math("ADD", position, fields.origin()), inputs["Tile Size"])
+        self.place = b.math("ADD", place, fields.half_texel())
+
+    def start(self, geometry):
+        return geometry
+
+    def color(self, field: str):
+        return self.fields.color(field, self.place, self.interpolation)
+
+    def normal(self, geometry):
+        """Geometry, normal, and the variance of the slopes that the map leaves out."""
+        return geometry, self.color("Normal"), self.fields.lost_slopes()
+
+
+def _label(b: Builder, fields, turn: Turn):
+    """Returns the undisplaced coordinate in the world [m], the same in every frame and for all
+    meshes of a sea. z = 1 tells it from an absent attribute and from the mesh's own label, whose z
+    is 0."""
+    position = turn.to_world(b.node("GeometryNodeInputPosition").outputs[0])
+    begins = b.math("ADD", fields.world_origin(), (0.0, 0.0, 1.0))
+    return b.math("MULTIPLY_ADD", position, (1.0, 1.0, 0.0), begins)
+
+
+def _displaced(b: Builder, inputs, fields, lookup, turn: Turn):
+    """The geometry with its attributes, moved."""
+    group = b.group
+    named = b.node("GeometryNodeInputNamedAttribute", data_type="FLOAT")
+    b.link(inputs["Mask"], named.inputs["Name"])
+    mask = b.switch("FLOAT", inputs["Use Mask"], 1.0, compat.active(named.outputs, "Attribute"))
+
+    geometry, offset = compat.capture(
+        group, lookup.start(inputs["Geometry"]), lookup.color("Displacement")
+    )
+    cover = fields.cover(offset, lookup)
+    stored = b.store(geometry, "cover", "FLOAT", b.number("MULTIPLY", cover, mask))
+    foam = b.number("POWER", cover, b.number("DIVIDE", 1.0, fields.cover_power()))
+    stored = b.store(stored, "foam", "FLOAT", b.number("MULTIPLY", foam, mask))
+    stored = b.store(stored, "label", "FLOAT_VECTOR", _label(b, fields, turn))
+    geometry = b.switch("GEOMETRY", inputs["Use Foam"], geometry, stored)
+
+    stored, velocity = compat.capture(group, geometry, lookup.color("Velocity"))
+    squeezed = b.number("SUBTRACT", fields.jacobian(velocity, lookup), 1.0)
+    jacobian = b.number("MULTIPLY_ADD", squeezed, mask, 1.0)
+    stored = b.store(stored, "jacobian", "FLOAT", jacobian)
+    velocity = turn.to_local(b.scale(velocity, mask))
+    # Cycles takes `velocity` for motion blur and shows shaders zeros in its place.
+    stored = b.store(stored, "velocity", "FLOAT_VECTOR", velocity)
+    stored = b.store(stored, "ocean_velocity", "FLOAT_VECTOR", velocity)
+    geometry = b.switch("GEOMETRY", inputs["Use Velocity"], geometry, stored)
+
+    up = (0.0, 0.0, 1.0)
+    stored, normal, slope_variance = lookup.normal(geometry)
+    normal = b.math("ADD", b.scale(b.math("SUBTRACT", normal, up), mask), up)
+    stored = b.store(stored, "ocean_normal", "FLOAT_VECTOR", turn.to_local(normal))
+    slope_variance = b.number("MULTIPLY", slope_variance, mask)
+    stored = b.store(stored, "slope_variance", "FLOAT", slope_variance)
+    geometry = b.switch("GEOMETRY", inputs["Use Normal"], geometry, stored)
+
+    moved = b.node("GeometryNodeSetPosition")
+    b.link(geometry, moved.inputs["Geometry"])
+    b.link(turn.to_local(b.scale(offset, mask)), moved.inputs["Offset"])
+    return moved.outputs["Geometry"]
+
+
+def _build(group, kind: str, *, baked: bool) -> None:
+    declare, make_fields = _declare, _LiveFields
+    if baked:
+        declare, make_fields = baked_nodes.declare, baked_nodes.BakedFields
+    declare(group, kind)
+    compat.hide_inputs(group)
+    b = Builder(group)
+    inputs = b.node("NodeGroupInput").outputs
+    fields = make_fields(b, inputs)
+
+    def branch(*, turned: bool, interpolation: str = "Linear"):
+        turn = Turn(b, fields.turn() if turned else None)
+        if kind == "HORIZON":
+            lookup = ring_nodes.Rings(b, inputs, fields, turn)
+        else:
+            lookup = _Flat(b, inputs, fields, turn, interpolation)
+        return _displaced(b, inputs, fields, lookup, turn)
+
+    level = branch(turned=False)
+    if kind == "PATCH":  # its vertices take the nearest sample, to the bit
+        nearest = branch(turned=False, interpolation="Closest")
+        level = b.switch("GEOMETRY", inputs[ON_SAMPLES], level, nearest)
+    angle = b.math("LENGTH", fields.turn(), result="Value")
+    is_turned = b.number("GREATER_THAN", angle, SMALLEST_TURN)
+    result = b.switch("GEOMETRY", is_turned, level, branch(turned=True))
+    b.link(result, b.node("NodeGroupOutput").inputs[0])
+    b.arrange(rows=4, height=240)
+
+
+def is_ours(group) -> bool:
+    return group is not None and MARK in group
+
+
+def is_baked(group) -> bool:
+    """Returns whether a node group plays a bake."""
+    return is_ours(group) and _BAKED in group
+
+
+def kind_of(group) -> str:
+    return group[_KIND]
+
+
+def get(kind: str, *, baked: bool = False):
+    """Returns the group for meshes of one kind, made if it is missing. baked: one that plays a
+    bake."""
+    name = f".libocean.v{VERSION} {kind.capitalize()}{' Baked' if baked else ''}"
+    for group in bpy.data.node_groups:
+        if group.name == name and is_ours(group) and group.library is None:
+            return group
+    group = bpy.data.node_groups.new(name, "GeometryNodeTree")
+    group[MARK] = VERSION
+    group[_KIND] = kind
+    if baked:
+        group[_BAKED] = True
+    if hasattr(group, "is_modifier"):  # 4.0
+        group.is_modifier = True
+    _build(group, kind, baked=baked)
+    return group
+
+
+def is_old(group) -> bool:
+    """Returns whether an earlier version of the add-on built a node group into this file."""
+    return is_ours(group) and group[MARK] != VERSION and group.library is None
+
+
+def image_inputs(group) -> list[str]:
+    """Returns the names of the inputs of images."""
+    fields = [*FIELDS, *baked_nodes.FIELDS]
+    names = {name for field in fields for name in (field, far_image(field))}
+    names |= {render_twin(name) for name in names}
+    return [name for name in compat.input_identifiers(group) if name in names]
+
+
+def all_modifiers(ob) -> list:
+    """Returns all ocean modifiers of an object, replaced ones of its library included."""
+    return [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
+
+
+def modifiers(ob) -> list:
+    """Returns the ocean modifiers of an object that count: those that a shot added take the place
+    of its library's."""
+    found = [m for m in ob.modifiers if m.type == "NODES" and is_ours(m.node_group)]
+    own = [m for m in found if ob.override_library is None or not m.is_override_data]
+    return own or found
+
+
+def live_modifiers(ob) -> list:
+    """Returns the ocean modifiers of an object that play no bake."""
+    return [m for m in modifiers(ob) if not is_baked(m.node_group)]
+
+
+def assign(modifier, values: dict) -> None:
+    """Sets inputs of the modifier by their names."""
+    identifiers = compat.input_identifiers(modifier.node_group)
+    for name, value in values.items():
+        if name in identifiers:  # a linked group may be of an earlier version
+            compat.set_input(modifier, identifiers[name], value)
+
+
+def value(modifier, name: str):
+    return compat.get_input(modifier, compat.input_identifiers(modifier.node_group)[name])

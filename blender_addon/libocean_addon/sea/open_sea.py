@@ -1,0 +1,257 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Open seas, one for each object: the library's handles, the buffers of their maps, and the state
+that each image was last filled with.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import bpy
+import numpy as np
+
+from ..shared import images, messages
+from ..shared.native import libocean
+from . import atlas, drafts, node_group, sea_text
+
+CHANNELS = atlas.FINEST
+
+COVER = "cover"  # of foam, which has a past
+NO_COVER = "height"  # in its place without foam: a channel that costs nothing
+QUICK = {COVER: "whitecap", NO_COVER: NO_COVER}
+"""The channel of a draft in its place: whitecaps have no past, and are their own cover."""
+
+_LIMITS = ("shortest_wavelength", "longest_wavelength")
+
+_AT_HAND = 3.0  # [s] of the sea that foam advances while a user waits: sixty of its steps
+
+
+def _channels(field: str, cover: str) -> tuple[str, ...]:
+    return tuple(cover if channel == COVER else channel for channel in CHANNELS[field])
+
+
+class OpenSea:
+    """The library's sea of one object, its buffers, and what was shown last."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()  # renders run in a thread of their own
+        self.sea = None
+        self.values: sea_text.SeaValues | None = None
+        self.changes = 0
+        self.state: dict | None = None  # read_state()
+        self.share: float | None = None  # share_within_limits()
+        self.state_before: dict | None = None  # of the values before these
+        self.point_sea = None
+        self.point_changes = 0
+        self.buffers: dict[tuple[str, int], np.ndarray] = {}
+        self.detail_pixels: np.ndarray | None = None  # what goes into the image of a band
+        self.shown: dict[str, tuple] = {}  # by image: what it holds
+        self.ready: tuple | None = (
+            None  # changes, size, channel of cover, time: of the last whole map
+        )
+        self.took: tuple | None = None  # what cost how many seconds a sample when it was not ready
+        self.spray_ready: tuple | None = None  # changes, settings, time: of the last spray
+        self.pace = drafts.Pace()
+
+    def follow(self, values: sea_text.SeaValues) -> None:
+        """Makes it the sea of these values; raises libocean.Error and leaves it unchanged
+        otherwise."""
+        if values == self.values:
+            return
+        messages.require_files(values)
+        if self.sea is None or values.structure() != self.values.structure():
+            self._open(values)
+        else:
+            before = self.values.by_name()
+            changed = dict(values.by_name().items() - before.items())
+            self.sea.set_all(changed)
+        self.values = values
+        self.state_before = self.state or self.state_before
+        self.state = self.share = None
+        self.changes += 1
+
+    def _open(self, values: sea_text.SeaValues) -> None:
+        base_dir = bpy.path.abspath("//") or None
+        opened = libocean.parse(values.text(), base_dir=base_dir, progress=drafts.tell_watcher)
+        if self.sea is not None:
+            self.sea.close()
+        self.sea = opened
+
+    def for_points(self):
+        """Returns a second handle of the sea: requests for maps and for points in turn would each
+        discard the library's cache for the other."""
+        if self.point_sea is None or self.point_changes != self.changes:
+            if self.point_sea is not None:
+                self.point_sea.close()
+            self.point_sea = self.sea.clone()
+            self.point_changes = self.changes
+        return self.point_sea
+
+    def buffer(self, name: str, size: int) -> np.ndarray:
+        """Returns the buffer of an image for maps of size x size samples."""
+        if (name, size) not in self.buffers:
+            # One size for the viewport and one for renders is kept.
+            kept = {s for _, s in self.buffers} - {size}
+            if len(kept) > 1:
+                self.buffers.clear()
+            shape = (size, size) if name in CHANNELS else atlas.shape(size)
+            self.buffers[name, size] = images.aligned(shape)
+        return self.buffers[name, size]
+
+    def read_state(self) -> dict:
+        if self.state is None:
+            self.state = self.sea.state
+        return self.state
+
+    def cover_power(self, at: float, size: int, channel: str) -> float:
+        """Returns the exponent that turns foam into the cover in that channel; 1 for whitecaps."""
+        return self.sea.cover_power(at, size) if channel == COVER else 1.0
+
+    def has_limits(self) -> bool:
+        """Returns whether waves of some lengths are left out."""
+        return any(float(self.values.values[name]) > 0.0 for name in _LIMITS)
+
+    def share_within_limits(self) -> float:
+        """Returns its significant wave height as a share of the height without limits."""
+        if self.share is None:
+            height = self.read_state()["significant_wave_height"]["resolved"]
+            with self.sea.clone() as free:
+                free.set_all(dict.fromkeys(_LIMITS, "0"))
+                whole = free.state["significant_wave_height"]["resolved"]
+            self.share = height / whole if whole > 0.0 else 1.0
+        return self.share
+
+    # Images ---------------------------------------------------------------------
+
+    def is_ready(self, at: float, size: int, channel: str) -> bool:
+        """Returns whether the whole map of a time can be made at once: the sea is unchanged and the
+        foam's past is at hand."""
+        known = self.ready is not None and self.ready[:3] == (self.changes, size, channel)
+        if known and (channel != COVER or 0.0 <= at - self.ready[3] <= _AT_HAND):
+            return True
+        if self.took is None or self.took[0] != self._costs(channel):
+            return False
+        return self.took[1] * size**2 < drafts.SECONDS / 2
+
+    def _costs(self, channel: str) -> tuple:
+        """Returns the settings that decide the cost of a sample."""
+        values = self.values.values
+        return (channel, values["foam_lifetime"], values["foam_step"])
+
+    def show(self, at: float, size: int, targets: dict[str, bpy.types.Image], channel: str) -> None:
+        """Fills these images, by the inputs of the node group, with the maps of a time [s].
+        channel: the one in the place of cover."""
+        with self.lock:
+            begun = time.perf_counter()
+            known = self.ready is not None and self.ready[:2] == (self.changes, size)
+            if self._show(at, size, targets, channel):
+                if not known:
+                    seconds = time.perf_counter() - begun
+                    self.took = (self._costs(channel), seconds / size**2)
+                self.ready = (self.changes, size, channel, at)
+
+    def show_draft(
+        self, at: float, size: int, wanted: int, targets: dict[str, bpy.types.Image], channel: str
+    ) -> None:
+        """Fills these images with a draft, whose cover is the quick channel. wanted: samples per
+        side of the whole map."""
+        with self.lock:
+            begun = time.perf_counter()
+            if self._show(at, size, targets, QUICK[channel]):
+                self.pace.note(size, time.perf_counter() - begun, wanted)
+
+    def job(self, at: float, size: int, channel: str, spray: dict | None) -> drafts.Job:
+        """Returns the job that makes the whole map of a time, and its spray if it has any."""
+        return drafts.Job(self.sea.clone(), self.changes, at, size, channel, spray)
+
+    def take_over(self, job: drafts.Job) -> bool:
+        """Replaces the handle by that of a job that has ended. Returns False if the job is of no
+        use."""
+        if job.failure is not None or job.changes != self.changes:
+            job.sea.close()
+            return False
+        with self.lock:
+            self.sea.close()
+            self.sea = job.sea
+            self.took = (self._costs(job.channel), job.seconds / job.size**2)
+            self.ready = (job.changes, job.size, job.channel, job.time)
+            self.spray_ready = None if job.spray is None else (job.changes, job.spray, job.time)
+        return True
+
+    # Spray ----------------------------------------------------------------------
+
+    def spray(self, at: float, settings: dict):
+        """Returns the libocean.Spray of a time [s]."""
+        with self.lock:
+            found = self.sea.spray(at, **settings)
+            self.spray_ready = (self.changes, settings, at)
+        return found
+
+    def is_spray_ready(self, at: float, settings: dict) -> bool:
+        """Returns whether the library has computed most of it, for example for the frame before."""
+        known = self.spray_ready is not None and self.spray_ready[:2] == (self.changes, settings)
+        return known and abs(at - self.spray_ready[2]) <= _AT_HAND
+
+    def _show(self, at: float, size: int, targets: dict, channel: str) -> bool:
+        """Fills stale images. Returns whether there were any."""
+        for image in targets.values():
+            if images.let_go(image):
+                self.shown.pop(image.name_full, None)
+        state = (self.changes, at, size, channel)
+        stale = {
+            name: image
+            for name, image in targets.items()
+            if self.shown.get(image.name_full) != state
+        }
+        if not stale:
+            return False
+        far = [field for field in CHANNELS if node_group.far_image(field) in stale]
+        fields = [field for field in CHANNELS if field in stale or field in far]
+        maps = [(self.buffer(field, size), _channels(field, channel)) for field in fields]
+        self.sea.fill(at, maps)
+        if far:
+            if "Normal" in far:
+                self.buffer("Normal", size)[..., 3] = atlas.lost_slopes(self.read_state(), size)
+            finest = {field: self.buffer(field, size) for field in far}
+            atlases = {field: self.buffer(node_group.far_image(field), size) for field in far}
+            atlas.fill(self.sea, at, size, finest, atlases, self.read_state())
+        for name, image in stale.items():
+            pixels = self.buffer(name, size)
+            images.resize(image, pixels.shape[:2])
+            images.fill(image, pixels)
+            self.shown[image.name_full] = state
+        return True
+
+    def close(self) -> None:
+        for handle in (self.sea, self.point_sea):
+            if handle is not None:
+                handle.close()
+
+
+_seas: dict[str, OpenSea] = {}
+
+
+def sea_of(name: str) -> OpenSea:
+    """Returns the open sea of the object with that full name."""
+    if name not in _seas:
+        _seas[name] = OpenSea()
+    return _seas[name]
+
+
+def forget(names: set[str]) -> None:
+    """Forgets, after undo and loading, the content of images, and closes the seas of objects
+    without one of these names."""
+    for name in list(_seas):
+        if name in names:
+            _seas[name].shown.clear()
+        else:
+            _seas.pop(name).close()
+
+
+def close_all() -> None:
+    drafts.close()
+    for sea in _seas.values():
+        sea.close()
+    _seas.clear()

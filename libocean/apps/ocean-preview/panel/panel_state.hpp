@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The values that the panel shows and changes beside the sea, and the requests of one frame.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge_host.hpp"
+#include "bridge_link.hpp"
+#include "ocean/preview/picture.hpp"
+#include "ocean/sea.hpp"
+
+namespace ocean::app {
+
+/// The cost of one frame [ms].
+struct FrameTimes {
+    double sea = 0.0;
+    double draw = 0.0;
+    double panel = 0.0;
+};
+
+/// A backend that the sea can be computed by.
+struct BackendRow {
+    std::string name;
+    std::string why_not;  // why it cannot compute this sea; "": it can
+    double milliseconds;  // of the last frame that it computed; 0: none yet
+};
+
+/// The state before a change: of a parameter, or of the whole sea.
+struct Change {
+    std::string path;
+    std::string before;
+    std::optional<Sea> sea = {};
+};
+
+/// The bridge: one that the window has joined, or one of its own.
+struct BridgeRows {
+    const BridgeLink* link = nullptr;  // null while the window is connected to none
+    bool is_own = true;                // this process runs the bridge
+    bool is_running = false;
+    BridgeHostOptions host;
+    std::vector<std::string> log;
+};
+
+/// The place of the panel when it was last drawn, in ImGui's units; for the next scale.
+struct PanelPlace {
+    float letters = 0.0f;  // their height; 0 before the first time
+    std::array<float, 2> corner{};
+    std::array<float, 2> size{};
+    // At the last scale: the size that it called for, and the part that the window had room for.
+    std::array<float, 2> wanted{};
+    std::array<float, 2> fitted{};
+};
+
+/// The actions that a person requested in one frame.
+struct PanelRequests {
+    enum class Bridge { nothing, start, stop };
+
+    bool touched = false;  // anything at all: the picture has changed
+    bool save_sea = false;
+    std::string save_picture;  // ".png", ".exr" or ""
+    bool reload = false;
+    bool record = false;  // starts or stops
+    bool reset_camera = false;
+    std::optional<std::string> backend;
+    Bridge bridge = Bridge::nothing;
+};
+
+struct PanelState {
+    preview::Look look;
+    std::string view = "shaded";  // one of all_view_names()
+    int cascade = -1;             // the only one shown; -1: all
+    int cascades = 1;
+    bool wireframe = false;
+    bool shown = true;
+    bool probing = false;
+    std::string search;
+    std::string message;      // the last one: an error, or the name of a written file
+    std::string under_mouse;  // values that the probe found
+    std::string drawn_by;     // "llvmpipe ..., OpenGL 4.5"
+    std::string left_out;     // parts of the picture that the driver has too few texture units for
+    std::vector<BackendRow> backends;
+    std::string backend;  // one of them
+    FrameTimes times;
+    BridgeRows bridge;
+    PanelPlace place;
+    std::vector<Change> changes;  // the newest last
+    PanelRequests requests;
+};
+
+}  // namespace ocean::app

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "window/controls.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+namespace ocean::app {
+namespace {
+
+bool is_down(GLFWwindow* window, int key) {
+    return glfwGetKey(window, key) == GLFW_PRESS;
+}
+
+double axis(GLFWwindow* window, int more, int less) {
+    return (is_down(window, more) ? 1.0 : 0.0) - (is_down(window, less) ? 1.0 : 0.0);
+}
+
+}  // namespace
+
+bool ControlInput::moves_camera() const {
+    return camera.ahead != 0.0 || camera.right != 0.0 || camera.up != 0.0 ||
+           camera.turn_left != 0.0 || camera.turn_up != 0.0 || camera.closer != 0.0;
+}
+
+ControlInput Controls::read(GLFWwindow* window, const WindowInput& input, double seconds,
+                            double degrees_of_pixel) {
+    ControlInput result;
+    add_keys(window, input, result);
+    add_mouse(window, input, degrees_of_pixel, result);
+    add_gamepad(seconds, result);
+    return result;
+}
+
+void Controls::add_keys(GLFWwindow* window, const WindowInput& input, ControlInput& result) const {
+    const auto on = [&](int key, WindowCommand command) {
+        if (input.pressed(key)) result.commands.push_back(command);
+    };
+    const bool shift = is_down(window, GLFW_KEY_LEFT_SHIFT);
+    on(GLFW_KEY_F12, shift ? WindowCommand::save_exr : WindowCommand::save_png);
+    if (ImGui::GetIO().WantTextInput) return;
+    // Escape closes an open list first, and the window only if none is open.
+    if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        on(GLFW_KEY_ESCAPE, WindowCommand::close);
+    on(GLFW_KEY_SPACE, WindowCommand::pause);
+    on(GLFW_KEY_TAB, WindowCommand::toggle_panel);
+    on(GLFW_KEY_F, WindowCommand::toggle_wireframe);
+    on(GLFW_KEY_P, WindowCommand::toggle_probe);
+    on(GLFW_KEY_V, WindowCommand::next_view);
+    on(GLFW_KEY_C, WindowCommand::next_camera);
+    on(GLFW_KEY_R,
+       input.pressed_with_ctrl(GLFW_KEY_R) ? WindowCommand::reload : WindowCommand::record);
+    if (input.pressed_with_ctrl(GLFW_KEY_Z)) result.commands.push_back(WindowCommand::undo);
+    result.camera.ahead = axis(window, GLFW_KEY_W, GLFW_KEY_S);
+    result.camera.right = axis(window, GLFW_KEY_D, GLFW_KEY_A);
+    result.camera.up = axis(window, GLFW_KEY_E, GLFW_KEY_Q);
+    result.camera.fast = shift;
+}
+
+void Controls::add_mouse(GLFWwindow* window, const WindowInput& input, double degrees_of_pixel,
+                         ControlInput& result) {
+    double x = 0.0, y = 0.0;
+    glfwGetCursorPos(window, &x, &y);
+    if (!ImGui::GetIO().WantCaptureMouse) {
+        if (glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+            result.camera.turn_left = degrees_of_pixel * (x - mouse_[0]);
+            result.camera.turn_up = degrees_of_pixel * (y - mouse_[1]);
+        }
+        result.camera.closer = input.wheel;
+    }
+    mouse_ = {x, y};
+}
+
+void Controls::add_gamepad(double seconds, ControlInput& result) {
+    gamepad_.read();
+    gamepad_.add_to(result.camera, seconds);
+    const auto on = [&](Gamepad::Button button, WindowCommand command) {
+        if (gamepad_.pressed(button)) result.commands.push_back(command);
+    };
+    on(Gamepad::pause, WindowCommand::pause);
+    on(Gamepad::camera, WindowCommand::next_camera);
+    on(Gamepad::view, WindowCommand::next_view);
+    on(Gamepad::reset, WindowCommand::reset_camera);
+}
+
+}  // namespace ocean::app

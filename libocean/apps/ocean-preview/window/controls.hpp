@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Keys, mouse and gamepad as commands and movements of the camera.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "window/camera_control.hpp"
+#include "window/gamepad.hpp"
+#include "window/window_input.hpp"
+
+namespace ocean::app {
+
+enum class WindowCommand {
+    close,
+    pause,
+    toggle_panel,
+    toggle_wireframe,
+    toggle_probe,
+    next_view,
+    next_camera,
+    reset_camera,
+    record,
+    undo,
+    reload,
+    save_png,
+    save_exr,
+};
+
+/// The commands and the movement of one frame.
+struct ControlInput {
+    CameraInput camera;
+    std::vector<WindowCommand> commands;
+
+    bool moves_camera() const;
+};
+
+class Controls {
+  public:
+    /// Reads the input of the frame, `seconds` long. degrees_of_pixel: the turn of the camera for a
+    /// pixel of dragging. Keys that the panel takes as text are no commands.
+    ControlInput read(GLFWwindow* window, const WindowInput& input, double seconds,
+                      double degrees_of_pixel);
+
+    bool has_gamepad() const { return gamepad_.is_connected(); }
+    /// Returns the place of the mouse in the window, in its units.
+    const std::array<double, 2>& mouse() const { return mouse_; }
+
+  private:
+    void add_keys(GLFWwindow* window, const WindowInput& input, ControlInput& result) const;
+    void add_mouse(GLFWwindow* window, const WindowInput& input, double degrees_of_pixel,
+                   ControlInput& result);
+    void add_gamepad(double seconds, ControlInput& result);
+
+    Gamepad gamepad_;
+    std::array<double, 2> mouse_{};
+};
+
+}  // namespace ocean::app

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The water under the mouse.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "live_sea.hpp"
+#include "ocean/preview/probe.hpp"
+
+namespace ocean::app {
+
+/// Returns the point of the sea that the line of sight through a place of the picture meets, by a
+/// few steps of the query, and its height and normal; nothing if it meets none. The place is 0 .. 1
+/// from the left and from the top; aspect = width/height. Throws Error.
+struct PickedWater {
+    WorldPoint point;
+    QuerySample sample;
+};
+std::optional<PickedWater> pick_water(LiveSea& sea, const preview::Camera& camera,
+                                      const std::array<double, 2>& place, double aspect);
+
+/// Returns lines for a person: place, height [m], normal, and the share of foam that is drawn
+/// there. Changes the bound framebuffer and the viewport. Throws Error.
+std::string describe(const PickedWater& picked, preview::Renderer& renderer,
+                     const preview::ShownSea& shown, const preview::Camera& camera, int cascade);
+
+}  // namespace ocean::app

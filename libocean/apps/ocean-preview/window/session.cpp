@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+#include "window/session.hpp"
+
+#include <epoxy/gl.h>
+//
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "console.hpp"
+#include "ocean/cascades.hpp"
+#include "ocean/error.hpp"
+#include "ocean/text.hpp"
+#include "offscreen_run.hpp"
+#include "panel/changes.hpp"
+#include "panel/panel.hpp"
+#include "window/picking.hpp"
+#include "workload.hpp"
+
+namespace ocean::app {
+namespace {
+
+/// Frames after a change: the item under the mouse is known a frame late.
+constexpr int kFramesToSettle = 3;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+}  // namespace
+
+Session::Session(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
+                 const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui)
+    : options_(options),
+      context_(context),
+      source_(source),
+      window_(window),
+      input_(input),
+      gui_(gui),
+      info_(gl::context_info()),
+      backend_(preview_backend(options.backend).value_or(best_backend(info_))),
+      viewport_(options, info_),
+      sea_(sea, {.threads = context.options.threads,
+                 .computing = [this](const Sea& of) { return computing(of); }}),
+      saved_(stem_of(source.source), sea),
+      camera_(options.camera),
+      bridge_(state_.bridge,
+              {.record = [this](bool on, const std::string& name) { record(on, name); },
+               .logged =
+                   [this](const std::string& line) { context_.console.note("bridge: " + line); }}) {
+    set_up(sea);
+}
+
+void Session::set_up(const Sea& sea) {
+    sea_.after_set = [this](const std::string& name, const std::string& value) {
+        bridge_.send(name, value);
+    };
+    sea_.after_open = [this] { bridge_.send_values(sea_); };
+    sea_.near_detail = options_.detail && !info_.software;  // half as much again for its water
+    state_.bridge.host = options_.host;
+    state_.bridge.is_own = !options_.bridge;
+    if (options_.bridge) bridge_.join(*options_.bridge);
+    if (options_.serve) serve();
+    if (options_.time) sea_.go_to(*options_.time);
+    if (options_.frame) sea_.go_to(sea.time_of(*options_.frame));
+    state_.look = options_.look;
+    state_.view = options_.view;
+    state_.cascade = options_.cascade.value_or(-1);
+    state_.wireframe = options_.wireframe;
+    state_.drawn_by = info_.renderer;
+    if (info_.software) state_.drawn_by += "\na processor: fewer pixels, smaller maps";
+    for (const Backend& backend : preview_backends()) {
+        state_.backends.push_back({std::string(backend.name), "", 0.0});
+    }
+}
+
+void Session::run() {
+    auto before = Clock::now();
+    while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
+        wait_for_input();
+        const double seconds = std::min(0.25, milliseconds_since(before) / 1000.0);
+        before = Clock::now();
+        if (!guarded([&] { sea_.advance(seconds); })) sea_.paused = true;
+        if (step(seconds)) frames_to_draw_ = kFramesToSettle;
+        if (bridge_.apply(sea_)) frames_to_draw_ = kFramesToSettle;
+        if (frames_to_draw_ > 0 || !sea_.paused || sea_.fading()) draw();
+        if (frames_to_draw_ > 0) --frames_to_draw_;
+        if (!std::exchange(began_, true)) context_.console.note("the window is open");
+        input_.forget();
+    }
+    // Never discard a recording when the window closes.
+    if (saved_.lacks(sea_.sea())) save_sea();
+}
+
+/// Returns the chosen backend, or the best other one if that cannot compute the sea, for example
+/// because a grid has grown too large for it.
+Computing Session::computing(const Sea& of) {
+    if (const std::string reason = why_not(backend_, of, info_); !reason.empty()) {
+        state_.message = std::string(backend_.name) + " " + reason;
+        backend_ = best_backend(info_);
+    }
+    return computing_for(backend_, options_, of, info_);
+}
+
+/// Blocks while the sea stands still and nothing happens. A gamepad, a bridge and textures that
+/// another thread makes wake nobody up: they are polled.
+void Session::wait_for_input() {
+    const bool iconified = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
+    bool still = sea_.paused && !sea_.fading() && frames_to_draw_ == 0;
+    const preview::Pending pending = std::max(viewport_.renderer().pending(), sea_.pending());
+    if (still && pending == preview::Pending::ready) {
+        frames_to_draw_ = 1;
+        still = false;
+    }
+    note_rest(still && pending == preview::Pending::nothing);
+    if (iconified || still) {
+        const bool polls = (controls_.has_gamepad() && !iconified) || bridge_.is_joined() ||
+                           pending == preview::Pending::in_work;
+        glfwWaitEventsTimeout(polls ? 0.03 : 0.25);
+    } else {
+        glfwPollEvents();
+    }
+    if (input_.any) frames_to_draw_ = kFramesToSettle;
+}
+
+/// Notes for scripts that all input is shown and nothing moves until there is more.
+void Session::note_rest(bool rests) {
+    if (rests && !rests_) context_.console.note("at rest: " + input_.text(window_));
+    rests_ = rests;
+}
+
+/// Carries out the input of a frame. Returns whether it changed anything.
+bool Session::step(double seconds) {
+    const double degrees_of_pixel = camera_.camera().field_of_view / std::max(1, viewport_.width());
+    const ControlInput input = controls_.read(window_, input_, seconds, degrees_of_pixel);
+    for (const WindowCommand command : input.commands) carry_out(command);
+    const bool acted = !input.commands.empty();
+    const bool rides = camera_.mode == CameraMode::walk || camera_.mode == CameraMode::floating;
+    if (input.moves_camera() || (rides && !sea_.paused) || acted) {
+        guarded([&] { camera_.step(input.camera, seconds, sea_.ocean(), sea_.time()); });
+    }
+    return input.moves_camera() || acted;
+}
+
+void Session::carry_out(WindowCommand command) {
+    switch (command) {
+        case WindowCommand::close:
+            return glfwSetWindowShouldClose(window_, GLFW_TRUE);
+        case WindowCommand::pause:
+            sea_.paused = !sea_.paused;
+            return;
+        case WindowCommand::toggle_panel:
+            state_.shown = !state_.shown;
+            return;
+        case WindowCommand::toggle_wireframe:
+            state_.wireframe = !state_.wireframe;
+            return;
+        case WindowCommand::toggle_probe:
+            state_.probing = !state_.probing;
+            return;
+        case WindowCommand::next_view:
+            return next_view();
+        case WindowCommand::next_camera:
+            camera_.mode = static_cast<CameraMode>((static_cast<int>(camera_.mode) + 1) % 4);
+            return;
+        case WindowCommand::reset_camera:
+            return camera_.reset(options_.camera);
+        case WindowCommand::record:
+            return toggle_recording(sea_, state_);
+        case WindowCommand::undo:
+            guarded([&] { undo(sea_, state_); });
+            return;
+        case WindowCommand::reload:
+            return reload();
+        case WindowCommand::save_png:
+            picture_requested_ = ".png";
+            return;
+        case WindowCommand::save_exr:
+            picture_requested_ = ".exr";
+            return;
+    }
+}
+
+void Session::next_view() {
+    const std::vector<std::string> views = all_view_names();
+    const auto at = std::ranges::find(views, state_.view) - views.begin();
+    state_.view = views[static_cast<std::size_t>(at + 1) % views.size()];
+}
+
+void Session::draw() {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    if (width == 0 || height == 0) return;  // an icon
+    viewport_.resize(width, height);
+    if (const auto scale = gui_.fit_screen()) {
+        context_.console.note(format_text("the panel has scale %g", *scale));
+        frames_to_draw_ = kFramesToSettle;
+    }
+    draw_sea();
+    draw_panels();
+    const double milliseconds = milliseconds_since(std::exchange(drawn_, Clock::now()));
+    bridge_.send_clock(sea_, 1000.0 / std::max(milliseconds, 0.1));
+}
+
+void Session::draw_sea() {
+    if (!guarded([&] { sea_timer_.measure([&] { shown_ = sea_.show(); }); })) sea_.paused = true;
+    state_.times.sea = sea_timer_.milliseconds();
+    list_backends();
+    state_.cascades = static_cast<int>(cascade_divisors(sea_.ocean().parameters().grid).size());
+    if (state_.cascade >= state_.cascades) state_.cascade = -1;  // of another sea
+    draw_timer_.measure([&] {
+        const auto draw_view = [&] { viewport_.draw(sea_, shown_, camera_.camera(), state_); };
+        if (!is_stage_picture(state_.view)) return draw_view();
+        if (!guarded(draw_view)) state_.view = "shaded";
+    });
+    state_.times.draw = draw_timer_.milliseconds();
+    state_.left_out = preview::text(viewport_.renderer().left_out());
+}
+
+void Session::draw_panels() {
+    const auto start = Clock::now();
+    guarded([&] { look_under_mouse(); });
+    // Frames may be slow, and the user is not: the panel sees each event with the mouse where it
+    // was.
+    for (const InputEvent& event : std::exchange(input_.events, {})) {
+        Gui::begin(window_, &event);
+        lay_out_panel();
+        ImGui::EndFrame();
+        run_requests();
+    }
+    Gui::begin(window_);
+    lay_out_panel();
+    Gui::end();
+    state_.times.panel = milliseconds_since(start);
+    glfwSwapBuffers(window_);
+    run_requests();
+}
+
+void Session::lay_out_panel() {
+    state_.requests = {};
+    viewport_.show_stage(state_);
+    bridge_.update_rows();
+    guarded([&] { draw_panel(sea_, shown_, camera_, state_); });
+}
+
+void Session::run_requests() {
+    const PanelRequests& requests = state_.requests;
+    if (requests.touched) frames_to_draw_ = kFramesToSettle;
+    if (requests.reset_camera) camera_.reset(options_.camera);
+    if (requests.record) toggle_recording(sea_, state_);
+    if (requests.reload) reload();
+    if (requests.bridge == PanelRequests::Bridge::start) guarded([&] { serve(); });
+    if (requests.bridge == PanelRequests::Bridge::stop) bridge_.leave();
+    if (requests.backend) choose_backend(*requests.backend);
+    if (requests.save_sea) save_sea();
+    if (!requests.save_picture.empty()) save_picture(requests.save_picture);
+    if (!picture_requested_.empty()) save_picture(std::exchange(picture_requested_, ""));
+}
+
+void Session::look_under_mouse() {
+    state_.under_mouse.clear();
+    if (!state_.probing || ImGui::GetIO().WantCaptureMouse) return;
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    const auto& [x, y] = controls_.mouse();
+    const preview::Camera& camera = camera_.camera();
+    const auto picked =
+        pick_water(sea_, camera, {x / width, y / height}, static_cast<double>(width) / height);
+    if (!picked) return;
+    state_.under_mouse = describe(*picked, viewport_.renderer(), shown_, camera, state_.cascade);
+    viewport_.bind_window();
+}
+
+/// Lists the backends, with the time of a frame once a chosen one has compiled its shaders.
+void Session::list_backends() {
+    const std::string now(sea_.computing().backend.name);
+    frames_of_backend_ = now == state_.backend ? frames_of_backend_ + 1 : 0;
+    state_.backend = now;
+    const std::span<const Backend> all = preview_backends();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        BackendRow& row = state_.backends[i];
+        row.why_not = why_not(all[i], sea_.sea(), info_);
+        if (row.name == now && frames_of_backend_ > 2 && !sea_.fading()) {
+            row.milliseconds = state_.times.sea;
+        }
+    }
+}
+
+void Session::choose_backend(const std::string& name) {
+    backend_ = preview_backend(name).value_or(backend_);
+    guarded([&] {
+        sea_.compute_anew();
+        context_.console.note("the sea by " + std::string(sea_.computing().backend.name));
+    });
+}
+
+void Session::serve() {
+    const std::string address = bridge_.serve(sea_.sea());
+    context_.console.note("a bridge at " + address);
+}
+
+/// Records as the bridge requests; a recording is saved when it ends, under the name of its take.
+void Session::record(bool on, const std::string& name) {
+    if (on == sea_.recording()) return;
+    toggle_recording(sea_, state_);
+    if (!on) save_sea(name.substr(0, name.find('.')));
+    frames_to_draw_ = kFramesToSettle;
+}
+
+void Session::save_sea(const std::string& requested) {
+    write([&] { return saved_.save(sea_.sea(), requested); });
+}
+
+void Session::save_picture(const std::string& ending) {
+    write([&] { return viewport_.save(saved_.stem(), ending, shown_, camera_.camera(), state_); });
+}
+
+/// Reads the sea file again; the shown sea stays if the file is missing or bad.
+void Session::reload() {
+    guarded([&] {
+        open_with_undo(sea_, state_, open_sea(source_));
+        saved_.set_read(sea_.sea());
+        state_.message = "opened: " + source_.source;
+    });
+    frames_to_draw_ = kFramesToSettle;
+}
+
+template <typename Write>
+void Session::write(Write&& write) {
+    guarded([&] {
+        state_.message = "written: " + write();
+        context_.console.note(state_.message);
+    });
+    frames_to_draw_ = kFramesToSettle;
+}
+
+/// Returns whether the work was done; else the window's message says why not.
+template <typename Work>
+bool Session::guarded(Work&& work) {
+    try {
+        work();
+        return true;
+    } catch (const Error& error) {
+        state_.message = error.what();
+        return false;
+    }
+}
+
+}  // namespace ocean::app

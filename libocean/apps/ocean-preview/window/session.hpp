@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A window's session: the loop over input, clock and picture, and the actions that a person, a
+// gamepad or a bridge requests.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "command.hpp"
+#include "live_sea.hpp"
+#include "panel/panel_state.hpp"
+#include "preview_options.hpp"
+#include "sea_argument.hpp"
+#include "window/controls.hpp"
+#include "window/gui.hpp"
+#include "window/saved_sea.hpp"
+#include "window/session_bridge.hpp"
+#include "window/stage_timer.hpp"
+#include "window/viewport.hpp"
+
+namespace ocean::app {
+
+class Session {
+  public:
+    /// All arguments outlive the session. Throws Error.
+    Session(const PreviewOptions& options, const Sea& sea, const SeaArgument& source,
+            const Context& context, GLFWwindow* window, WindowInput& input, Gui& gui);
+
+    /// Blocks until the window is closed. A recording that is in no file is saved then.
+    void run();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void set_up(const Sea& sea);
+    Computing computing(const Sea& of);
+    void wait_for_input();
+    void note_rest(bool rests);
+    bool step(double seconds);
+    void carry_out(WindowCommand command);
+    void draw();
+    void draw_sea();
+    void draw_panels();
+    void lay_out_panel();
+    void run_requests();
+    void look_under_mouse();
+    void list_backends();
+    void next_view();
+    void serve();
+    void record(bool on, const std::string& name);
+    void choose_backend(const std::string& name);
+    void save_sea(const std::string& requested = "");
+    void save_picture(const std::string& ending);
+    void reload();
+    template <typename Write>
+    void write(Write&& write);
+    template <typename Work>
+    bool guarded(Work&& work);
+
+    const PreviewOptions& options_;
+    const Context& context_;
+    SeaArgument source_;
+    GLFWwindow* window_;
+    WindowInput& input_;
+    Gui& gui_;
+    gl::ContextInfo info_;
+    Backend backend_;  // the chosen one
+    PanelState state_;
+    Viewport viewport_;
+    LiveSea sea_;
+    SavedSea saved_;
+    preview::ShownSea shown_;
+    CameraControl camera_;
+    Controls controls_;
+    SessionBridge bridge_;
+    StageTimer sea_timer_, draw_timer_;
+    Clock::time_point drawn_ = Clock::now();
+    int frames_to_draw_ = 3;
+    int frames_of_backend_ = 0;
+    bool began_ = false, rests_ = false;
+    std::string picture_requested_;  // ".png" or ".exr", of the next frame
+};
+
+}  // namespace ocean::app

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The picture behind the panel: the sea as the renderer draws it, or a stage of the transform.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "live_sea.hpp"
+#include "ocean/gl/context.hpp"
+#include "ocean/gl/stages.hpp"
+#include "ocean/preview/canvas.hpp"
+#include "ocean/preview/renderer.hpp"
+#include "panel/panel_state.hpp"
+#include "preview_options.hpp"
+#include "stage_picture.hpp"
+
+namespace ocean::app {
+
+class Viewport {
+  public:
+    Viewport(const PreviewOptions& options, const gl::ContextInfo& info);
+
+    preview::Renderer& renderer() { return renderer_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// Sets the size of the window's framebuffer [pixels].
+    void resize(int width, int height);
+    /// Draws the view of `state` and copies it into the window's framebuffer, which is bound then.
+    /// A stage appears with show_stage. Throws Error.
+    void draw(LiveSea& sea, const preview::ShownSea& shown, const preview::Camera& camera,
+              const PanelState& state);
+    /// Adds the drawn stage to a frame of ImGui, as a square beside the panel.
+    void show_stage(const PanelState& state) const;
+    /// Binds the window's framebuffer, all of it.
+    void bind_window() const;
+    /// Writes the shown picture to a file that is free, ending .png or .exr (a stage is a .png).
+    /// Returns its name. Throws Error.
+    std::string save(const std::string& stem, const std::string& ending,
+                     const preview::ShownSea& shown, const preview::Camera& camera,
+                     const PanelState& state);
+
+  private:
+    preview::DrawOptions draw_options(const PanelState& state) const;
+    void draw_stage(LiveSea& sea, const PanelState& state);
+
+    const PreviewOptions& options_;
+    int samples_;
+    double scale_;  // drawn pixels over those of the window, along a side
+    preview::Renderer renderer_;
+    std::unique_ptr<preview::Canvas> canvas_;
+    int canvas_width_ = 0, canvas_height_ = 0;
+    int width_ = 0, height_ = 0;
+    gl::StageMaker stages_;
+    StagePicture stage_;
+    gl::Texture stage_texture_;
+};
+
+}  // namespace ocean::app

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The frames that exist in a plan's folder, from any run: chunks of one bake share the files that
+// list its frames.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ocean/bake/format.hpp"
+#include "ocean/bake/plan.hpp"
+
+namespace ocean {
+
+/// Frame numbers, ascending.
+struct ExistingFrames {
+    std::vector<int> of_plan;
+    std::vector<int> foreign;  // of another subject or of other options
+};
+
+/// Returns the frames whose files match the plan's pattern, sorted by `matches_plan`, which gets
+/// the files of one frame. A folder that cannot be read has no frames.
+ExistingFrames find_frames(const BakePlan& plan,
+                           const std::function<bool(std::span<const BakeFile>)>& matches_plan);
+
+/// Returns the frames of both lists, ascending, without duplicates.
+std::vector<int> united(std::vector<int> frames, std::span<const int> others);
+
+/// Returns a warning of the foreign frames that `written` will not replace, or "" if none remain.
+/// `list` is the file that leaves them out.
+std::string foreign_frames_warning(const ExistingFrames& existing, std::span<const int> written,
+                                   const std::string& list);
+
+}  // namespace ocean

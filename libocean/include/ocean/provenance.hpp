@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where a baked file comes from, as the strings "ocean:..." of its header. The writers of all
+// formats and the C API share these words, so that a host's own files say the same as ours.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ocean/channel.hpp"
+#include "ocean/detail.hpp"
+#include "ocean/domain.hpp"
+#include "ocean/subject_kind.hpp"
+
+namespace ocean {
+
+/// A text of a file's header.
+struct HeaderString {
+    std::string name;
+    std::string text;
+};
+
+/// The words by which a program makes a file again. provenance_strings puts them into a header;
+/// a member that is not set is not in the header.
+struct Provenance {
+    std::string kind = {};  // of the subject, "sea": its text is the header's ocean:sea
+    std::string text = {};  // the subject's own file, resolved: it needs no other
+    std::string id = {};    // a short name of the subject on its map, for hosts; not in the header
+    std::optional<int> frame = {};
+    std::optional<double> time = {};  // [s]
+    std::optional<Domain> domain = {};
+    std::string backend = {};  // which computed it: the last bits differ
+};
+
+inline constexpr std::string_view kHeaderPrefix = "ocean:";
+/// The kinds that headers named before they had ocean:subject.
+inline constexpr std::array kFirstKinds = {kSeaKind, std::string_view("foam_texture")};
+
+/// Returns ocean:KIND, frame, time, period (of a domain that is no tile: origin, size, samples and
+/// wraps), backend and version. A kind outside kFirstKinds adds ocean:subject = KIND.
+std::vector<HeaderString> provenance_strings(const Provenance& provenance);
+/// Returns ocean:axes, field and unit of an image of these products; the words of several products
+/// are joined by commas. `axes` is the order of its vectors; an image without a vector has "zup".
+std::vector<HeaderString> product_strings(std::span<const Product* const> products,
+                                          std::string_view axes);
+/// Returns what the header of a slope tile says beside its product: the resolution of the map that
+/// the band begins at, tile and waves [m], variances. These have eight decimals, on which all
+/// machines agree.
+std::vector<HeaderString> slope_tile_strings(const DetailBand& band, double residual,
+                                             int map_resolution);
+
+}  // namespace ocean

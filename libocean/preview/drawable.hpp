@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A part of the scene that stands in front of the sky: the water, and what Renderer::add is given.
+// All drawables of a picture share its uniform block and its depth, so that they hide each other.
+#pragma once
+
+#include "ocean/gl/shader_program.hpp"
+#include "ocean/preview/renderer.hpp"
+#include "projection.hpp"
+#include "uniform_block.hpp"
+
+namespace ocean::preview {
+
+/// One picture, as a drawable sees it.
+struct PictureFrame {
+    const Camera& camera;
+    const Look& look;
+    const DrawOptions& options;
+    const Projection& projection;
+
+    /// Texture unit of the sky's map, sky_map of shaders/preview/sky.glsl. A drawable binds its own
+    /// textures to the units above.
+    static constexpr GLint kSkyUnit = 0;
+
+    /// Makes a program read the picture's values (preview/frame.glsl) and its sky.
+    static void attach(GLuint program) {
+        attach_block(program, "FrameBlock", BlockBinding::frame);
+        const GLint sky = glGetUniformLocation(program, "sky_map");
+        if (sky >= 0) glProgramUniform1i(program, sky, kSkyUnit);
+    }
+};
+
+class Drawable {
+  public:
+    Drawable() = default;
+    virtual ~Drawable() = default;
+    Drawable(const Drawable&) = delete;
+    Drawable& operator=(const Drawable&) = delete;
+
+    /// Returns the distance from the eye beyond which it draws nothing [m]. The scale of the
+    /// picture's depth follows from the farthest drawable.
+    virtual double farthest(const PictureFrame& frame) const = 0;
+
+    /// Draws into the current framebuffer with the depth of preview/on_screen.glsl. The depth test
+    /// is on, blending and culling are off; leaves them so, and no sampler bound to a unit. Throws
+    /// Error.
+    virtual void draw(const PictureFrame& frame) = 0;
+};
+
+}  // namespace ocean::preview

@@ -1,0 +1,187 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Maps of a sea at one time: written into arrays of the caller, slope tiles, spray."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from . import _library
+from ._answers import DETAIL_BAND, SPRAY_PARTICLE, Array, Detail, DetailBand, Spray
+from ._handle import SeaHandle
+from ._library import DetailRequest, Output, Request, SprayRequest, choose
+from ._surface import CHANNELS, PRODUCTS
+
+Map = tuple[Array, tuple[int, ...]]
+"""An array and the numbers of its channels."""
+
+
+def _outputs_of(maps: list[Map]) -> Any:
+    """Returns the structs by which the library writes into these arrays."""
+    outputs = (Output * len(maps))()
+    for output, (array, channels) in zip(outputs, maps, strict=True):
+        output.data = array.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
+        output.row_pitch = array.strides[0] // 4
+        output.count = (len(array) - 1) * output.row_pitch + len(array) * len(channels)
+        output.channel[: len(channels)] = channels
+        output.channels = len(channels)
+    return outputs
+
+
+def _require_layout(array: Array, names: tuple[str, ...]) -> None:
+    """Raises Error for an array that the library cannot write a map into."""
+    shape = (len(array), len(array), len(names))
+    rows = array.strides == (array.strides[0], 4 * len(names), 4)
+    whole = rows and array.strides[0] % 4 == 0 and array.strides[0] >= len(array) * shape[2]
+    usable = array.flags.writeable and array.flags.aligned
+    if usable and whole and array.dtype == np.float32 and array.shape == shape:
+        return
+    raise _library.error(
+        f"an array of {array.dtype} and shape {array.shape}; needed: float32, "
+        f"rows C-contiguous, writable, (R, R, {len(names)})",
+        _library.INVALID_ARGUMENT,
+    )
+
+
+class Maps(SeaHandle):
+    """The part of a Sea that makes maps."""
+
+    def fill(
+        self,
+        time: float,
+        buffers: Iterable[tuple[Array, Sequence[str]]],
+        axes: str = "zup",
+        *,
+        seam: bool = False,
+        cascade: int | None = None,
+    ) -> None:
+        """Writes the maps of `time` [s] into existing arrays, all together: each of shape (R, R, n)
+        with the names of its n channels, 1 to 4 of CHANNELS ("dx", "dy", "height", "foam").
+        The arrays are float32 and of one R, each row without gaps; those aligned to 64 bytes are
+        filled fastest. seam: (R + 1, R + 1, n), which repeats the first samples a period on.
+        cascade: the map of one of cascade_periods alone, over its period, of channels that add
+        up."""
+        maps = [(array, tuple(names)) for array, names in buffers]
+        for array, names in maps:
+            _require_layout(array, names)
+        if len({len(array) for array, _ in maps}) > 1:
+            raise _library.error("arrays of different R in one call", _library.INVALID_ARGUMENT)
+        if maps:
+            outputs = [
+                (array, tuple(choose("channel", name, CHANNELS) for name in names))
+                for array, names in maps
+            ]
+            turn = choose("axes", axes, _library.AXES)
+            resolution = len(maps[0][0]) - seam
+            number = 0 if cascade is None else cascade + 1
+            self._write_maps(time, resolution, turn, outputs, seam, number)
+
+    def _write_maps(
+        self,
+        time: float,
+        resolution: int,
+        axes: int,
+        maps: list[Map],
+        seam: bool = False,
+        cascade: int = 0,
+    ) -> None:
+        outputs = _outputs_of(maps)
+        for output in outputs:
+            output.seam = seam
+            output.axes = axes
+        request = Request(
+            ctypes.sizeof(Request),
+            time,
+            resolution,
+            outputs,
+            len(maps),
+            ctypes.sizeof(Output),
+            cascade,
+        )
+        self._call("ocean_evaluate", ctypes.byref(request))
+
+    def _evaluate(self, time: float, resolution: int, axes: int, names: list[str]) -> list[Array]:
+        """Returns one new array for each field, filled by the library."""
+        maps: list[Map] = []
+        for name in names:
+            channels = tuple(CHANNELS.index(channel) for channel in PRODUCTS[name].channels)
+            vector = (len(channels),) if len(channels) > 1 else ()
+            maps.append((np.empty((resolution, resolution, *vector), np.float32), channels))
+        self._write_maps(time, resolution, axes, maps)
+        return [array for array, _ in maps]
+
+    def map_resolution(self) -> int:
+        """Returns the samples per side of a map whose resolution is not given."""
+        resolution = ctypes.c_int32()
+        self._call("ocean_map_resolution", ctypes.byref(resolution))
+        return resolution.value
+
+    def cover_power(self, time: float, resolution: int | None = None) -> float:
+        """Returns the exponent that turns a map's foam into its cover, for hosts that derive one
+        from the other. Takes some tenths of a second after a change of waves or wind."""
+        power = ctypes.c_double()
+        self._call("ocean_cover_power", time, resolution or 0, ctypes.byref(power))
+        return power.value
+
+    @property
+    def cascade_periods(self) -> list[float]:
+        """The periods of the sea's cascades [m]."""
+        count = ctypes.c_size_t(0)
+        self._call("ocean_cascade_periods", None, ctypes.byref(count))
+        periods = (ctypes.c_double * count.value)()
+        self._call("ocean_cascade_periods", periods, ctypes.byref(count))
+        return list(periods)
+
+    def detail(self, time: float, resolution: int | None = None, *, samples: int = 512) -> Detail:
+        """Returns the waves too short for a map of `resolution` samples per side (default: as
+        surface), about half of the sea's slopes, as slope maps of samples x samples, 256, 512 or
+        1024. Materials read them as shaders/wave/slope_tiles.glsl does. The first call makes the
+        tiles' waves, later ones for the same map only their times."""
+        request = DetailRequest(ctypes.sizeof(DetailRequest), time, resolution or 0, samples)
+        count = ctypes.c_size_t()
+        residual = ctypes.c_double()
+        with self._lock:
+            self._call("ocean_detail", ctypes.byref(request), ctypes.byref(count), None)
+            found = np.empty(count.value, dtype=DETAIL_BAND)
+            slopes = [np.empty((samples, samples, 2), np.float32) for _ in found]
+            channels = tuple(CHANNELS.index(name) for name in PRODUCTS["slope"].channels)
+            outputs = _outputs_of([(array, channels) for array in slopes])
+            request.bands, request.band_count = found.ctypes.data, len(found)
+            request.band_size = found.itemsize
+            request.outputs, request.output_count = outputs, len(outputs)
+            request.output_size = ctypes.sizeof(Output)
+            counted = ctypes.byref(count)
+            self._call("ocean_detail", ctypes.byref(request), counted, ctypes.byref(residual))
+        bands = [
+            DetailBand(array, *(float(value) for value in band))
+            for array, band in zip(slopes, found, strict=True)
+        ]
+        return Detail(bands, residual.value)
+
+    def spray(
+        self,
+        time: float,
+        *,
+        lifetime: float = 2.0,
+        density: float = 0.25,
+        most: int = 1_000_000,
+    ) -> Spray:
+        """Returns all particles alive at `time` [s]. lifetime: the max age, 0.05 .. 10 s. density:
+        particles per m^2 that turns white, 0 .. 1000; winds below 11 m/s tear off fewer, below
+        7 m/s none. most: about the max number alive at once; a larger number is thinned evenly. The
+        first call makes a small map for every tick of the foam's clock within the lifetime, a later
+        one the new ticks only."""
+        request = SprayRequest(ctypes.sizeof(SprayRequest), time, lifetime, density, most)
+        count = ctypes.c_size_t()
+        with self._lock:
+            self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))
+            found = np.empty(count.value, dtype=SPRAY_PARTICLE)
+            request.particles = found.ctypes.data
+            request.particle_count = len(found)
+            request.particle_size = found.itemsize
+            self._call("ocean_spray", ctypes.byref(request), ctypes.byref(count))
+        return Spray(*(found[name] for name in Spray._fields))

@@ -1,0 +1,166 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""The sea at points: its surface, the water below it, floating bodies, wave gauges."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library
+from ._answers import (
+    FOLDED,
+    GAUGE_COLUMNS,
+    SAMPLE,
+    UNDECIDED,
+    WATER_SAMPLE,
+    Array,
+    FloatPose,
+    Samples,
+    Water,
+)
+from ._handle import SeaHandle
+from ._library import Gauge, GaugeRequest, QueryRequest, WaterRequest
+
+
+def _rows(rows: npt.ArrayLike, width: int) -> npt.NDArray[np.float64]:
+    """Returns (n, width) numbers; one row may be given as (width,)."""
+    array = np.ascontiguousarray(rows, dtype=np.float64)
+    if array.shape == (width,) or array.size == 0:
+        array = array.reshape(-1, width)
+    if array.ndim != 2 or array.shape[1] != width:
+        raise _library.error(
+            f"an array of shape {array.shape}; allowed: (n, {width})",
+            _library.INVALID_ARGUMENT,
+        )
+    return array
+
+
+def _track(gauge: npt.ArrayLike) -> tuple[npt.NDArray[np.float64], tuple[float, float]]:
+    """Returns the fixes of a gauge, (m, 4), and the velocity at which it leaves a single one."""
+    track = np.ascontiguousarray(gauge, dtype=np.float64)
+    velocity = (0.0, 0.0)
+    if track.shape in [(3,), (5,)]:
+        velocity = tuple(track[3:]) or velocity
+        track = np.array([[0.0, *track[:3]]])
+    if track.ndim != 2 or track.shape[1] != 4:
+        raise _library.error(
+            f"a gauge of shape {track.shape}; allowed: (3,), (5,) or (m, 4)",
+            _library.INVALID_ARGUMENT,
+        )
+    return track, velocity
+
+
+class Queries(SeaHandle):
+    """The part of a Sea that answers about points."""
+
+    def query(self, points: npt.ArrayLike, time: float, foam: bool = True) -> Array:
+        """Returns the shown surface at n world points (x, y) as (n, 10), the columns of
+        `ocean query`: x, y, height, normal x y z, velocity x y z, foam. With foam=False (n, 9),
+        without waiting for the foam's past."""
+        return self._answers("ocean_query", points, (time,), 2, 10 if foam else 9)
+
+    def samples(
+        self,
+        points: npt.ArrayLike,
+        time: float,
+        *,
+        resolution: int = 0,
+        refine: int = 1,
+        exact: bool = False,
+        foam: bool = False,
+    ) -> Samples:
+        """Returns the shown surface at n world points (x, y), with label, folds and error.
+        resolution: counts the waves that a map of that resolution holds, at a fraction of the cost.
+        refine: 2, 4 ... for smaller errors. exact: the sum over all waves, a hundred times as
+        slow."""
+        error = ctypes.c_double()
+        how = (resolution, refine, exact, foam, ctypes.pointer(error))
+        answers = self._samples(
+            "ocean_query_points", QueryRequest, SAMPLE, _rows(points, 2), time, how
+        )
+        fields = [answers[name] for name in ("height", "normal", "velocity", "foam", "label")]
+        flags = answers["flags"]
+        return Samples(*fields, flags & FOLDED != 0, flags & UNDECIDED != 0, error.value)
+
+    def orbital_velocity(self, points: npt.ArrayLike, time: float, z: float = 0.0) -> Array:
+        """Returns the velocity of the water by linear theory at fixed world points (x, y), z metres
+        above still water: (n, 3) [m/s]. Above z = 0 it is that of 0, below the bottom it is 0."""
+        return self._answers("ocean_orbital_velocity", points, (time, z), 2, 3)
+
+    def water(
+        self,
+        points: npt.ArrayLike,
+        time: float,
+        *,
+        resolution: int = 0,
+        refine: int = 1,
+        exact: bool = False,
+    ) -> Water:
+        """Returns velocity and pressure of the water at n fixed world points (x, y, z) of any
+        depths, by linear theory. Each distinct depth costs two transforms. resolution, refine and
+        exact as in samples()."""
+        how = (resolution, refine, exact)
+        answers = self._samples(
+            "ocean_water_points", WaterRequest, WATER_SAMPLE, _rows(points, 3), time, how
+        )
+        return Water(answers["velocity"], answers["pressure"])
+
+    def gauges(
+        self, gauges: Iterable[npt.ArrayLike], start: float, end: float, rate: float
+    ) -> npt.NDArray[np.float64]:
+        """Returns the readings of gauges from `start` to `end` [s], `rate` times a second: (times,
+        gauges, 10), the columns GAUGE_COLUMNS, in double precision. Each gauge is (x, y, z), or
+        (x, y, z, vx, vy) for one that moves on, with x, y and z at time 0, or (m, 4): time, x, y, z
+        of a track."""
+        tracks = [_track(gauge) for gauge in gauges]
+        array = (Gauge * len(tracks))()
+        for gauge, (track, velocity) in zip(array, tracks, strict=True):
+            gauge.fixes = track.ctypes.data
+            gauge.fix_count = len(track)
+            gauge.velocity[:] = velocity
+        request = GaugeRequest(
+            ctypes.sizeof(GaugeRequest), start, end, rate, array, len(array), ctypes.sizeof(Gauge)
+        )
+        times = ctypes.c_size_t()
+        self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
+        values = np.empty((times.value, len(array), len(GAUGE_COLUMNS)))
+        request.values = values.ctypes.data
+        request.value_count = values.size
+        self._call("ocean_gauges", ctypes.byref(request), ctypes.byref(times))
+        return values
+
+    def float_pose(self, bodies: npt.ArrayLike, time: float) -> FloatPose:
+        """Returns how floating bodies lie on the sea, each (x, y, heading, length, width) [m], the
+        heading [degrees counter-clockwise from +x], the length along it."""
+        poses = self._answers("ocean_float_pose", bodies, (time,), 5, 11)
+        return FloatPose(poses[:, 0:3], poses[:, 3:6], poses[:, 6:9], poses[:, 9], poses[:, 10])
+
+    def _samples(
+        self,
+        name: str,
+        request_type: type[ctypes.Structure],
+        sample: np.dtype[Any],
+        points: Array,
+        time: float,
+        how: tuple[Any, ...],
+    ) -> npt.NDArray[Any]:
+        """Returns a sample for each point; `how` holds the request's members after them."""
+        answers = np.empty(len(points), dtype=sample)
+        rows = (points.ctypes.data, len(points), answers.ctypes.data, sample.itemsize)
+        request = request_type(ctypes.sizeof(request_type), time, *rows, *how)
+        self._call(name, ctypes.byref(request))
+        return answers
+
+    def _answers(
+        self, name: str, rows: npt.ArrayLike, when: tuple[float, ...], width: int, columns: int
+    ) -> Array:
+        """Returns one row of floats for each row of `width` numbers."""
+        points = _rows(rows, width)
+        answers = np.empty((len(points), columns), dtype=np.float32)
+        self._call(name, *when, points.ctypes.data, len(points), answers.ctypes.data, columns)
+        return answers

@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: The libocean authors
+# SPDX-License-Identifier: Apache-2.0
+"""Surface, the maps of a sea at one time, and the table of its fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, NamedTuple
+
+from . import _library
+from ._answers import Array
+from ._library import choose
+
+if TYPE_CHECKING:
+    from ._maps import Maps
+
+CHANNELS = (
+    *("dx", "dy", "height", "nx", "ny", "nz", "slope_x", "slope_y"),
+    *("jacobian", "whitecap", "foam", "vx", "vy", "vz", "dx_x", "dy_y", "dx_y"),
+    "cover",
+)
+"""The channels, in the order of the C enum."""
+
+
+class Product(NamedTuple):
+    """A field of a Surface."""
+
+    channels: tuple[str, ...]
+    doc: str
+
+
+PRODUCTS = {
+    "height": Product(("height",), "The height of each sample's point [m], (R, R)."),
+    "displacement": Product(
+        ("dx", "dy", "height"),
+        "The offset of each sample's point [m], (R, R, 3); its z is the height.",
+    ),
+    "slope": Product(("slope_x", "slope_y"), "dh/dx and dh/dy before displacement, (R, R, 2)."),
+    "normal": Product(("nx", "ny", "nz"), "The unit normal of the displaced surface, (R, R, 3)."),
+    "jacobian": Product(
+        ("jacobian",),
+        "The area of the displaced surface over its area at rest, seen from above, (R, R).",
+    ),
+    "whitecap": Product(("whitecap",), "The foam that the sea makes now, 0 .. 1, (R, R)."),
+    "foam": Product(("foam",), "The foam that has gathered, 0 .. 1, (R, R)."),
+    "velocity": Product(("vx", "vy", "vz"), "d/dt of the displaced point [m/s], (R, R, 3)."),
+    "derivatives": Product(
+        ("dx_x", "dy_y", "dx_y"),
+        "d dx/dx, d dy/dy and d dx/dy (which is d dy/dx) of the offset, by label, (R, R, 3).",
+    ),
+    "cover": Product(
+        ("cover",),
+        "The share of the water that foam hides, 0 .. 1, (R, R); its mean is the foam seen from "
+        "afar.",
+    ),
+}
+"""The fields of a Surface by name."""
+
+
+class Surface:
+    """The maps of one sea at one time, as numpy arrays [j, i] or [j, i, component], float32. Each
+    field of PRODUCTS is a property."""
+
+    height: Array
+    displacement: Array
+    slope: Array
+    normal: Array
+    jacobian: Array
+    whitecap: Array
+    foam: Array
+    velocity: Array
+    derivatives: Array
+    cover: Array
+
+    def __init__(
+        self,
+        sea: Maps,
+        time: float,
+        resolution: int | None,
+        fields: Iterable[str] | None,
+        axes: str,
+    ) -> None:
+        self._sea = sea
+        self._changes = sea._changes
+        self._axes = choose("axes", axes, _library.AXES)
+        self._arrays: dict[str, Array] = {}
+        self.time = float(time)
+        self.resolution = self._checked_resolution(resolution)
+        names = [fields] if isinstance(fields, str) else list(fields or ())
+        if names:
+            self._compute(names)
+
+    def _checked_resolution(self, resolution: int | None) -> int:
+        if resolution is None:
+            return self._sea.map_resolution()
+        # Checked here, before an array of that size is made.
+        if resolution not in [32 << n for n in range(9)]:
+            raise _library.error(
+                f"resolution = {resolution}; allowed: a power of two, 32 .. 8192",
+                _library.INVALID_ARGUMENT,
+            )
+        return int(resolution)
+
+    def _compute(self, names: list[str]) -> None:
+        for name in names:
+            choose("field", name, tuple(PRODUCTS))
+        with self._sea._lock:
+            if self._changes != self._sea._changes:
+                raise _library.error(
+                    f"the sea was changed after this surface was made, before {names[0]} was "
+                    "looked at: name it in surface(..., fields=[...]), or make a new surface",
+                    _library.INVALID_ARGUMENT,
+                )
+            arrays = self._sea._evaluate(self.time, self.resolution, self._axes, names)
+        self._arrays.update(zip(names, arrays, strict=True))
+
+    def _field(self, name: str) -> Array:
+        if name not in self._arrays:
+            self._compute([name])
+        return self._arrays[name]
+
+
+def _property_of(name: str) -> property:
+    return property(lambda surface: surface._field(name), doc=PRODUCTS[name].doc)
+
+
+for _name in PRODUCTS:
+    setattr(Surface, _name, _property_of(_name))

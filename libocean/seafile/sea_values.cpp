@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// A sea file as names and values, and back. Hosts that keep a sea in properties of their own, as
+// Blender does, read and write it by these two and know nothing of TOML.
+#include <algorithm>
+#include <map>
+
+#include "measured_record.hpp"
+#include "ocean/error.hpp"
+#include "ocean/parameter_table.hpp"
+#include "ocean/seafile.hpp"
+#include "take.hpp"
+#include "toml_text.hpp"
+
+namespace ocean {
+namespace {
+
+/// Returns "[waves.0.measured_record]", the name of a system's record among the values.
+std::string record_name(std::size_t system) {
+    return "[waves." + std::to_string(system) + "." + std::string(kMeasuredRecord) + "]";
+}
+std::string take_name() {
+    return "[" + std::string(kTakeSection) + "]";
+}
+
+/// Returns the text cut before each line that opens a table.
+std::vector<std::string> cut_at_tables(std::string_view text) {
+    std::vector<std::string> tables(1);
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+        if (text.front() == '[') tables.emplace_back();
+        tables.back() += text.substr(0, end);
+        text.remove_prefix(end);
+    }
+    return tables;
+}
+
+[[noreturn]] void refuse(std::string_view name, std::string_view value,
+                         const std::string& allowed) {
+    throw Error(ErrorKind::invalid_value,
+                {.parameter = std::string(name), .value = std::string(value), .allowed = allowed});
+}
+
+/// The values of a text, ordered as a file has them.
+class ValueList {
+  public:
+    void add(const NamedValue& given) {
+        if (given.name == take_name()) {
+            take_ = given.value;
+        } else if (given.name.starts_with('[')) {
+            records_[system_of_record(given.name)] = given.value;
+        } else {
+            add_parameter(given);
+        }
+    }
+
+    std::string text() const {
+        std::string out = "libocean = " + std::to_string(kSeaFileVersion) + "\n";
+        for (const TableSection& section : sea_table().sections) {
+            if (section.is_list()) {
+                out += wave_systems(section.name);
+            } else if (const std::string lines = section_lines(section.name, 0); !lines.empty()) {
+                out += "\n[" + std::string(section.name) + "]\n" + lines;
+            }
+        }
+        return take_.empty() ? out : out + "\n" + std::string(take_);
+    }
+
+  private:
+    using Key = std::pair<const ParameterInfo*, std::size_t>;
+
+    std::size_t system_of_record(std::string_view name) {
+        for (std::size_t system = 0; system < kMaxWaveSystems; ++system) {
+            if (name != record_name(system)) continue;
+            systems_ = std::max(systems_, system + 1);
+            return system;
+        }
+        refuse("name", name,
+               "a parameter, " + take_name() + ", or " + record_name(0) + " .. " +
+                   record_name(kMaxWaveSystems - 1));
+    }
+
+    void add_parameter(const NamedValue& given) {
+        const ParameterRef ref = find_parameter(given.name);
+        if (ref.info->in_list()) {
+            if (ref.item >= kMaxWaveSystems) refuse_item(*ref.info, ref.item, kMaxWaveSystems);
+            systems_ = std::max(systems_, ref.item + 1);
+        }
+        if (!is_word(*ref.info) && given.value.find_first_of("\r\n") != std::string_view::npos) {
+            refuse(given.name, given.value, "one line");
+        }
+        values_[{ref.info, ref.item}] = given.value;
+    }
+
+    static bool is_word(const ParameterSpec& spec) {
+        return spec.type() == "enum" || spec.type() == "text";
+    }
+
+    std::string line(const ParameterInfo& row, std::size_t item) const {
+        const auto found = values_.find({&row, item});
+        if (found == values_.end()) return "";
+        const std::string_view value = found->second;
+        if ((value.empty() && row.type() != "text") || value == row.neutral) return "";
+        return std::string(row.key) + " = " +
+               (is_word(row) ? toml_string(value) : std::string(value)) + "\n";
+    }
+
+    std::string section_lines(std::string_view section, std::size_t item) const {
+        std::string out;
+        for (const ParameterInfo& row : parameter_table()) {
+            if (row.section == section) out += line(row, item);
+        }
+        return out;
+    }
+
+    std::string wave_systems(std::string_view section) const {
+        std::string out;
+        for (std::size_t system = 0; system < systems_; ++system) {
+            out += "\n[[" + std::string(section) + "]]\n" + section_lines(section, system);
+            const auto record = records_.find(system);
+            if (record != records_.end()) out += "\n" + std::string(record->second);
+        }
+        return out;
+    }
+
+    std::map<Key, std::string_view> values_;
+    std::map<std::size_t, std::string_view> records_;
+    std::string_view take_;
+    std::size_t systems_ = 0;
+};
+
+}  // namespace
+
+std::vector<NamedText> sea_values(const Sea& sea) {
+    std::vector<NamedText> values;
+    const Parameters& parameters = sea.parameters;
+    for (const TableSection& section : sea_table().sections) {
+        const std::size_t items = section.is_list() ? parameters.waves.size() : 1;
+        for (std::size_t item = 0; item < items; ++item) {
+            for (const ParameterInfo& row : parameter_table()) {
+                if (row.section != section.name) continue;
+                values.push_back({row.path(item), to_text(value_of(parameters, {&row, item}))});
+            }
+        }
+    }
+    std::size_t systems = 0;
+    for (const std::string& table : cut_at_tables(write_sea(sea))) {
+        if (table.starts_with("[[waves]]")) ++systems;
+        if (table.starts_with("[waves." + std::string(kMeasuredRecord) + "]")) {
+            values.push_back({record_name(systems - 1), table});
+        }
+        if (table.starts_with(take_name())) values.push_back({take_name(), table});
+    }
+    return values;
+}
+
+std::string text_of_values(std::span<const NamedValue> values) {
+    ValueList list;
+    for (const NamedValue& value : values) list.add(value);
+    return list.text();
+}
+
+}  // namespace ocean

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The libocean authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sum over all maps at a label: cascades, near detail and foam.
+#include "preview/water_state.glsl"
+#if DETAIL > 0
+#include "preview/near_detail.glsl"
+#endif
+
+// Adds the cascades from `first` up to `end`, whose maps lie in one array each. resolved: mean
+// square slope of the maps, to which theirs is added.
+void add_maps(inout Water water, inout float resolved, sampler2DArray displacements,
+              sampler2DArray gradient_array, sampler2DArray moment_array, int first, int end,
+              Copies copies, vec2 at, Footprint footprint) {
+    for (int c = first; c < end; ++c) {
+        float scale = cascade[c].z;
+        float layer = part[c].z;
+        vec4 all = part[c].x * part[c].x * textureLod(moment_array, vec3(0.5, 0.5, layer), 99.0);
+        resolved += all.x + all.y;
+        if (length(footprint.longer) * scale >= 1.0) {  // the footprint is larger than the period
+            water.variance += all.xyz;
+            water.squeezing += all.w;
+            continue;
+        }
+        for (int i = 0; i < copies.count; ++i) {
+            float weight = part[c].x * copies.weight[i];
+            vec2 place = map_place(c, at, copies.offset[i]);
+            float texels = 1.0 / cascade[c].w;
+            vec4 gradients = filtered(gradient_array, layer, place, footprint, scale, texels);
+            vec4 moments = filtered(moment_array, layer, place, footprint, scale, texels);
+            water.displacement +=
+                weight * filtered(displacements, layer, place, footprint, scale, texels);
+            water.gradients += weight * gradients;
+            vec3 squares = vec3(gradients.x * gradients.x, gradients.y * gradients.y,
+                                gradients.x * gradients.y);
+            float squeezed = gradients.z + gradients.w;
+            // Copies are independent: variances add by the squares of their weights.
+            water.variance += weight * weight * (moments.xyz - squares);
+            water.squeezing += weight * weight * (moments.w - squeezed * squeezed);
+        }
+    }
+}
+
+Water water_at(vec2 at) {
+    Footprint footprint = footprint_of(at);
+    Water water;
+    water.displacement = water.gradients = vec4(0.0);
+    water.detail = vec2(0.0);
+    water.variance = vec3(0.0);
+    water.squeezing = 0.0;
+    Copies copies = copies_at(at);
+    float resolved = 0.0;  // mean square slope of the maps
+    add_maps(water, resolved, displacement_maps[0], gradient_maps[0], moment_maps[0], 0, SPLIT,
+             copies, at, footprint);
+#if MAPS > 1
+    add_maps(water, resolved, displacement_maps[1], gradient_maps[1], moment_maps[1], SPLIT,
+             CASCADES, copies, at, footprint);
+#endif
+    water.variance = max(water.variance, vec3(0.0, 0.0, water.variance.z));
+    water.footprint = seen_footprint(water);
+    float lacking = max(0.0, waves.z - resolved);  // of waves that no map has
+#if DETAIL > 0
+    lacking -= add_detail(water, at, lacking);
+#endif
+    water.variance.xy += 0.5 * lacking;
+    for (int v = 0; v < COVERS; ++v) {
+        float squares = 0.0;
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < copies.count; ++i) {
+            vec2 place = cover[v].xy + at * cover[v].z + copies.offset[i] + 0.5 * cover[v].w;
+            float share = copies.weight[i] * copies.weight[i];
+            float texels = cover[v].z / cover[v].w;  // a metre
+            sum += share * filtered(cover_map[v], place, footprint, cover[v].z, texels).rgb;
+            squares += share;
+        }
+        water.foam[v] = sum / squares;
+    }
+    return water;
+}
