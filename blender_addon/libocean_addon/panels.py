@@ -49,6 +49,7 @@ _ONLY_IF = {
     "cascade_divisors": lambda settings: settings.cascades > 1,
     **dict.fromkeys(FOAM, lambda settings: settings.use_foam),
     "foam_step": lambda settings: settings.use_foam,
+    "foam_resolution": lambda settings: settings.use_foam,
     "fps": lambda settings: not settings.use_scene_frame_rate,
     "glide": lambda settings: bool(settings.take or settings.take_lines),
 }
@@ -76,7 +77,7 @@ def _draw_parameter(layout, group, entry) -> None:
         _draw_divisors(layout, group, label)
         return
     if not sea_text.is_optional(entry):
-        key = resolutions.listed(key) if key == "resolution" else key
+        key = resolutions.listed(key) if key in resolutions.PARAMETERS else key
         layout.prop(group, key, text=label, text_ctxt=translations.SEA)
         return
     row = layout.row(heading=label, heading_ctxt=translations.SEA)

@@ -32,6 +32,8 @@ GERMAN = {
         "Longest wavelength": "Längste Wellenlänge",
         "Foam lifetime": "Schaumdauer",
         "Foam step": "Schaumschritt",
+        "Foam resolution": "Schaumauflösung",
+        "Grid's own": "Wie das Gitter",
         "Foam coverage": "Bedeckung",
         "Foam threshold": "Schwelle",
         "Foam width": "Schaumbreite",

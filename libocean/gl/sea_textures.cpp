@@ -100,13 +100,15 @@ struct SeaTextures::Impl {
     std::vector<CascadeFrame> frames;  // a layer of the arrays each
     std::vector<CascadeTextures> cascades;
 
-    int foam_resolution = 0;
+    int foam_map = 0;  // the resolution of the map whose foam is followed
+    FoamLattice lattice{};
     std::optional<MapFrame> foam_frame;
     std::optional<Follower> follower;
     FoamClock clock;
     FoamTexture foam;
     SurfaceSettings given;
-    SurfaceSettings shown;
+    SurfaceSettings shown;  // with the threshold of the map's whitecaps
+    SurfaceSettings past;   // with that of the lattice's
     Revision shown_revision;
     int shown_for = 0;
 
@@ -138,11 +140,12 @@ struct SeaTextures::Impl {
     /// has changed.
     SurfaceSettings shown_settings(const Ocean& sea, const Modes& modes, double time) {
         const SurfaceSettings settings = sea.sea().at(time).surface;
-        if (modes.revision != shown_revision || settings != given || foam_resolution != shown_for) {
-            shown = with_threshold(settings, modes, foam_resolution);
+        if (modes.revision != shown_revision || settings != given || foam_map != shown_for) {
+            shown = with_threshold(settings, modes, foam_map);
+            past = with_threshold(settings, modes, lattice.held_by);
             given = settings;
             shown_revision = modes.revision;
-            shown_for = foam_resolution;
+            shown_for = foam_map;
         }
         return shown;
     }
@@ -150,9 +153,10 @@ struct SeaTextures::Impl {
     /// Makes the foam of a tick from that of the tick before.
     void make_tick(Ocean& sea, double time, const Follower::Layer& before, Texture& tick) {
         const Modes& modes = sea.modes(time);
-        if (!tick) tick = make_texture(GL_R32F, foam_resolution, Mipmaps::no, Filter::linear);
-        MapRequest request{
-            map_modes(modes, time, foam_resolution), shown_settings(sea, modes, time), {}, {}};
+        if (!tick) tick = make_texture(GL_R32F, lattice.resolution, Mipmaps::no, Filter::linear);
+        shown_settings(sea, modes, time);
+        MapRequest request{map_modes(modes, time, lattice.resolution), past, {}, {}};
+        request.modes.held_by = lattice.held_by;
         request.foam = {nullptr, before.fade, before.cutoff};
         foam_frame->exchange_map(0, GL_R32F, tick);
         foam_frame->make(request, {Channel::foam}, before.map, pool);
@@ -161,16 +165,16 @@ struct SeaTextures::Impl {
 
     void make_foam(Ocean& sea, double time) {
         const Parameters& parameters = sea.parameters();
-        const int resolution = options.foam_resolution > 0
-                                   ? options.foam_resolution
-                                   : default_map_resolution(parameters.grid);
+        foam_map = options.foam_resolution > 0 ? options.foam_resolution
+                                               : default_map_resolution(parameters.grid);
+        const FoamLattice now_on = foam_lattice(parameters, foam_map);
         const FoamClock now = foam_clock(parameters.surface, parameters.time.loop_period);
-        if (!follower || !(now == clock) || resolution != foam_resolution) {
+        if (!follower || !(now == clock) || now_on != lattice) {
             follower.emplace(now, options.foam_start);
             clock = now;
         }
-        if (!foam_frame || resolution != foam_resolution) foam_frame.emplace(resolution, limits);
-        foam_resolution = resolution;
+        if (!foam_frame || now_on != lattice) foam_frame.emplace(now_on.resolution, limits);
+        lattice = now_on;
         const Follower::Source source{[&](double t) { return sea.sea().foam_lifetime(t); },
                                       [&](double t, const Follower::Layer& before, Texture& tick) {
                                           make_tick(sea, t, before, tick);
@@ -180,7 +184,8 @@ struct SeaTextures::Impl {
         const Modes& modes = sea.modes(time);
         const SurfaceSettings settings = shown_settings(sea, modes, time);
         foam = {layer.map->name(),
-                resolution,
+                lattice.resolution,
+                foam_map,
                 parameters.grid.patch_size,
                 layer.fade,
                 static_cast<float>(settings.foam_threshold),

@@ -146,13 +146,18 @@ class SeaMaps::Impl {
         const gl::FoamTexture& foam = computed_->foam();
         shown_.foam_threshold = static_cast<double>(foam.threshold);
         shown_.foam_width = static_cast<double>(foam.width);
-        make_cover(sea, time, foam.texture, foam.resolution, foam.fade);
+        make_cover(foam.texture, foam.resolution, foam.fade,
+                   power_of(sea, time, foam.map_resolution));
     }
 
-    /// Makes the map of cover from a map of foam.
-    void make_cover(Ocean& sea, double time, GLuint foam, int resolution, float fade) {
-        const double power = options_.live ? cover_power_.of(sea, time, resolution)
-                                           : sea.cover_power(time, resolution);
+    /// Returns the power of the foam of a map that is its cover.
+    double power_of(Ocean& sea, double time, int map_resolution) {
+        return options_.live ? cover_power_.of(sea, time, map_resolution)
+                             : sea.cover_power(time, map_resolution);
+    }
+
+    /// Makes the map of cover, foam^power, from a map of foam.
+    void make_cover(GLuint foam, int resolution, float fade, double power) {
         if (!cover_ || resolution != cover_resolution_) {
             cover_ = gl::make_texture(GL_RGBA16F, resolution, gl::Mipmaps::yes);
             cover_resolution_ = resolution;
@@ -228,7 +233,7 @@ class SeaMaps::Impl {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, foam_resolution, foam_resolution, GL_RED, GL_FLOAT,
                         foam_image_.data());
         done("foam");
-        make_cover(sea, time, foam_.name(), foam_resolution, 1.0f);
+        make_cover(foam_.name(), foam_resolution, 1.0f, power_of(sea, time, foam_resolution));
     }
 
     void show_cascades(const Modes& modes, const gl::CascadeArrays& maps, double sea_period) {

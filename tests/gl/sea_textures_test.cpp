@@ -160,16 +160,20 @@ TEST_F(SeaTextures, MipmapsAreMeansAndMomentsGiveTheVarianceInATexel) {
     EXPECT_NEAR(last.texels[1], test::variance(map.channel(Channel::slope_y)), 1e-5);
 }
 
-/// The foam that a renderer shows at its texels.
+/// Expects the foam that a renderer shows at the texels of the foam lattice to be that of the map.
 void expect_foam(const gl::FoamTexture& foam, Ocean& cpu, double time) {
     const Surface expected = cpu.evaluate(time, {Channel::foam, Channel::jacobian});
     const Image left = read(foam.texture, 0, GL_RED);
-    ASSERT_EQ(left.size, 128);
-    for (std::size_t i = 0; i < left.texels.size(); ++i) {
+    ASSERT_EQ(left.size, foam.resolution);
+    ASSERT_EQ(expected.resolution(), foam.map_resolution);
+    const auto n = static_cast<std::size_t>(left.size);
+    const std::size_t stride = static_cast<std::size_t>(expected.resolution()) / n;
+    for (std::size_t i = 0; i < n * n; ++i) {
+        const std::size_t label = i / n * stride * stride * n + i % n * stride;
         const float whitecap = std::clamp(
-            (foam.threshold - expected.channel(Channel::jacobian)[i]) / foam.width, 0.0f, 1.0f);
+            (foam.threshold - expected.channel(Channel::jacobian)[label]) / foam.width, 0.0f, 1.0f);
         ASSERT_NEAR(std::max(whitecap, foam.fade * left.texels[i]),
-                    expected.channel(Channel::foam)[i], 2.0 / 512.0);
+                    expected.channel(Channel::foam)[label], 2.0 / 512.0);
     }
 }
 
@@ -179,6 +183,21 @@ TEST_F(SeaTextures, FoamIsThatOfTheCpuOnTheGpu) {
     gl::SeaTextures textures({.foam_start = FoamStart::settled});
     for (const double time : {1.0, 1.02, 2.0, 11.0, 11.26}) {
         textures.show(sea, time);
+        expect_foam(textures.foam(), cpu, time);
+    }
+}
+
+TEST_F(SeaTextures, FoamOfSeveralCascadesHasThePastOfItsLattice) {
+    Parameters parameters = foaming_sea();
+    parameters.grid.resolution = 64;
+    parameters.grid.cascades = 2;
+    Ocean cpu(parameters);
+    Ocean sea(parameters);
+    gl::SeaTextures textures({.foam_start = FoamStart::settled});
+    for (const double time : {1.0, 1.26}) {
+        textures.show(sea, time);
+        EXPECT_EQ(textures.foam().resolution, 64);
+        EXPECT_EQ(textures.foam().map_resolution, 256);
         expect_foam(textures.foam(), cpu, time);
     }
 }

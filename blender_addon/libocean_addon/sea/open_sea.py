@@ -138,7 +138,7 @@ class OpenSea:
     def _costs(self, channel: str) -> tuple:
         """Returns the settings that decide the cost of a sample."""
         values = self.values.values
-        return (channel, values["foam_lifetime"], values["foam_step"])
+        return (channel, *(values[f"foam_{key}"] for key in ("lifetime", "step", "resolution")))
 
     def show(self, at: float, size: int, targets: dict[str, bpy.types.Image], channel: str) -> None:
         """Fills these images, by the inputs of the node group, with the maps of a time [s].

@@ -104,9 +104,13 @@ def _properties_of(entry: dict[str, Any]) -> dict[str, Any]:
         return {key: bpy.props.IntVectorProperty(**common, size=DIVISORS, min=0)}
     common.update(_number_limits(entry))
     if kind == "int":
-        if key == "resolution":
+        if key in resolutions.PARAMETERS:
             return resolutions.properties(
-                key, entry["label"], common["description"], entry["default"]
+                key,
+                entry["label"],
+                common["description"],
+                entry["default"],
+                none=resolutions.PARAMETERS[key],
             )
         return {key: bpy.props.IntProperty(**common, default=entry["default"])}
     common["unit"] = _UNITS.get(entry["unit"], "NONE")

@@ -16,6 +16,8 @@ from ..shared import changes, compat
 from .parameter_values import TABLE
 
 _ENTRY = next(entry for entry in TABLE if entry["key"] == "resolution")
+# The parameters that are resolutions, with what their lists call 0.
+PARAMETERS = {"resolution": "", "foam_resolution": "Grid's own"}
 SIZES = [1 << k for k in range(20) if _ENTRY["min"] <= 1 << k <= _ENTRY["max"]]
 
 

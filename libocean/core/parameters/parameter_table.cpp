@@ -67,7 +67,8 @@ constexpr ParameterInfo kTable[] = {
      member<&Parameters::grid, &Grid::patch_size>(), 1.0, 100000.0, 10.0, 5000.0, kRebuild,
      Stage::spectrum},
     {kGrid, "cascades", "", "Cascades",
-     "Number of wavelength bands, each with a grid of its own: adds short waves to a large patch.",
+     "Number of wavelength bands, each with a grid of its own: adds short waves to a large patch. "
+     "With more than one, maps have four times the grid's samples along each side: 2048 for 512.",
      member<&Parameters::grid, &Grid::cascades>(), 1, 5, 1, 5, kRebuild, Stage::modes},
     {kGrid, "cascade_divisors", "", "Cascade divisors",
      "Whole numbers by which the patch size is divided, one for each cascade, ascending from 1; "
@@ -100,8 +101,9 @@ constexpr ParameterInfo kTable[] = {
      "foam_resolution",
      "samples",
      "Foam resolution",
-     "Samples along each side of the lattice on which foam keeps its past; a power of two. Finer "
-     "maps lay their own whitecaps over it. 0 is the grid's resolution.",
+     "Samples along each side of the lattice that keeps the foam's past; a power of two. Finer "
+     "maps "
+     "lay their own whitecaps over it; 0 means the grid's resolution.",
      member<&Parameters::surface, &SurfaceSettings::foam_resolution>(),
      0,
      kMaxResolution,

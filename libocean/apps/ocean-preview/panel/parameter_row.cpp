@@ -107,11 +107,12 @@ class Row {
     void whole_number(std::int64_t value) {
         if (spec_.rule == NumberRule::power_of_two) {
             if (ImGui::BeginCombo(label_.c_str(), std::to_string(value).c_str())) {
-                for (std::int64_t n = 32; n <= 4096; n *= 2) {
-                    if (ImGui::Selectable(std::to_string(n).c_str(), n == value)) {
-                        set(std::to_string(n));
-                    }
-                }
+                const auto offer = [&](std::int64_t n) {
+                    const std::string text = std::to_string(n);
+                    if (ImGui::Selectable(text.c_str(), n == value)) set(text);
+                };
+                if (spec_.min_nonzero > 0.0) offer(0);
+                for (std::int64_t n = 32; n <= 4096; n *= 2) offer(n);
                 ImGui::EndCombo();
             }
         } else {

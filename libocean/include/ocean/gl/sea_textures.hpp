@@ -49,11 +49,12 @@ struct CascadeTextures {
 /// interpolated Jacobian must be computed after the interpolation, since clamping and interpolation
 /// do not commute.
 struct FoamTexture {
-    unsigned texture = 0;  // one float per texel, of the whole patch; 0 = no foam yet
-    int resolution = 0;
-    double period = 0.0;  // [m]
+    unsigned texture = 0;    // one float per texel, of the whole patch; 0 = no foam yet
+    int resolution = 0;      // of the texture, which is that of the foam lattice
+    int map_resolution = 0;  // of the map whose foam this is
+    double period = 0.0;     // [m]
     float fade = 0.0f;
-    float threshold = 0.0f;  // of the whitecaps
+    float threshold = 0.0f;  // of the map's whitecaps
     float width = 0.0f;
 };
 
@@ -63,7 +64,7 @@ using AfterStage = std::function<void(std::string_view stage)>;
 struct SeaTextureOptions {
     /// Samples of a cascade's map along a side; 0 = those of its lattice.
     int cascade_resolution = 0;
-    /// Samples of the foam along a side; 0 = those of the sea's default map.
+    /// Samples along a side of the map whose foam is followed; 0 = those of the sea's default map.
     int foam_resolution = 0;
     FoamStart foam_start = FoamStart::empty;
     /// Called during a pre-roll of the foam; may throw to stop it.
