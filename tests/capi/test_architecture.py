@@ -115,6 +115,7 @@ LIBRARIES = {
             "endpoint.cpp": (*SYSTEM, "arpa/", "ifaddrs.h", "net/", "netinet/"),
             "firmata_source.cpp": ("poll.h",),
             "k8055_usb.hpp": ("libusb.h",),
+            "usb_bus.hpp": ("libusb.h",),
             "line_client.cpp": ("asio",),
             "line_server.cpp": ("asio",),
             "osc_message.cpp": ("lo/",),
@@ -191,9 +192,9 @@ def foreign_headers(library: str, file_name: str) -> tuple[str, ...]:
 
 
 def is_beside(library: str, file_name: str, header: str) -> bool:
-    """A header of the library itself, in a folder where the compiler finds it."""
+    """Returns whether it is a header of the library, beside the file or in a folder above it."""
     folder = ROOT / library
-    folders = [folder, (folder / file_name).parent]
+    folders = [folder / parent for parent in Path(file_name).parents]
     folders += [folder / shared for shared in LIBRARIES[library].shared]
     return ".." not in header and any((f / header).exists() for f in folders)
 
