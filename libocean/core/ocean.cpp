@@ -221,7 +221,7 @@ void Ocean::evaluate_into(double time, std::span<const MapOutput> outputs, int r
         foam = foam_layer(time, lattice);
         go_to(time);  // foam has been in the past
         if (lattice.resolution < resolution) {
-            foam = spread_layer(foam, lattice.resolution, resolution);
+            foam = spread_layer(time, foam, lattice, resolution);
         }
     }
     write_maps(time, outputs, resolution, foam);
@@ -344,16 +344,16 @@ FoamLayer Ocean::foam_layer(double time, const FoamLattice& lattice) {
         Lattice{lattice.resolution, 1.0}.size(), options_.foam_start);
     const FoamSource source{[this](double t) { return sea_.foam_lifetime(t); },
                             [&](double t, const FoamLayer& before, std::span<float> foam) {
-                                make_foam_tick(t, lattice, before, foam);
+                                go_to(t);
+                                ++runs_.foam_ticks;
+                                write_lattice_foam(t, lattice, before, foam);
                             },
                             options_.foam_progress};
     return place->second.layer(time, source);
 }
 
-void Ocean::make_foam_tick(double time, const FoamLattice& lattice, const FoamLayer& before,
-                           std::span<float> foam) {
-    go_to(time);
-    ++runs_.foam_ticks;
+void Ocean::write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
+                               std::span<float> foam) {
     const MapOutput output{foam.data(), 1, {{{Channel::foam, 1.0f}}}};
     if (lattice.held_by == lattice.resolution) {
         write_maps(time, {&output, 1}, lattice.resolution, before);
@@ -367,14 +367,16 @@ void Ocean::make_foam_tick(double time, const FoamLattice& lattice, const FoamLa
     if (foam_maps_->write({modes, settings, {&output, 1}, before}, pool_)) ++runs_.packing;
 }
 
-FoamLayer Ocean::spread_layer(const FoamLayer& layer, int lattice, int resolution) {
+FoamLayer Ocean::spread_layer(double time, const FoamLayer& layer, const FoamLattice& lattice,
+                              int resolution) {
     if (layer.map == nullptr || layer.fade == 0.0f) return {};
+    // The lattice's own whitecaps of this moment belong to it: between ticks foam goes on growing.
+    lattice_foam_.resize(Lattice{lattice.resolution, 1.0}.size());
+    write_lattice_foam(time, lattice, layer, lattice_foam_);
     const double power = chain_->shown_cover_power(resolution, pool_, runs_);
     spread_foam_.resize(Lattice{resolution, 1.0}.size());
-    ocean::spread_foam({layer.map, Lattice{lattice, 1.0}.size()}, power, spread_foam_, pool_);
-    FoamLayer spread = layer;
-    spread.map = spread_foam_.data();
-    return spread;
+    spread_foam(lattice_foam_, power, spread_foam_, pool_);
+    return {.map = spread_foam_.data(), .fade = 1.0f};
 }
 
 SprayFollower& Ocean::spray_at(double time, const SpraySettings& settings) {

@@ -105,6 +105,7 @@ struct SeaTextures::Impl {
     std::optional<MapFrame> foam_frame;
     std::optional<Follower> follower;
     FoamClock clock;
+    Texture foam_now;  // of a lattice whose whitecaps are not the map's, at the time shown
     FoamTexture foam;
     SurfaceSettings given;
     SurfaceSettings shown;  // with the threshold of the map's whitecaps
@@ -173,7 +174,10 @@ struct SeaTextures::Impl {
             follower.emplace(now, options.foam_start);
             clock = now;
         }
-        if (!foam_frame || now_on != lattice) foam_frame.emplace(now_on.resolution, limits);
+        if (!foam_frame || now_on != lattice) {
+            foam_frame.emplace(now_on.resolution, limits);
+            foam_now = {};
+        }
         lattice = now_on;
         const Follower::Source source{[&](double t) { return sea.sea().foam_lifetime(t); },
                                       [&](double t, const Follower::Layer& before, Texture& tick) {
@@ -183,11 +187,13 @@ struct SeaTextures::Impl {
         const Follower::Layer layer = follower->layer(time, source);
         const Modes& modes = sea.modes(time);
         const SurfaceSettings settings = shown_settings(sea, modes, time);
-        foam = {layer.map->name(),
+        const bool has_own_whitecaps = lattice.held_by < lattice.resolution;
+        if (has_own_whitecaps) make_tick(sea, time, layer, foam_now);
+        foam = {has_own_whitecaps ? foam_now.name() : layer.map->name(),
                 lattice.resolution,
                 foam_map,
                 parameters.grid.patch_size,
-                layer.fade,
+                has_own_whitecaps ? 1.0f : layer.fade,
                 static_cast<float>(settings.foam_threshold),
                 static_cast<float>(settings.foam_width)};
     }

@@ -32,8 +32,8 @@ ParameterValue other_value(const ParameterInfo& info, const ParameterValue& usua
         return usual == ParameterValue(last) ? std::string(info.choices().front()) : last;
     }
     if (info.type() == "text") return std::string("a \"b\"\\ \xC3\xA9 #'.x");
-    if (info.key == "resolution") return std::int64_t{128};
-    if (info.key == "alignment") return std::int64_t{14};
+    if (info.rule == NumberRule::power_of_two) return std::int64_t{128};
+    if (info.rule == NumberRule::even) return std::int64_t{14};
     if (info.type() == "int") return static_cast<std::int64_t>(info.max) - 1;
     return info.min + (std::min(info.max, 1e5) - info.min) / 3.0;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -59,7 +60,12 @@ class RandomParameters {
         }
         if (info.type() == "int") {
             auto whole = static_cast<std::int64_t>(value);
-            if (info.key == "alignment") whole = whole / 2 * 2;
+            if (info.rule == NumberRule::even) whole = whole / 2 * 2;
+            if (info.rule == NumberRule::power_of_two) {
+                whole =
+                    static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(whole)));
+                if (whole < static_cast<std::int64_t>(info.min_nonzero)) whole = 0;
+            }
             return whole;
         }
         return value;

@@ -175,11 +175,13 @@ class Ocean {
     void write_maps(double time, std::span<const MapOutput> outputs, int resolution,
                     const FoamLayer& foam);
     FoamLayer foam_layer(double time, const FoamLattice& lattice);
-    void make_foam_tick(double time, const FoamLattice& lattice, const FoamLayer& before,
-                        std::span<float> foam);
-    /// Returns the layer of a foam lattice on a finer map of the current sea. Valid until the next
-    /// call.
-    FoamLayer spread_layer(const FoamLayer& layer, int lattice, int resolution);
+    /// Writes the foam of a lattice at the chain's time: its own whitecaps over `before`.
+    void write_lattice_foam(double time, const FoamLattice& lattice, const FoamLayer& before,
+                            std::span<float> foam);
+    /// Returns the foam of a lattice at the chain's time as a layer of a finer map. Valid until the
+    /// next call.
+    FoamLayer spread_layer(double time, const FoamLayer& layer, const FoamLattice& lattice,
+                           int resolution);
     bool has_foam(ChannelSet channels) const;
     int map_resolution(int requested) const;
     /// Throws Error out_of_memory if `maps` more maps, beside what the channels need, do not fit.
@@ -203,7 +205,8 @@ class Ocean {
     std::unique_ptr<MapWriter> foam_maps_;  // for lattices of fewer waves than their samples hold
     std::map<int, ChannelSet> made_;  // by resolution: channels that the backend has arrays for
     std::map<FoamLattice, FoamState> foam_;  // each lattice that a map has needed
-    PageVector<float> spread_foam_;          // the last map that is finer than its foam lattice
+    PageVector<float> lattice_foam_;         // at the time of the last map that is finer
+    PageVector<float> spread_foam_;          // the same on that map
     std::map<DetailSettings, std::unique_ptr<DetailMaps>> detail_;
     std::unique_ptr<SprayFollower> spray_;  // for the settings of the last call
     std::unique_ptr<Performer> performer_;
