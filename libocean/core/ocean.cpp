@@ -134,7 +134,7 @@ SeaState Ocean::state() {
 }
 
 FrameCost Ocean::measure_frame_cost() {
-    constexpr int kLargest = 512;
+    constexpr int kLargest = 1024;
     const double start = sea_.parameters.time.start;
     const auto seconds_of = [](const auto& work) {
         const auto begin = std::chrono::steady_clock::now();
@@ -148,7 +148,8 @@ FrameCost Ocean::measure_frame_cost() {
         const double scale = std::pow(static_cast<double>(resolution) / measured, 2.0) *
                              std::log(static_cast<double>(resolution)) /
                              std::log(static_cast<double>(measured));
-        return scale * seconds_of([&] { evaluate(start, channels, measured); });
+        const auto once = [&] { return seconds_of([&] { evaluate(start, channels, measured); }); };
+        return scale * std::min({once(), once(), once()});
     };
     const int map = default_map_resolution(sea_.parameters.grid);
     const int lattice = foam_lattice(sea_.parameters, map).resolution;

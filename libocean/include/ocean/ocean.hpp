@@ -144,7 +144,7 @@ class Ocean {
     /// the map that needs the longest.
     std::int64_t foam_settling_ticks() const;
 
-    /// Measures on a map of at most 512 samples along a side and scales to the default map. Blocks
+    /// Measures on a map of at most 1024 samples along a side and scales to the default map. Blocks
     /// for a moment.
     FrameCost measure_frame_cost();
 
