@@ -33,7 +33,7 @@ GERMAN = {
         "Foam lifetime": "Schaumdauer",
         "Foam step": "Schaumschritt",
         "Foam resolution": "Schaumauflösung",
-        "Grid's own": "Wie das Gitter",
+        "Map's own": "Wie die Karte",
         "Foam coverage": "Bedeckung",
         "Foam threshold": "Schwelle",
         "Foam width": "Schaumbreite",

@@ -187,10 +187,11 @@ TEST_F(SeaTextures, FoamIsThatOfTheCpuOnTheGpu) {
     }
 }
 
-TEST_F(SeaTextures, FoamOfSeveralCascadesHasThePastOfItsLattice) {
+TEST_F(SeaTextures, FoamHasThePastOfACoarserLattice) {
     Parameters parameters = foaming_sea();
     parameters.grid.resolution = 64;
     parameters.grid.cascades = 2;
+    parameters.surface.foam_resolution = 64;
     Ocean cpu(parameters);
     Ocean sea(parameters);
     gl::SeaTextures textures({.foam_start = FoamStart::settled});

@@ -17,19 +17,19 @@ namespace {
 Parameters two_cascades(int resolution, double patch, double wind) {
     Parameters parameters = test::wind_sea(resolution, patch);
     parameters.grid.cascades = 2;
+    parameters.surface.foam_resolution = resolution;
     parameters.waves.front().wind_speed = wind;
     parameters.waves.front().fetch = 30000.0;
     return parameters;
 }
 
-TEST(FoamLattice, IsTheGridsUnlessItIsSetAndNeverFinerThanTheMap) {
+TEST(FoamLattice, IsTheMapsUnlessACoarserOneIsSet) {
     Parameters parameters = two_cascades(64, 100.0, 14.0);
     EXPECT_EQ(foam_lattice(parameters, 256), (FoamLattice{64, 32}));
     EXPECT_EQ(foam_lattice(parameters, 64), (FoamLattice{64, 64}));
     EXPECT_EQ(foam_lattice(parameters, 32), (FoamLattice{32, 32}));
-    parameters.surface.foam_resolution = 128;
-    EXPECT_EQ(foam_lattice(parameters, 256), (FoamLattice{128, 64}));
-    EXPECT_EQ(foam_lattice(parameters, 64), (FoamLattice{64, 64}));
+    parameters.surface.foam_resolution = 0;
+    EXPECT_EQ(foam_lattice(parameters, 256), (FoamLattice{256, 256}));
 }
 
 TEST(FoamLattice, SpreadingKeepsItsSamplesAndItsCover) {
@@ -99,7 +99,7 @@ TEST(FoamLattice, APastOfAllWavesOfTheMapHasThePowerOfTheMap) {
         return Ocean(calm, {.threads = 2}).cover_power(0.0, 256);
     }();
     parameters.surface.shortest_wavelength = 4.2 * 100.0 / 64.0;
-    parameters.surface.foam_resolution = 256;
+    parameters.surface.foam_resolution = 0;
     EXPECT_NEAR(layered, Ocean(parameters, {.threads = 2}).cover_power(0.0, 256), 0.01 * layered);
 }
 

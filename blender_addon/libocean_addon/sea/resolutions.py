@@ -17,7 +17,7 @@ from .parameter_values import TABLE
 
 _ENTRY = next(entry for entry in TABLE if entry["key"] == "resolution")
 # The parameters that are resolutions, with what their lists call 0.
-PARAMETERS = {"resolution": "", "foam_resolution": "Grid's own"}
+PARAMETERS = {"resolution": "", "foam_resolution": "Map's own"}
 SIZES = [1 << k for k in range(20) if _ENTRY["min"] <= 1 << k <= _ENTRY["max"]]
 
 

@@ -16,9 +16,8 @@
 namespace ocean {
 
 FoamLattice foam_lattice(const Parameters& parameters, int map_resolution) {
-    const int own = parameters.surface.foam_resolution > 0 ? parameters.surface.foam_resolution
-                                                           : parameters.grid.resolution;
-    if (own >= map_resolution) return {map_resolution, map_resolution};
+    const int own = parameters.surface.foam_resolution;
+    if (own == 0 || own >= map_resolution) return {map_resolution, map_resolution};
     return {own, own / 2};
 }
 

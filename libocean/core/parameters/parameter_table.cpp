@@ -39,6 +39,8 @@ constexpr OptionalColumns rule(NumberRule rule) {
 constexpr OptionalColumns max_length(std::size_t numbers) {
     return {.max_length = numbers};
 }
+constexpr OptionalColumns kCoarserLattice{
+    .min_nonzero = kMinResolution, .rule = NumberRule::power_of_two, .neutral = "0"};
 
 // The soft range of a live parameter begins where a glide over a tenth of the range still moves the
 // sea by less than 2 % of its height in a frame, see
@@ -97,21 +99,11 @@ constexpr ParameterInfo kTable[] = {
      "Time step of the foam, independent of the frame rate.",
      member<&Parameters::surface, &SurfaceSettings::foam_step>(), 0.01, 1.0, 0.02, 0.2, kRebuild,
      Stage::foam},
-    {kSurface,
-     "foam_resolution",
-     "samples",
-     "Foam resolution",
-     "Samples along each side of the lattice that keeps the foam's past; a power of two. Finer "
-     "maps "
-     "lay their own whitecaps over it; 0 means the grid's resolution.",
-     member<&Parameters::surface, &SurfaceSettings::foam_resolution>(),
-     0,
-     kMaxResolution,
-     0,
-     2048,
-     kRebuild,
-     Stage::foam,
-     {.min_nonzero = kMinResolution, .rule = NumberRule::power_of_two, .neutral = "0"}},
+    {kSurface, "foam_resolution", "samples", "Foam resolution",
+     "Samples along each side of the lattice that keeps the foam's past. Finer maps lay their own "
+     "whitecaps over it, which saves most of a frame's time with cascades; 0 means each map's own.",
+     member<&Parameters::surface, &SurfaceSettings::foam_resolution>(), 0, kMaxResolution, 0, 2048,
+     kRebuild, Stage::foam, kCoarserLattice},
     {kSurface, "foam_coverage", "", "Foam coverage",
      "monahan: the strongest wind determines the area of whitecaps; threshold: whitecaps form "
      "where the Jacobian is below foam_threshold.",

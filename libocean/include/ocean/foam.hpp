@@ -57,8 +57,8 @@ struct FoamLattice {
     auto operator<=>(const FoamLattice&) const = default;
 };
 
-/// Returns the foam lattice of a map: as fine as surface.foam_resolution says, or the grid, and
-/// never finer than the map.
+/// Returns the foam lattice of a map: the map's own, or one of surface.foam_resolution if that is
+/// coarser.
 FoamLattice foam_lattice(const Parameters& parameters, int map_resolution);
 
 /// Writes a lattice of foam onto a map of a power of two times as many samples along each side.

@@ -48,7 +48,7 @@ struct SurfaceSettings {
     double longest_wavelength = 0.0;
     double foam_lifetime = 4.0;
     double foam_step = 0.05;
-    int foam_resolution = 0;  // 0: grid.resolution
+    int foam_resolution = 0;  // 0: that of each map
     FoamCoverage foam_coverage = FoamCoverage::monahan;
     double foam_threshold = 0.75;
     double foam_width = 0.2;
