@@ -184,7 +184,8 @@ def test_the_panel_asks_for_the_seas_words():
         elif sea_text.is_optional(entry):
             drawn.row.assert_called_once_with(heading=label, heading_ctxt=context)
         else:
-            key = "resolution_list" if entry["key"] == "resolution" else entry["key"]
+            is_resolution = entry["key"] in ("resolution", "foam_resolution")
+            key = f"{entry['key']}_list" if is_resolution else entry["key"]
             drawn.prop.assert_called_once_with(group, key, text=label, text_ctxt=context)
 
 
