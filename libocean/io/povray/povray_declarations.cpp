@@ -123,7 +123,7 @@ struct ValueText {
 
 bool is_set(const ParameterValue& value, const ParameterSpec& spec) {
     if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) return !list->empty();
-    return !spec.is_left_out(value);
+    return !spec.is_unset(value);
 }
 
 void declare_parameters(std::string& text, const Parameters& parameters) {
