@@ -143,7 +143,8 @@ struct SeaTextures::Impl {
         const SurfaceSettings settings = sea.sea().at(time).surface;
         if (modes.revision != shown_revision || settings != given || foam_map != shown_for) {
             shown = with_threshold(settings, modes, foam_map);
-            past = with_threshold(settings, modes, lattice.held_by);
+            past = lattice.held_by == foam_map ? shown
+                                               : with_threshold(settings, modes, lattice.held_by);
             given = settings;
             shown_revision = modes.revision;
             shown_for = foam_map;

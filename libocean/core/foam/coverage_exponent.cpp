@@ -17,7 +17,6 @@
 #include "foam/layered_cover.hpp"
 #include "foam/whitecap_gradients.hpp"
 #include "ocean/foam.hpp"
-#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 namespace {
@@ -32,11 +31,10 @@ class Follower {
     /// Adds E[F^n] as the sum, over the ticks s of its last `reach`, of E[F^n / N; W(s) > 0], where
     /// N of them have W > 0: each whitecap counts for its share in the foam that follows.
     void follow(std::span<const Gradients> window, FollowedFoam& followed) {
-        const double c = shown_.choppiness;
         fresh_.clear();
         whitecaps_.clear();
         for (const Gradients& g : window) {
-            const double whitecap = whitecap_of(g, c, shown_.foam_threshold, shown_.foam_width);
+            const double whitecap = whitecap_of(g, shown_);
             whitecaps_.push_back(whitecap);
             fresh_.push_back(age_of(whitecap));
         }
@@ -96,10 +94,8 @@ double cover_power(const CoverPowerInput& sea, const FoamWaves& waves, ThreadPoo
                                   stretch);
     const WhitecapGradients whitecaps(process.covariance(), shown.choppiness, shown.foam_threshold);
     if (!(whitecaps.share() > 0.0)) return 1.0;
-    const int draws = window_draws(stretch);
     const double aging = stretch.step() / shown.foam_lifetime;
-    std::vector<FollowedFoam> parts(static_cast<std::size_t>(draws));
-    pool.for_each_item(draws, [&](int draw, int) {
+    const auto follow_draw = [&](int draw, FollowedFoam& followed) {
         const auto stretches = process.draw(static_cast<std::uint32_t>(draw));
         Follower follower(shown, stretch.reach, aging);
         std::vector<Gradients> window;
@@ -107,12 +103,10 @@ double cover_power(const CoverPowerInput& sea, const FoamWaves& waves, ThreadPoo
             const WindowPlace place = window_place(stretch, draw, i);
             process.passing(whitecaps.at(place.of_nodes, place.of_depth), place.tick, stretch.reach,
                             stretches[place.stretch], window);
-            follower.follow(window, parts[static_cast<std::size_t>(draw)]);
+            follower.follow(window, followed);
         }
-    });
-    FollowedFoam all;
-    for (const FollowedFoam& part : parts) all.add(part);
-    return all.power();
+    };
+    return follow_draws(stretch, pool, follow_draw).power();
 }
 
 }  // namespace ocean

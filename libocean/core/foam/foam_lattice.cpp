@@ -23,9 +23,13 @@ FoamLattice foam_lattice(const Parameters& parameters, int map_resolution) {
 
 FoamWaves foam_waves(const Modes& modes, const Parameters& parameters, int map_resolution) {
     const FoamLattice lattice = foam_lattice(parameters, map_resolution);
-    return {modes.gradient_covariance(map_resolution), lattice,
-            modes.gradient_covariance(lattice.held_by),
-            with_threshold(parameters.surface, modes, lattice.held_by).foam_threshold};
+    FoamWaves waves{modes.gradient_covariance(map_resolution), lattice, {}, 0.0};
+    waves.past = waves.map;
+    if (lattice.held_by < map_resolution) {
+        waves.past = modes.gradient_covariance(lattice.held_by);
+        waves.past_threshold = whitecap_threshold(waves.past, parameters.surface, modes.wind_speed);
+    }
+    return waves;
 }
 
 void spread_foam(std::span<const float> lattice, double power, std::span<float> map,

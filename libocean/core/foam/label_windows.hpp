@@ -9,8 +9,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "foam/foam_ages.hpp"
 #include "foam/gradient_process.hpp"
+#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 
@@ -40,6 +43,19 @@ inline WindowPlace window_place(const Stretch& stretch, int draw, int i) {
     return {static_cast<std::size_t>(static_cast<std::int64_t>(i) * stretch.ticks / kWindowsOfDraw),
             static_cast<std::size_t>(i % 2), of_nodes - std::floor(of_nodes),
             of_depth - std::floor(of_depth)};
+}
+
+/// Returns the sum of what follow(draw, followed) adds for each draw; `follow` runs in parallel,
+/// and the sum is the same for any number of threads.
+template <typename Follow>
+FollowedFoam follow_draws(const Stretch& stretch, ThreadPool& pool, const Follow& follow) {
+    const int draws = window_draws(stretch);
+    std::vector<FollowedFoam> parts(static_cast<std::size_t>(draws));
+    pool.for_each_item(draws,
+                       [&](int draw, int) { follow(draw, parts[static_cast<std::size_t>(draw)]); });
+    FollowedFoam all;
+    for (const FollowedFoam& part : parts) all.add(part);
+    return all;
 }
 
 }  // namespace ocean

@@ -17,7 +17,6 @@
 #include "foam/layered_cover.hpp"
 #include "foam/whitecap_gradients.hpp"
 #include "ocean/foam.hpp"
-#include "ocean/thread_pool.hpp"
 
 namespace ocean {
 namespace {
@@ -46,9 +45,7 @@ class LayeredFollower {
         for (std::size_t i = 0; i < long_waves.size(); ++i) {
             const Gradients& g = long_waves[i];
             const Gradients& h = short_waves[(first + i) % short_waves.size()];
-            shown_whitecaps_.push_back(whitecap_of({g.a + h.a, g.b + h.b, g.c + h.c},
-                                                   shown_.choppiness, shown_.foam_threshold,
-                                                   shown_.foam_width));
+            shown_whitecaps_.push_back(whitecap_of({g.a + h.a, g.b + h.b, g.c + h.c}, shown_));
         }
         // The waves' statistics are the same backwards in time.
         for (int direction = 0; direction < 2; ++direction) {
@@ -80,8 +77,7 @@ class LayeredFollower {
     void read_past(std::span<const Gradients> long_waves) {
         past_ages_.clear();
         for (const Gradients& g : long_waves) {
-            past_ages_.push_back(
-                age_of(whitecap_of(g, past_.choppiness, past_.foam_threshold, past_.foam_width)));
+            past_ages_.push_back(age_of(whitecap_of(g, past_)));
         }
     }
 
@@ -134,15 +130,12 @@ double layered_cover_power(const CoverPowerInput& sea, const FoamWaves& waves,
     const WhitecapGradients shown_whitecaps(all, shown.choppiness, shown.foam_threshold);
     if (!(past_whitecaps.share() > 0.0) || !(shown_whitecaps.share() > 0.0)) return 1.0;
 
-    const int draws = window_draws(stretch);
     const double aging = stretch.step() / shown.foam_lifetime;
-    std::vector<FollowedFoam> parts(static_cast<std::size_t>(draws));
-    pool.for_each_item(draws, [&](int draw, int) {
+    const auto follow_draw = [&](int draw, FollowedFoam& followed) {
         const auto number = static_cast<std::uint32_t>(draw);
         const auto long_stretches = long_waves.draw(number);
         const auto short_stretches = short_waves.draw(number, 1);
         LayeredFollower follower(past, shown, stretch.reach, aging);
-        FollowedFoam& followed = parts[static_cast<std::size_t>(draw)];
         std::vector<Gradients> window;
         for (int i = 0; i < kWindowsOfDraw; ++i) {
             const WindowPlace place = window_place(stretch, draw, i);
@@ -161,14 +154,10 @@ double layered_cover_power(const CoverPowerInput& sea, const FoamWaves& waves,
             const Gradients weights =
                 weights_of(factors, {at.a - g.a - h.a, at.b - g.b - h.b, at.c - g.c - h.c});
             long_waves.shifted(weights, place.tick, stretch.reach, drawn_long, window);
-            follower.topped(
-                window, whitecap_of(at, shown.choppiness, shown.foam_threshold, shown.foam_width),
-                shown_whitecaps.share(), followed);
+            follower.topped(window, whitecap_of(at, shown), shown_whitecaps.share(), followed);
         }
-    });
-    FollowedFoam all_foam;
-    for (const FollowedFoam& part : parts) all_foam.add(part);
-    return all_foam.power();
+    };
+    return follow_draws(stretch, pool, follow_draw).power();
 }
 
 }  // namespace ocean

@@ -73,7 +73,7 @@ struct FoamWaves {
     GradientCovariance map;
     FoamLattice lattice;
     GradientCovariance past;
-    double past_threshold;  // the Jacobian below which the past's whitecaps begin
+    double past_threshold;  // the Jacobian below which whitecaps of a coarser lattice begin
 };
 
 /// Returns the waves of a map's foam. `parameters`: as the sea has them, without a threshold found.
