@@ -21,7 +21,7 @@ using namespace ocean::capi;
 namespace {
 
 constexpr std::size_t kFixDoubles = 4;
-constexpr std::size_t kMostTimes = 100'000'000;
+constexpr std::size_t kMaxTimes = 100'000'000;
 
 SampleTimes sample_times(const ocean_gauge_request& asked) {
     require_time(asked.start);
@@ -31,10 +31,10 @@ SampleTimes sample_times(const ocean_gauge_request& asked) {
                 .value = std::to_string(asked.end),
                 .allowed = "start = " + std::to_string(asked.start) + " or later"});
     }
-    if (!(asked.rate > 0.0) || !((asked.end - asked.start) * asked.rate < kMostTimes)) {
+    if (!(asked.rate > 0.0) || !((asked.end - asked.start) * asked.rate < kMaxTimes)) {
         refuse({.parameter = "rate",
                 .value = std::to_string(asked.rate),
-                .allowed = "more than 0 Hz, and at most " + std::to_string(kMostTimes) + " times"});
+                .allowed = "more than 0 Hz, and at most " + std::to_string(kMaxTimes) + " times"});
     }
     return {asked.start, asked.end, asked.rate};
 }

@@ -91,8 +91,8 @@ class StructArray {
     StructArray(Struct* data, std::size_t count, std::size_t size, const std::string& name)
         : data_(reinterpret_cast<unsigned char*>(data)), size_(size) {
         require_struct_size(size, sizeof(float), "sample_size", name, sizeof(Struct));
-        constexpr std::size_t kMostDoubles = 3;  // of a point
-        if (count > SIZE_MAX / std::max(size, kMostDoubles * sizeof(double))) {
+        constexpr std::size_t kMaxDoubles = 3;  // of a point
+        if (count > SIZE_MAX / std::max(size, kMaxDoubles * sizeof(double))) {
             refuse("count = " + std::to_string(count) + " is more than there are addresses");
         }
         if (count > 0) require(data, "samples");

@@ -53,8 +53,8 @@ std::int64_t preroll_ticks(const FoamClock& clock, std::int64_t tick,
     // to a float and the product, by a factor of at most 1 + 2^-24: m ticks fade by at least
     // exp(-sum(step / lifetime - 2^-23)). Rounded up by 5 % for the sums in double.
     constexpr double kRounding = 1.25e-7;
-    constexpr std::int64_t kMost = 1 << 20;  // 600 s by 0.01 s are 377106
-    const std::int64_t most = clock.ticks_per_loop > 0 ? clock.ticks_per_loop : kMost;
+    constexpr std::int64_t kMax = 1 << 20;  // 600 s by 0.01 s are 377106
+    const std::int64_t most = clock.ticks_per_loop > 0 ? clock.ticks_per_loop : kMax;
     double left = std::log(512.0);
     std::int64_t count = 0;
     while (left > 0.0 && count < most) {

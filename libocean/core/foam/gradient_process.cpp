@@ -70,10 +70,10 @@ std::vector<GradientCovariance> spectrum(const CoverPowerInput& sea, const WaveB
 Stretch stretch_of(const FoamClock& clock, double lifetime) {
     constexpr double kReach = 2.5;       // lifetimes
     constexpr double kMinSeconds = 200;  // [s]: waves that differ by less are not separated
-    constexpr int kMost = 1 << 17;
+    constexpr int kMax = 1 << 17;
     const auto ticks_for = [](double wanted) {
         int ticks = 64;
-        while (ticks < wanted && ticks < kMost) ticks *= 2;
+        while (ticks < wanted && ticks < kMax) ticks *= 2;
         return ticks;
     };
     const double reach = kReach * lifetime;

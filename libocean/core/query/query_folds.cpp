@@ -171,7 +171,7 @@ void FoldIndex::list_cells(int block) {
         std::uint32_t tile, cell;
     };
     std::vector<Shown> shown;
-    constexpr std::size_t kMost = kMaxTilesPerCell * kBlock * kBlock;
+    constexpr std::size_t kMax = kMaxTilesPerCell * kBlock * kBlock;
     const double spacing = lattice_.period / lattice_.resolution;
     const bool all_round = labels_of(block % across_).count == across_;
     each_label_block(block, &LabelBlocks::cells, [&](int labels) {
@@ -180,7 +180,7 @@ void FoldIndex::list_cells(int block) {
             const Offset offset = offset_[sample_at(i, j)];
             const double x = i * spacing + static_cast<double>(offset.x);
             const double y = j * spacing + static_cast<double>(offset.y);
-            if (!near.x.holds(x) || !near.y.holds(y) || shown.size() > kMost) return;
+            if (!near.x.holds(x) || !near.y.holds(y) || shown.size() > kMax) return;
             each_tile(tiles_of(i, j), block, [&](std::size_t tile) {
                 if (squeezed[tile] == 0) return;
                 shown.push_back({static_cast<std::uint32_t>(tile),
@@ -188,7 +188,7 @@ void FoldIndex::list_cells(int block) {
             });
         });
     });
-    cells.hopeless = shown.size() > kMost;
+    cells.hopeless = shown.size() > kMax;
     if (cells.hopeless) return;
     cells.begin.assign(kTilesOfBlock + 1, 0);
     for (const Shown& s : shown) ++cells.begin[s.tile + 1];

@@ -61,9 +61,9 @@ void validate(const SpraySettings& settings) {
 }
 
 Lattice spray_lattice(const Grid& grid) {
-    constexpr int kLeast = 64, kUsual = 512, kMost = 1024;
-    int n = kLeast;
-    while (n < kMost && grid.patch_size / n > (n < kUsual ? 2.5 : 4.0)) n *= 2;
+    constexpr int kMin = 64, kUsual = 512, kMax = 1024;
+    int n = kMin;
+    while (n < kMax && grid.patch_size / n > (n < kUsual ? 2.5 : 4.0)) n *= 2;
     return {std::min(n, default_map_resolution(grid)), grid.patch_size};
 }
 
